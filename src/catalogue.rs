@@ -1,0 +1,56 @@
+//! All models: the families one after the other; found by name or by guid.
+
+use crate::model::ModelType;
+
+/// Declares the files of a family and lists their models: the one line that a new model adds outside its own file.
+macro_rules! family {
+    ($($file:ident::$Model:ident,)+) => {
+        $(
+            mod $file;
+            pub use $file::$Model;
+        )+
+
+        /// The models of this family.
+        pub(crate) static MODELS: &[$crate::model::ModelType] = &[$($crate::model::ModelType::of::<$Model>(),)+];
+
+        /// Their documentation pages. Kept apart from the models, so that the library in an FMU does not carry them.
+        pub(crate) static PAGES: &[&str] = &[$(<$Model as $crate::model::Described>::DOCUMENTATION,)+];
+    };
+}
+pub(crate) use family;
+
+/// A family of models.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Family {
+    /// Friction force models.
+    Friction,
+    /// Mechanical systems that carry a friction force.
+    Host,
+}
+
+/// Every model of the library, in the order of the families.
+pub fn models() -> impl Iterator<Item = &'static ModelType> {
+    let models = crate::friction::MODELS.iter().chain(crate::host::MODELS);
+    #[cfg(test)]
+    let models = models.chain(crate::probe::MODELS);
+    models
+}
+
+/// Every model of a family with its documentation page, in Markdown.
+pub fn documented(family: Family) -> impl Iterator<Item = (&'static ModelType, &'static str)> {
+    let (models, pages) = match family {
+        Family::Friction => (crate::friction::MODELS, crate::friction::PAGES),
+        Family::Host => (crate::host::MODELS, crate::host::PAGES),
+    };
+    models.iter().zip(pages.iter().copied())
+}
+
+/// The model of that name (its modelIdentifier).
+pub fn by_name(name: &str) -> Option<&'static ModelType> {
+    models().find(|model| model.name == name)
+}
+
+/// The model whose table has that fingerprint.
+pub fn by_guid(guid: &str) -> Option<&'static ModelType> {
+    models().find(|model| model.guid() == guid)
+}

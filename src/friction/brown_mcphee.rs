@@ -1,0 +1,158 @@
+use crate::model::{Fault, Law, Model, boolean, real};
+use crate::number::Real;
+
+crate::model! {
+    /// Brown-McPhee friction: a smooth law with a stiction peak near the transition velocity, without memory and without
+    /// exponentials of large arguments, made for fast multibody simulation.
+    ///
+    /// # Equations
+    ///
+    /// ```text
+    /// f_f = f_C tanh(4 v / v_0)                                           (6.31)
+    ///     + (f_s - f_C) (v / v_0) / ((v / v_0)^2 / 4 + 3 / 4)^2
+    ///     + mu_v v tanh(4 f_n / f_nt)
+    /// f_C = mu_k f_n,   f_s = mu_s f_n
+    /// ```
+    ///
+    /// | symbol | variable                  | unit  | meaning                                                |
+    /// |--------|---------------------------|-------|--------------------------------------------------------|
+    /// | v      | `velocity`                | m/s   | velocity of body 1 relative to body 2                  |
+    /// | f_n    | `normal_force`            | N     | force pressing the surfaces together                   |
+    /// | mu_k   | `mu_k`                    | 1     | kinetic coefficient of friction                        |
+    /// | mu_s   | `mu_s`                    | 1     | static coefficient of friction                         |
+    /// | v_0    | `transition_velocity`     | m/s   | velocity of the stiction peak                          |
+    /// | mu_v   | `viscous_coefficient`     | N.s/m | viscous coefficient                                    |
+    /// | f_nt   | `transition_normal_force` | N     | normal force at which the viscous part is fully active |
+    /// | f_f    | `friction_force`          | N     | friction force                                         |
+    ///
+    /// # Sign
+    /// `friction_force` has the sign of `velocity`; body 1 feels `-friction_force`. Dissipated power is
+    /// `friction_force * velocity`, never negative: the law is passive.
+    ///
+    /// # Step
+    /// No memory; only the dissipated energy is integrated, exactly for held inputs. A master that couples it explicitly
+    /// to a mass m needs a communication step below 2 m / f'(0), where f'(0) = (4 f_C + 16/9 (f_s - f_C)) / v_0; above,
+    /// a held body chatters within the stiction level. `sticking` says |v| < v_0.
+    ///
+    /// # Errors
+    /// Refused: a parameter outside its bound; `mu_s` < `mu_k`.
+    ///
+    /// # Limits
+    /// Cannot hold a load: a stuck body creeps with |v| < v_0. The peak is not exactly f_s: f(v_0) is
+    /// f_s - 6.707e-4 f_C, because tanh 4 = 0.99933; the largest force is within 6.7e-4 f_C below f_s. No pre-sliding
+    /// displacement. `normal_force` = 0 gives force 0.
+    ///
+    /// # Source
+    /// Brown and McPhee (2016), doi:10.1115/1.4033658; equations (6.30) and (6.31) of F. Novais, "A critical analysis on
+    /// friction force models in dynamical systems", MSc thesis, University of Minho (2024). mu_v must be in N.s/m for the
+    /// printed equation to have consistent units. The defaults of v_0 and f_nt are chosen.
+    ///
+    /// # Example
+    /// ```
+    /// use stribeck::friction::BrownMcPhee;
+    /// use stribeck::model::Law;
+    /// let mut law = BrownMcPhee { velocity: 0.001, ..Default::default() };
+    /// law.output();
+    /// let peak = 0.981 * 4f64.tanh() + 0.4905; // at v_0 the rational term is exactly 1
+    /// assert!((law.friction_force - peak).abs() < 1e-15);
+    /// ```
+    BrownMcPhee: "Smooth friction law with a stiction peak (Brown and McPhee)" {
+        /// Sliding velocity of body 1 relative to body 2.
+        velocity: input = real("m/s", 0.0).shown_in("mm/s"),
+        /// Normal force that presses the surfaces together.
+        normal_force: input = real("N", 9.81).at_least(0.0),
+        /// Kinetic coefficient of friction.
+        mu_k: tunable = real("1", 0.1).at_least(0.0),
+        /// Static coefficient of friction; not less than mu_k.
+        mu_s: tunable = real("1", 0.15).at_least(0.0),
+        /// Velocity at which the regularised band around rest ends (default chosen).
+        transition_velocity: tunable = real("m/s", 0.001).positive().shown_in("mm/s"),
+        /// Viscous friction coefficient.
+        viscous_coefficient: tunable = real("N.s/m", 0.0).at_least(0.0),
+        /// Normal force at which the viscous part is fully active (default chosen).
+        transition_normal_force: tunable = real("N", 1.0).positive(),
+        /// Energy taken out of the motion since the start.
+        dissipated_energy: state_output = real("J", 0.0),
+        /// Friction force; has the sign of the velocity when sliding. Body 1 feels its negative.
+        friction_force: output = real("N", 0.0),
+        /// Power taken out of the motion: friction force times velocity.
+        dissipated_power: output = real("W", 0.0),
+        /// Is the contact sticking?
+        sticking: output = boolean(false),
+    }
+}
+
+impl<T: Real> BrownMcPhee<T> {
+    /// Eq. (6.31).
+    fn force(&self) -> T {
+        let [quarter, three_quarters, four] = [0.25, 0.75, 4.0].map(T::from);
+        let coulomb = self.mu_k * self.normal_force;
+        let statical = self.mu_s * self.normal_force;
+        let u = self.velocity / self.transition_velocity;
+        let base = quarter * u * u + three_quarters;
+        let sliding = coulomb * (four * u).tanh() + (statical - coulomb) * u / (base * base);
+        // Usually absent, and a hyperbolic tangent costs more than all the rest.
+        if self.viscous_coefficient.is(0.0) {
+            return sliding;
+        }
+        let active = (four * self.normal_force / self.transition_normal_force).tanh();
+        sliding + self.viscous_coefficient * self.velocity * active
+    }
+}
+
+impl<T: Real> Law for BrownMcPhee<T> {
+    fn output(&mut self) {
+        self.friction_force = self.force();
+        self.dissipated_power = self.friction_force * self.velocity;
+        let sticking = self.velocity.abs() < self.transition_velocity && self.normal_force.value() > 0.0;
+        self.sticking = T::from(f64::from(u8::from(sticking)));
+    }
+}
+
+impl Model for BrownMcPhee {
+    fn check(&self) -> Result<(), Fault> {
+        crate::friction::static_not_below_kinetic(self.mu_s, self.mu_k)
+    }
+
+    fn step(&mut self, dt: f64) {
+        self.dissipated_energy += self.force() * self.velocity * dt;
+    }
+
+    fn rate(&self, rate: &mut Self) {
+        rate.dissipated_energy = self.force() * self.velocity;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn force(law: BrownMcPhee) -> f64 {
+        law.force()
+    }
+
+    /// With f_s = f_C the law reduces to a hyperbolic tangent.
+    #[test]
+    fn equal_levels_leave_the_regularised_coulomb_law() {
+        for velocity in [-2e-3, -1e-4, 3e-5, 0.4] {
+            let law = BrownMcPhee { velocity, mu_s: 0.1, ..Default::default() };
+            assert!((force(law) - 0.981 * (4.0 * velocity / 0.001).tanh()).abs() < 1e-15);
+        }
+    }
+
+    /// Far above v_0 the excess over the Coulomb level falls as 16 (f_s - f_C) (v_0 / v)^3.
+    #[test]
+    fn tail_is_algebraic() {
+        let law = BrownMcPhee { velocity: 1.0, ..Default::default() };
+        let excess = (force(law) - 0.981) / (16.0 * 0.4905 * 1e-9);
+        assert!((excess - 1.0).abs() < 1e-4, "{excess}");
+    }
+
+    #[test]
+    fn viscous_part_needs_a_normal_force() {
+        let law = BrownMcPhee { velocity: 1.0, normal_force: 0.0, viscous_coefficient: 5.0, ..Default::default() };
+        assert_eq!(force(law), 0.0);
+        let loaded = BrownMcPhee { normal_force: 100.0, ..law };
+        assert!((force(loaded) - 10.0 - 5.0).abs() < 1e-6);
+    }
+}

@@ -1,0 +1,266 @@
+use crate::model::{Law, Model, boolean, real};
+use crate::number::Real;
+
+crate::model! {
+    /// Dahl friction: a contact yields like a spring before it slides, and the force follows the displacement with
+    /// hysteresis; the simplest law with pre-sliding displacement.
+    ///
+    /// # Equations
+    ///
+    /// ```text
+    /// df_f/dt = sigma_0 |1 - (f_f / f_C) sgn v|^alpha sgn(1 - (f_f / f_C) sgn v) v     (7.1)
+    /// f_f = sigma_0 z
+    /// f_C = mu_k f_n
+    /// ```
+    ///
+    /// For alpha = 1 this is dz/dt = v - sigma_0 |v| z / f_C (7.5).
+    ///
+    /// | symbol  | variable             | unit | meaning                                               |
+    /// |---------|----------------------|------|-------------------------------------------------------|
+    /// | v       | `velocity`           | m/s  | velocity of body 1 relative to body 2                 |
+    /// | f_n     | `normal_force`       | N    | force pressing the surfaces together                  |
+    /// | mu_k    | `mu_k`               | 1    | kinetic coefficient of friction                       |
+    /// | sigma_0 | `sigma_0`            | N/m  | stiffness of the contact at rest                      |
+    /// | alpha   | `alpha`              | 1    | shape of the transition; < 1 brittle, >= 1 ductile    |
+    /// | z       | `bristle_deflection` | m    | elastic deflection                                    |
+    /// | f_f     | `friction_force`     | N    | friction force                                        |
+    ///
+    /// # Sign
+    /// `friction_force` has the sign of `velocity` in steady sliding; body 1 feels `-friction_force`. Dissipated power
+    /// is `friction_force * velocity`; it is negative while the contact springs back. Over a closed cycle at constant
+    /// load the dissipated energy is not negative.
+    ///
+    /// # Step
+    /// The force depends on the displacement only, so with held inputs the step is exact for every alpha and every step
+    /// size, and two half steps equal one. With y = 1 - (f_f / f_C) sgn v and q = sigma_0 |x| / f_C:
+    ///
+    /// ```text
+    /// y(q) = y_0 exp(-q)                                            alpha  = 1
+    /// y(q) = (y_0^(1 - alpha) - (1 - alpha) q)_+^(1 / (1 - alpha))  alpha != 1
+    /// ```
+    ///
+    /// For alpha < 1 sliding is reached after a finite distance; the bracket is then zero. `sticking` says that more
+    /// than 1 % (chosen) of the motion is still elastic.
+    ///
+    /// # Errors
+    /// Refused: a parameter outside its bound.
+    ///
+    /// # Limits
+    /// No stiction and no Stribeck effect. Drifts under a load that cycles below f_C. If the load falls while the contact
+    /// is at rest, the force keeps the old deflection until there is motion. `normal_force` = 0 releases the contact
+    /// (force 0, deflection 0).
+    ///
+    /// # Source
+    /// Dahl (1968), "A solid friction model", TOR-0158(3107-18)-1, The Aerospace Corporation; equations (7.1) to (7.6) of
+    /// F. Novais, "A critical analysis on friction force models in dynamical systems", MSc thesis, University of Minho
+    /// (2024), whose Table 7.1 gives sigma_0.
+    ///
+    /// # Example
+    /// ```
+    /// use stribeck::friction::Dahl;
+    /// use stribeck::model::{Law, Model};
+    /// let mut law = Dahl { velocity: 1e-4, ..Default::default() };
+    /// law.step(0.15); // 15 um of sliding
+    /// law.output();
+    /// let by_hand = 0.981 * (1.0 - (-1e5 * 1.5e-5 / 0.981f64).exp());
+    /// assert!((law.friction_force - by_hand).abs() < 1e-15);
+    /// ```
+    Dahl: "Pre-sliding displacement with hysteresis (Dahl)" {
+        /// Sliding velocity of body 1 relative to body 2.
+        velocity: input = real("m/s", 0.0).shown_in("mm/s"),
+        /// Normal force that presses the surfaces together.
+        normal_force: input = real("N", 9.81).at_least(0.0),
+        /// Kinetic coefficient of friction.
+        mu_k: tunable = real("1", 0.1).at_least(0.0),
+        /// Stiffness of the bristles.
+        sigma_0: tunable = real("N/m", 1e5).positive().nominal(1e5),
+        /// Exponent of the transition to sliding; below 1 brittle, from 1 on ductile.
+        alpha: tunable = real("1", 1.0).at_least(0.0),
+        /// Mean elastic deflection of the bristles.
+        bristle_deflection: state = real("m", 0.0).nominal(1e-5).shown_in("um"),
+        /// Energy taken out of the motion since the start.
+        dissipated_energy: state_output = real("J", 0.0),
+        /// Friction force; has the sign of the velocity when sliding. Body 1 feels its negative.
+        friction_force: output = real("N", 0.0),
+        /// Power taken out of the motion: friction force times velocity.
+        dissipated_power: output = real("W", 0.0),
+        /// Is the contact sticking?
+        sticking: output = boolean(false),
+    }
+}
+
+/// Share of the motion that is elastic above which the contact counts as sticking (chosen).
+const ELASTIC_SHARE: f64 = 0.01;
+
+impl<T: Real> Dahl<T> {
+    fn coulomb(&self) -> T {
+        self.mu_k * self.normal_force
+    }
+
+    fn force(&self) -> T {
+        if self.normal_force.value() > 0.0 { self.sigma_0 * self.bristle_deflection } else { T::zero() }
+    }
+
+    /// y = 1 - (f_f / f_C) sgn v: 0 when sliding, 1 for an undeflected contact.
+    fn distance_to_sliding(&self) -> T {
+        T::from(1.0) - self.force() / self.coulomb() * self.velocity.sign()
+    }
+}
+
+impl<T: Real> Law for Dahl<T> {
+    fn output(&mut self) {
+        self.friction_force = self.force();
+        self.dissipated_power = self.friction_force * self.velocity;
+        let distance = self.distance_to_sliding().value();
+        let elastic =
+            self.velocity.value() == 0.0 || distance.signum() * distance.abs().powf(self.alpha.value()) > ELASTIC_SHARE;
+        self.sticking = T::from(f64::from(u8::from(elastic && self.coulomb().value() > 0.0)));
+    }
+}
+
+impl Model for Dahl {
+    fn step(&mut self, dt: f64) {
+        let coulomb = self.coulomb();
+        if coulomb == 0.0 {
+            self.bristle_deflection = 0.0;
+            return;
+        }
+        let direction = self.velocity.sign();
+        let distance = self.velocity.abs() * dt;
+        // Everything below is for sliding forwards; `missing` is what the force lacks to the level, f_C y.
+        let missing = coulomb - direction * self.force();
+        let shrinkage = log_shrinkage(missing.abs() / coulomb, self.sigma_0 * distance / coulomb, self.alpha);
+        self.bristle_deflection -= direction * missing * shrinkage.exp_m1() / self.sigma_0;
+        if distance > 0.0 {
+            let elastic = missing / self.sigma_0 * mean_path(missing.abs() / coulomb, shrinkage, self.alpha);
+            self.dissipated_energy += coulomb * (distance - elastic);
+        }
+    }
+
+    /// Eq. (7.1), divided by sigma_0.
+    fn rate(&self, rate: &mut Self) {
+        if self.coulomb() > 0.0 {
+            let distance = self.distance_to_sliding();
+            rate.bristle_deflection = self.velocity * distance.sign() * distance.abs().powf(self.alpha);
+        }
+        rate.dissipated_energy = self.force() * self.velocity;
+    }
+}
+
+/// ln(y(q) / y_0) of dy/dq = -y^alpha for y_0 > 0; minus infinity where y has reached 0.
+fn log_shrinkage(y_0: f64, q: f64, alpha: f64) -> f64 {
+    let q = q.min(f64::MAX);
+    if alpha == 1.0 {
+        return -q;
+    }
+    if y_0 == 0.0 {
+        return 0.0;
+    }
+    let relative = (1.0 - alpha) * q * y_0.powf(alpha - 1.0);
+    if relative >= 1.0 { f64::NEG_INFINITY } else { (-relative).ln_1p() / (1.0 - alpha) }
+}
+
+/// Integral of y over q, divided by y_0: (y_0^(2 - alpha) - y^(2 - alpha)) / ((2 - alpha) y_0).
+fn mean_path(y_0: f64, log_shrinkage: f64, alpha: f64) -> f64 {
+    if y_0 == 0.0 {
+        return 0.0;
+    }
+    let exponent = 2.0 - alpha;
+    let integral = if exponent == 0.0 { -log_shrinkage } else { -(exponent * log_shrinkage).exp_m1() / exponent };
+    y_0.powf(1.0 - alpha) * integral
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn slide(alpha: f64, from: f64, distance: f64, pieces: usize) -> Dahl {
+        let mut law = Dahl { velocity: distance, alpha, bristle_deflection: from / 1e5, ..Default::default() };
+        for _ in 0..pieces {
+            law.step(1.0 / pieces as f64);
+        }
+        law.output();
+        law
+    }
+
+    /// Virgin curve at 15 um, computed by numerical integration of (7.1).
+    #[test]
+    fn virgin_curve_for_four_exponents() {
+        let expected = [(0.0, 0.981), (0.5, 0.926_605_505), (1.0, 0.768_377_037), (2.0, 0.593_107_618)];
+        for (alpha, force) in expected {
+            for pieces in [1, 7, 1000] {
+                let law = slide(alpha, 0.0, 1.5e-5, pieces);
+                assert!((law.friction_force - force).abs() < 1e-9, "{alpha}: {}", law.friction_force);
+            }
+        }
+    }
+
+    /// The closed forms of the single exponents, written as they stand in textbooks.
+    #[test]
+    fn general_exponent_agrees_with_the_special_closed_forms() {
+        let (level, q) = (0.981, 0.7);
+        for from in [-0.9, -0.2, 0.0, 0.4] {
+            let y_0: f64 = 1.0 - from / level;
+            let expected = [
+                (0.0, f64::min(from + level * q, level)),
+                (0.5, level * (1.0 - f64::max(y_0.sqrt() - q / 2.0, 0.0).powi(2))),
+                (1.0, level - (level - from) * f64::exp(-q)),
+                (2.0, level * (1.0 - 1.0 / (1.0 / y_0 + q))),
+            ];
+            for (alpha, force) in expected {
+                let law = slide(alpha, from, level * q / 1e5, 1);
+                assert!((law.friction_force - force).abs() < 1e-14, "{alpha} from {from}");
+                let mirrored = slide(alpha, -from, -level * q / 1e5, 1);
+                assert!((mirrored.friction_force + force).abs() < 1e-14, "{alpha} from {from}, backwards");
+            }
+        }
+    }
+
+    /// Energy against the integral of the force over the distance by Simpson's rule.
+    #[test]
+    fn energy_is_the_integral_of_force_over_distance() {
+        for alpha in [0.0, 0.5, 1.0, 1.5, 2.0, 3.0] {
+            let (from, distance, n) = (-0.5, 2e-5, 20_000);
+            let force = |k: usize| slide(alpha, from, distance * k as f64 / n as f64, 1).friction_force;
+            let sum: f64 = (1..n).map(|k| force(k) * if k % 2 == 1 { 4.0 } else { 2.0 }).sum();
+            let integral = (force(0) + sum + force(n)) * distance / n as f64 / 3.0;
+            let energy = slide(alpha, from, distance, 1).dissipated_energy;
+            assert!((energy / integral - 1.0).abs() < 1e-8, "{alpha}: {energy} against {integral}");
+        }
+    }
+
+    /// Symmetric loop for alpha = 1: F_m = f_C tanh(sigma_0 X / f_C), E = 4 f_C X - 4 f_C^2 / sigma_0 tanh(..).
+    #[test]
+    fn periodic_loop_has_the_closed_form_peak_and_energy() {
+        let mut law = slide(1.0, 0.0, 2e-5, 1);
+        for _ in 0..20 {
+            law.velocity = -4e-5;
+            law.step(1.0);
+            law.velocity = 4e-5;
+            law.step(1.0);
+        }
+        law.output();
+        assert!((law.friction_force - 0.948_297_894_5).abs() < 1e-10);
+        let before = law.dissipated_energy;
+        law.velocity = -4e-5;
+        law.step(1.0);
+        law.velocity = 4e-5;
+        law.step(1.0);
+        let energy = law.dissipated_energy - before;
+        assert!((energy / 4.126_879_06e-5 - 1.0).abs() < 1e-8, "{energy}");
+    }
+
+    /// A level that falls below the present force is approached from above, not jumped to.
+    #[test]
+    fn falling_load_pulls_the_force_down_with_the_motion() {
+        let mut law = slide(0.5, 0.981, 0.0, 1);
+        law.normal_force = 4.905;
+        law.velocity = 1e-6;
+        law.step(1.0);
+        law.output();
+        assert!(law.friction_force < 0.981 && law.friction_force > 0.4905);
+        law.step(1000.0);
+        law.output();
+        assert!((law.friction_force - 0.4905).abs() < 1e-15);
+    }
+}

@@ -1,0 +1,153 @@
+use crate::friction::time_stepping::{Contact, TimeStepping};
+use crate::model::{Fault, Law, Model, boolean, real};
+use crate::number::Real;
+
+crate::model! {
+    /// Karnopp friction: stiction in a band of small velocities instead of at velocity zero exactly, so that a solver
+    /// needs no search for the instant of rest.
+    ///
+    /// # Equations
+    ///
+    /// ```text
+    /// f_f = f_C sgn(v)                  |v| >  v_0     (6.7)
+    /// f_f = min(|f_e|, f_s) sgn(f_e)    |v| <= v_0
+    /// f_C = mu_k f_n,   f_s = mu_s f_n
+    /// ```
+    ///
+    /// With `mass` m > 0 the force over a step h is the one that brings the body to rest within the step, limited to the
+    /// static level inside the band and to the kinetic level outside (time stepping in the sense of Moreau):
+    ///
+    /// ```text
+    /// f_stop = f_e + m v / h
+    /// ```
+    ///
+    /// | symbol | variable              | unit | meaning                                     |
+    /// |--------|-----------------------|------|---------------------------------------------|
+    /// | v      | `velocity`            | m/s  | velocity of body 1 relative to body 2       |
+    /// | f_n    | `normal_force`        | N    | force pressing the surfaces together        |
+    /// | f_e    | `external_force`      | N    | all other tangential forces on body 1       |
+    /// | mu_k   | `mu_k`                | 1    | kinetic coefficient of friction             |
+    /// | mu_s   | `mu_s`                | 1    | static coefficient of friction              |
+    /// | v_0    | `transition_velocity` | m/s  | half width of the band of stiction          |
+    /// | m      | `mass`                | kg   | effective mass of the host, 0 = (6.7) alone |
+    /// | h      | `step_size`           | s    | last communication step                     |
+    /// | f_f    | `friction_force`      | N    | friction force                              |
+    ///
+    /// # Sign
+    /// `friction_force` has the sign of `velocity` when sliding and the sign of `external_force` inside the band; body 1
+    /// feels `-friction_force`. Dissipated power is `friction_force * velocity`.
+    ///
+    /// # Step
+    /// Without `mass` the law has no memory. Inside the band its force balances the external force, so the velocity
+    /// stays constant instead of going to zero: a captured body creeps with up to v_0. With `mass` it is brought to rest
+    /// and neither chatters nor creeps, at any step size. For the meaning of `exchange` see `CoulombStiction`: sequential
+    /// if the host uses the force of the step just computed, parallel if all models step at once and then exchange. A
+    /// force read before the first step is that of (6.7). With `mass` > 0 slopes of the inputs are not used, only their
+    /// values at the end of the step.
+    ///
+    /// # Errors
+    /// Refused: a parameter outside its bound; `mu_s` < `mu_k`.
+    ///
+    /// # Limits
+    /// The force jumps at |v| = v_0, and after breakaway the static level acts until the body has left the band. No
+    /// Stribeck effect, no pre-sliding displacement. `normal_force` = 0 releases the contact (force 0, not stuck).
+    /// `mu_s` = `mu_k` is regularised Coulomb friction.
+    ///
+    /// # Source
+    /// Karnopp (1985), doi:10.1115/1.3140698; equation (6.7) of F. Novais, "A critical analysis on friction force models
+    /// in dynamical systems", MSc thesis, University of Minho (2024). The default v_0 = 0.001 m/s is chosen. Time
+    /// stepping: Moreau (1988), doi:10.1007/978-3-7091-2624-0_1. The choice `exchange` is ours.
+    ///
+    /// # Example
+    /// ```
+    /// use stribeck::friction::Karnopp;
+    /// use stribeck::model::Law;
+    /// let mut held = Karnopp { velocity: 0.0009, external_force: 1.2, ..Default::default() };
+    /// held.output();
+    /// assert_eq!(held.friction_force, 1.2); // inside the band, below mu_s f_n = 1.4715 N
+    /// ```
+    Karnopp: "Coulomb friction with a band of stiction (Karnopp)" {
+        /// Sliding velocity of body 1 relative to body 2.
+        velocity: input = real("m/s", 0.0).shown_in("mm/s"),
+        /// Normal force that presses the surfaces together.
+        normal_force: input = real("N", 9.81).at_least(0.0),
+        /// Resultant of all other tangential forces on body 1.
+        external_force: input = real("N", 0.0),
+        /// Kinetic coefficient of friction.
+        mu_k: tunable = real("1", 0.1).at_least(0.0),
+        /// Static coefficient of friction; not less than mu_k.
+        mu_s: tunable = real("1", 0.15).at_least(0.0),
+        /// Velocity at which the regularised band around rest ends (default chosen).
+        transition_velocity: tunable = real("m/s", 0.001).positive().shown_in("mm/s"),
+        /// What the law needs to hold a body in co-simulation.
+        time_stepping: (TimeStepping),
+        /// Energy taken out of the motion since the start.
+        dissipated_energy: state_output = real("J", 0.0),
+        /// Friction force; has the sign of the velocity when sliding. Body 1 feels its negative.
+        friction_force: output = real("N", 0.0),
+        /// Power taken out of the motion: friction force times velocity.
+        dissipated_power: output = real("W", 0.0),
+        /// Is the contact sticking?
+        sticking: output = boolean(false),
+    }
+}
+
+impl<T: Real> Karnopp<T> {
+    fn contact(&self) -> Contact<T> {
+        Contact {
+            velocity: self.velocity,
+            external_force: self.external_force,
+            kinetic: self.mu_k * self.normal_force,
+            statical: self.mu_s * self.normal_force,
+            band: self.transition_velocity,
+        }
+    }
+}
+
+impl<T: Real> Law for Karnopp<T> {
+    fn output(&mut self) {
+        let contact = self.contact();
+        self.friction_force = self.time_stepping.force(&contact);
+        self.dissipated_power = self.friction_force * self.velocity;
+        self.sticking = self.time_stepping.sticking(&contact);
+    }
+}
+
+impl Model for Karnopp {
+    fn check(&self) -> Result<(), Fault> {
+        crate::friction::static_not_below_kinetic(self.mu_s, self.mu_k)
+    }
+
+    fn step(&mut self, dt: f64) {
+        let contact = self.contact();
+        self.dissipated_energy += self.time_stepping.step(&contact, dt);
+    }
+
+    fn step_ramp(&mut self, slope: &Self, dt: f64) {
+        if self.time_stepping.mass > 0.0 {
+            crate::ramp::at_end(self, slope, dt);
+        } else {
+            crate::ramp::advance(self, slope, dt);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn force(velocity: f64, external_force: f64) -> f64 {
+        let mut law = Karnopp { velocity, external_force, ..Default::default() };
+        law.output();
+        law.friction_force
+    }
+
+    /// Eq. (6.7) by hand: f_C = 0.981 N, f_s = 1.4715 N, v_0 = 1 mm/s.
+    #[test]
+    fn printed_law_inside_and_outside_the_band() {
+        assert_eq!(force(0.001, 0.7), 0.7);
+        assert!((force(-0.001, 9.0) - 1.4715).abs() < 1e-12);
+        assert!((force(0.00101, 9.0) - 0.981).abs() < 1e-12);
+        assert!((force(-0.5, 0.3) + 0.981).abs() < 1e-12);
+    }
+}

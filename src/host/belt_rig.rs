@@ -1,0 +1,172 @@
+use crate::model::{Law, Model, real};
+use crate::number::Real;
+
+crate::model! {
+    /// A block on a moving belt, held by a spring: the one-degree-of-freedom benchmark of stick-slip.
+    ///
+    /// # Equations
+    ///
+    /// ```text
+    /// m d2x/dt2 = -k x - f_f       (6.32)
+    /// v   = dx/dt - v_b
+    /// f_e = -k x
+    /// ```
+    ///
+    /// | symbol | variable         | unit | meaning                                    |
+    /// |--------|------------------|------|--------------------------------------------|
+    /// | f_f    | `friction_force` | N    | friction force of the contact              |
+    /// | m      | `mass`           | kg   | mass of the block                          |
+    /// | k      | `stiffness`      | N/m  | stiffness of the spring                    |
+    /// | v_b    | `belt_velocity`  | m/s  | velocity of the belt                       |
+    /// | x      | `position`       | m    | position of the block, spring relaxed at 0 |
+    /// | dx/dt  | `block_velocity` | m/s  | velocity of the block                      |
+    /// | v      | `velocity`       | m/s  | velocity of the block relative to the belt |
+    /// | f_e    | `external_force` | N    | spring force on the block                  |
+    ///
+    /// # Sign
+    /// `friction_force` has the sign of `velocity` when sliding; the block feels `-friction_force`. While the block sticks,
+    /// `friction_force` is `external_force`: negative as the belt pulls it to positive positions.
+    ///
+    /// # Step
+    /// The system is linear, so the step is exact for a held friction force and for one that moves linearly. All outputs
+    /// are states or follow from states alone: there is no direct feed-through from input to output.
+    ///
+    /// # Errors
+    /// Refused: a parameter outside its bound.
+    ///
+    /// # Limits
+    /// The friction force is what the master delivers: held over a step, it makes the coupling a method of first order.
+    /// `stiffness` = 0 is a free block.
+    ///
+    /// # Source
+    /// Equation (6.32) and Table 6.1 of F. Novais, "A critical analysis on friction force models in dynamical systems",
+    /// MSc thesis, University of Minho (2024): m = 1 kg, k = 2 N/m, v_b = 0.1 m/s, x(0) = 0, dx/dt(0) = 0.1 m/s.
+    ///
+    /// # Example
+    /// ```
+    /// use stribeck::host::BeltRig;
+    /// use stribeck::model::Model;
+    /// let mut rig = BeltRig { position: 0.1, block_velocity: 0.0, ..Default::default() };
+    /// rig.step(std::f64::consts::PI / 2f64.sqrt()); // half a period of sqrt(k / m)
+    /// assert!((rig.position + 0.1).abs() < 1e-15);
+    /// ```
+    BeltRig: "Block on a moving belt, held by a spring" {
+        /// Friction force; has the sign of the velocity when sliding. Body 1 feels its negative.
+        friction_force: input = real("N", 0.0),
+        /// Mass of the block.
+        mass: fixed = real("kg", 1.0).positive(),
+        /// Stiffness of the spring.
+        stiffness: fixed = real("N/m", 2.0).at_least(0.0),
+        /// Velocity of the belt.
+        belt_velocity: tunable = real("m/s", 0.1),
+        /// Position of the block; the spring is relaxed at 0.
+        position: state_output = real("m", 0.0),
+        /// Velocity of the block.
+        block_velocity: state_output = real("m/s", 0.1),
+        /// Velocity of the block relative to the belt.
+        velocity: output = real("m/s", 0.0),
+        /// Spring force on the block.
+        external_force: output = real("N", 0.0),
+    }
+}
+
+impl<T: Real> Law for BeltRig<T> {
+    fn output(&mut self) {
+        self.velocity = self.block_velocity - self.belt_velocity;
+        self.external_force = -self.stiffness * self.position;
+    }
+}
+
+impl BeltRig {
+    /// Exact solution of (6.32) for the friction force f + f' t over a time t:
+    ///
+    /// ```text
+    /// x(t) = x + x' t + a t^2 c_2(u) + j t^3 c_3(u),   u = k t^2 / m
+    /// ```
+    ///
+    /// with acceleration a and jerk j at the start. Increments, so that a block almost at rest keeps its digits.
+    fn advance(&mut self, force_rate: f64, t: f64) {
+        let [c_1, c_2, c_3] = stumpff(self.stiffness / self.mass * t * t);
+        let acceleration = self.acceleration();
+        let jerk = -(self.stiffness * self.block_velocity + force_rate) / self.mass;
+        self.position += t * (self.block_velocity + t * (acceleration * c_2 + t * jerk * c_3));
+        self.block_velocity += t * (acceleration * c_1 + t * jerk * c_2);
+    }
+
+    /// Eq. (6.32).
+    fn acceleration(&self) -> f64 {
+        -(self.stiffness * self.position + self.friction_force) / self.mass
+    }
+}
+
+impl Model for BeltRig {
+    fn step(&mut self, dt: f64) {
+        self.advance(0.0, dt);
+    }
+
+    fn step_ramp(&mut self, slope: &Self, dt: f64) {
+        self.advance(slope.friction_force, dt);
+        self.friction_force += slope.friction_force * dt;
+    }
+
+    fn rate(&self, rate: &mut Self) {
+        rate.position = self.block_velocity;
+        rate.block_velocity = self.acceleration();
+    }
+}
+
+/// Stumpff's functions of u >= 0, with w = sqrt(u):
+/// `c_1 = sin w / w`, `c_2 = (1 - cos w) / w^2`, `c_3 = (w - sin w) / w^3`.
+fn stumpff(u: f64) -> [f64; 3] {
+    if u > 1.0 {
+        let w = u.sqrt();
+        return [w.sin() / w, (1.0 - w.cos()) / u, (w - w.sin()) / (u * w)];
+    }
+    // Horner's form of the power series sum (-u)^n / (2 n + k)!; ten terms leave less than 1 / 21!.
+    let series = |k: u32| {
+        (1..=10).rev().fold(1.0, |sum, n| {
+            let i = f64::from(2 * n + k);
+            1.0 - u * sum / (i * (i - 1.0))
+        })
+    };
+    [series(1), series(2) / 2.0, series(3) / 6.0]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn stumpff_functions_satisfy_their_recurrence_on_both_sides_of_the_switch() {
+        for u in [0.0, 1e-9, 0.3, 0.999_999, 1.000_001, 7.0, 200.0] {
+            let [c_1, c_2, c_3] = stumpff(u);
+            let w: f64 = f64::sqrt(u);
+            assert!((1.0 - u * c_2 - w.cos()).abs() < 1e-14, "{u}");
+            assert!((1.0 - u * c_3 - c_1).abs() < 1e-14, "{u}");
+            assert!((w * c_1 - w.sin()).abs() < 1e-14, "{u}");
+        }
+    }
+
+    /// The energy of the undamped oscillator with a held force is constant.
+    #[test]
+    fn held_force_conserves_the_shifted_energy() {
+        let mut rig = BeltRig { friction_force: 0.3, ..Default::default() };
+        let energy = |rig: &BeltRig| 0.5 * rig.block_velocity.powi(2) + rig.position.powi(2) + 0.3 * rig.position;
+        let before = energy(&rig);
+        for dt in [1e-6, 1e-3, 0.1, 3.0, 50.0] {
+            rig.step(dt);
+            assert!((energy(&rig) - before).abs() < 1e-13, "{dt}");
+        }
+    }
+
+    /// A force that grows linearly, without spring: x = x' t - f' t^3 / 6 m.
+    #[test]
+    fn ramp_on_a_free_block_is_a_cubic() {
+        let mut rig = BeltRig { stiffness: 0.0, mass: 2.0, block_velocity: 0.5, ..Default::default() };
+        let slope = BeltRig { friction_force: 3.0, ..rig };
+        rig.step_ramp(&slope, 2.0);
+        assert!((rig.position - (1.0 - 3.0 * 8.0 / 12.0)).abs() < 1e-15);
+        assert!((rig.block_velocity - (0.5 - 3.0 * 4.0 / 4.0)).abs() < 1e-15);
+        assert_eq!(rig.friction_force, 6.0);
+    }
+}

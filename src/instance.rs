@@ -1,0 +1,217 @@
+//! A live model: its row, its time and what the callers of both C interfaces share.
+
+use crate::model::{Fault, Kind, ModelType, Role, Variable};
+use crate::number::Dual;
+
+/// A live model.
+pub struct Instance {
+    model: &'static ModelType,
+    row: Box<[f64]>,
+    /// Slopes of the inputs over the step to come or, after it, over the step just made.
+    slope: Box<[f64]>,
+    /// Do the slopes belong to the step to come? They are given for one step, and then used up.
+    slopes_are_new: bool,
+    /// Do the outputs lag behind the other columns?
+    stale: bool,
+    time: f64,
+    duals: Box<[Dual]>,
+}
+
+/// Everything of an [`Instance`] that changes while it lives.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Snapshot {
+    /// The row.
+    pub row: Box<[f64]>,
+    /// Slopes of the inputs.
+    pub slope: Box<[f64]>,
+    /// See [`Instance`].
+    pub slopes_are_new: bool,
+    /// See [`Instance`].
+    pub stale: bool,
+    /// Time of the instance.
+    pub time: f64,
+}
+
+impl Instance {
+    /// A model at its start values, at time 0.
+    pub fn new(model: &'static ModelType) -> Instance {
+        let columns = model.table.len();
+        let mut instance = Instance {
+            model,
+            row: vec![0.0; columns].into(),
+            slope: vec![0.0; columns].into(),
+            slopes_are_new: false,
+            stale: true,
+            time: 0.0,
+            duals: vec![Dual::default(); columns].into(),
+        };
+        instance.reset();
+        instance
+    }
+
+    /// Back to the start values and to time 0.
+    pub fn reset(&mut self) {
+        for (value, variable) in self.row.iter_mut().zip(self.model.table) {
+            *value = variable.start;
+        }
+        self.slope.fill(0.0);
+        self.slopes_are_new = false;
+        self.stale = true;
+        self.time = 0.0;
+    }
+
+    /// The model.
+    pub fn model(&self) -> &'static ModelType {
+        self.model
+    }
+
+    /// The variable of a column, if there is such a column.
+    #[inline]
+    pub fn variable(&self, column: usize) -> Option<&'static Variable> {
+        self.model.table.get(column)
+    }
+
+    /// Present time.
+    pub fn time(&self) -> f64 {
+        self.time
+    }
+
+    /// Declares the present time.
+    pub fn set_time(&mut self, time: f64) {
+        self.time = time;
+    }
+
+    /// Value of a column; outputs are computed first if they lag behind. The column must exist.
+    #[inline]
+    pub fn get(&mut self, column: usize) -> Result<f64, Fault> {
+        self.refresh()?;
+        Ok(self.row[column])
+    }
+
+    /// Writes a column without asking. Check with [`Variable::admits`] before: a refused value must change nothing.
+    #[inline]
+    pub fn put(&mut self, column: usize, value: f64) {
+        self.row[column] = value;
+        self.stale = true;
+    }
+
+    /// Gives an input a slope over the next step.
+    pub fn put_slope(&mut self, column: usize, slope: f64) {
+        if !self.slopes_are_new {
+            self.slope.fill(0.0);
+            self.slopes_are_new = true;
+        }
+        self.slope[column] = slope;
+    }
+
+    /// Refuses parameters that are admitted one by one but not together.
+    pub fn check(&self) -> Result<(), Fault> {
+        self.model.check(&self.row)
+    }
+
+    /// Makes the outputs follow the other columns.
+    #[inline]
+    pub fn refresh(&mut self) -> Result<(), Fault> {
+        if self.stale {
+            if !self.model.output(&mut self.row) {
+                return Err(self.not_finite("the outputs"));
+            }
+            self.stale = false;
+        }
+        Ok(())
+    }
+
+    /// Advances by `dt` > 0. On a fault nothing has changed.
+    #[inline]
+    pub fn step(&mut self, dt: f64) -> Result<(), Fault> {
+        self.check()?;
+        let finite = if self.slopes_are_new {
+            self.model.advance_ramp(&mut self.row, &self.slope, dt)
+        } else {
+            self.model.advance(&mut self.row, dt)
+        };
+        if !finite {
+            return Err(self.not_finite(&format!("a step of {dt} s")));
+        }
+        if !self.slopes_are_new {
+            self.slope.fill(0.0);
+        }
+        self.slopes_are_new = false;
+        self.stale = false;
+        self.time += dt;
+        Ok(())
+    }
+
+    fn not_finite(&self, what: &str) -> Fault {
+        let given: Vec<String> = self
+            .model
+            .table
+            .iter()
+            .zip(&self.row)
+            .filter(|(variable, _)| variable.role == Role::Input)
+            .map(|(variable, value)| format!("{} = {value}", variable.path))
+            .collect();
+        let at = if given.is_empty() { String::new() } else { format!(" at {}", given.join(", ")) };
+        Fault(format!("{what} would not be finite{at}: nothing was changed"))
+    }
+
+    /// Derivative of each column in the direction that `seeds` (column, component) span; exact.
+    pub fn derivative(&mut self, seeds: impl Iterator<Item = (usize, f64)>) -> &[Dual] {
+        for (dual, value) in self.duals.iter_mut().zip(&self.row) {
+            *dual = Dual::from(*value);
+        }
+        for (column, component) in seeds {
+            self.duals[column].slope += component;
+        }
+        self.model.output_dual(&mut self.duals);
+        &self.duals
+    }
+
+    /// Derivative of each column with respect to time at the present instant; exact.
+    pub fn time_derivative(&mut self) -> &[Dual] {
+        for (dual, value) in self.duals.iter_mut().zip(&self.row) {
+            *dual = Dual::from(*value);
+        }
+        let mut rate: Vec<f64> = vec![0.0; self.row.len()];
+        self.model.rate(&self.row, &mut rate);
+        for ((dual, rate), slope) in self.duals.iter_mut().zip(&rate).zip(&self.slope) {
+            dual.slope = rate + slope;
+        }
+        self.model.output_dual(&mut self.duals);
+        &self.duals
+    }
+
+    /// Writes everything that changes into a snapshot made by [`Instance::save`] of the same model.
+    pub fn save_into(&self, snapshot: &mut Snapshot) {
+        snapshot.row.copy_from_slice(&self.row);
+        snapshot.slope.copy_from_slice(&self.slope);
+        snapshot.slopes_are_new = self.slopes_are_new;
+        snapshot.stale = self.stale;
+        snapshot.time = self.time;
+    }
+
+    /// Everything that changes, to be given back to [`Instance::restore`].
+    pub fn save(&self) -> Snapshot {
+        Snapshot {
+            row: self.row.clone(),
+            slope: self.slope.clone(),
+            slopes_are_new: self.slopes_are_new,
+            stale: self.stale,
+            time: self.time,
+        }
+    }
+
+    /// Back to a snapshot of the same model; whether it is one, the caller has made sure.
+    pub fn restore(&mut self, snapshot: &Snapshot) {
+        self.row.copy_from_slice(&snapshot.row);
+        self.slope.copy_from_slice(&snapshot.slope);
+        self.slopes_are_new = snapshot.slopes_are_new;
+        self.stale = snapshot.stale;
+        self.time = snapshot.time;
+    }
+}
+
+/// Number of columns of a kind: what the interfaces of FMI tell apart.
+pub fn is_whole(kind: Kind) -> bool {
+    !matches!(kind, Kind::Real(_))
+}

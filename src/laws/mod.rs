@@ -1,0 +1,5 @@
+//! Pure functions that several models share: numbers in, numbers out.
+
+pub mod relaxation;
+pub mod stopping;
+pub mod stribeck;

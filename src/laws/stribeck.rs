@@ -1,0 +1,38 @@
+//! Steady friction levels that depend on the sliding speed.
+
+use crate::number::Real;
+
+/// The Stribeck function: the friction level falls from `statical` at rest to `coulomb` at speeds well above the
+/// Stribeck velocity.
+///
+/// ```text
+/// S(v) = f_C + (f_s - f_C) exp(-(|v| / v_S)^delta)
+/// ```
+///
+/// Bo and Pavelescu (1982), doi:10.1016/0043-1648(82)90274-8, in the normalised form of Armstrong-Helouvry (1991).
+#[inline]
+pub fn level<T: Real>(velocity: T, coulomb: T, statical: T, stribeck_velocity: T, exponent: T) -> T {
+    let u = velocity.abs() / stribeck_velocity;
+    // The exponent of nearly every published parameter set; a product is several times faster than a power.
+    let power = if exponent.is(2.0) { u * u } else { u.powf(exponent) };
+    coulomb + (statical - coulomb) * (-power).exp()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn falls_by_one_e_th_at_the_stribeck_velocity_for_every_exponent() {
+        for exponent in [0.5, 1.0, 2.0, 3.7] {
+            let level = level(-0.001, 0.981, 1.4715, 0.001, exponent);
+            assert!((level - 1.161_444_866).abs() < 1e-9, "{exponent}: {level}");
+        }
+    }
+
+    #[test]
+    fn is_the_static_level_at_rest() {
+        assert_eq!(level(0.0, 1.0, 1.5, 0.001, 2.0), 1.5);
+        assert_eq!(level(0.0, 1.0, 1.5, 0.001, 0.5), 1.5);
+    }
+}

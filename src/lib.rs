@@ -1,0 +1,22 @@
+#![doc = include_str!("../README.md")]
+//!
+//! # The tour
+//!
+//! A model is one row of `f64` with a declared table ([`model`]); its outputs are written once for every [`number`]
+//! type; [`laws`] are the pure functions that models share. [`friction`] and [`host`] hold one model per file, listed in
+//! the [`catalogue`]. An [`instance`] is a live model; [`fmi2`] and [`c_api`] offer it to the world.
+
+pub mod c_api;
+pub mod catalogue;
+pub mod fmi2;
+pub mod friction;
+mod guid;
+pub mod host;
+pub mod instance;
+pub mod laws;
+pub mod model;
+pub mod number;
+#[cfg(test)]
+mod probe;
+mod ramp;
+pub mod unit;

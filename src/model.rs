@@ -1,0 +1,754 @@
+//! A model is one row of `f64` with a declared table: the [`model!`](crate::model!) block writes both.
+//!
+//! The column number of a variable is its FMI value reference. Get, set, reset, save and restore work on rows and never
+//! know which model they serve; a model cannot have a state that its table does not list.
+
+use std::fmt;
+
+use crate::guid::{self, GuidText};
+use crate::number::Dual;
+use crate::unit::{self, Unit};
+
+/// Who writes a column, and when.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Role {
+    /// Set by the caller before each step.
+    Input,
+    /// Parameter, constant once the run has started.
+    Fixed,
+    /// Parameter that may be changed between steps.
+    Tunable,
+    /// State, advanced by `step`; its start value may be set before the run.
+    State,
+    /// State that is also a result, such as a position.
+    StateOutput,
+    /// Result, computed by `output` from the other columns.
+    Output,
+}
+
+impl Role {
+    /// Is the column a result that `output` computes?
+    pub const fn is_computed(self) -> bool {
+        matches!(self, Role::Output)
+    }
+
+    /// Is the column part of the state?
+    pub const fn is_state(self) -> bool {
+        matches!(self, Role::State | Role::StateOutput)
+    }
+
+    /// Is the column offered to other models (FMI causality `output`)?
+    pub const fn is_output(self) -> bool {
+        matches!(self, Role::Output | Role::StateOutput)
+    }
+
+    /// Is the column a parameter?
+    pub const fn is_parameter(self) -> bool {
+        matches!(self, Role::Fixed | Role::Tunable)
+    }
+}
+
+/// What the number in a column stands for.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Kind {
+    /// A physical quantity with its unit.
+    Real(&'static Unit),
+    /// A whole number.
+    Integer,
+    /// 0 (false) or 1 (true).
+    Boolean,
+    /// One of several named choices, numbered from 1.
+    Enumeration(&'static Enumeration),
+}
+
+/// The choices of an enumeration column.
+#[derive(Debug, PartialEq)]
+pub struct Enumeration {
+    /// Name of the type.
+    pub name: &'static str,
+    /// Choices in order; the first has the number 1.
+    pub items: &'static [Item],
+}
+
+/// One choice of an enumeration.
+#[derive(Debug, PartialEq)]
+pub struct Item {
+    /// Name of the choice.
+    pub name: &'static str,
+    /// One line that says what it means.
+    pub help: &'static str,
+}
+
+/// The values a column admits. NaN and infinities are never admitted.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Bound {
+    // A closed interval: an open lower end is stored as the next number above it.
+    low: f64,
+    high: f64,
+    open: bool,
+}
+
+impl Bound {
+    /// Every finite number.
+    pub const ANY: Bound = Bound { low: f64::MIN, high: f64::MAX, open: false };
+
+    /// Does the bound admit `value`?
+    #[inline]
+    pub const fn admits(&self, value: f64) -> bool {
+        value >= self.low && value <= self.high
+    }
+
+    /// Lower end; `f64::MIN` if there is none.
+    pub const fn min(&self) -> f64 {
+        if self.open { self.low.next_down() } else { self.low }
+    }
+
+    /// Upper end; `f64::MAX` if there is none.
+    pub const fn max(&self) -> f64 {
+        self.high
+    }
+
+    /// Is the lower end itself refused, as 0 is for a stiffness?
+    pub const fn is_open(&self) -> bool {
+        self.open
+    }
+}
+
+impl fmt::Display for Bound {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        let relation = if self.open { ">" } else { ">=" };
+        match (self.low > f64::MIN, self.high < f64::MAX) {
+            (false, false) => write!(f, "a finite number"),
+            (true, false) => write!(f, "{relation} {} and finite", self.min()),
+            (false, true) => write!(f, "<= {} and finite", self.high),
+            (true, true) => write!(f, "{relation} {} and <= {}", self.min(), self.high),
+        }
+    }
+}
+
+/// One step of a variable's name: `element[3]` has the name `element` and the index 3; index 0 means "no index".
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Segment {
+    /// Name.
+    pub name: &'static str,
+    /// Index from 1, or 0 for none.
+    pub index: u16,
+}
+
+/// The name of a variable, such as `velocity` or `element[3].stiffness` (FMI's structured naming).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Path {
+    segments: [Segment; Path::DEPTH],
+    depth: usize,
+}
+
+impl Path {
+    /// Parts may lie in parts up to this depth.
+    const DEPTH: usize = 4;
+
+    /// The name of a column that lies in no part.
+    pub const fn root(name: &'static str) -> Path {
+        Path { segments: [Segment { name, index: 0 }; Path::DEPTH], depth: 1 }
+    }
+
+    /// Its steps, outermost first.
+    pub const fn segments(&self) -> &[Segment] {
+        self.segments.split_at(self.depth).0
+    }
+
+    /// This name inside a part.
+    const fn within(&self, part: Segment) -> Path {
+        assert!(self.depth < Path::DEPTH, "parts are nested too deeply");
+        let mut path = Path { segments: [part; Path::DEPTH], depth: self.depth + 1 };
+        let mut at = 0;
+        while at < self.depth {
+            path.segments[at + 1] = self.segments[at];
+            at += 1;
+        }
+        path
+    }
+}
+
+impl fmt::Display for Path {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        for (at, Segment { name, index }) in self.segments().iter().enumerate() {
+            let dot = if at == 0 { "" } else { "." };
+            match index {
+                0 => write!(f, "{dot}{name}")?,
+                _ => write!(f, "{dot}{name}[{index}]")?,
+            }
+        }
+        Ok(())
+    }
+}
+
+/// The right-hand side of a line in a `model!` block, before it has its name and role.
+///
+/// Made by [`real`], [`integer`], [`boolean`] and [`choice`], narrowed by the methods.
+#[derive(Clone, Copy, Debug)]
+pub struct Column {
+    kind: Kind,
+    start: f64,
+    bound: Bound,
+    nominal: f64,
+    display: Option<&'static str>,
+}
+
+impl Column {
+    const fn new(kind: Kind, start: f64, bound: Bound) -> Column {
+        Column { kind, start, bound, nominal: 1.0, display: None }
+    }
+
+    /// Admits values > 0 only.
+    pub const fn positive(mut self) -> Column {
+        self.bound.low = (0.0f64).next_up();
+        self.bound.open = true;
+        self
+    }
+
+    /// Admits values >= `min` only.
+    pub const fn at_least(mut self, min: f64) -> Column {
+        self.bound.low = min;
+        self.bound.open = false;
+        self
+    }
+
+    /// Admits values <= `max` only.
+    pub const fn at_most(mut self, max: f64) -> Column {
+        self.bound.high = max;
+        self
+    }
+
+    /// The usual size of the value, for error control and for importers. 1 unless given.
+    pub const fn nominal(mut self, nominal: f64) -> Column {
+        self.nominal = nominal;
+        self
+    }
+
+    /// The display unit an importer should show first; it must be one of the unit's own.
+    pub const fn shown_in(mut self, display: &'static str) -> Column {
+        self.display = Some(display);
+        self
+    }
+
+    /// The finished variable. A start value outside its own bound does not compile.
+    pub const fn named(self, path: Path, role: Role, help: &'static str) -> Variable {
+        assert!(self.bound.admits(self.start), "the start value is outside its bound");
+        Variable {
+            path,
+            role,
+            kind: self.kind,
+            start: self.start,
+            bound: self.bound,
+            nominal: self.nominal,
+            display: self.display,
+            help: help.trim_ascii(),
+        }
+    }
+}
+
+/// A physical quantity: unit (one of [`crate::unit::UNITS`]) and start value.
+pub const fn real(unit: &str, start: f64) -> Column {
+    Column::new(Kind::Real(unit::named(unit)), start, Bound::ANY)
+}
+
+/// A whole number within the range of FMI's 32-bit integers.
+pub const fn integer(start: i32) -> Column {
+    let bound = Bound { low: i32::MIN as f64, high: i32::MAX as f64, open: false };
+    Column::new(Kind::Integer, start as f64, bound)
+}
+
+/// True or false.
+pub const fn boolean(start: bool) -> Column {
+    let bound = Bound { low: 0.0, high: 1.0, open: false };
+    Column::new(Kind::Boolean, start as u8 as f64, bound)
+}
+
+/// One of the choices of an enumeration made with [`choices!`](crate::choices!), by its number.
+pub const fn choice(items: &'static Enumeration, start: i32) -> Column {
+    let bound = Bound { low: 1.0, high: items.items.len() as f64, open: false };
+    Column::new(Kind::Enumeration(items), start as f64, bound)
+}
+
+/// One column of a model's table. Its position in the table is its FMI value reference.
+#[derive(Clone, Copy, Debug)]
+pub struct Variable {
+    /// Name.
+    pub path: Path,
+    /// Who writes it, and when.
+    pub role: Role,
+    /// What the number stands for.
+    pub kind: Kind,
+    /// Start value.
+    pub start: f64,
+    /// Values it admits.
+    pub bound: Bound,
+    /// Usual size of the value.
+    pub nominal: f64,
+    /// Preferred display unit.
+    pub display: Option<&'static str>,
+    /// One line of ASCII text that says what it is.
+    pub help: &'static str,
+}
+
+impl Variable {
+    /// Does the column admit `value`? Whole-numbered columns admit whole numbers only.
+    #[inline]
+    pub fn admits(&self, value: f64) -> bool {
+        self.bound.admits(value) && (matches!(self.kind, Kind::Real(_)) || value.fract() == 0.0)
+    }
+
+    /// Refuses `value` with the text that the user sees.
+    pub fn fault(&self, value: f64) -> Fault {
+        Fault(format!("{} = {value}: must be {}", self.path, self.bound))
+    }
+}
+
+/// Why a value, or a set of parameters, was refused. The text names the variable, its value and the limit.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Fault(pub String);
+
+impl fmt::Display for Fault {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        f.write_str(&self.0)
+    }
+}
+
+impl std::error::Error for Fault {}
+
+/// How many columns a field of a `model!` block takes: one for a number, those of its table for a part.
+pub trait Width {
+    /// Number of columns.
+    const WIDTH: usize;
+}
+
+impl Width for f64 {
+    const WIDTH: usize = 1;
+}
+
+impl<P: Width, const N: usize> Width for [P; N] {
+    const WIDTH: usize = N * P::WIDTH;
+}
+
+/// A struct of columns: a model, or a part that models contain. Implemented by [`model!`](crate::model!) and
+/// [`part!`](crate::part!).
+///
+/// # Safety
+/// The type must be `#[repr(C)]` and consist of exactly `TABLE.len()` numbers, because rows are viewed as it.
+pub unsafe trait Columns: Copy + Width {
+    /// The table: one entry per number, in the order of the fields.
+    const TABLE: &'static [Variable];
+}
+
+/// The text of a model: what `model!` takes from its doc comments.
+pub trait Described: Columns {
+    /// Name, also FMI's modelIdentifier.
+    const NAME: &'static str;
+    /// One line.
+    const SUMMARY: &'static str;
+    /// The documentation page, in Markdown.
+    const DOCUMENTATION: &'static str;
+    /// The same model in dual numbers, for exact derivatives.
+    type Dual: Law;
+}
+
+/// The equations that give the outputs, written once for every number type.
+pub trait Law {
+    /// Computes the [`Role::Output`] columns from the others.
+    fn output(&mut self);
+}
+
+/// What a model adds to its table: how it moves in time.
+pub trait Model: Described + Law {
+    /// Refuses parameters that are admitted one by one but not together.
+    fn check(&self) -> Result<(), Fault> {
+        Ok(())
+    }
+
+    /// Advances the states by `dt` > 0 while the inputs are held.
+    fn step(&mut self, dt: f64);
+
+    /// Advances the states by `dt` while each input moves with the slope in its column of `slope`, and leaves the
+    /// inputs at their values at the end. By default composed of held steps, with error control.
+    fn step_ramp(&mut self, slope: &Self, dt: f64) {
+        crate::ramp::advance(self, slope, dt);
+    }
+
+    /// Writes the time derivatives of the continuous states into their columns of `rate`.
+    fn rate(&self, _rate: &mut Self) {}
+}
+
+/// Everything the library knows about a model, in one record of plain data and functions.
+pub struct ModelType {
+    /// Name, also FMI's modelIdentifier.
+    pub name: &'static str,
+    /// One line that says what it is.
+    pub summary: &'static str,
+    /// Its columns.
+    pub table: &'static [Variable],
+    guid: GuidText,
+    check: fn(&[f64]) -> Result<(), Fault>,
+    advance: fn(&mut [f64], f64) -> bool,
+    advance_ramp: fn(&mut [f64], &[f64], f64) -> bool,
+    output: fn(&mut [f64]) -> bool,
+    output_dual: fn(&mut [Dual]),
+    rate: fn(&[f64], &mut [f64]),
+}
+
+impl ModelType {
+    /// The record of a model.
+    pub const fn of<M: Model>() -> ModelType {
+        ModelType {
+            name: M::NAME,
+            summary: M::SUMMARY,
+            table: M::TABLE,
+            guid: guid::fingerprint(M::NAME, M::TABLE),
+            check: |row| view::<M, f64>(row).check(),
+            advance: |row, dt| commit::<M>(row, |model| model.step(dt)),
+            advance_ramp: |row, slope, dt| {
+                let slope = *view::<M, f64>(slope);
+                commit::<M>(row, |model| model.step_ramp(&slope, dt))
+            },
+            output: |row| commit::<M>(row, |_| ()),
+            output_dual: |row| view_mut::<M::Dual, Dual>(row).output(),
+            rate: |row, rate| {
+                rate.fill(0.0);
+                view::<M, f64>(row).rate(view_mut(rate));
+            },
+        }
+    }
+
+    /// The guid that ties modelDescription.xml to this library.
+    pub fn guid(&self) -> &str {
+        // The fingerprint is spelled with ASCII digits only.
+        std::str::from_utf8(&self.guid).unwrap_or_default()
+    }
+
+    /// The column of that name.
+    pub fn find(&self, name: &str) -> Option<usize> {
+        self.table.iter().position(|variable| variable.path.to_string() == name)
+    }
+
+    /// Refuses parameters that are admitted one by one but not together.
+    pub fn check(&self, row: &[f64]) -> Result<(), Fault> {
+        (self.check)(row)
+    }
+
+    /// Advances by `dt` with held inputs and computes the outputs. False, and the row unchanged, if a result is not
+    /// finite.
+    #[inline]
+    pub fn advance(&self, row: &mut [f64], dt: f64) -> bool {
+        (self.advance)(row, dt)
+    }
+
+    /// As [`ModelType::advance`], with inputs that move linearly.
+    pub fn advance_ramp(&self, row: &mut [f64], slope: &[f64], dt: f64) -> bool {
+        (self.advance_ramp)(row, slope, dt)
+    }
+
+    /// Computes the outputs. False, and the row unchanged, if one is not finite.
+    #[inline]
+    pub fn output(&self, row: &mut [f64]) -> bool {
+        (self.output)(row)
+    }
+
+    /// Computes the outputs with their derivatives in the direction that the other columns carry.
+    pub fn output_dual(&self, row: &mut [Dual]) {
+        (self.output_dual)(row);
+    }
+
+    /// Time derivatives of the states, in the states' columns; 0 elsewhere.
+    pub fn rate(&self, row: &[f64], rate: &mut [f64]) {
+        (self.rate)(row, rate);
+    }
+}
+
+impl PartialEq for ModelType {
+    fn eq(&self, other: &ModelType) -> bool {
+        self.guid == other.guid
+    }
+}
+
+impl fmt::Debug for ModelType {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        write!(f, "{} {}", self.name, self.guid())
+    }
+}
+
+/// Works on a copy and keeps it only if every number is finite, so that a failed step leaves the row as it was.
+#[inline(always)]
+fn commit<M: Model>(row: &mut [f64], work: impl FnOnce(&mut M)) -> bool {
+    let row = view_mut::<M, f64>(row);
+    let mut next = *row;
+    work(&mut next);
+    next.output();
+    let finite = row_of(&next).iter().fold(true, |finite, value| finite & value.is_finite());
+    if finite {
+        *row = next;
+    }
+    finite
+}
+
+/// The row of a model, as plain numbers.
+pub fn row_of<M: Columns>(model: &M) -> &[f64] {
+    const { assert!(size_of::<M>() == M::TABLE.len() * size_of::<f64>()) };
+    // SAFETY: `Columns` promises a `#[repr(C)]` struct of exactly this many f64, checked above for size.
+    unsafe { std::slice::from_raw_parts(std::ptr::from_ref(model).cast::<f64>(), M::TABLE.len()) }
+}
+
+/// The row of a model, to write.
+pub fn row_of_mut<M: Columns>(model: &mut M) -> &mut [f64] {
+    const { assert!(size_of::<M>() == M::TABLE.len() * size_of::<f64>()) };
+    // SAFETY: as in `row_of`; every bit pattern is a valid f64, so no write can break the model.
+    unsafe { std::slice::from_raw_parts_mut(std::ptr::from_mut(model).cast::<f64>(), M::TABLE.len()) }
+}
+
+/// A row seen as the model it belongs to. `M` is the model in the number type `T`.
+#[inline(always)]
+fn view<M, T>(row: &[T]) -> &M {
+    const { assert!(align_of::<M>() == align_of::<T>() && size_of::<M>().is_multiple_of(size_of::<T>())) };
+    assert!(size_of_val(row) == size_of::<M>(), "a row of another model");
+    // SAFETY: models are `#[repr(C)]` structs of T (the promise of `Columns`), T is a plain number for which every bit
+    // pattern is valid, and size and alignment were just checked.
+    unsafe { &*row.as_ptr().cast::<M>() }
+}
+
+/// As [`view`], to write.
+#[inline(always)]
+fn view_mut<M, T>(row: &mut [T]) -> &mut M {
+    const { assert!(align_of::<M>() == align_of::<T>() && size_of::<M>().is_multiple_of(size_of::<T>())) };
+    assert!(size_of_val(row) == size_of::<M>(), "a row of another model");
+    // SAFETY: as in `view`; the borrow of `row` is exclusive and passes on to the result.
+    unsafe { &mut *row.as_mut_ptr().cast::<M>() }
+}
+
+/// Writes one variable into a table under construction and returns the next free column.
+pub const fn place(table: &mut [Variable], at: usize, variable: Variable) -> usize {
+    table[at] = variable;
+    at + 1
+}
+
+/// Writes the table of a part under its own names and returns the next free column.
+pub const fn inline(table: &mut [Variable], at: usize, part: &[Variable]) -> usize {
+    let mut column = 0;
+    while column < part.len() {
+        table[at + column] = part[column];
+        column += 1;
+    }
+    at + column
+}
+
+/// Writes the table of a part `count` times (0: once, without index) and returns the next free column.
+pub const fn graft(
+    table: &mut [Variable],
+    mut at: usize,
+    name: &'static str,
+    count: usize,
+    part: &[Variable],
+) -> usize {
+    let mut index = if count == 0 { 0 } else { 1 };
+    while index <= count {
+        let mut column = 0;
+        while column < part.len() {
+            table[at] = part[column];
+            table[at].path = part[column].path.within(Segment { name, index: index as u16 });
+            at += 1;
+            column += 1;
+        }
+        index += 1;
+    }
+    at
+}
+
+/// A table entry to be overwritten by [`place`] or [`graft`].
+pub const BLANK: Variable = real("1", 0.0).named(Path::root(""), Role::Output, "");
+
+/// Declares an enumeration whose choices a column may take; numbered from 1 as FMI wants it.
+///
+/// ```
+/// stribeck::choices! {
+///     /// What the test bench does.
+///     pub enum Bench {
+///         /// Pulls at constant velocity.
+///         Pull,
+///         /// Moves to and fro.
+///         Reciprocate,
+///     }
+/// }
+/// assert_eq!(Bench::of(2.0), Bench::Reciprocate);
+/// assert_eq!(Bench::CHOICES.items[0].help, "Pulls at constant velocity.");
+/// ```
+#[macro_export]
+macro_rules! choices {
+    ($(#[doc = $doc:literal])+ $vis:vis enum $Name:ident { $($(#[doc = $help:literal])+ $Item:ident,)+ }) => {
+        $(#[doc = $doc])+
+        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+        #[repr(i32)]
+        $vis enum $Name { $($(#[doc = $help])+ $Item,)+ }
+
+        impl $Name {
+            /// The choices, as a column declares them.
+            pub const CHOICES: &'static $crate::model::Enumeration = &$crate::model::Enumeration {
+                name: stringify!($Name),
+                items: &[$($crate::model::Item {
+                    name: stringify!($Item),
+                    help: concat!($($help),+).trim_ascii(),
+                },)+],
+            };
+
+            /// The column that holds this choice at the start.
+            pub const fn start(self) -> $crate::model::Column {
+                $crate::model::choice(Self::CHOICES, self as i32 + 1)
+            }
+
+            /// The choice that a number stands for; numbers outside the bound of the column never get here.
+            pub fn of(number: f64) -> $Name {
+                const ALL: &[$Name] = &[$($Name::$Item),+];
+                ALL[(number as usize).clamp(1, ALL.len()) - 1]
+            }
+        }
+    };
+}
+
+/// Declares a part: columns that a model contains once (`stop: BumpStop`), several times (`element: [Element; 4]`), or
+/// once and under the names of the part itself (`time_stepping: (TimeStepping)`).
+/// The syntax of the fields is that of [`model!`](crate::model!).
+#[macro_export]
+macro_rules! part {
+    ($(#[doc = $doc:literal])+ $Name:ident { $($(#[doc = $help:literal])+ $field:ident: $what:tt $(= $column:expr)?,)+ }) => {
+        $(#[doc = $doc])+
+        #[repr(C)]
+        pub struct $Name<T = f64> { $($(#[doc = $help])+ pub $field: $crate::part!(@type $what T),)+ }
+
+        impl<T: Copy> Clone for $Name<T> {
+            fn clone(&self) -> Self {
+                *self
+            }
+        }
+
+        impl<T: Copy> Copy for $Name<T> {}
+
+        impl std::fmt::Debug for $Name {
+            fn fmt(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
+                $crate::model::list(self, f)
+            }
+        }
+
+        impl $crate::model::Width for $Name {
+            const WIDTH: usize = 0 $(+ <$crate::part!(@type $what f64) as $crate::model::Width>::WIDTH)+;
+        }
+
+        // SAFETY: `#[repr(C)]`, and every field is a number or a part, so the struct is a run of numbers; the table has
+        // one entry for each because both are written from the same list.
+        unsafe impl $crate::model::Columns for $Name {
+            const TABLE: &'static [$crate::model::Variable] = &const {
+                let mut table = [$crate::model::BLANK; <$Name as $crate::model::Width>::WIDTH];
+                let mut at = 0;
+                $(at = $crate::part!(@place table at $field $what $(= $column)?, concat!($($help),+));)+
+                assert!(at == table.len());
+                table
+            };
+        }
+    };
+
+    (@type input $T:ident) => { $T };
+    (@type fixed $T:ident) => { $T };
+    (@type tunable $T:ident) => { $T };
+    (@type state $T:ident) => { $T };
+    (@type state_output $T:ident) => { $T };
+    (@type output $T:ident) => { $T };
+    (@type [$Part:ident; $n:expr] $T:ident) => { [$Part<$T>; $n] };
+    (@type ($Part:ident) $T:ident) => { $Part<$T> };
+    (@type $Part:ident $T:ident) => { $Part<$T> };
+
+    (@role input) => { $crate::model::Role::Input };
+    (@role fixed) => { $crate::model::Role::Fixed };
+    (@role tunable) => { $crate::model::Role::Tunable };
+    (@role state) => { $crate::model::Role::State };
+    (@role state_output) => { $crate::model::Role::StateOutput };
+    (@role output) => { $crate::model::Role::Output };
+
+    (@place $table:ident $at:ident $field:ident [$Part:ident; $n:expr], $help:expr) => {
+        $crate::model::graft(&mut $table, $at, stringify!($field), $n, <$Part as $crate::model::Columns>::TABLE)
+    };
+    (@place $table:ident $at:ident $field:ident ($Part:ident), $help:expr) => {
+        $crate::model::inline(&mut $table, $at, <$Part as $crate::model::Columns>::TABLE)
+    };
+    (@place $table:ident $at:ident $field:ident $Part:ident, $help:expr) => {
+        $crate::model::graft(&mut $table, $at, stringify!($field), 0, <$Part as $crate::model::Columns>::TABLE)
+    };
+    (@place $table:ident $at:ident $field:ident $role:ident = $column:expr, $help:expr) => {
+        $crate::model::place(&mut $table, $at, $column.named(
+            $crate::model::Path::root(stringify!($field)), $crate::part!(@role $role), $help))
+    };
+}
+
+/// Declares a model: its struct, its table and its documentation, from one list.
+///
+/// A line reads `name: role = column` where the role is `input`, `fixed`, `tunable`, `state`, `state_output` or
+/// `output`, and the column is made by [`real`], [`integer`], [`boolean`] or a choice; or it reads
+/// `name: Part`, `name: [Part; count]` or `name: (Part)` for a [`part!`](crate::part!).
+///
+/// ```
+/// use stribeck::model::{Columns, Law, Model, real};
+/// use stribeck::number::Real;
+///
+/// stribeck::model! {
+///     /// Coulomb friction without stiction, for the sake of the example.
+///     Slider: "Coulomb friction" {
+///         /// Sliding velocity.
+///         velocity: input = real("m/s", 0.0),
+///         /// Sliding friction force.
+///         level: tunable = real("N", 1.0).at_least(0.0),
+///         /// Friction force; has the sign of the velocity.
+///         friction_force: output = real("N", 0.0),
+///     }
+/// }
+///
+/// impl<T: Real> Law for Slider<T> {
+///     fn output(&mut self) {
+///         self.friction_force = self.level * self.velocity.sign();
+///     }
+/// }
+///
+/// impl Model for Slider {
+///     fn step(&mut self, _dt: f64) {}
+/// }
+///
+/// let mut slider = Slider { velocity: -0.1, ..Slider::default() };
+/// slider.output();
+/// assert_eq!(slider.friction_force, -1.0);
+/// assert_eq!(Slider::TABLE[1].path.to_string(), "level");
+/// ```
+#[macro_export]
+macro_rules! model {
+    ($(#[doc = $doc:literal])+ $Name:ident: $summary:literal { $($fields:tt)+ }) => {
+        $crate::part! { $(#[doc = $doc])+ $Name { $($fields)+ } }
+
+        impl $crate::model::Described for $Name {
+            const NAME: &'static str = stringify!($Name);
+            const SUMMARY: &'static str = $summary;
+            const DOCUMENTATION: &'static str = concat!($($doc, "\n"),+);
+            type Dual = $Name<$crate::number::Dual>;
+        }
+
+        impl Default for $Name {
+            fn default() -> $Name {
+                $crate::model::start()
+            }
+        }
+    };
+}
+
+/// Writes a row as `name: value` pairs.
+pub fn list<M: Columns>(model: &M, f: &mut fmt::Formatter) -> fmt::Result {
+    let names = M::TABLE.iter().map(|variable| variable.path.to_string());
+    f.debug_map().entries(names.zip(row_of(model))).finish()
+}
+
+/// A row of start values, as the struct.
+pub fn start<M: Columns>() -> M {
+    // A row of the right length is needed before it can be viewed; models are small, and this is not a hot path.
+    let row: Vec<f64> = M::TABLE.iter().map(|variable| variable.start).collect();
+    *view::<M, f64>(&row)
+}

@@ -1,0 +1,202 @@
+//! The number types a law is evaluated with: `f64` for values, [`Dual`] for values with an exact derivative.
+
+use std::cmp::Ordering;
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
+/// What a law needs of a number. Written once for it, a law gives values (`f64`) and exact derivatives ([`Dual`]).
+pub trait Real:
+    Copy
+    + PartialOrd
+    + From<f64>
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Neg<Output = Self>
+{
+    /// The value without its derivative.
+    fn value(self) -> f64;
+    /// Is this the constant itself, and not a value that only passes through it? Guards shortcuts, which would
+    /// otherwise lose a derivative.
+    fn is(self, constant: f64) -> bool;
+    /// e to the power of `self`.
+    fn exp(self) -> Self;
+    /// Hyperbolic tangent.
+    fn tanh(self) -> Self;
+    /// `self` to a constant power; `self` must not be negative.
+    fn powf(self, exponent: Self) -> Self;
+
+    /// Zero.
+    fn zero() -> Self {
+        Self::from(0.0)
+    }
+
+    /// Magnitude. At 0 its derivative is taken as 0, the middle of its two one-sided derivatives.
+    fn abs(self) -> Self {
+        self * self.sign()
+    }
+
+    /// -1, 0 or 1: the sign function with sgn(0) = 0 of the friction literature (not `f64::signum`, where it is 1).
+    fn sign(self) -> Self {
+        let value = self.value();
+        Self::from(f64::from(i8::from(value > 0.0) - i8::from(value < 0.0)))
+    }
+
+    /// The value nearest to `self` in [-limit, limit]; `limit` must not be negative.
+    fn limited(self, limit: Self) -> Self {
+        if self > limit {
+            limit
+        } else if self < -limit {
+            -limit
+        } else {
+            self
+        }
+    }
+}
+
+impl Real for f64 {
+    fn value(self) -> f64 {
+        self
+    }
+    fn is(self, constant: f64) -> bool {
+        self == constant
+    }
+    fn exp(self) -> f64 {
+        f64::exp(self)
+    }
+    fn tanh(self) -> f64 {
+        f64::tanh(self)
+    }
+    fn powf(self, exponent: f64) -> f64 {
+        f64::powf(self, exponent)
+    }
+    fn abs(self) -> f64 {
+        f64::abs(self)
+    }
+}
+
+/// A value and its derivative in one direction (forward automatic differentiation).
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Dual {
+    /// The value.
+    pub value: f64,
+    /// Its derivative in the chosen direction.
+    pub slope: f64,
+}
+
+impl Dual {
+    /// `f(self)`, given the value and the derivative of f there. A derivative of zero direction stays zero, also where
+    /// f' is infinite.
+    fn chain(self, value: f64, derivative: f64) -> Dual {
+        let slope = if self.slope == 0.0 { 0.0 } else { derivative * self.slope };
+        Dual { value, slope }
+    }
+}
+
+impl From<f64> for Dual {
+    fn from(value: f64) -> Dual {
+        Dual { value, slope: 0.0 }
+    }
+}
+
+impl PartialEq for Dual {
+    fn eq(&self, other: &Dual) -> bool {
+        self.value == other.value
+    }
+}
+
+impl PartialOrd for Dual {
+    fn partial_cmp(&self, other: &Dual) -> Option<Ordering> {
+        self.value.partial_cmp(&other.value)
+    }
+}
+
+impl Add for Dual {
+    type Output = Dual;
+    fn add(self, other: Dual) -> Dual {
+        Dual { value: self.value + other.value, slope: self.slope + other.slope }
+    }
+}
+
+impl Sub for Dual {
+    type Output = Dual;
+    fn sub(self, other: Dual) -> Dual {
+        self + -other
+    }
+}
+
+impl Mul for Dual {
+    type Output = Dual;
+    fn mul(self, other: Dual) -> Dual {
+        Dual { value: self.value * other.value, slope: self.slope * other.value + self.value * other.slope }
+    }
+}
+
+impl Div for Dual {
+    type Output = Dual;
+    fn div(self, other: Dual) -> Dual {
+        let value = self.value / other.value;
+        Dual { value, slope: (self.slope - value * other.slope) / other.value }
+    }
+}
+
+impl Neg for Dual {
+    type Output = Dual;
+    fn neg(self) -> Dual {
+        Dual { value: -self.value, slope: -self.slope }
+    }
+}
+
+impl Real for Dual {
+    fn value(self) -> f64 {
+        self.value
+    }
+    fn is(self, constant: f64) -> bool {
+        self.value == constant && self.slope == 0.0
+    }
+    fn exp(self) -> Dual {
+        let value = self.value.exp();
+        self.chain(value, value)
+    }
+    fn tanh(self) -> Dual {
+        let value = self.value.tanh();
+        self.chain(value, 1.0 - value * value)
+    }
+    fn powf(self, exponent: Dual) -> Dual {
+        let value = self.value.powf(exponent.value);
+        let by_base = self.chain(value, exponent.value * self.value.powf(exponent.value - 1.0));
+        // The limit of x^p ln x as x goes to 0 is 0 for p > 0.
+        let log = if value == 0.0 { 0.0 } else { self.value.ln() };
+        let by_exponent = exponent.chain(value, value * log);
+        Dual { value, slope: by_base.slope + by_exponent.slope }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Every operation against a central difference of the same expression in f64.
+    #[test]
+    fn derivatives_agree_with_central_differences() {
+        fn expression<T: Real>(x: T) -> T {
+            let two = T::from(2.0);
+            (-x.abs() / two).exp() * (x * two).tanh()
+                - x.abs().powf(T::from(1.5) + x / T::from(10.0)) / (x + T::from(5.0))
+                + x.limited(T::from(0.25))
+        }
+        for x in [-2.0, -0.7, 0.2, 1.3] {
+            let exact = expression(Dual { value: x, slope: 1.0 }).slope;
+            let h = 1e-6;
+            let difference = (expression(x + h) - expression(x - h)) / (2.0 * h);
+            assert!((exact - difference).abs() < 1e-8, "at {x}: {exact} against {difference}");
+        }
+    }
+
+    #[test]
+    fn sign_of_zero_is_zero() {
+        assert_eq!((0.0f64).sign(), 0.0);
+        assert_eq!((-0.0f64).sign(), 0.0);
+        assert_eq!((-3.0f64).sign(), -1.0);
+    }
+}

@@ -1,0 +1,82 @@
+//! Units of the columns: name, SI base exponents, the quantity they measure and the display units an importer may offer.
+
+/// A unit as FMI 2.0.5 section 2.2.2 describes it: a product of powers of SI base units.
+#[derive(Debug, PartialEq)]
+pub struct Unit {
+    /// Name as it stands in modelDescription.xml, for example `N.s/m`; `1` for a pure number.
+    pub name: &'static str,
+    /// The physical quantity, used as the name of the type definition.
+    pub quantity: &'static str,
+    /// Exponent of the kilogram.
+    pub kg: i8,
+    /// Exponent of the metre.
+    pub m: i8,
+    /// Exponent of the second.
+    pub s: i8,
+    /// Units in which a user interface may show the value; the first one is the default.
+    pub display: &'static [DisplayUnit],
+}
+
+/// A display unit: value shown = `factor` * value in the SI unit.
+#[derive(Debug, PartialEq)]
+pub struct DisplayUnit {
+    /// Name, for example `mm/s`.
+    pub name: &'static str,
+    /// Values in this unit per SI value.
+    pub factor: f64,
+}
+
+const fn shown(name: &'static str, factor: f64) -> DisplayUnit {
+    DisplayUnit { name, factor }
+}
+
+const fn unit(
+    name: &'static str,
+    quantity: &'static str,
+    [kg, m, s]: [i8; 3],
+    display: &'static [DisplayUnit],
+) -> Unit {
+    Unit { name, quantity, kg, m, s, display }
+}
+
+/// Every unit that a column may have.
+pub static UNITS: [Unit; 10] = [
+    unit("1", "Ratio", [0, 0, 0], &[]),
+    unit("m", "Length", [0, 1, 0], &[shown("mm", 1e3), shown("um", 1e6)]),
+    unit("m/s", "Velocity", [0, 1, -1], &[shown("mm/s", 1e3)]),
+    unit("s", "Duration", [0, 0, 1], &[shown("ms", 1e3)]),
+    unit("kg", "Mass", [1, 0, 0], &[]),
+    unit("N", "Force", [1, 1, -2], &[shown("kN", 1e-3)]),
+    unit("N/m", "Stiffness", [1, 0, -2], &[shown("N/mm", 1e-3)]),
+    unit("N.s/m", "ViscousCoefficient", [1, 0, -1], &[shown("N.s/mm", 1e-3)]),
+    unit("J", "Energy", [1, 2, -2], &[]),
+    unit("W", "Power", [1, 2, -3], &[]),
+];
+
+/// The unit of that name. A column with an unknown unit does not compile.
+pub(crate) const fn named(name: &str) -> &'static Unit {
+    let mut at = 0;
+    while at < UNITS.len() {
+        if same(UNITS[at].name, name) {
+            return &UNITS[at];
+        }
+        at += 1;
+    }
+    panic!("unknown unit: add it to UNITS in src/unit.rs");
+}
+
+/// Text equality in a `const fn`, where `==` on `str` is not available.
+const fn same(a: &str, b: &str) -> bool {
+    let (a, b) = (a.as_bytes(), b.as_bytes());
+    if a.len() != b.len() {
+        return false;
+    }
+    let mut at = 0;
+    while at < a.len() {
+        if a[at] != b[at] {
+            return false;
+        }
+        at += 1;
+    }
+    true
+}
