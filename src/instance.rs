@@ -1,6 +1,6 @@
 //! A live model: its row, its time and what the callers of both C interfaces share.
 
-use crate::model::{Fault, Kind, ModelType, Role, Variable};
+use crate::model::{Fault, ModelType, Role, Variable};
 use crate::number::Dual;
 
 /// A live model.
@@ -81,11 +81,10 @@ impl Instance {
         self.time = time;
     }
 
-    /// Value of a column; outputs are computed first if they lag behind. The column must exist.
+    /// All values. Outputs may lag behind: see [`Instance::refresh`].
     #[inline]
-    pub fn get(&mut self, column: usize) -> Result<f64, Fault> {
-        self.refresh()?;
-        Ok(self.row[column])
+    pub fn row(&self) -> &[f64] {
+        &self.row
     }
 
     /// Writes a column without asking. Check with [`Variable::admits`] before: a refused value must change nothing.
@@ -209,9 +208,4 @@ impl Instance {
         self.stale = snapshot.stale;
         self.time = snapshot.time;
     }
-}
-
-/// Number of columns of a kind: what the interfaces of FMI tell apart.
-pub fn is_whole(kind: Kind) -> bool {
-    !matches!(kind, Kind::Real(_))
 }

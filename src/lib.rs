@@ -16,7 +16,9 @@ pub mod instance;
 pub mod laws;
 pub mod model;
 pub mod number;
+mod panics;
 #[cfg(test)]
 mod probe;
 mod ramp;
+mod serial;
 pub mod unit;

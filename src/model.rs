@@ -3,6 +3,7 @@
 //! The column number of a variable is its FMI value reference. Get, set, reset, save and restore work on rows and never
 //! know which model they serve; a model cannot have a state that its table does not list.
 
+use std::ffi::CStr;
 use std::fmt;
 
 use crate::guid::{self, GuidText};
@@ -344,6 +345,8 @@ pub unsafe trait Columns: Copy + Width {
 pub trait Described: Columns {
     /// Name, also FMI's modelIdentifier.
     const NAME: &'static str;
+    /// The name, for C.
+    const C_NAME: &'static CStr;
     /// One line.
     const SUMMARY: &'static str;
     /// The documentation page, in Markdown.
@@ -382,6 +385,8 @@ pub trait Model: Described + Law {
 pub struct ModelType {
     /// Name, also FMI's modelIdentifier.
     pub name: &'static str,
+    /// The name, for C.
+    pub c_name: &'static CStr,
     /// One line that says what it is.
     pub summary: &'static str,
     /// Its columns.
@@ -400,6 +405,7 @@ impl ModelType {
     pub const fn of<M: Model>() -> ModelType {
         ModelType {
             name: M::NAME,
+            c_name: M::C_NAME,
             summary: M::SUMMARY,
             table: M::TABLE,
             guid: guid::fingerprint(M::NAME, M::TABLE),
@@ -727,6 +733,12 @@ macro_rules! model {
 
         impl $crate::model::Described for $Name {
             const NAME: &'static str = stringify!($Name);
+            const C_NAME: &'static std::ffi::CStr = match std::ffi::CStr::from_bytes_with_nul(
+                concat!(stringify!($Name), "\0").as_bytes(),
+            ) {
+                Ok(name) => name,
+                Err(_) => panic!("a Rust name holds no zero byte"),
+            };
             const SUMMARY: &'static str = $summary;
             const DOCUMENTATION: &'static str = concat!($($doc, "\n"),+);
             type Dual = $Name<$crate::number::Dual>;

@@ -1,1 +1,583 @@
-//! x
+//! The library for C and C++ callers who want no FMU.
+//!
+//! Conventions: a function returns a [`stribeck_status`]; results are written through pointers, and only on
+//! `STRIBECK_OK`. A refused call changes nothing, and [`stribeck_last_error`] says why. Every handle made by
+//! [`stribeck_create`] is freed once with [`stribeck_free`]; texts belong to the library.
+//!
+//! For every function that takes a handle, it must be NULL or a handle from [`stribeck_create`] that was not yet freed
+//! and that no other thread uses during the call; every other pointer must be NULL or valid for its purpose.
+#![allow(non_camel_case_types, reason = "C names")]
+
+use std::any::Any;
+use std::ffi::{CStr, CString};
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::ptr::{null, null_mut};
+
+use libc::{c_char, c_int};
+
+use crate::catalogue;
+use crate::instance::Instance;
+use crate::model::{Fault, Kind, Role};
+use crate::serial;
+
+/// Result of a call.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum stribeck_status {
+    /// All well.
+    STRIBECK_OK = 0,
+    /// A pointer that must not be NULL is NULL.
+    STRIBECK_NULL = 1,
+    /// There is no model of that name.
+    STRIBECK_UNKNOWN_MODEL = 2,
+    /// The model has no variable of that name, or no column of that number.
+    STRIBECK_UNKNOWN_VARIABLE = 3,
+    /// The value is outside the bound of its variable, or the parameters do not fit together.
+    STRIBECK_REFUSED_VALUE = 4,
+    /// The variable is computed and cannot be set.
+    STRIBECK_NOT_SETTABLE = 5,
+    /// The result would not be finite.
+    STRIBECK_NOT_FINITE = 6,
+    /// The buffer is too small, or holds no state of this model.
+    STRIBECK_BAD_BUFFER = 7,
+    /// A fault of the library; please report it.
+    STRIBECK_INTERNAL = 8,
+}
+use stribeck_status::*;
+
+/// Who writes a variable.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum stribeck_role {
+    /// Set by the caller before each step.
+    STRIBECK_INPUT = 0,
+    /// Parameter that is meant to stay constant during a run.
+    STRIBECK_FIXED = 1,
+    /// Parameter that may change between steps.
+    STRIBECK_TUNABLE = 2,
+    /// State, advanced by steps.
+    STRIBECK_STATE = 3,
+    /// State that is also a result.
+    STRIBECK_STATE_OUTPUT = 4,
+    /// Result, computed from the other variables.
+    STRIBECK_OUTPUT = 5,
+}
+use stribeck_role::*;
+
+/// What the number in a variable stands for.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum stribeck_kind {
+    /// A physical quantity.
+    STRIBECK_REAL = 0,
+    /// A whole number.
+    STRIBECK_INTEGER = 1,
+    /// 0 or 1.
+    STRIBECK_BOOLEAN = 2,
+    /// The number of a choice, from 1.
+    STRIBECK_ENUMERATION = 3,
+}
+use stribeck_kind::*;
+
+/// Description of a variable, as stribeck_describe gives it. The texts belong to the handle and live as long as it.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct stribeck_variable {
+    /// Name, such as `velocity` or `element[3].stiffness`.
+    pub name: *const c_char,
+    /// Unit, `1` for a pure number; empty if the kind is not STRIBECK_REAL.
+    pub unit: *const c_char,
+    /// One line that says what it is.
+    pub help: *const c_char,
+    /// Who writes it.
+    pub role: stribeck_role,
+    /// What the number stands for.
+    pub kind: stribeck_kind,
+    /// Start value.
+    pub start: f64,
+    /// Smallest value admitted, `-DBL_MAX` if there is none; a smallest value of 0 may itself be refused (stiffness).
+    pub min: f64,
+    /// Largest value admitted, `DBL_MAX` if there is none.
+    pub max: f64,
+}
+
+/// A live model. Made by stribeck_create, freed by stribeck_free.
+pub struct stribeck_model {
+    instance: Instance,
+    texts: Vec<[CString; 3]>,
+    error: CString,
+}
+
+/// Why a call was refused: the status for the program, the text for the human.
+struct Refusal(stribeck_status, String);
+
+type Outcome = Result<(), Refusal>;
+
+fn refuse<T>(status: stribeck_status, text: impl Into<String>) -> Result<T, Refusal> {
+    Err(Refusal(status, text.into()))
+}
+
+fn fault(status: stribeck_status) -> impl FnOnce(Fault) -> Refusal {
+    move |fault| Refusal(status, fault.0)
+}
+
+/// Texts of the library have no zero inside; should one have, the text is cut there.
+fn c_text(text: &str) -> CString {
+    CString::new(text.split('\0').next().unwrap_or_default()).unwrap_or_default()
+}
+
+/// Runs `body` on the model behind the handle; turns refusals and panics into a status and a text.
+///
+/// # Safety
+/// As the module says of handles.
+unsafe fn enter(model: *mut stribeck_model, body: impl FnOnce(&mut stribeck_model) -> Outcome) -> stribeck_status {
+    // SAFETY: the caller's promise.
+    let Some(model) = (unsafe { model.as_mut() }) else { return STRIBECK_NULL };
+    let internal = |panic: Box<dyn Any + Send>| refuse(STRIBECK_INTERNAL, crate::panics::text(&*panic));
+    match catch_unwind(AssertUnwindSafe(|| body(model))).unwrap_or_else(internal) {
+        Ok(()) => STRIBECK_OK,
+        Err(Refusal(status, text)) => {
+            model.error = c_text(&text);
+            status
+        }
+    }
+}
+
+/// The text behind a pointer.
+///
+/// # Safety
+/// `text` must be NULL or zero-terminated, and live as long as the result is used.
+unsafe fn text<'a>(text: *const c_char, name: &str) -> Result<&'a str, Refusal> {
+    if text.is_null() {
+        return refuse(STRIBECK_NULL, format!("{name} is NULL"));
+    }
+    // SAFETY: not NULL, and the caller promises a terminated text. A text that is not UTF-8 names nothing we have.
+    Ok(unsafe { CStr::from_ptr(text) }.to_str().unwrap_or_default())
+}
+
+/// The place behind a result pointer.
+///
+/// # Safety
+/// `place` must be NULL or writable.
+unsafe fn place<'a, T>(place: *mut T, name: &str) -> Result<&'a mut T, Refusal> {
+    // SAFETY: the caller's promise.
+    unsafe { place.as_mut() }.ok_or_else(|| Refusal(STRIBECK_NULL, format!("{name} is NULL")))
+}
+
+impl stribeck_model {
+    fn column(&self, name: &str) -> Result<usize, Refusal> {
+        let model = self.instance.model();
+        let unknown = || Refusal(STRIBECK_UNKNOWN_VARIABLE, format!("{} has no variable '{name}'", model.name));
+        model.find(name).ok_or_else(unknown)
+    }
+
+    fn set(&mut self, column: usize, value: f64) -> Outcome {
+        let variable = self.known(column)?;
+        if variable.role == Role::Output {
+            return refuse(STRIBECK_NOT_SETTABLE, format!("{} is computed and cannot be set", variable.path));
+        }
+        if !variable.admits(value) {
+            return Err(fault(STRIBECK_REFUSED_VALUE)(variable.fault(value)));
+        }
+        self.instance.put(column, value);
+        Ok(())
+    }
+
+    fn get(&mut self, column: usize) -> Result<f64, Refusal> {
+        self.known(column)?;
+        self.instance.refresh().map_err(fault(STRIBECK_NOT_FINITE))?;
+        Ok(self.instance.row()[column])
+    }
+
+    fn known(&self, column: usize) -> Result<&'static crate::model::Variable, Refusal> {
+        let model = self.instance.model();
+        let count = model.table.len();
+        let unknown =
+            || Refusal(STRIBECK_UNKNOWN_VARIABLE, format!("{} has {count} columns, none {column}", model.name));
+        self.instance.variable(column).ok_or_else(unknown)
+    }
+}
+
+/// Version of the library, such as "0.1.0".
+#[unsafe(no_mangle)]
+pub extern "C" fn stribeck_version() -> *const c_char {
+    const VERSION: &CStr = match CStr::from_bytes_with_nul(concat!(env!("CARGO_PKG_VERSION"), "\0").as_bytes()) {
+        Ok(version) => version,
+        Err(_) => c"",
+    };
+    VERSION.as_ptr()
+}
+
+/// Number of models of the library.
+#[unsafe(no_mangle)]
+pub extern "C" fn stribeck_model_count() -> usize {
+    catalogue::models().count()
+}
+
+/// Name of the model of that index, from 0; NULL past the last. The text lives as long as the library.
+#[unsafe(no_mangle)]
+pub extern "C" fn stribeck_model_name(index: usize) -> *const c_char {
+    catalogue::models().nth(index).map_or(null(), |model| model.c_name.as_ptr())
+}
+
+/// What a status means, in a few words. The text lives as long as the library.
+///
+/// Takes an `int`, because a number that is none of the enum's must not be harmful.
+#[unsafe(no_mangle)]
+pub extern "C" fn stribeck_status_text(status: c_int) -> *const c_char {
+    const TEXTS: [&CStr; 9] = [
+        c"all well",
+        c"a pointer is NULL",
+        c"unknown model",
+        c"unknown variable",
+        c"value refused",
+        c"variable cannot be set",
+        c"result not finite",
+        c"buffer too small, or no state of this model",
+        c"fault of the library",
+    ];
+    let index = usize::try_from(status).unwrap_or(usize::MAX);
+    TEXTS.get(index).unwrap_or(&c"unknown status").as_ptr()
+}
+
+/// Makes a model at its start values and writes its handle to `*model`; NULL there on failure. To be freed once with
+/// stribeck_free.
+///
+/// # Safety
+/// `name` must be NULL or zero-terminated; `model` must be NULL or writable.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stribeck_create(name: *const c_char, model: *mut *mut stribeck_model) -> stribeck_status {
+    crate::panics::silence();
+    // SAFETY: the caller's promises.
+    let (name, place) = unsafe { (text(name, "name"), model.as_mut()) };
+    let Some(place) = place else { return STRIBECK_NULL };
+    *place = null_mut();
+    let Ok(name) = name else { return STRIBECK_NULL };
+    let Some(model) = catalogue::by_name(name) else { return STRIBECK_UNKNOWN_MODEL };
+    let made = catch_unwind(|| {
+        let texts = |variable: &crate::model::Variable| {
+            let unit = if let Kind::Real(unit) = variable.kind { unit.name } else { "" };
+            [c_text(&variable.path.to_string()), c_text(unit), c_text(variable.help)]
+        };
+        let texts = model.table.iter().map(texts).collect();
+        Box::new(stribeck_model { instance: Instance::new(model), texts, error: CString::default() })
+    });
+    let Ok(made) = made else { return STRIBECK_INTERNAL };
+    *place = Box::into_raw(made);
+    STRIBECK_OK
+}
+
+/// Frees a model. NULL is ignored.
+///
+/// # Safety
+/// The handle must not be used afterwards.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stribeck_free(model: *mut stribeck_model) {
+    if !model.is_null() {
+        // SAFETY: handles come from `Box::into_raw` in `stribeck_create`, and the caller promises the last use.
+        drop(unsafe { Box::from_raw(model) });
+    }
+}
+
+/// Why the last refused call on this handle was refused. The text lives until the next call on the handle; for NULL a
+/// fixed text is returned.
+///
+/// # Safety
+/// As the module says of handles.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stribeck_last_error(model: *const stribeck_model) -> *const c_char {
+    // SAFETY: the caller's promise.
+    unsafe { model.as_ref() }.map_or(c"the handle is NULL".as_ptr(), |model| model.error.as_ptr())
+}
+
+/// Back to the start values and to time 0.
+///
+/// # Safety
+/// As the module says of handles.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stribeck_reset(model: *mut stribeck_model) -> stribeck_status {
+    let body = |model: &mut stribeck_model| {
+        model.instance.reset();
+        Ok(())
+    };
+    // SAFETY: the caller's promise.
+    unsafe { enter(model, body) }
+}
+
+/// Number of columns, that is, of variables; 0 for NULL.
+///
+/// # Safety
+/// As the module says of handles.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stribeck_column_count(model: *const stribeck_model) -> u32 {
+    // SAFETY: the caller's promise.
+    unsafe { model.as_ref() }.map_or(0, |model| model.instance.model().table.len() as u32)
+}
+
+/// Column of the variable of that name. The enums of this header hold the same numbers.
+///
+/// # Safety
+/// As the module says of handles and pointers.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stribeck_find(
+    model: *mut stribeck_model,
+    variable: *const c_char,
+    column: *mut u32,
+) -> stribeck_status {
+    let body = |model: &mut stribeck_model| {
+        // SAFETY: the caller's promises.
+        let (name, place) = unsafe { (text(variable, "variable")?, place(column, "column")?) };
+        *place = model.column(name)? as u32;
+        Ok(())
+    };
+    // SAFETY: the caller's promise.
+    unsafe { enter(model, body) }
+}
+
+/// Describes a column: name, unit, help text, role, kind, start value and bounds.
+///
+/// # Safety
+/// As the module says of handles and pointers.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stribeck_describe(
+    model: *mut stribeck_model,
+    column: u32,
+    variable: *mut stribeck_variable,
+) -> stribeck_status {
+    let body = |model: &mut stribeck_model| {
+        let known = model.known(column as usize)?;
+        let [name, unit, help] = model.texts[column as usize].each_ref().map(|text| text.as_ptr());
+        // SAFETY: the caller's promise.
+        *unsafe { place(variable, "variable") }? = stribeck_variable {
+            name,
+            unit,
+            help,
+            role: role(known.role),
+            kind: kind(known.kind),
+            start: known.start,
+            min: known.bound.min(),
+            max: known.bound.max(),
+        };
+        Ok(())
+    };
+    // SAFETY: the caller's promise.
+    unsafe { enter(model, body) }
+}
+
+fn role(role: Role) -> stribeck_role {
+    match role {
+        Role::Input => STRIBECK_INPUT,
+        Role::Fixed => STRIBECK_FIXED,
+        Role::Tunable => STRIBECK_TUNABLE,
+        Role::State => STRIBECK_STATE,
+        Role::StateOutput => STRIBECK_STATE_OUTPUT,
+        Role::Output => STRIBECK_OUTPUT,
+    }
+}
+
+fn kind(kind: Kind) -> stribeck_kind {
+    match kind {
+        Kind::Real(_) => STRIBECK_REAL,
+        Kind::Integer => STRIBECK_INTEGER,
+        Kind::Boolean => STRIBECK_BOOLEAN,
+        Kind::Enumeration(_) => STRIBECK_ENUMERATION,
+    }
+}
+
+/// Sets a variable. Everything but computed results can be set at any time; outputs follow at once.
+///
+/// # Safety
+/// As the module says of handles.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stribeck_set(model: *mut stribeck_model, column: u32, value: f64) -> stribeck_status {
+    // SAFETY: the caller's promise.
+    unsafe { enter(model, |model| model.set(column as usize, value)) }
+}
+
+/// Reads a variable; results are computed first if anything was set since.
+///
+/// # Safety
+/// As the module says of handles and pointers.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stribeck_get(model: *mut stribeck_model, column: u32, value: *mut f64) -> stribeck_status {
+    let body = |model: &mut stribeck_model| {
+        // SAFETY: the caller's promise.
+        let place = unsafe { place(value, "value") }?;
+        *place = model.get(column as usize)?;
+        Ok(())
+    };
+    // SAFETY: the caller's promise.
+    unsafe { enter(model, body) }
+}
+
+/// As stribeck_set, by name. Slower: look the column up once with stribeck_find if it is set often.
+///
+/// # Safety
+/// As the module says of handles and pointers.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stribeck_set_by_name(
+    model: *mut stribeck_model,
+    variable: *const c_char,
+    value: f64,
+) -> stribeck_status {
+    let body = |model: &mut stribeck_model| {
+        // SAFETY: the caller's promise.
+        let column = model.column(unsafe { text(variable, "variable") }?)?;
+        model.set(column, value)
+    };
+    // SAFETY: the caller's promise.
+    unsafe { enter(model, body) }
+}
+
+/// As stribeck_get, by name.
+///
+/// # Safety
+/// As the module says of handles and pointers.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stribeck_get_by_name(
+    model: *mut stribeck_model,
+    variable: *const c_char,
+    value: *mut f64,
+) -> stribeck_status {
+    let body = |model: &mut stribeck_model| {
+        // SAFETY: the caller's promises.
+        let (name, place) = unsafe { (text(variable, "variable")?, place(value, "value")?) };
+        let column = model.column(name)?;
+        *place = model.get(column)?;
+        Ok(())
+    };
+    // SAFETY: the caller's promise.
+    unsafe { enter(model, body) }
+}
+
+/// Advances the model by `dt` > 0 seconds with held inputs and computes the results.
+///
+/// # Safety
+/// As the module says of handles.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stribeck_step(model: *mut stribeck_model, dt: f64) -> stribeck_status {
+    let body = |model: &mut stribeck_model| {
+        if !(dt > 0.0 && dt.is_finite()) {
+            return refuse(STRIBECK_REFUSED_VALUE, format!("dt = {dt}: must be > 0 and finite"));
+        }
+        model.instance.check().map_err(fault(STRIBECK_REFUSED_VALUE))?;
+        model.instance.step(dt).map_err(fault(STRIBECK_NOT_FINITE))
+    };
+    // SAFETY: the caller's promise.
+    unsafe { enter(model, body) }
+}
+
+/// Computes the results now, and says whether the parameters fit together and the results are finite.
+///
+/// # Safety
+/// As the module says of handles.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stribeck_output(model: *mut stribeck_model) -> stribeck_status {
+    let body = |model: &mut stribeck_model| {
+        model.instance.check().map_err(fault(STRIBECK_REFUSED_VALUE))?;
+        model.instance.refresh().map_err(fault(STRIBECK_NOT_FINITE))
+    };
+    // SAFETY: the caller's promise.
+    unsafe { enter(model, body) }
+}
+
+/// Time since creation or reset, in seconds; NaN for NULL.
+///
+/// # Safety
+/// As the module says of handles.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stribeck_time(model: *const stribeck_model) -> f64 {
+    // SAFETY: the caller's promise.
+    unsafe { model.as_ref() }.map_or(f64::NAN, |model| model.instance.time())
+}
+
+/// Exact partial derivative of a result with respect to an input, parameter or state, at the present values.
+///
+/// # Safety
+/// As the module says of handles and pointers.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stribeck_derivative(
+    model: *mut stribeck_model,
+    output: u32,
+    input: u32,
+    value: *mut f64,
+) -> stribeck_status {
+    let body = |model: &mut stribeck_model| {
+        let (result, varied) = (model.known(output as usize)?, model.known(input as usize)?);
+        if !result.role.is_output() || varied.role == Role::Output {
+            let text = format!("{} cannot be differentiated with respect to {}", result.path, varied.path);
+            return refuse(STRIBECK_UNKNOWN_VARIABLE, text);
+        }
+        // SAFETY: the caller's promise.
+        let place = unsafe { place(value, "value") }?;
+        let slope = model.instance.derivative([(input as usize, 1.0)].into_iter())[output as usize].slope;
+        if !slope.is_finite() {
+            return refuse(STRIBECK_NOT_FINITE, format!("the derivative of {} is not finite", result.path));
+        }
+        *place = slope;
+        Ok(())
+    };
+    // SAFETY: the caller's promise.
+    unsafe { enter(model, body) }
+}
+
+/// Number of bytes that stribeck_save writes; 0 for NULL.
+///
+/// # Safety
+/// As the module says of handles.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stribeck_state_size(model: *const stribeck_model) -> usize {
+    // SAFETY: the caller's promise.
+    unsafe { model.as_ref() }.map_or(0, |model| serial::size(model.instance.model()))
+}
+
+/// Writes the complete state of the model, parameters and time included, as bytes that any process can read.
+///
+/// # Safety
+/// As the module says of handles; `buffer` must be NULL or have `size` writable bytes.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stribeck_save(
+    model: *mut stribeck_model,
+    buffer: *mut libc::c_void,
+    size: usize,
+) -> stribeck_status {
+    let body = |model: &mut stribeck_model| {
+        let needed = serial::size(model.instance.model());
+        if buffer.is_null() {
+            return refuse(STRIBECK_NULL, "buffer is NULL");
+        }
+        if size < needed {
+            return refuse(STRIBECK_BAD_BUFFER, format!("buffer has {size} bytes, {needed} are needed"));
+        }
+        // SAFETY: not NULL, and the caller promises `size` bytes, of which there are enough.
+        let bytes = unsafe { std::slice::from_raw_parts_mut(buffer.cast::<u8>(), needed) };
+        serial::write(model.instance.model(), &model.instance.save(), [0.0; serial::OWNERS], bytes);
+        Ok(())
+    };
+    // SAFETY: the caller's promise.
+    unsafe { enter(model, body) }
+}
+
+/// Goes back to a saved state of this or of another model of the same kind. Foreign or damaged bytes are refused.
+///
+/// # Safety
+/// As the module says of handles; `buffer` must be NULL or have `size` readable bytes.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stribeck_restore(
+    model: *mut stribeck_model,
+    buffer: *const libc::c_void,
+    size: usize,
+) -> stribeck_status {
+    let body = |model: &mut stribeck_model| {
+        if buffer.is_null() {
+            return refuse(STRIBECK_NULL, "buffer is NULL");
+        }
+        // SAFETY: not NULL, and the caller promises `size` bytes.
+        let bytes = unsafe { std::slice::from_raw_parts(buffer.cast::<u8>(), size) };
+        let (snapshot, _) = serial::read(model.instance.model(), bytes).map_err(fault(STRIBECK_BAD_BUFFER))?;
+        model.instance.restore(&snapshot);
+        Ok(())
+    };
+    // SAFETY: the caller's promise.
+    unsafe { enter(model, body) }
+}

@@ -1,0 +1,218 @@
+"""What the example programs share: open an FMU, address its variables by name, show what it has to say."""
+
+import argparse
+import shutil
+import sys
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from ctypes import byref
+from dataclasses import dataclass
+from pathlib import Path
+
+import fmpy
+import numpy
+from fmpy.fmi1 import FMICallException
+from fmpy.fmi2 import FMU2Slave, defaultCallbacks, fmi2CallbackFunctions, fmi2CallbackLoggerTYPE
+from fmpy.model_description import ModelDescription, ScalarVariable
+from fmpy.simulation import apply_start_values
+
+PROJECT = Path(__file__).resolve().parents[2]
+FMUS = PROJECT / "dist"
+
+
+class CouplingError(Exception):
+    """Something is wrong with what the user asked for; the text says what, and what would be right."""
+
+
+@dataclass(frozen=True)
+class Fmu:
+    """An FMU that has been instantiated and initialised."""
+
+    description: ModelDescription
+    slave: FMU2Slave
+
+    def names(self, causality: str) -> list[str]:
+        """Names of all variables that are an `input`, `output`, `parameter`, ..."""
+        return [variable.name for variable in self.description.modelVariables if variable.causality == causality]
+
+    def references(self, *names: str) -> list[int]:
+        """Value references of variables: what FMI's get and set functions ask for. Look them up once, not per step."""
+        variables = _by_name(self.description)
+        _refuse_unknown(self.description, names, "variable", list(variables))
+        return [variables[name].valueReference for name in names]
+
+
+def path_of(model: str, folder: Path = FMUS) -> Path:
+    """The file of a model's FMU."""
+    path = Path(folder) / f"{model}.fmu"
+    if not path.is_file():
+        present = models_in(folder)
+        hint = f"there are {', '.join(present)}" if present else "there is none: run `python3 tasks.py pack`"
+        raise CouplingError(f"no FMU of the model '{model}' in {folder}: {hint}")
+    return path
+
+
+def models_in(folder: Path = FMUS) -> list[str]:
+    """Names of the models whose FMUs are in a folder."""
+    return sorted(path.stem for path in Path(folder).glob("*.fmu"))
+
+
+def friction_models_in(folder: Path = FMUS) -> list[str]:
+    """Names of the models that give a friction force for a sliding velocity."""
+    return [model for model in models_in(folder) if _is_friction_model(path_of(model, folder))]
+
+
+def friction_path_of(model: str, folder: Path = FMUS) -> Path:
+    """The file of a friction model's FMU."""
+    path = path_of(model, folder)
+    if not _is_friction_model(path):
+        raise CouplingError(f"{model} is no friction model; there are {', '.join(friction_models_in(folder))}")
+    return path
+
+
+def variables_of(path: Path) -> dict[str, ScalarVariable]:
+    """The variables of an FMU by name."""
+    return _by_name(fmpy.read_model_description(str(path)))
+
+
+@contextmanager
+def open_fmu(path: Path, parameters: Mapping[str, object] | None = None) -> Iterator[Fmu]:
+    """Extracts, instantiates and initialises an FMU; at the end terminates it, frees it and deletes what was extracted.
+
+    `parameters` are set before the initialisation, where also fixed ones may be. If the FMU refuses a call inside the
+    `with` block, the reason it logged becomes the text of a `CouplingError`.
+    """
+    description = fmpy.read_model_description(str(path))
+    values = _start_values(description, parameters or {})
+    folder = fmpy.extract(str(path))
+    try:
+        slave = FMU2Slave(
+            guid=description.guid,
+            modelIdentifier=description.coSimulation.modelIdentifier,
+            unzipDirectory=str(folder),
+            instanceName=description.modelName,
+        )
+        # Without loggingOn an FMU is silent about its errors.
+        slave.instantiate(callbacks=_CALLBACKS, loggingOn=True)
+        try:
+            _initialise(slave, description, values)
+            yield Fmu(description, slave)
+            slave.terminate()
+        finally:
+            slave.freeInstance()
+    except FMICallException as error:
+        # The exception may come from another FMU that is open at the same time: then it is not ours to explain.
+        reason = _last_message.pop(description.modelName, None)
+        if reason is None:
+            raise
+        raise CouplingError(f"{description.modelName}: {reason} ({error.function})") from error
+    finally:
+        shutil.rmtree(folder, ignore_errors=True)
+
+
+def _initialise(slave: FMU2Slave, description: ModelDescription, values: dict[str, object]) -> None:
+    slave.setupExperiment(startTime=0.0)
+    apply_start_values(slave, description, values)
+    slave.enterInitializationMode()
+    slave.exitInitializationMode()
+
+
+def _start_values(description: ModelDescription, parameters: Mapping[str, object]) -> dict[str, object]:
+    variables = _by_name(description)
+    settable = [name for name, variable in variables.items() if variable.initial == "exact"]
+    _refuse_unknown(description, parameters, "parameter", settable)
+    return {name: _value(variables[name], value) for name, value in parameters.items()}
+
+
+def _value(variable: ScalarVariable, value: object) -> object:
+    """The value of a parameter, which may be given as text, and for an enumeration as the name of a choice."""
+    choices = {item.name: item.value for item in (variable.declaredType.items or [])} if variable.declaredType else {}
+    if value in choices:
+        return choices[value]
+    try:
+        return float(value) if variable.type == "Real" else int(value)
+    except ValueError:
+        wanted = f"one of {', '.join(choices)}" if choices else f"a number ({variable.type})"
+        raise CouplingError(f"{variable.name} = '{value}': must be {wanted}") from None
+
+
+def _by_name(description: ModelDescription) -> dict[str, ScalarVariable]:
+    return {variable.name: variable for variable in description.modelVariables}
+
+
+def _is_friction_model(path: Path) -> bool:
+    causality = {name: variable.causality for name, variable in variables_of(path).items()}
+    return causality.get("velocity") == "input" and causality.get("friction_force") == "output"
+
+
+def _refuse_unknown(description: ModelDescription, names: object, kind: str, known: list[str]) -> None:
+    for name in names:
+        if name not in known:
+            raise CouplingError(f"{description.modelName} has no {kind} '{name}'; it has {', '.join(known)}")
+
+
+# The latest message of each FMU, by instance name.
+_last_message: dict[str, str] = {}
+
+
+def _show(_environment: int, instance: bytes, _status: int, category: bytes, message: bytes) -> None:
+    """Prints a log message of an FMU and remembers it as the reason of a call that fails."""
+    name, kind, text = instance.decode(), category.decode(), message.decode()
+    _last_message[name] = text
+    print(f"{name}: {text} [{kind}]", file=sys.stderr)
+
+
+def _callbacks() -> fmi2CallbackFunctions:
+    callbacks = fmi2CallbackFunctions()
+    callbacks.logger = fmi2CallbackLoggerTYPE(_show)
+    callbacks.allocateMemory = defaultCallbacks.allocateMemory
+    callbacks.freeMemory = defaultCallbacks.freeMemory
+    # FMI's logger takes printf arguments, which ctypes cannot receive; fmpy brings a small library that formats them,
+    # for the platforms it knows.
+    try:
+        from fmpy.logging import addLoggerProxy
+    except OSError:
+        return callbacks
+    addLoggerProxy(byref(callbacks))
+    return callbacks
+
+
+# One record for all FMUs: fmpy's formatting library remembers the last logger it was given, for the whole process.
+_CALLBACKS = _callbacks()
+
+
+def parameter(text: str) -> tuple[str, str]:
+    """Reads `name=value` from the command line."""
+    name, equals, value = text.partition("=")
+    if not (name and equals and value):
+        raise argparse.ArgumentTypeError(f"'{text}' is not of the form name=value")
+    return name, value
+
+
+def positive(text: str) -> float:
+    """Reads a number > 0 from the command line."""
+    try:
+        value = float(text)
+    except ValueError:
+        raise argparse.ArgumentTypeError(f"'{text}' is not a number") from None
+    if not 0.0 < value < float("inf"):
+        raise argparse.ArgumentTypeError(f"'{text}' must be > 0 and finite")
+    return value
+
+
+def write_csv(path: Path, columns: Mapping[str, numpy.ndarray]) -> None:
+    """Writes columns under headings that carry their units, such as `velocity [m/s]`."""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    table = numpy.column_stack(list(columns.values()))
+    with path.open("w", encoding="utf-8", newline="\n") as file:
+        numpy.savetxt(file, table, fmt="%.10g", delimiter=",", header=",".join(columns), comments="")
+
+
+def main(program) -> int:
+    """Runs a program; what the user can put right is said in one line, without a traceback."""
+    try:
+        program()
+    except CouplingError as error:
+        print(f"error: {error}", file=sys.stderr)
+        return 1
+    return 0

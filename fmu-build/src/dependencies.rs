@@ -1,0 +1,148 @@
+//! Which output depends on which other column, found by trying.
+//!
+//! A dependency that is declared by hand can be wrong; this one is observed. Many rows are drawn at random, with zeros,
+//! tiny and large values of both signs, limits and start values; then one column at a time is changed. An output depends
+//! on a column if changing that column alone ever changed it.
+
+use std::collections::BTreeSet;
+
+use fastrand::Rng;
+use stribeck::model::{Kind, ModelType, Variable};
+
+/// Rows that are tried per model (chosen: ten times what the present models need).
+const ROWS: usize = 4000;
+
+/// For each column, the columns its value is computed from; empty for columns that are not computed.
+pub fn of(model: &ModelType) -> Vec<BTreeSet<usize>> {
+    let (known, computed): (Vec<usize>, Vec<usize>) =
+        (0..model.table.len()).partition(|column| !model.table[*column].role.is_computed());
+    let mut found = vec![BTreeSet::new(); model.table.len()];
+    // Any seed will do; a fixed one makes every run the same.
+    let mut rng = Rng::with_seed(1);
+    for _ in 0..ROWS {
+        let row = draw_row(model, &mut rng);
+        let Some(before) = evaluated(model, &row) else { continue };
+        for &column in &known {
+            let mut changed = row.clone();
+            changed[column] = draw(&model.table[column], &mut rng);
+            let Some(after) = evaluated(model, &changed) else { continue };
+            for &output in computed.iter().filter(|output| after[**output] != before[**output]) {
+                found[output].insert(column);
+            }
+        }
+    }
+    found
+}
+
+/// The row with its outputs; `None` if the model refuses it.
+fn evaluated(model: &ModelType, row: &[f64]) -> Option<Vec<f64>> {
+    let mut row = row.to_vec();
+    (model.check(&row).is_ok() && model.output(&mut row)).then_some(row)
+}
+
+/// A row in which some columns, from a few to all, have left their start values.
+fn draw_row(model: &ModelType, rng: &mut Rng) -> Vec<f64> {
+    let share = rng.f64();
+    let value = |variable: &Variable| if rng.f64() < share { draw(variable, rng) } else { variable.start };
+    model.table.iter().map(value).collect()
+}
+
+/// A value within the bound of the variable.
+fn draw(variable: &Variable, rng: &mut Rng) -> f64 {
+    let value = match variable.kind {
+        Kind::Real(_) => draw_real(variable, rng),
+        Kind::Integer => f64::from(rng.i32(-100..=100)),
+        Kind::Boolean => f64::from(rng.i32(0..=1)),
+        Kind::Enumeration(items) => f64::from(rng.i32(1..=items.items.len() as i32)),
+    };
+    if variable.admits(value) { value } else { variable.start }
+}
+
+fn draw_real(variable: &Variable, rng: &mut Rng) -> f64 {
+    let scale = variable.nominal.max(variable.start.abs());
+    let magnitude = scale * 10f64.powf(12.0 * rng.f64() - 9.0);
+    let (min, max) = crate::text::limits(variable);
+    match rng.u8(0..8) {
+        0 => 0.0,
+        1 => min.or(max).unwrap_or(-magnitude),
+        2 => max.unwrap_or(magnitude),
+        3 => min.zip(max).map_or(variable.start, |(min, max)| min + (max - min) * rng.f64()),
+        4 => -magnitude,
+        5 => variable.start * 2.0 * rng.f64(),
+        _ => magnitude,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use stribeck::model::Role;
+
+    fn names(model: &ModelType, columns: Vec<usize>) -> Vec<String> {
+        columns.into_iter().map(|column| model.table[column].path.to_string()).collect()
+    }
+
+    /// Asserts what an output depends on: the inputs, then the other columns, each in the order of the table.
+    fn assert_depends(model: &str, output: &str, expected_inputs: &[&str], expected_others: &[&str]) {
+        let model = stribeck::catalogue::by_name(model).unwrap();
+        let all = of(model).swap_remove(model.find(output).unwrap());
+        let is_input = |column: &usize| model.table[*column].role == Role::Input;
+        let (inputs, others): (Vec<_>, Vec<_>) = all.into_iter().partition(is_input);
+        assert_eq!(names(model, inputs), expected_inputs, "{}: inputs of {output}", model.name);
+        assert_eq!(names(model, others), expected_others, "{}: others of {output}", model.name);
+    }
+
+    /// Positions and velocities are states: a host that fed its input through would close an algebraic loop.
+    #[test]
+    fn belt_rig_feeds_no_input_through() {
+        assert_depends("BeltRig", "velocity", &[], &["belt_velocity", "block_velocity"]);
+        assert_depends("BeltRig", "external_force", &[], &["stiffness", "position"]);
+        assert_depends("BeltRig", "position", &[], &[]);
+    }
+
+    /// Eq. (6.31) has all its symbols; whether it sticks is a matter of v_0 alone, unless there is no load.
+    #[test]
+    fn brown_mcphee() {
+        let inputs = ["velocity", "normal_force"];
+        let law = ["mu_k", "mu_s", "transition_velocity", "viscous_coefficient", "transition_normal_force"];
+        assert_depends("BrownMcPhee", "friction_force", &inputs, &law);
+        assert_depends("BrownMcPhee", "dissipated_power", &inputs, &law);
+        assert_depends("BrownMcPhee", "sticking", &inputs, &["transition_velocity"]);
+    }
+
+    /// The stuck contact carries the external force; the columns of time stepping count because `mass` may be given.
+    #[test]
+    fn laws_with_stiction_depend_on_the_external_force() {
+        let inputs = ["velocity", "normal_force", "external_force"];
+        let stepping = ["mass", "exchange", "stuck", "step_size", "planned_force"];
+        for (model, band) in [("CoulombStiction", None), ("Karnopp", Some("transition_velocity"))] {
+            let law: Vec<_> = ["mu_k", "mu_s"].into_iter().chain(band).chain(stepping).collect();
+            assert_depends(model, "friction_force", &inputs, &law);
+            assert_depends(model, "dissipated_power", &inputs, &law);
+            let sticking: Vec<_> = ["mu_s"].into_iter().chain(band).chain(["mass", "stuck", "step_size"]).collect();
+            assert_depends(model, "sticking", &inputs, &sticking);
+        }
+    }
+
+    /// The force of Dahl's law is that of the deflected bristles: it follows the velocity only by way of a step.
+    #[test]
+    fn dahl_does_not_feed_the_velocity_through_to_the_force() {
+        assert_depends("Dahl", "friction_force", &["normal_force"], &["sigma_0", "bristle_deflection"]);
+        let inputs = ["velocity", "normal_force"];
+        assert_depends("Dahl", "dissipated_power", &inputs, &["sigma_0", "bristle_deflection"]);
+        assert_depends("Dahl", "sticking", &inputs, &["mu_k", "sigma_0", "alpha", "bristle_deflection"]);
+    }
+
+    /// The damping enters the force but not the question whether the bristles still move; the energy enters nothing.
+    #[test]
+    fn lugre() {
+        let inputs = ["velocity", "normal_force"];
+        let level = ["mu_k", "mu_s", "stribeck_velocity", "stribeck_exponent", "sigma_0"];
+        let damping = ["sigma_1", "viscous_coefficient", "damping_velocity"];
+        let law: Vec<_> = level.into_iter().chain(damping).chain(["bristle_deflection"]).collect();
+        assert_depends("LuGre", "friction_force", &inputs, &law);
+        assert_depends("LuGre", "dissipated_power", &inputs, &law);
+        let sticking: Vec<_> = level.into_iter().chain(["bristle_deflection"]).collect();
+        assert_depends("LuGre", "sticking", &inputs, &sticking);
+    }
+}

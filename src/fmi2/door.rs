@@ -1,0 +1,160 @@
+//! The one door through which every call on an instance passes: null pointer, state, panic, log.
+
+use std::ffi::CString;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
+use super::lifecycle::{Call, State};
+use super::log::Log;
+use super::types::{fmi2Component, fmi2Status};
+use crate::instance::Instance;
+use crate::model::Fault;
+
+/// What an importer holds as `fmi2Component`.
+pub(super) struct Slave {
+    magic: u64,
+    pub instance: Instance,
+    pub state: State,
+    pub experiment: Experiment,
+    pub log: Log,
+}
+
+/// What fmi2SetupExperiment declared.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Experiment {
+    pub is_set_up: bool,
+    pub start: f64,
+    pub stop: Option<f64>,
+}
+
+impl Experiment {
+    pub const NONE: Experiment = Experiment { is_set_up: false, start: 0.0, stop: None };
+}
+
+/// Marks the memory of a live instance, so that a pointer to something else is refused.
+const MAGIC: u64 = u64::from_le_bytes(*b"STRIBECK");
+
+impl Slave {
+    pub fn new(instance: Instance, log: Log) -> Slave {
+        Slave { magic: MAGIC, instance, state: State::Instantiated, experiment: Experiment::NONE, log }
+    }
+}
+
+/// Why a call was refused.
+pub(super) enum Refusal {
+    /// The value cannot be taken; another one can be tried.
+    Discard(String),
+    /// The call is wrong.
+    Error(String),
+}
+
+pub(super) type Outcome = Result<(), Refusal>;
+
+/// A fault of the model, seen from the door.
+impl From<Fault> for Refusal {
+    fn from(fault: Fault) -> Refusal {
+        Refusal::Error(fault.0)
+    }
+}
+
+pub(super) fn refuse<T>(text: impl Into<String>) -> Result<T, Refusal> {
+    Err(Refusal::Error(text.into()))
+}
+
+/// Runs `body` on the instance behind `c` if the call is allowed in its state, and turns the outcome into a status. A
+/// refused call is logged; after an error only reset, free and restore lead on, as the standard has it.
+///
+/// # Safety
+/// `c` must be NULL or an instance made by `fmi2Instantiate` and not yet freed, not in use by another thread.
+#[inline(always)]
+pub(super) unsafe fn enter(c: fmi2Component, call: Call, body: impl FnOnce(&mut Slave) -> Outcome) -> fmi2Status {
+    // SAFETY: the caller's promise.
+    let Some(slave) = (unsafe { slave(c) }) else { return fmi2Status::fmi2Error };
+    if !call.is_allowed(slave.state) {
+        return refused(slave, call, Refusal::Error(format!("may not be called in state {:?}", slave.state)));
+    }
+    // A panic leaves the row as it was: models work on a copy. Everything else that a body writes, it writes last.
+    match catch_unwind(AssertUnwindSafe(|| body(slave))) {
+        Ok(Ok(())) => fmi2Status::fmi2OK,
+        Ok(Err(refusal)) => refused(slave, call, refusal),
+        Err(panic) => refused(slave, call, Refusal::Error(crate::panics::text(&panic))),
+    }
+}
+
+/// The live instance behind `c`.
+///
+/// # Safety
+/// As for [`enter`].
+#[inline(always)]
+unsafe fn slave<'a>(c: fmi2Component) -> Option<&'a mut Slave> {
+    // SAFETY: the caller promises that `c` is NULL or points to a `Slave` that nobody else uses now.
+    let slave = unsafe { c.cast::<Slave>().as_mut() }?;
+    (slave.magic == MAGIC).then_some(slave)
+}
+
+/// Takes an instance back to free it. `None` for NULL and for memory that is no instance.
+///
+/// # Safety
+/// As for [`enter`]; `c` must not be used afterwards.
+pub(super) unsafe fn take(c: fmi2Component) -> Option<Box<Slave>> {
+    // SAFETY: the caller's promise.
+    let slave = unsafe { slave(c) }?;
+    // A second free of the same pointer then finds no mark, as long as the memory has not been reused.
+    slave.magic = 0;
+    // SAFETY: every `Slave` behind an `fmi2Component` was made by `Box::into_raw` in `fmi2Instantiate`.
+    Some(unsafe { Box::from_raw(slave) })
+}
+
+#[cold]
+#[inline(never)]
+fn refused(slave: &mut Slave, call: Call, refusal: Refusal) -> fmi2Status {
+    let (status, text) = match refusal {
+        Refusal::Discard(text) => (fmi2Status::fmi2Discard, text),
+        Refusal::Error(text) => (fmi2Status::fmi2Error, text),
+    };
+    if status == fmi2Status::fmi2Error {
+        slave.state = State::Error;
+    }
+    slave.log.report(status, &format!("fmi2{call:?}: {text}"));
+    status
+}
+
+/// The `n` elements at `pointer`. FMI leaves the pointer undefined for n = 0.
+///
+/// # Safety
+/// `pointer` must be NULL or point to `n` readable elements that nobody writes during the call.
+#[inline(always)]
+pub(super) unsafe fn array<'a, T>(pointer: *const T, n: usize, name: &str) -> Result<&'a [T], Refusal> {
+    if n == 0 {
+        return Ok(&[]);
+    }
+    if pointer.is_null() {
+        return refuse(format!("{name} is NULL"));
+    }
+    // SAFETY: not NULL, and the caller promises `n` elements.
+    Ok(unsafe { std::slice::from_raw_parts(pointer, n) })
+}
+
+/// As [`array`], to write.
+///
+/// # Safety
+/// `pointer` must be NULL or point to `n` writable elements that nobody else uses during the call.
+#[inline(always)]
+pub(super) unsafe fn array_mut<'a, T>(pointer: *mut T, n: usize, name: &str) -> Result<&'a mut [T], Refusal> {
+    if n == 0 {
+        return Ok(&mut []);
+    }
+    if pointer.is_null() {
+        return refuse(format!("{name} is NULL"));
+    }
+    // SAFETY: not NULL, and the caller promises `n` elements.
+    Ok(unsafe { std::slice::from_raw_parts_mut(pointer, n) })
+}
+
+/// A zero-terminated text of the importer, or `None` for NULL.
+///
+/// # Safety
+/// `text` must be NULL or point to a zero-terminated text.
+pub(super) unsafe fn text(text: super::types::fmi2String) -> Option<CString> {
+    // SAFETY: not NULL, and the caller promises a terminated text; it is copied at once.
+    (!text.is_null()).then(|| unsafe { std::ffi::CStr::from_ptr(text) }.to_owned())
+}

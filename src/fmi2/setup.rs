@@ -1,0 +1,222 @@
+//! From fmi2Instantiate to fmi2FreeInstance.
+
+use std::ffi::{CStr, CString};
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::ptr::null_mut;
+
+use super::door::{self, Experiment, Slave, array, enter, refuse};
+use super::lifecycle::{Call, State};
+use super::log::{self, Log};
+use super::types::*;
+use crate::catalogue;
+use crate::instance::Instance;
+
+/// The platform of the types: "default".
+#[unsafe(no_mangle)]
+pub extern "C" fn fmi2GetTypesPlatform() -> fmi2String {
+    c"default".as_ptr()
+}
+
+/// The version of the interface: "2.0".
+#[unsafe(no_mangle)]
+pub extern "C" fn fmi2GetVersion() -> fmi2String {
+    c"2.0".as_ptr()
+}
+
+/// Makes an instance of the model whose guid is `fmuGUID`, to be freed once with fmi2FreeInstance.
+///
+/// `fmuType` must be `fmi2CoSimulation`. `callbacks` is copied; its function pointers may all be NULL.
+/// `fmuResourceLocation` and `visible` are not used. Returns NULL, and says why to the logger, if the guid is that of no
+/// model of this library, or if the name is blank.
+///
+/// # Safety
+/// Texts must be NULL or zero-terminated; `callbacks` must be NULL or point to a valid struct.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmi2Instantiate(
+    instanceName: fmi2String,
+    fmuType: fmi2Type,
+    fmuGUID: fmi2String,
+    _fmuResourceLocation: fmi2String,
+    callbacks: *const fmi2CallbackFunctions,
+    _visible: fmi2Boolean,
+    loggingOn: fmi2Boolean,
+) -> fmi2Component {
+    crate::panics::silence();
+    // SAFETY: the caller promises NULL or a valid struct; it is copied because it need not outlive this call.
+    let Some(callbacks) = (unsafe { callbacks.as_ref() }).copied() else { return null_mut() };
+    // SAFETY: the caller promises NULL or zero-terminated texts.
+    let (name, guid) = unsafe { (door::text(instanceName), door::text(fmuGUID)) };
+    let made = catch_unwind(AssertUnwindSafe(|| {
+        let name = name.unwrap_or_default();
+        instantiate(&name, fmuType, guid, callbacks, loggingOn != fmi2False).map_err(|why| {
+            let why = format!("fmi2Instantiate: {why}");
+            log::send(&callbacks, &name, fmi2Status::fmi2Error, &log::ERROR, &why);
+        })
+    }));
+    match made {
+        Ok(Ok(slave)) => Box::into_raw(slave).cast(),
+        _ => null_mut(),
+    }
+}
+
+fn instantiate(
+    name: &CStr,
+    kind: fmi2Type,
+    guid: Option<CString>,
+    callbacks: fmi2CallbackFunctions,
+    logging: bool,
+) -> Result<Box<Slave>, String> {
+    if name.to_bytes().trim_ascii().is_empty() {
+        return Err("instanceName is NULL or blank".into());
+    }
+    if kind != fmi2CoSimulation {
+        return Err(format!("fmuType is {kind}: only co-simulation ({fmi2CoSimulation}) is offered"));
+    }
+    let guid = guid.ok_or("fmuGUID is NULL")?;
+    let guid = guid.to_string_lossy();
+    let model = catalogue::by_guid(&guid).ok_or_else(|| {
+        format!(
+            "guid {guid} belongs to no model of stribeck {}: modelDescription.xml and library are of different versions",
+            env!("CARGO_PKG_VERSION")
+        )
+    })?;
+    Ok(Box::new(Slave::new(Instance::new(model), Log::new(callbacks, name, logging))))
+}
+
+/// Frees an instance. NULL is ignored.
+///
+/// # Safety
+/// `c` must be NULL or an instance that is not used afterwards.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmi2FreeInstance(c: fmi2Component) {
+    // SAFETY: the caller's promise. Freeing runs no code of a model, so there is no panic to catch.
+    drop(unsafe { door::take(c) });
+}
+
+/// Switches log categories (`logStatusDiscard`, `logStatusError`, `logAll`); all of them if `nCategories` is 0.
+///
+/// # Safety
+/// `c` as for every call on an instance; `categories` must hold `nCategories` zero-terminated texts.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmi2SetDebugLogging(
+    c: fmi2Component,
+    loggingOn: fmi2Boolean,
+    nCategories: usize,
+    categories: *const fmi2String,
+) -> fmi2Status {
+    let body = |slave: &mut Slave| {
+        let enabled = loggingOn != fmi2False;
+        if nCategories == 0 {
+            (slave.log.discard, slave.log.error) = (enabled, enabled);
+        }
+        // SAFETY: the caller promises `nCategories` pointers.
+        for category in unsafe { array(categories, nCategories, "categories") }? {
+            // SAFETY: the caller promises NULL or zero-terminated texts.
+            let Some(category) = (unsafe { door::text(*category) }) else { return refuse("a category is NULL") };
+            if slave.log.switch(&category, enabled).is_none() {
+                return refuse(format!("unknown log category {}", category.to_string_lossy()));
+            }
+        }
+        Ok(())
+    };
+    // SAFETY: the caller's promise about `c`.
+    unsafe { enter(c, Call::SetDebugLogging, body) }
+}
+
+/// Declares start time and, if defined, stop time, beyond which no step may reach. The tolerance is only checked: the
+/// steps are exact or hold a tighter tolerance of their own.
+///
+/// # Safety
+/// `c` as for every call on an instance.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmi2SetupExperiment(
+    c: fmi2Component,
+    toleranceDefined: fmi2Boolean,
+    tolerance: fmi2Real,
+    startTime: fmi2Real,
+    stopTimeDefined: fmi2Boolean,
+    stopTime: fmi2Real,
+) -> fmi2Status {
+    let body = |slave: &mut Slave| {
+        if toleranceDefined != fmi2False && !(tolerance > 0.0 && tolerance.is_finite()) {
+            return refuse(format!("tolerance = {tolerance}: must be > 0 and finite"));
+        }
+        if !startTime.is_finite() {
+            return refuse(format!("startTime = {startTime}: must be finite"));
+        }
+        let stop = (stopTimeDefined != fmi2False).then_some(stopTime);
+        if let Some(stop) = stop
+            && !(stop.is_finite() && stop >= startTime)
+        {
+            return refuse(format!("stopTime = {stop}: must be finite and >= startTime = {startTime}"));
+        }
+        slave.experiment = Experiment { is_set_up: true, start: startTime, stop };
+        slave.instance.set_time(startTime);
+        Ok(())
+    };
+    // SAFETY: the caller's promise about `c`.
+    unsafe { enter(c, Call::SetupExperiment, body) }
+}
+
+/// Enters the initialization mode, in which inputs are set and outputs read at the start time.
+///
+/// # Safety
+/// `c` as for every call on an instance.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmi2EnterInitializationMode(c: fmi2Component) -> fmi2Status {
+    let body = |slave: &mut Slave| {
+        if !slave.experiment.is_set_up {
+            return refuse("fmi2SetupExperiment must be called before");
+        }
+        slave.state = State::Initialization;
+        Ok(())
+    };
+    // SAFETY: the caller's promise about `c`.
+    unsafe { enter(c, Call::EnterInitializationMode, body) }
+}
+
+/// Ends the initialization: parameters must now fit together, outputs must be finite.
+///
+/// # Safety
+/// `c` as for every call on an instance.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmi2ExitInitializationMode(c: fmi2Component) -> fmi2Status {
+    let body = |slave: &mut Slave| {
+        slave.instance.check()?;
+        slave.instance.refresh()?;
+        slave.state = State::StepComplete;
+        Ok(())
+    };
+    // SAFETY: the caller's promise about `c`.
+    unsafe { enter(c, Call::ExitInitializationMode, body) }
+}
+
+/// Ends the simulation run. Results can still be read.
+///
+/// # Safety
+/// `c` as for every call on an instance.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmi2Terminate(c: fmi2Component) -> fmi2Status {
+    let body = |slave: &mut Slave| {
+        slave.state = State::Terminated;
+        Ok(())
+    };
+    // SAFETY: the caller's promise about `c`.
+    unsafe { enter(c, Call::Terminate, body) }
+}
+
+/// Back to the state after fmi2Instantiate: start values, no experiment, time 0. Log settings stay.
+///
+/// # Safety
+/// `c` as for every call on an instance.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmi2Reset(c: fmi2Component) -> fmi2Status {
+    let body = |slave: &mut Slave| {
+        slave.instance.reset();
+        slave.experiment = Experiment::NONE;
+        slave.state = State::Instantiated;
+        Ok(())
+    };
+    // SAFETY: the caller's promise about `c`.
+    unsafe { enter(c, Call::Reset, body) }
+}

@@ -1,0 +1,205 @@
+//! Saving and restoring the complete state of an instance.
+
+use super::door::{Experiment, Outcome, Refusal, Slave, array, array_mut, enter, refuse};
+use super::lifecycle::{Call, STATES, State};
+use super::types::*;
+use crate::instance::Snapshot;
+use crate::model::ModelType;
+use crate::serial;
+
+/// What an importer holds as `fmi2FMUstate`.
+struct Saved {
+    magic: u64,
+    model: &'static ModelType,
+    state: State,
+    experiment: Experiment,
+    snapshot: Snapshot,
+}
+
+/// Marks the memory of a saved state, so that a pointer to something else is refused.
+const MAGIC: u64 = u64::from_le_bytes(*b"STRISAVE");
+
+impl Saved {
+    fn of(slave: &Slave) -> Saved {
+        Saved {
+            magic: MAGIC,
+            model: slave.instance.model(),
+            state: slave.state,
+            experiment: slave.experiment,
+            snapshot: slave.instance.save(),
+        }
+    }
+
+    fn refill(&mut self, slave: &Slave) {
+        self.state = slave.state;
+        self.experiment = slave.experiment;
+        slave.instance.save_into(&mut self.snapshot);
+    }
+
+    /// The numbers that the FMI layer adds to a serialised instance; an undefined stop time is written as infinity.
+    fn owners(&self) -> [f64; serial::OWNERS] {
+        let Experiment { is_set_up, start, stop } = self.experiment;
+        let state = STATES.iter().position(|state| *state == self.state).unwrap_or_default();
+        [state as f64, f64::from(u8::from(is_set_up)), start, stop.unwrap_or(f64::INFINITY)]
+    }
+
+    fn read(model: &'static ModelType, bytes: &[u8]) -> Result<Saved, Refusal> {
+        let (snapshot, [state, is_set_up, start, stop]) = serial::read(model, bytes)?;
+        let Some(state) = STATES.get(state as usize) else { return refuse(format!("unknown state {state}")) };
+        let experiment = Experiment { is_set_up: is_set_up != 0.0, start, stop: stop.is_finite().then_some(stop) };
+        Ok(Saved { magic: MAGIC, model, state: *state, experiment, snapshot })
+    }
+}
+
+/// The saved state behind a pointer, if it belongs to the model of `slave`.
+///
+/// # Safety
+/// `state` must be NULL or a state made by this library and not yet freed.
+unsafe fn saved<'a>(slave: &Slave, state: fmi2FMUstate) -> Result<&'a mut Saved, Refusal> {
+    // SAFETY: the caller's promise.
+    match unsafe { state.cast::<Saved>().as_mut() } {
+        None => refuse("FMUstate is NULL"),
+        Some(saved) if saved.magic != MAGIC => refuse("FMUstate is no state of this library"),
+        Some(saved) if saved.model != slave.instance.model() => {
+            refuse(format!("FMUstate is one of {}, not of {}", saved.model.name, slave.instance.model().name))
+        }
+        Some(saved) => Ok(saved),
+    }
+}
+
+/// Saves the state. `*FMUstate` must be NULL, to make a new one, or an earlier state, to overwrite it. To be freed once
+/// with fmi2FreeFMUstate.
+///
+/// # Safety
+/// `c` as for every call on an instance; `FMUstate` must be NULL or point to NULL or to a state of this library.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmi2GetFMUstate(c: fmi2Component, FMUstate: *mut fmi2FMUstate) -> fmi2Status {
+    let body = |slave: &mut Slave| {
+        // SAFETY: the caller promises NULL or a writable pointer.
+        let Some(place) = (unsafe { FMUstate.as_mut() }) else { return refuse("FMUstate is NULL") };
+        if place.is_null() {
+            *place = Box::into_raw(Box::new(Saved::of(slave))).cast();
+        } else {
+            // SAFETY: not NULL, so the caller promises a state of this library.
+            unsafe { saved(slave, *place) }?.refill(slave);
+        }
+        Ok(())
+    };
+    // SAFETY: the caller's promise about `c`.
+    unsafe { enter(c, Call::GetFMUstate, body) }
+}
+
+/// Goes back to a saved state, of this or of another instance of the same model. The state can be used again.
+///
+/// # Safety
+/// `c` as for every call on an instance; `FMUstate` must be NULL or a state of this library.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmi2SetFMUstate(c: fmi2Component, FMUstate: fmi2FMUstate) -> fmi2Status {
+    let body = |slave: &mut Slave| {
+        // SAFETY: the caller's promise.
+        let saved = unsafe { saved(slave, FMUstate) }?;
+        slave.instance.restore(&saved.snapshot);
+        slave.state = saved.state;
+        slave.experiment = saved.experiment;
+        Ok(())
+    };
+    // SAFETY: the caller's promise about `c`.
+    unsafe { enter(c, Call::SetFMUstate, body) }
+}
+
+/// Frees a saved state and sets the pointer to NULL. A pointer to NULL is ignored, as is NULL.
+///
+/// # Safety
+/// `c` as for every call on an instance; `FMUstate` must be NULL or point to NULL or to a state of this library.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmi2FreeFMUstate(c: fmi2Component, FMUstate: *mut fmi2FMUstate) -> fmi2Status {
+    let body = |slave: &mut Slave| {
+        // SAFETY: the caller promises NULL or a writable pointer.
+        let Some(place) = (unsafe { FMUstate.as_mut() }) else { return Ok(()) };
+        if !place.is_null() {
+            // SAFETY: not NULL, so the caller promises a state of this library, which came from `Box::into_raw`.
+            drop(unsafe { Box::from_raw(saved(slave, *place)?) });
+            *place = std::ptr::null_mut();
+        }
+        Ok(())
+    };
+    // SAFETY: the caller's promise about `c`.
+    unsafe { enter(c, Call::FreeFMUstate, body) }
+}
+
+/// Number of bytes that fmi2SerializeFMUstate writes.
+///
+/// # Safety
+/// `c` as for every call on an instance; `FMUstate` must be NULL or a state of this library; `size` NULL or writable.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmi2SerializedFMUstateSize(
+    c: fmi2Component,
+    FMUstate: fmi2FMUstate,
+    size: *mut usize,
+) -> fmi2Status {
+    let body = |slave: &mut Slave| {
+        // SAFETY: the caller's promises.
+        let (saved, size) = unsafe { (saved(slave, FMUstate)?, size.as_mut()) };
+        let Some(size) = size else { return refuse("size is NULL") };
+        *size = serial::size(saved.model);
+        Ok(())
+    };
+    // SAFETY: the caller's promise about `c`.
+    unsafe { enter(c, Call::SerializedFMUstateSize, body) }
+}
+
+/// Writes a saved state as bytes that another process, on another platform too, can read. Equal states give equal bytes.
+///
+/// # Safety
+/// `c` as for every call on an instance; `FMUstate` must be NULL or a state of this library; `serializedState` must have
+/// `size` bytes.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmi2SerializeFMUstate(
+    c: fmi2Component,
+    FMUstate: fmi2FMUstate,
+    serializedState: *mut fmi2Byte,
+    size: usize,
+) -> fmi2Status {
+    let body = |slave: &mut Slave| -> Outcome {
+        // SAFETY: the caller's promises; bytes are bytes, signed or not.
+        let (saved, bytes) =
+            unsafe { (saved(slave, FMUstate)?, array_mut(serializedState.cast::<u8>(), size, "serializedState")?) };
+        let needed = serial::size(saved.model);
+        if size < needed {
+            return refuse(format!("serializedState has {size} bytes, {needed} are needed"));
+        }
+        serial::write(saved.model, &saved.snapshot, saved.owners(), &mut bytes[..needed]);
+        Ok(())
+    };
+    // SAFETY: the caller's promise about `c`.
+    unsafe { enter(c, Call::SerializeFMUstate, body) }
+}
+
+/// Makes a saved state from bytes. Foreign, truncated and damaged bytes are refused.
+///
+/// # Safety
+/// `c` as for every call on an instance; `serializedState` must have `size` bytes; `FMUstate` as for fmi2GetFMUstate.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmi2DeSerializeFMUstate(
+    c: fmi2Component,
+    serializedState: *const fmi2Byte,
+    size: usize,
+    FMUstate: *mut fmi2FMUstate,
+) -> fmi2Status {
+    let body = |slave: &mut Slave| -> Outcome {
+        // SAFETY: the caller's promises.
+        let (bytes, place) =
+            unsafe { (array(serializedState.cast::<u8>(), size, "serializedState")?, FMUstate.as_mut()) };
+        let Some(place) = place else { return refuse("FMUstate is NULL") };
+        let read = Saved::read(slave.instance.model(), bytes)?;
+        if place.is_null() {
+            *place = Box::into_raw(Box::new(read)).cast();
+        } else {
+            // SAFETY: not NULL, so the caller promises a state of this library.
+            *unsafe { saved(slave, *place) }? = read;
+        }
+        Ok(())
+    };
+    // SAFETY: the caller's promise about `c`.
+    unsafe { enter(c, Call::DeSerializeFMUstate, body) }
+}

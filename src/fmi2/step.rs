@@ -1,0 +1,159 @@
+//! fmi2DoStep and the questions about it.
+
+use super::door::{Outcome, Refusal, Slave, enter, refuse};
+use super::lifecycle::Call;
+use super::types::*;
+
+/// Slack for communication points and the stop time, relative to the time: masters accumulate h, compute i h, or count
+/// nanoseconds. It is far above their rounding (1e6 accumulated steps: 1e-10) and far below any step worth making.
+const TIME_SLACK: f64 = 1e-9;
+
+/// And relative to the step, for the first steps after time 0 (chosen).
+const STEP_SLACK: f64 = 1e-3;
+
+/// Advances the instance by `communicationStepSize` > 0. Inputs are held, or move with the slopes of
+/// fmi2SetRealInputDerivatives. On an error nothing has changed.
+///
+/// # Safety
+/// `c` as for every call on an instance.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmi2DoStep(
+    c: fmi2Component,
+    currentCommunicationPoint: fmi2Real,
+    communicationStepSize: fmi2Real,
+    _noSetFMUStatePriorToCurrentPoint: fmi2Boolean,
+) -> fmi2Status {
+    let body = |slave: &mut Slave| {
+        let (t, h) = (currentCommunicationPoint, communicationStepSize);
+        check_step(slave, t, h)?;
+        slave.instance.step(h)?;
+        // The master's clock is the clock.
+        slave.instance.set_time(t + h);
+        Ok(())
+    };
+    // SAFETY: the caller's promise about `c`.
+    unsafe { enter(c, Call::DoStep, body) }
+}
+
+#[inline(always)]
+fn check_step(slave: &Slave, t: f64, h: f64) -> Outcome {
+    let time = slave.instance.time();
+    let slack = TIME_SLACK * t.abs().max(time.abs()) + STEP_SLACK * h;
+    // Written so that NaN fails.
+    let sound = h > 0.0 && (t + h).is_finite() && (t - time).abs() <= slack;
+    let in_time = slave.experiment.stop.is_none_or(|stop| t + h <= stop + slack);
+    if sound && in_time { Ok(()) } else { Err(wrong_step(slave, t, h)) }
+}
+
+#[cold]
+fn wrong_step(slave: &Slave, t: f64, h: f64) -> Refusal {
+    Refusal::Error(if !(h > 0.0 && h.is_finite()) {
+        format!("communicationStepSize = {h}: must be > 0 and finite")
+    } else if let Some(stop) = slave.experiment.stop
+        && t + h > stop
+        && t.is_finite()
+    {
+        format!("the step from {t} s to {} s passes the stop time {stop} s", t + h)
+    } else {
+        format!("currentCommunicationPoint = {t}: must be {}, where the last step ended", slave.instance.time())
+    })
+}
+
+/// Always an error: no step is ever pending.
+///
+/// # Safety
+/// `c` as for every call on an instance.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmi2CancelStep(c: fmi2Component) -> fmi2Status {
+    // SAFETY: the caller's promise about `c`.
+    unsafe { enter(c, Call::CancelStep, |_| Ok(())) }
+}
+
+/// Answers a question about the last step: `answer` gives the value for a kind, if it has one.
+///
+/// # Safety
+/// `c` as for every call on an instance; `value` must be NULL or writable.
+unsafe fn status<T>(
+    c: fmi2Component,
+    call: Call,
+    kind: fmi2StatusKind,
+    value: *mut T,
+    answer: impl FnOnce(&Slave) -> Option<T>,
+) -> fmi2Status {
+    let body = |slave: &mut Slave| {
+        // SAFETY: the caller promises NULL or a writable value.
+        let Some(value) = (unsafe { value.as_mut() }) else { return refuse("value is NULL") };
+        match answer(slave) {
+            Some(found) => *value = found,
+            None => {
+                return Err(Refusal::Discard(format!("status kind {kind} has no such value: steps are synchronous")));
+            }
+        }
+        Ok(())
+    };
+    // SAFETY: the caller's promise about `c`.
+    unsafe { enter(c, call, body) }
+}
+
+/// Always fmi2Discard: there is no asynchronous step to ask about.
+///
+/// # Safety
+/// `c` as for every call on an instance; `value` must be NULL or writable.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmi2GetStatus(c: fmi2Component, s: fmi2StatusKind, value: *mut fmi2Status) -> fmi2Status {
+    // SAFETY: the caller's promises.
+    unsafe { status(c, Call::GetStatus, s, value, |_| None) }
+}
+
+/// `fmi2LastSuccessfulTime`: the end of the last completed step. fmi2Discard for other kinds.
+///
+/// # Safety
+/// As for fmi2GetStatus.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmi2GetRealStatus(c: fmi2Component, s: fmi2StatusKind, value: *mut fmi2Real) -> fmi2Status {
+    let time = |slave: &Slave| (s == fmi2LastSuccessfulTime).then(|| slave.instance.time());
+    // SAFETY: the caller's promises.
+    unsafe { status(c, Call::GetRealStatus, s, value, time) }
+}
+
+/// Always fmi2Discard: no status is an integer.
+///
+/// # Safety
+/// As for fmi2GetStatus.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmi2GetIntegerStatus(
+    c: fmi2Component,
+    s: fmi2StatusKind,
+    value: *mut fmi2Integer,
+) -> fmi2Status {
+    // SAFETY: the caller's promises.
+    unsafe { status(c, Call::GetIntegerStatus, s, value, |_| None) }
+}
+
+/// `fmi2Terminated`: no model ends the simulation by itself, so fmi2False. fmi2Discard for other kinds.
+///
+/// # Safety
+/// As for fmi2GetStatus.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmi2GetBooleanStatus(
+    c: fmi2Component,
+    s: fmi2StatusKind,
+    value: *mut fmi2Boolean,
+) -> fmi2Status {
+    // SAFETY: the caller's promises.
+    unsafe { status(c, Call::GetBooleanStatus, s, value, |_| (s == fmi2Terminated).then_some(fmi2False)) }
+}
+
+/// Always fmi2Discard: there is no asynchronous step to ask about.
+///
+/// # Safety
+/// As for fmi2GetStatus.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmi2GetStringStatus(
+    c: fmi2Component,
+    s: fmi2StatusKind,
+    value: *mut fmi2String,
+) -> fmi2Status {
+    // SAFETY: the caller's promises.
+    unsafe { status(c, Call::GetStringStatus, s, value, |_| None) }
+}

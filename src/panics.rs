@@ -1,0 +1,33 @@
+//! Panics must neither cross a C interface nor print into the host's console.
+
+use std::any::Any;
+use std::panic::{self, PanicHookInfo};
+use std::sync::Once;
+
+/// Silences the report that Rust prints for a panic in this library's code; all other panics keep their report. Called
+/// when the first instance is made through a C interface, where every panic is caught and told to the caller instead.
+///
+/// The place of the panic decides, and not a thread-local flag: that would cost as much as a friction law on each call.
+pub(crate) fn silence() {
+    static ONCE: Once = Once::new();
+    ONCE.call_once(|| {
+        let report = panic::take_hook();
+        panic::set_hook(Box::new(move |info| {
+            if !is_ours(info) {
+                report(info);
+            }
+        }));
+    });
+}
+
+fn is_ours(info: &PanicHookInfo) -> bool {
+    let sources = file!().strip_suffix("panics.rs").unwrap_or_default();
+    info.location().is_some_and(|location| location.file().starts_with(sources))
+}
+
+/// What a caught panic says.
+pub(crate) fn text(panic: &(dyn Any + Send)) -> String {
+    let said = panic.downcast_ref::<&str>().copied();
+    let said = said.or_else(|| panic.downcast_ref::<String>().map(String::as_str));
+    format!("internal fault, please report it: {}", said.unwrap_or("no message"))
+}

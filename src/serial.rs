@@ -1,0 +1,142 @@
+//! A snapshot as bytes: to be kept in a file or given to another process.
+//!
+//! Little-endian, the same on every platform: magic, format number, guid of the model, then time, flags, the owner's own
+//! numbers, row and slopes as f64, and an FNV-1a checksum of all that. Foreign, truncated and damaged bytes are refused.
+
+use crate::instance::Snapshot;
+use crate::model::{Fault, ModelType, Role};
+
+const MAGIC: &[u8; 8] = b"STRIBECK";
+/// Raised when the layout changes; bytes of another format are refused.
+const FORMAT: u32 = 1;
+const HEAD: usize = MAGIC.len() + 4 + 38;
+const CHECKSUM: usize = 8;
+/// Time and two flags.
+const OWN: usize = 3;
+
+/// Numbers that the owner of an instance adds to it.
+pub const OWNERS: usize = 4;
+
+/// Number of bytes of a snapshot of that model.
+pub fn size(model: &ModelType) -> usize {
+    HEAD + 8 * (OWN + OWNERS + 2 * model.table.len()) + CHECKSUM
+}
+
+/// Writes a snapshot into `bytes`, which must have exactly [`size`] bytes.
+pub fn write(model: &ModelType, snapshot: &Snapshot, owners: [f64; OWNERS], bytes: &mut [u8]) {
+    let flags = [snapshot.slopes_are_new, snapshot.stale].map(|flag| f64::from(u8::from(flag)));
+    let numbers = [snapshot.time].into_iter().chain(flags).chain(owners);
+    let numbers = numbers.chain(snapshot.row.iter().copied()).chain(snapshot.slope.iter().copied());
+    let (body, checksum) = bytes.split_at_mut(size(model) - CHECKSUM);
+    let (head, data) = body.split_at_mut(HEAD);
+    head[..8].copy_from_slice(MAGIC);
+    head[8..12].copy_from_slice(&FORMAT.to_le_bytes());
+    head[12..].copy_from_slice(model.guid().as_bytes());
+    for (place, number) in data.chunks_exact_mut(8).zip(numbers) {
+        place.copy_from_slice(&number.to_le_bytes());
+    }
+    checksum.copy_from_slice(&hash(body).to_le_bytes());
+}
+
+/// Reads a snapshot of `model` back.
+pub fn read(model: &ModelType, bytes: &[u8]) -> Result<(Snapshot, [f64; OWNERS]), Fault> {
+    let refuse = |why: String| Err(Fault(format!("serialised state of {}: {why}", model.name)));
+    if bytes.len() != size(model) {
+        return refuse(format!("{} bytes, {} are expected", bytes.len(), size(model)));
+    }
+    let (body, checksum) = bytes.split_at(bytes.len() - CHECKSUM);
+    let (head, data) = body.split_at(HEAD);
+    if &head[..8] != MAGIC {
+        return refuse("not a state of this library".into());
+    }
+    if head[8..12] != FORMAT.to_le_bytes() {
+        return refuse("written in another format by another version of this library".into());
+    }
+    if &head[12..] != model.guid().as_bytes() {
+        return refuse("it belongs to another model or another version of it".into());
+    }
+    if checksum != hash(body).to_le_bytes() {
+        return refuse("damaged, the checksum differs".into());
+    }
+    let mut numbers = data.chunks_exact(8).map(|bytes| f64::from_le_bytes(bytes.try_into().unwrap_or_default()));
+    let mut take = || numbers.next().unwrap_or(f64::NAN);
+    let [time, slopes_are_new, stale] = std::array::from_fn(|_| take());
+    let owners = std::array::from_fn(|_| take());
+    let columns = model.table.len();
+    let row: Box<[f64]> = (0..columns).map(|_| take()).collect();
+    let slope: Box<[f64]> = (0..columns).map(|_| take()).collect();
+    for (variable, value) in model.table.iter().zip(&row) {
+        let sound = if variable.role == Role::Output { value.is_finite() } else { variable.admits(*value) };
+        if !sound {
+            return Err(variable.fault(*value));
+        }
+    }
+    if !time.is_finite() || slope.iter().any(|slope| !slope.is_finite()) {
+        return refuse("time or a slope is not finite".into());
+    }
+    let snapshot = Snapshot { row, slope, slopes_are_new: slopes_are_new != 0.0, stale: stale != 0.0, time };
+    Ok((snapshot, owners))
+}
+
+/// FNV-1a of 64 bits (RFC 9923).
+fn hash(bytes: &[u8]) -> u64 {
+    bytes.iter().fold(0xcbf2_9ce4_8422_2325, |hash, byte| (hash ^ u64::from(*byte)).wrapping_mul(0x0000_0100_0000_01b3))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::instance::Instance;
+
+    fn bytes_of(name: &str) -> (&'static ModelType, Vec<u8>) {
+        let model = crate::catalogue::by_name(name).expect("a model of the catalogue");
+        let mut instance = Instance::new(model);
+        instance.set_time(1.25);
+        instance.put(0, 0.5);
+        instance.put_slope(0, -3.0);
+        let mut bytes = vec![0; size(model)];
+        write(model, &instance.save(), [1.0, 2.0, 3.0, 4.0], &mut bytes);
+        (model, bytes)
+    }
+
+    #[test]
+    fn what_is_written_is_read_back() {
+        let (model, bytes) = bytes_of("LuGre");
+        let (snapshot, owners) = read(model, &bytes).expect("sound bytes");
+        assert_eq!((snapshot.time, snapshot.row[0], snapshot.slope[0]), (1.25, 0.5, -3.0));
+        assert!(snapshot.slopes_are_new && snapshot.stale);
+        assert_eq!(owners, [1.0, 2.0, 3.0, 4.0]);
+    }
+
+    #[test]
+    fn every_damaged_byte_is_noticed() {
+        let (model, bytes) = bytes_of("Dahl");
+        for at in 0..bytes.len() {
+            let mut damaged = bytes.clone();
+            damaged[at] ^= 0x10;
+            assert!(read(model, &damaged).is_err(), "byte {at}");
+        }
+        assert!(read(model, &bytes[1..]).is_err());
+        assert!(read(model, &[]).is_err());
+    }
+
+    #[test]
+    fn another_model_refuses_the_bytes() {
+        let (_, bytes) = bytes_of("CoulombStiction");
+        let karnopp = crate::catalogue::by_name("Karnopp").expect("a model of the catalogue");
+        assert!(read(karnopp, &bytes).is_err());
+    }
+
+    /// A checksum that fits does not make a value admissible.
+    #[test]
+    fn values_outside_their_bounds_are_refused_by_name() {
+        let (model, _) = bytes_of("LuGre");
+        let mut snapshot = Instance::new(model).save();
+        let column = model.find("sigma_0").expect("a variable of LuGre");
+        snapshot.row[column] = -1.0;
+        let mut bytes = vec![0; size(model)];
+        write(model, &snapshot, [0.0; OWNERS], &mut bytes);
+        let fault = read(model, &bytes).expect_err("sigma_0 = -1");
+        assert_eq!(fault.0, "sigma_0 = -1: must be > 0 and finite");
+    }
+}

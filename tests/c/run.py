@@ -1,0 +1,262 @@
+#!/usr/bin/env python3
+"""Compiles and runs the C and C++ programs against include/stribeck.h and the release library.
+
+    python3 tests/c/run.py
+
+Every program is compiled with warnings as errors, linked to the shared and to the static library, and run as it is and
+under the address and undefined-behaviour sanitizers. The compilers are cc and c++, or what CC and CXX name.
+"""
+
+import json
+import os
+import platform
+import shlex
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+TESTS = ROOT / "tests" / "c"
+EXAMPLES = ROOT / "examples"
+WINDOWS = os.name == "nt"
+
+WARNINGS = ["-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wshadow", "-Werror"]
+STANDARD = {".c": "-std=c99", ".cpp": "-std=c++17"}
+SANITIZERS = ["-fsanitize=address,undefined", "-fno-sanitize-recover=all", "-fno-omit-frame-pointer"]
+TIMEOUT = 300  # seconds; the longest program takes a few
+
+
+class Failed(Exception):
+    """A command did not do what it should. The text is what the user sees."""
+
+
+def run(command, **options):
+    """Runs a command and returns what it did; raises Failed if it cannot be started or takes too long."""
+    command = [str(word) for word in command]
+    try:
+        return subprocess.run(command, capture_output=True, text=True, timeout=TIMEOUT, **options)
+    except (OSError, subprocess.TimeoutExpired) as error:
+        raise Failed(f"{shlex.join(command)}\n{error}") from error
+
+
+def succeed(command, **options):
+    """Runs a command that must succeed and returns its output."""
+    done = run(command, **options)
+    if done.returncode != 0:
+        shown = shlex.join(str(word) for word in command)
+        raise Failed(f"{shown}\nexit code {done.returncode}\n{done.stdout}{done.stderr}")
+    return done.stdout
+
+
+def build_library():
+    """Builds the library as it is shipped and returns the folder it is in."""
+    if subprocess.run(["cargo", "build", "--release", "--lib", "-p", "stribeck"], cwd=ROOT).returncode != 0:
+        sys.exit("tests/c/run.py: the library does not build")
+    metadata = succeed(["cargo", "metadata", "--format-version", "1", "--no-deps"], cwd=ROOT)
+    return Path(json.loads(metadata)["target_directory"]) / "release"
+
+
+class Compiler:
+    """The C and C++ compilers, and how a program is linked to the library."""
+
+    def __init__(self, library_folder, output_folder):
+        self.library_folder = library_folder
+        self.output_folder = output_folder
+        self.commands = {".c": find_compiler("CC", "cc"), ".cpp": find_compiler("CXX", "c++")}
+
+    def shared_library(self):
+        names = {"Windows": "stribeck.dll", "Darwin": "libstribeck.dylib"}
+        return self.library_folder / names.get(platform.system(), "libstribeck.so")
+
+    def link_flags(self, linkage):
+        if linkage == "shared":
+            run_path = [] if WINDOWS else [f"-Wl,-rpath,{self.library_folder}"]
+            return [self.shared_library(), *run_path, "-lm"]
+        if linkage == "static":
+            return [self.library_folder / "libstribeck.a", *native_static_libraries(), "-lm"]
+        # Loaded by the program itself.
+        return ["-lm"] if WINDOWS else ["-lm", "-ldl"]
+
+    def compile(self, source, linkage, sanitized):
+        """Compiles one source file to a program and returns the path of the program."""
+        name = "-".join([source.stem, source.suffix[1:], linkage, *(["sanitized"] if sanitized else [])])
+        program = self.output_folder / (name + (".exe" if WINDOWS else ""))
+        flags = ["-g", "-O1", *SANITIZERS] if sanitized else ["-O2"]
+        succeed(
+            [
+                *self.commands[source.suffix],
+                STANDARD[source.suffix],
+                *WARNINGS,
+                *flags,
+                f"-I{ROOT / 'include'}",
+                source,
+                "-o",
+                program,
+                *self.link_flags(linkage),
+            ]
+        )
+        return program
+
+
+def find_compiler(variable, usual):
+    """The compiler command that an environment variable names, or the usual one."""
+    command = shlex.split(os.environ.get(variable, usual))
+    if not command or shutil.which(command[0]) is None:
+        sys.exit(f"tests/c/run.py: no compiler {' '.join(command) or repr('')}: set {variable} to one that exists")
+    return command
+
+
+def native_static_libraries():
+    """What a program must link beside the static library: the system libraries that Rust's standard library uses."""
+    words = ["rustc", "--crate-type", "staticlib", "--print", "native-static-libs", "-", "-o", os.devnull]
+    done = run(words, input="")
+    label = "native-static-libs:"
+    for line in done.stderr.splitlines():
+        if label in line:
+            return line.split(label)[1].split()
+    raise Failed(f"{shlex.join(words)}\nnames no libraries:\n{done.stderr}")
+
+
+class Results:
+    """Counts, and prints what failed at once."""
+
+    def __init__(self):
+        self.passed = 0
+        self.failed = 0
+
+    def check(self, name, test):
+        try:
+            test()
+        except Failed as failure:
+            self.failed += 1
+            print(f"FAILED  {name}\n{failure}", flush=True)
+        else:
+            self.passed += 1
+            print(f"ok      {name}", flush=True)
+
+
+def expect(done, condition, wish):
+    if not condition:
+        shown = shlex.join(done.args)
+        raise Failed(f"{shown}\n{wish}; exit code {done.returncode}\n{done.stdout}{done.stderr}")
+
+
+def runs(program, *arguments, prints=()):
+    """The program must succeed, say nothing on stderr, and print each of the given texts."""
+    done = run([program, *arguments], env=environment(program))
+    expect(done, done.returncode == 0 and not done.stderr, "should succeed without a complaint")
+    for text in prints:
+        expect(done, text in done.stdout, f"should print {text!r}")
+    return done
+
+
+def refuses(program, *arguments, complains):
+    """The program must fail with exit code 1 and say why."""
+    done = run([program, *arguments], env=environment(program))
+    expect(done, done.returncode == 1 and complains in done.stderr, f"should fail and say {complains!r}")
+
+
+def is_caught(program, mistake, by):
+    """A sanitizer must stop the program."""
+    done = run([program, mistake], env=environment(program))
+    expect(done, done.returncode != 0 and by in done.stderr, f"should be caught: {by!r}")
+
+
+def environment(program):
+    """Windows looks for shared libraries along the path."""
+    if not WINDOWS:
+        return None
+    return {**os.environ, "PATH": f"{LIBRARY_FOLDER}{os.pathsep}{os.environ['PATH']}"}
+
+
+def test_headers(compiler, results):
+    for source in [TESTS / "header.c", TESTS / "header.cpp"]:
+        results.check(source.name, lambda source=source: runs(compiler.compile(source, "none", False)))
+
+
+def test_sanitizers(compiler, results):
+    """A sanitizer that is not on would let everything pass."""
+
+    def caught(mistake, by):
+        is_caught(compiler.compile(TESTS / "caught.c", "none", True), mistake, by)
+
+    results.check("sanitizer: address", lambda: caught("address", "heap-buffer-overflow"))
+    results.check("sanitizer: overflow", lambda: caught("overflow", "signed integer overflow"))
+    if platform.system() == "Linux":
+        results.check("sanitizer: leak", lambda: caught("leak", "LeakSanitizer"))
+    else:
+        print(f"note: no leak detection on {platform.system()}")
+
+
+def test_programs(compiler, results, linkage, sanitized):
+    label = f"{linkage}, sanitized" if sanitized else linkage
+
+    def program(folder, name):
+        return compiler.compile(folder / name, linkage, sanitized)
+
+    def belt():
+        built = program(EXAMPLES / "c", "belt.c")
+        runs(built, prints=["LuGre on the belt", "identical to the last bit", "refused, as it should be: mu_k = -0.1"])
+        runs(built, "CoulombStiction", prints=["identical to the last bit"])
+        refuses(built, "NoSuchLaw", complains="NoSuchLaw")
+
+    def fmu_master():
+        runs(program(EXAMPLES / "c", "fmu_master.c"), prints=["slips 5 times, first at 7.35"])
+
+    def hysteresis():
+        built = program(EXAMPLES / "cpp", "hysteresis.cpp")
+        csv = built.with_suffix(".csv")
+        csv.unlink(missing_ok=True)
+        runs(built, csv, prints=["closed form", "refused, as it should be:  sigma_0 = -1"])
+        rows = csv.read_text().splitlines()
+        if rows[0] != "position_m,friction_force_N" or len(rows) != 1 + 200 * 21:
+            raise Failed(f"{csv}: {len(rows)} lines, the first one is {rows[0]!r}")
+        refuses(built, built.parent / "no" / "such" / "folder.csv", complains="cannot write")
+
+    results.check(f"api_test ({label})", lambda: runs(program(TESTS, "api_test.c"), prints=[" 0 failed"]))
+    results.check(f"belt ({label})", belt)
+    results.check(f"fmu_master ({label})", fmu_master)
+    results.check(f"hysteresis ({label})", hysteresis)
+
+
+def test_loaded(compiler, results, sanitized):
+    label = "loaded, sanitized" if sanitized else "loaded"
+    library = compiler.shared_library()
+    results.check(
+        f"fmi_test ({label})",
+        lambda: runs(compiler.compile(TESTS / "fmi_test.c", "loaded", sanitized), library, prints=[" 0 failed"]),
+    )
+
+
+def main():
+    global LIBRARY_FOLDER
+    LIBRARY_FOLDER = build_library()
+    output_folder = LIBRARY_FOLDER.parent / "c-tests"
+    output_folder.mkdir(parents=True, exist_ok=True)
+    compiler = Compiler(LIBRARY_FOLDER, output_folder)
+    results = Results()
+
+    linkages = ["shared", "static"]
+    if not (LIBRARY_FOLDER / "libstribeck.a").exists():
+        linkages.remove("static")
+        print("note: the static library is in the format of another compiler; only the shared one is tested")
+    sanitizing = [False, True]
+    if WINDOWS:
+        sanitizing.remove(True)
+        print("note: no sanitizers on Windows")
+
+    test_headers(compiler, results)
+    if True in sanitizing:
+        test_sanitizers(compiler, results)
+    for sanitized in sanitizing:
+        test_loaded(compiler, results, sanitized)
+        for linkage in linkages:
+            test_programs(compiler, results, linkage, sanitized)
+
+    print(f"{results.passed} passed, {results.failed} failed")
+    return 1 if results.failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,117 @@
+//! What several test programs share: a model driven by the names of its variables, and the belt benchmark.
+#![allow(dead_code, reason = "each test program uses a part of it")]
+
+use stribeck::catalogue;
+use stribeck::instance::Instance;
+
+/// A live model, driven by names.
+pub struct Bench {
+    pub instance: Instance,
+}
+
+impl Bench {
+    pub fn new(model: &str, values: &[(&str, f64)]) -> Bench {
+        let model = catalogue::by_name(model).unwrap_or_else(|| panic!("no model {model}"));
+        let mut bench = Bench { instance: Instance::new(model) };
+        for (name, value) in values {
+            bench.set(name, *value);
+        }
+        bench
+    }
+
+    pub fn column(&self, name: &str) -> usize {
+        let model = self.instance.model();
+        model.find(name).unwrap_or_else(|| panic!("{} has no {name}", model.name))
+    }
+
+    pub fn has(&self, name: &str) -> bool {
+        self.instance.model().find(name).is_some()
+    }
+
+    pub fn set(&mut self, name: &str, value: f64) {
+        let column = self.column(name);
+        self.instance.put(column, value);
+    }
+
+    pub fn get(&mut self, name: &str) -> f64 {
+        let column = self.column(name);
+        self.instance.refresh().unwrap_or_else(|fault| panic!("{fault}"));
+        self.instance.row()[column]
+    }
+
+    pub fn step(&mut self, dt: f64) {
+        self.instance.step(dt).unwrap_or_else(|fault| panic!("{fault}"));
+    }
+}
+
+/// In which order the master exchanges values.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Exchange {
+    /// Friction first, the host with its force.
+    Sequential,
+    /// The force is read right after the inputs are set; then both step.
+    FeedThrough,
+    /// All values are exchanged, then both step.
+    Parallel,
+}
+
+/// One communication point of a run.
+#[derive(Clone, Copy, Debug)]
+pub struct Sample {
+    pub time: f64,
+    pub position: f64,
+    pub velocity: f64,
+    pub external_force: f64,
+    pub friction_force: f64,
+}
+
+/// The belt benchmark of the thesis (Table 6.1) in co-simulation: the same exchange as any master makes.
+pub fn belt(friction: &mut Bench, h: f64, end: f64, exchange: Exchange) -> Vec<Sample> {
+    let mut rig = Bench::new("BeltRig", &[]);
+    let needs_load = friction.has("external_force");
+    let mut samples = Vec::new();
+    let steps = (end / h).round() as usize;
+    let mut force = 0.0;
+    for k in 0..steps {
+        let (velocity, external_force) = (rig.get("velocity"), rig.get("external_force"));
+        if exchange == Exchange::Parallel {
+            force = friction.get("friction_force");
+        }
+        friction.set("velocity", velocity);
+        if needs_load {
+            friction.set("external_force", external_force);
+        }
+        if exchange == Exchange::FeedThrough {
+            force = friction.get("friction_force");
+        }
+        friction.step(h);
+        if exchange == Exchange::Sequential {
+            force = friction.get("friction_force");
+        }
+        samples.push(Sample {
+            time: k as f64 * h,
+            position: rig.get("position"),
+            velocity,
+            external_force,
+            friction_force: force,
+        });
+        rig.set("friction_force", force);
+        rig.step(h);
+    }
+    samples
+}
+
+/// Extrema of the position: (time, position), by a parabola through three samples; `sign` +1 for maxima, -1 for minima.
+pub fn extrema(samples: &[Sample], sign: f64) -> Vec<(f64, f64)> {
+    samples
+        .windows(3)
+        .filter(|w| {
+            sign * w[1].position >= sign * w[0].position && sign * w[1].position > sign * w[2].position
+        })
+        .map(|w| {
+            let [a, b, c] = [w[0].position, w[1].position, w[2].position];
+            let shift = 0.5 * (a - c) / (a - 2.0 * b + c);
+            (w[1].time + shift * (w[2].time - w[1].time), b - 0.25 * (a - c) * shift)
+        })
+        .collect()
+}
