@@ -9,7 +9,7 @@ use super::types::*;
 const TIME_SLACK: f64 = 1e-9;
 
 /// And relative to the step, for the first steps after time 0 (chosen).
-const STEP_SLACK: f64 = 1e-3;
+const STEP_SLACK: f64 = 1e-6;
 
 /// Advances the instance by `communicationStepSize` > 0. Inputs are held, or move with the slopes of
 /// fmi2SetRealInputDerivatives. On an error nothing has changed.

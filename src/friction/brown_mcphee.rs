@@ -72,7 +72,7 @@ crate::model! {
         /// Normal force at which the viscous part is fully active (default chosen).
         transition_normal_force: tunable = real("N", 1.0).positive(),
         /// Energy taken out of the motion since the start.
-        dissipated_energy: state_output = real("J", 0.0),
+        dissipated_energy: state_output = real("J", 0.0).nominal(1e-3),
         /// Friction force; has the sign of the velocity when sliding. Body 1 feels its negative.
         friction_force: output = real("N", 0.0),
         /// Power taken out of the motion: friction force times velocity.

@@ -79,7 +79,7 @@ crate::model! {
         /// Mean elastic deflection of the bristles.
         bristle_deflection: state = real("m", 0.0).nominal(1e-5).shown_in("um"),
         /// Energy taken out of the motion since the start.
-        dissipated_energy: state_output = real("J", 0.0),
+        dissipated_energy: state_output = real("J", 0.0).nominal(1e-3),
         /// Friction force; has the sign of the velocity when sliding. Body 1 feels its negative.
         friction_force: output = real("N", 0.0),
         /// Power taken out of the motion: friction force times velocity.
@@ -147,7 +147,7 @@ impl Model for Dahl {
     }
 }
 
-/// ln(y(q) / y_0) of dy/dq = -y^alpha for y_0 > 0; minus infinity where y has reached 0.
+/// ln(y(q) / y_0) of dy/dq = -y^alpha for y_0 >= 0; minus infinity where y has reached 0.
 fn log_shrinkage(y_0: f64, q: f64, alpha: f64) -> f64 {
     let q = q.min(f64::MAX);
     if alpha == 1.0 {
@@ -157,17 +157,30 @@ fn log_shrinkage(y_0: f64, q: f64, alpha: f64) -> f64 {
         return 0.0;
     }
     let relative = (1.0 - alpha) * q * y_0.powf(alpha - 1.0);
-    if relative >= 1.0 { f64::NEG_INFINITY } else { (-relative).ln_1p() / (1.0 - alpha) }
+    if relative >= 1.0 {
+        f64::NEG_INFINITY
+    } else if relative == f64::NEG_INFINITY {
+        // A level far below the force, with a large exponent: ln(1 + w) is ln w, taken apart so that w may overflow.
+        -((alpha - 1.0) * q).ln() / (alpha - 1.0) - y_0.ln()
+    } else {
+        (-relative).ln_1p() / (1.0 - alpha)
+    }
 }
 
 /// Integral of y over q, divided by y_0: (y_0^(2 - alpha) - y^(2 - alpha)) / ((2 - alpha) y_0).
 fn mean_path(y_0: f64, log_shrinkage: f64, alpha: f64) -> f64 {
-    if y_0 == 0.0 {
-        return 0.0;
-    }
     let exponent = 2.0 - alpha;
-    let integral = if exponent == 0.0 { -log_shrinkage } else { -(exponent * log_shrinkage).exp_m1() / exponent };
-    y_0.powf(1.0 - alpha) * integral
+    if y_0 == 0.0 {
+        0.0
+    } else if exponent == 0.0 {
+        -log_shrinkage / y_0
+    } else if (exponent * log_shrinkage).abs() < 1.0 {
+        // The difference of two nearly equal powers.
+        -y_0.powf(1.0 - alpha) * (exponent * log_shrinkage).exp_m1() / exponent
+    } else {
+        let y = y_0 * log_shrinkage.exp();
+        (y_0.powf(exponent) - y.powf(exponent)) / (exponent * y_0)
+    }
 }
 
 #[cfg(test)]

@@ -82,7 +82,7 @@ crate::model! {
         /// What the law needs to hold a body in co-simulation.
         time_stepping: (TimeStepping),
         /// Energy taken out of the motion since the start.
-        dissipated_energy: state_output = real("J", 0.0),
+        dissipated_energy: state_output = real("J", 0.0).nominal(1e-3),
         /// Friction force; has the sign of the velocity when sliding. Body 1 feels its negative.
         friction_force: output = real("N", 0.0),
         /// Power taken out of the motion: friction force times velocity.

@@ -60,7 +60,8 @@ impl<T: Real> TimeStepping<T> {
         if !self.is_active() {
             contact.printed()
         } else if self.is_parallel() {
-            self.planned_force
+            // The load may have fallen since the force was planned.
+            self.planned_force.limited(contact.statical)
         } else {
             self.stepped(contact, self.step_size).0
         }

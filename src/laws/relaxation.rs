@@ -1,15 +1,14 @@
 //! Exact solution of a linear relaxation.
 
-/// Change of x over a time h for `dx/dt = rate (steady - x)`, given `decay = rate h`:
+/// x after a time h of `dx/dt = rate (steady - x)`, given `decay = rate h`:
 ///
 /// ```text
-/// x(h) - x(0) = (steady - x(0)) (1 - exp(-decay))
+/// x(h) = steady + (x(0) - steady) exp(-decay)
 /// ```
-///
-/// The change, and not x(h), because it keeps its relative accuracy when `decay` is tiny.
 #[inline]
-pub fn change(x: f64, steady: f64, decay: f64) -> f64 {
-    -(steady - x) * (-decay).exp_m1()
+pub fn after(x: f64, steady: f64, decay: f64) -> f64 {
+    // The first form keeps its digits where little changes, the second where nothing of x(0) is left.
+    if decay < 1.0 { x - (steady - x) * (-decay).exp_m1() } else { steady + (x - steady) * (-decay).exp() }
 }
 
 #[cfg(test)]
@@ -18,16 +17,22 @@ mod tests {
 
     #[test]
     fn two_half_steps_are_one_step() {
-        let whole = 1.0 + change(1.0, -2.0, 0.8);
-        let half = 1.0 + change(1.0, -2.0, 0.4);
-        let halves = half + change(half, -2.0, 0.4);
-        assert!((whole - halves).abs() < 1e-15);
+        for decay in [1e-9, 0.8, 1.7, 30.0] {
+            let halves = after(after(1.0, -2.0, 0.5 * decay), -2.0, 0.5 * decay);
+            assert!((after(1.0, -2.0, decay) - halves).abs() < 1e-15, "{decay}");
+        }
     }
 
     #[test]
-    fn long_steps_arrive_and_tiny_steps_keep_their_digits() {
-        assert_eq!(1.0 + change(1.0, 3.0, 1e300), 3.0);
-        // For decay -> 0 the change is (steady - x) decay (1 - decay / 2).
-        assert_eq!(change(0.0, 1.0, 1e-12), 1e-12 * (1.0 - 0.5e-12));
+    fn long_steps_arrive_exactly_and_tiny_steps_keep_their_digits() {
+        assert_eq!(after(1.0, 1e-300, 1e300), 1e-300);
+        // For decay -> 0 from x = 0: steady decay (1 - decay / 2).
+        assert_eq!(after(0.0, 1.0, 1e-12), 1e-12 * (1.0 - 0.5e-12));
+    }
+
+    #[test]
+    fn the_two_forms_meet() {
+        let (below, above) = (after(1.0, 3.0, 1.0 - 1e-15), after(1.0, 3.0, 1.0));
+        assert!((below - above).abs() < 3e-15);
     }
 }

@@ -80,6 +80,7 @@ static const char *const FUNCTIONS[] = {
 typedef struct {
     const char *(*GetTypesPlatform)(void);
     const char *(*GetVersion)(void);
+    fmi2Status (*SetDebugLogging)(fmi2Component, fmi2Boolean, size_t, const fmi2String[]);
     fmi2Component (*Instantiate)(fmi2String, fmi2Type, fmi2String, fmi2String, const fmi2CallbackFunctions *,
                                  fmi2Boolean, fmi2Boolean);
     void (*FreeInstance)(fmi2Component);
@@ -111,6 +112,7 @@ static functions resolve(library loaded) {
     functions fmi;
     RESOLVE(loaded, &fmi, GetTypesPlatform);
     RESOLVE(loaded, &fmi, GetVersion);
+    RESOLVE(loaded, &fmi, SetDebugLogging);
     RESOLVE(loaded, &fmi, Instantiate);
     RESOLVE(loaded, &fmi, FreeInstance);
     RESOLVE(loaded, &fmi, SetupExperiment);
@@ -156,7 +158,7 @@ static void logger(fmi2ComponentEnvironment environment, fmi2String instance, fm
 
 static fmi2Component make(const functions *fmi, fmi2String guid, message_log *log) {
     fmi2CallbackFunctions callbacks = {logger, NULL, NULL, NULL, log};
-    fmi2Component slave = fmi->Instantiate("contact", fmi2CoSimulation, guid, NULL, &callbacks, fmi2False, fmi2False);
+    fmi2Component slave = fmi->Instantiate("contact", fmi2CoSimulation, guid, NULL, &callbacks, fmi2False, fmi2True);
     /* The structure belongs to the caller again: nobody may look at it any more. */
     memset(&callbacks, 0xFF, sizeof callbacks);
     return slave;
@@ -266,6 +268,11 @@ static void refusals_are_logged(const functions *fmi) {
     CHECK(fmi->Reset(slave) == fmi2OK);
     initialise(fmi, slave);
     CHECK(fmi->DoStep(slave, 0.0, 1e-3, fmi2True) == fmi2OK);
+    /* Who does not want to hear is not told. */
+    log.count = 0;
+    CHECK(fmi->SetDebugLogging(slave, fmi2False, 0, NULL) == fmi2OK);
+    CHECK(fmi->DoStep(slave, 0.001, NAN, fmi2True) == fmi2Error);
+    CHECK(log.count == 0);
     fmi->FreeInstance(slave);
 
     CHECK(fmi->DoStep(NULL, 0.0, 1e-3, fmi2True) == fmi2Error);

@@ -28,7 +28,12 @@ TIMEOUT = 300  # seconds; the longest program takes a few
 
 
 class Failed(Exception):
-    """A command did not do what it should. The text is what the user sees."""
+    """A command did not do what it should. The text is what the user sees; of a long one, the beginning."""
+
+    def __init__(self, text, longest=40):
+        lines = text.splitlines()
+        more = [f"... and {len(lines) - longest} more lines"] if len(lines) > longest else []
+        super().__init__("\n".join(lines[:longest] + more))
 
 
 def run(command, **options):
@@ -74,7 +79,7 @@ class Compiler:
             run_path = [] if WINDOWS else [f"-Wl,-rpath,{self.library_folder}"]
             return [self.shared_library(), *run_path, "-lm"]
         if linkage == "static":
-            return [self.library_folder / "libstribeck.a", *native_static_libraries(), "-lm"]
+            return [self.library_folder / "libstribeck.a", *native_static_libraries(self.output_folder), "-lm"]
         # Loaded by the program itself.
         return ["-lm"] if WINDOWS else ["-lm", "-ldl"]
 
@@ -107,15 +112,16 @@ def find_compiler(variable, usual):
     return command
 
 
-def native_static_libraries():
+def native_static_libraries(folder):
     """What a program must link beside the static library: the system libraries that Rust's standard library uses."""
-    words = ["rustc", "--crate-type", "staticlib", "--print", "native-static-libs", "-", "-o", os.devnull]
+    # A true file: rustc replaces what is at the path of its output, even a device.
+    words = ["rustc", "--crate-type", "staticlib", "--print", "native-static-libs", "-", "-o", folder / "empty.a"]
     done = run(words, input="")
     label = "native-static-libs:"
     for line in done.stderr.splitlines():
         if label in line:
             return line.split(label)[1].split()
-    raise Failed(f"{shlex.join(words)}\nnames no libraries:\n{done.stderr}")
+    raise Failed(f"{shlex.join(done.args)}\nnames no libraries:\n{done.stderr}")
 
 
 class Results:
@@ -144,7 +150,7 @@ def expect(done, condition, wish):
 
 def runs(program, *arguments, prints=()):
     """The program must succeed, say nothing on stderr, and print each of the given texts."""
-    done = run([program, *arguments], env=environment(program))
+    done = run([program, *arguments])
     expect(done, done.returncode == 0 and not done.stderr, "should succeed without a complaint")
     for text in prints:
         expect(done, text in done.stdout, f"should print {text!r}")
@@ -153,21 +159,14 @@ def runs(program, *arguments, prints=()):
 
 def refuses(program, *arguments, complains):
     """The program must fail with exit code 1 and say why."""
-    done = run([program, *arguments], env=environment(program))
+    done = run([program, *arguments])
     expect(done, done.returncode == 1 and complains in done.stderr, f"should fail and say {complains!r}")
 
 
 def is_caught(program, mistake, by):
     """A sanitizer must stop the program."""
-    done = run([program, mistake], env=environment(program))
+    done = run([program, mistake])
     expect(done, done.returncode != 0 and by in done.stderr, f"should be caught: {by!r}")
-
-
-def environment(program):
-    """Windows looks for shared libraries along the path."""
-    if not WINDOWS:
-        return None
-    return {**os.environ, "PATH": f"{LIBRARY_FOLDER}{os.pathsep}{os.environ['PATH']}"}
 
 
 def test_headers(compiler, results):
@@ -230,15 +229,17 @@ def test_loaded(compiler, results, sanitized):
 
 
 def main():
-    global LIBRARY_FOLDER
-    LIBRARY_FOLDER = build_library()
-    output_folder = LIBRARY_FOLDER.parent / "c-tests"
+    library_folder = build_library()
+    if WINDOWS:
+        # Windows looks for shared libraries along the path.
+        os.environ["PATH"] = f"{library_folder}{os.pathsep}{os.environ['PATH']}"
+    output_folder = library_folder.parent / "c-tests"
     output_folder.mkdir(parents=True, exist_ok=True)
-    compiler = Compiler(LIBRARY_FOLDER, output_folder)
+    compiler = Compiler(library_folder, output_folder)
     results = Results()
 
     linkages = ["shared", "static"]
-    if not (LIBRARY_FOLDER / "libstribeck.a").exists():
+    if not (library_folder / "libstribeck.a").exists():
         linkages.remove("static")
         print("note: the static library is in the format of another compiler; only the shared one is tested")
     sanitizing = [False, True]

@@ -105,9 +105,7 @@ pub fn belt(friction: &mut Bench, h: f64, end: f64, exchange: Exchange) -> Vec<S
 pub fn extrema(samples: &[Sample], sign: f64) -> Vec<(f64, f64)> {
     samples
         .windows(3)
-        .filter(|w| {
-            sign * w[1].position >= sign * w[0].position && sign * w[1].position > sign * w[2].position
-        })
+        .filter(|w| sign * w[1].position >= sign * w[0].position && sign * w[1].position > sign * w[2].position)
         .map(|w| {
             let [a, b, c] = [w[0].position, w[1].position, w[2].position];
             let shift = 0.5 * (a - c) / (a - 2.0 * b + c);

@@ -1,0 +1,190 @@
+//! The belt benchmark in co-simulation, against the closed form of stick-slip and against reference solutions.
+
+mod common;
+
+use common::{Bench, Exchange, Sample, belt, extrema};
+
+/// Closed form for m = 1 kg, k = 2 N/m, v_b = 0.1 m/s, f_C = 0.981 N, f_s = 1.4715 N (12 digits):
+/// T = 2 D / v_b + (2 / w) (pi - atan(D w / v_b)) with D = (f_s - f_C) / k, w = sqrt(k / m).
+const PERIOD: f64 = 7.523_422_246_57;
+const FIRST_SLIP: f64 = 7.3575;
+const HIGHEST: f64 = 0.745_740_205_493;
+const LOWEST: f64 = 0.235_259_794_507;
+const STATIC_LEVEL: f64 = 1.4715;
+
+/// The model set up for the way the master exchanges values.
+fn holding(model: &str, exchange: Exchange) -> Bench {
+    let parallel = if exchange == Exchange::Parallel { 2.0 } else { 1.0 };
+    Bench::new(model, &[("mass", 1.0), ("exchange", parallel)])
+}
+
+/// Highest positions of the stick-slip cycle; the small ripple of the stick phase is not among them.
+fn maxima(samples: &[Sample]) -> Vec<(f64, f64)> {
+    extrema(samples, 1.0).into_iter().filter(|(_, position)| *position > 0.5).collect()
+}
+
+/// Samples in the middle of the first two stick phases of the closed form.
+fn stuck(samples: &[Sample]) -> impl Iterator<Item = &[Sample]> {
+    let is_stuck = |time: f64| (0.1..7.3).contains(&time) || (10.1..14.7).contains(&time);
+    samples.windows(3).filter(move |w| is_stuck(w[0].time))
+}
+
+fn assert_close(what: &str, value: f64, expected: f64, relative: f64) {
+    assert!((value / expected - 1.0).abs() <= relative, "{what}: {value}, expected {expected}");
+}
+
+const EXCHANGES: [Exchange; 3] = [Exchange::Sequential, Exchange::FeedThrough, Exchange::Parallel];
+
+#[test]
+fn coulomb_with_stiction_and_mass_reproduces_the_closed_form_at_1_ms() {
+    for exchange in EXCHANGES {
+        let samples = belt(&mut holding("CoulombStiction", exchange), 1e-3, 40.0, exchange);
+        let slip = samples.iter().find(|s| (s.friction_force - s.external_force).abs() > 1e-3).expect("slip");
+        assert!((slip.time - FIRST_SLIP).abs() <= 2e-3, "{exchange:?}: first slip at {}", slip.time);
+        let maxima = maxima(&samples);
+        assert_eq!(maxima.len(), 5, "{exchange:?}");
+        for pair in maxima.windows(2) {
+            assert_close("period", pair[1].0 - pair[0].0, PERIOD, 1e-3);
+        }
+        assert_close("highest position", maxima[0].1, HIGHEST, 2e-3);
+        assert_close("lowest position", extrema(&samples[5000..], -1.0)[0].1, LOWEST, 2e-3);
+    }
+}
+
+/// What velocity remains is what the spring's change within a step causes: k v_b h^2 / m, a few times that if the
+/// exchange is delayed.
+#[test]
+fn a_stuck_block_neither_chatters_nor_creeps_at_any_step() {
+    for model in ["CoulombStiction", "Karnopp"] {
+        for exchange in EXCHANGES {
+            for h in [1e-4, 1e-3, 5e-3, 1e-2] {
+                let samples = belt(&mut holding(model, exchange), h, 15.0, exchange);
+                for w in stuck(&samples) {
+                    let limit = 4.0 * 2.0 * 0.1 * h * h;
+                    assert!(w[0].velocity.abs() <= limit, "{model} {exchange:?} {h}: {} m/s", w[0].velocity);
+                    let steps = [w[1].friction_force - w[0].friction_force, w[2].friction_force - w[1].friction_force];
+                    assert!(steps[0] * steps[1] > 0.0, "{model} {exchange:?} {h}: force alternates at {}", w[0].time);
+                }
+            }
+        }
+    }
+    let samples = belt(&mut holding("CoulombStiction", Exchange::Sequential), 1e-3, 15.0, Exchange::Sequential);
+    assert!(stuck(&samples).all(|w| w[0].velocity.abs() < 1e-6));
+}
+
+#[test]
+fn the_cycle_is_the_same_at_10_ms() {
+    for exchange in EXCHANGES {
+        let samples = belt(&mut holding("CoulombStiction", exchange), 1e-2, 40.0, exchange);
+        let maxima = maxima(&samples);
+        assert_eq!(maxima.len(), 5, "{exchange:?}");
+        for pair in maxima.windows(2) {
+            assert_close("period", pair[1].0 - pair[0].0, PERIOD, 5e-3);
+        }
+        assert_close("highest position", maxima[0].1, HIGHEST, 2e-3);
+    }
+}
+
+/// Karnopp's law leaves stiction only when the block has left the band: t = 7.3575 s + acos(1 - v_0 / v_b) / w, from
+/// where the slip is a sinusoid. With mass the block is brought to rest in each stick phase, so every slip is the first.
+#[test]
+fn karnopp_follows_its_own_closed_form() {
+    for (mass, h) in [(0.0, 1e-5), (1.0, 1e-4), (1.0, 1e-3)] {
+        let mut law = Bench::new("Karnopp", &[("mass", mass)]);
+        let samples = belt(&mut law, h, 10.0, Exchange::Sequential);
+        let (time, position) = maxima(&samples)[0];
+        assert_close("time of the first maximum", time, 7.646_874_883_109, 2e-4);
+        assert_close("first maximum", position, 0.755_151_250_958, 2e-4);
+    }
+}
+
+struct Reference {
+    model: &'static str,
+    first_maximum: (f64, f64),
+    first_minimum: f64,
+    last_period: f64,
+    end: f64,
+}
+
+/// First maximum and minimum of the position, last period and end position of the regularised and the bristle laws:
+/// LSODA at 1e-10 and Radau at 1e-8 agree to all digits.
+const REFERENCES: [Reference; 3] = [
+    Reference {
+        model: "BrownMcPhee",
+        first_maximum: (7.620704, 0.750661),
+        first_minimum: 0.230339,
+        last_period: 7.634115,
+        end: 0.266749,
+    },
+    Reference {
+        model: "Dahl",
+        first_maximum: (6.016236, 0.560941),
+        first_minimum: 0.420059,
+        last_period: 4.442883,
+        end: 0.448751,
+    },
+    Reference {
+        model: "LuGre",
+        first_maximum: (7.502448, 0.739936),
+        first_minimum: 0.276776,
+        last_period: 7.073670,
+        end: 0.463150,
+    },
+];
+
+#[test]
+fn laws_without_mass_reproduce_reference_solutions_at_100_us() {
+    for Reference { model, first_maximum, first_minimum, last_period, end } in REFERENCES {
+        let samples = belt(&mut Bench::new(model, &[]), 1e-4, 40.0, Exchange::Sequential);
+        let maxima = maxima(&samples);
+        assert_close("time of the first maximum", maxima[0].0, first_maximum.0, 5e-3);
+        assert_close("first maximum", maxima[0].1, first_maximum.1, 5e-3);
+        let minimum = extrema(&samples, -1.0).into_iter().find(|(time, _)| *time > maxima[0].0).expect("a minimum");
+        assert_close("first minimum", minimum.1, first_minimum, 5e-3);
+        let [.., before, last] = maxima[..] else { panic!("{model}: fewer than two maxima") };
+        assert_close("last period", last.0 - before.0, last_period, 5e-3);
+        assert_close("end", samples[samples.len() - 1].position, end, 5e-3);
+    }
+}
+
+#[test]
+fn nothing_diverges_at_coarse_steps() {
+    for model in ["LuGre", "Dahl", "BrownMcPhee"] {
+        for exchange in [Exchange::Sequential, Exchange::Parallel] {
+            for h in [1e-3, 5e-3, 1e-2] {
+                let samples = belt(&mut Bench::new(model, &[]), h, 40.0, exchange);
+                let highest = samples.iter().map(|s| s.position.abs()).fold(0.0, f64::max);
+                let force = samples.iter().map(|s| s.friction_force.abs()).fold(0.0, f64::max);
+                assert!(highest < 0.76, "{model} {h}: {highest} m");
+                assert!(force <= 1.3 * STATIC_LEVEL, "{model} {h}: {force} N");
+            }
+        }
+    }
+}
+
+/// With velocity-dependent damping LuGre stays bounded also if the force is read right after setting the velocity.
+#[test]
+fn fading_damping_bounds_the_force_in_every_exchange() {
+    for h in [1e-3, 5e-3, 1e-2] {
+        let mut law = Bench::new("LuGre", &[("damping_velocity", 1e-3)]);
+        let samples = belt(&mut law, h, 40.0, Exchange::FeedThrough);
+        let force = samples.iter().map(|s| s.friction_force.abs()).fold(0.0, f64::max);
+        assert!(force <= 1.3 * STATIC_LEVEL, "{h}: {force} N");
+    }
+}
+
+/// In slip the energy that leaves the motion per cycle is f_C (v_b t_slip + 2 D) = 0.738047722389 J.
+#[test]
+fn dissipated_energy_per_cycle_is_the_closed_form() {
+    let mut law = holding("CoulombStiction", Exchange::Sequential);
+    let mut energies = Vec::new();
+    for end in [12.0, 19.5] {
+        law.instance.reset();
+        for (name, value) in [("mass", 1.0), ("exchange", 1.0)] {
+            law.set(name, value);
+        }
+        belt(&mut law, 1e-4, end, Exchange::Sequential);
+        energies.push(law.get("dissipated_energy"));
+    }
+    assert_close("energy per cycle", energies[1] - energies[0], 0.738_047_722_389, 1e-3);
+}

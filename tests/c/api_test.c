@@ -1,0 +1,582 @@
+/* The whole C interface: what it promises, and what it refuses. */
+#include <float.h>
+#include <math.h>
+#include <stdint.h>
+#include <string.h>
+
+#include "check.h"
+#include "stribeck.h"
+
+static stribeck_model *create(const char *name) {
+    stribeck_model *model = NULL;
+    REQUIRE(stribeck_create(name, &model) == STRIBECK_OK);
+    REQUIRE(model != NULL);
+    return model;
+}
+
+static uint32_t column(stribeck_model *model, const char *variable) {
+    uint32_t found = UINT32_MAX;
+    CHECK(stribeck_find(model, variable, &found) == STRIBECK_OK);
+    return found;
+}
+
+static double get(stribeck_model *model, const char *variable) {
+    double value = NAN;
+    CHECK(stribeck_get_by_name(model, variable, &value) == STRIBECK_OK);
+    return value;
+}
+
+static void set(stribeck_model *model, const char *variable, double value) {
+    CHECK(stribeck_set_by_name(model, variable, value) == STRIBECK_OK);
+}
+
+/* The complete state of a model, to compare. */
+typedef struct {
+    size_t size;
+    unsigned char *bytes;
+} state;
+
+static state save(stribeck_model *model) {
+    state saved = {stribeck_state_size(model), NULL};
+    REQUIRE(saved.size > 0);
+    saved.bytes = malloc(saved.size);
+    REQUIRE(saved.bytes != NULL);
+    memset(saved.bytes, 0xA5, saved.size);
+    CHECK(stribeck_save(model, saved.bytes, saved.size) == STRIBECK_OK);
+    return saved;
+}
+
+static int is_unchanged(stribeck_model *model, const state *before) {
+    state now = save(model);
+    int same = now.size == before->size && memcmp(now.bytes, before->bytes, now.size) == 0;
+    free(now.bytes);
+    return same;
+}
+
+/* The last error says all of these words. */
+static int says(const stribeck_model *model, const char *one, const char *other) {
+    const char *text = stribeck_last_error(model);
+    return text != NULL && strstr(text, one) != NULL && strstr(text, other) != NULL;
+}
+
+/* ------------------------------------------------------------------------------------------------ library */
+
+static void library_names_itself_and_its_models(void) {
+    CHECK(stribeck_version() != NULL && strlen(stribeck_version()) >= strlen("0.0.0"));
+    size_t count = stribeck_model_count();
+    CHECK(count > 0);
+    CHECK(stribeck_model_name(count) == NULL);
+    CHECK(stribeck_model_name(SIZE_MAX) == NULL);
+    for (size_t i = 0; i < count; i++) {
+        REQUIRE(stribeck_model_name(i) != NULL);
+        CHECK(strlen(stribeck_model_name(i)) > 0);
+        for (size_t j = 0; j < i; j++) {
+            CHECK(strcmp(stribeck_model_name(i), stribeck_model_name(j)) != 0);
+        }
+    }
+}
+
+static void every_status_has_its_own_text(void) {
+    for (int status = STRIBECK_OK; status <= STRIBECK_INTERNAL; status++) {
+        REQUIRE(stribeck_status_text(status) != NULL);
+        CHECK(strlen(stribeck_status_text(status)) > 0);
+        for (int other = STRIBECK_OK; other < status; other++) {
+            CHECK(strcmp(stribeck_status_text(status), stribeck_status_text(other)) != 0);
+        }
+    }
+    /* A number that is no status is answered too. */
+    const char *unknown = stribeck_status_text(STRIBECK_INTERNAL + 1);
+    REQUIRE(unknown != NULL);
+    CHECK(strcmp(unknown, stribeck_status_text(STRIBECK_INTERNAL)) != 0);
+    CHECK(strcmp(unknown, stribeck_status_text(-1)) == 0);
+    CHECK(strcmp(unknown, stribeck_status_text(INT32_MAX)) == 0);
+    CHECK(strcmp(unknown, stribeck_status_text(INT32_MIN)) == 0);
+}
+
+static void unknown_models_are_refused(void) {
+    stribeck_model *model = create("LuGre");
+    stribeck_model *const live = model;
+    CHECK(stribeck_create("NoSuchLaw", &model) == STRIBECK_UNKNOWN_MODEL);
+    CHECK(model == NULL);
+    model = live;
+    CHECK(stribeck_create("", &model) == STRIBECK_UNKNOWN_MODEL);
+    CHECK(model == NULL);
+    /* Names are exact. */
+    CHECK(stribeck_create("lugre", &model) == STRIBECK_UNKNOWN_MODEL);
+    CHECK(stribeck_create("LuGre ", &model) == STRIBECK_UNKNOWN_MODEL);
+    /* Not UTF-8. */
+    CHECK(stribeck_create("\xFF\xFE", &model) == STRIBECK_UNKNOWN_MODEL);
+    model = live;
+    CHECK(stribeck_create(NULL, &model) == STRIBECK_NULL);
+    CHECK(model == NULL);
+    CHECK(stribeck_create("LuGre", NULL) == STRIBECK_NULL);
+    CHECK(stribeck_create(NULL, NULL) == STRIBECK_NULL);
+    stribeck_free(live);
+}
+
+/* ------------------------------------------------------------------------------------------------ NULL */
+
+static void null_handles_are_answered(void) {
+    uint32_t found = 7;
+    double value = 7.0;
+    unsigned char buffer[8] = {7};
+    stribeck_variable described = {0};
+    CHECK(stribeck_reset(NULL) == STRIBECK_NULL);
+    CHECK(stribeck_column_count(NULL) == 0);
+    CHECK(stribeck_find(NULL, "velocity", &found) == STRIBECK_NULL);
+    CHECK(stribeck_describe(NULL, 0, &described) == STRIBECK_NULL);
+    CHECK(stribeck_set(NULL, 0, 0.0) == STRIBECK_NULL);
+    CHECK(stribeck_get(NULL, 0, &value) == STRIBECK_NULL);
+    CHECK(stribeck_set_by_name(NULL, "velocity", 0.0) == STRIBECK_NULL);
+    CHECK(stribeck_get_by_name(NULL, "velocity", &value) == STRIBECK_NULL);
+    CHECK(stribeck_step(NULL, 1e-3) == STRIBECK_NULL);
+    CHECK(stribeck_output(NULL) == STRIBECK_NULL);
+    CHECK(isnan(stribeck_time(NULL)));
+    CHECK(stribeck_derivative(NULL, 0, 0, &value) == STRIBECK_NULL);
+    CHECK(stribeck_state_size(NULL) == 0);
+    CHECK(stribeck_save(NULL, buffer, sizeof buffer) == STRIBECK_NULL);
+    CHECK(stribeck_restore(NULL, buffer, sizeof buffer) == STRIBECK_NULL);
+    CHECK(stribeck_last_error(NULL) != NULL);
+    stribeck_free(NULL);
+    /* Results are written on success only. */
+    CHECK(found == 7 && value == 7.0 && buffer[0] == 7 && described.name == NULL);
+}
+
+static void null_pointers_are_answered(void) {
+    stribeck_model *model = create("LuGre");
+    state before = save(model);
+    uint32_t found = 7;
+    double value = 7.0;
+    CHECK(stribeck_find(model, NULL, &found) == STRIBECK_NULL);
+    CHECK(says(model, "variable", "NULL"));
+    CHECK(stribeck_find(model, "velocity", NULL) == STRIBECK_NULL);
+    CHECK(says(model, "column", "NULL"));
+    CHECK(stribeck_find(model, NULL, NULL) == STRIBECK_NULL);
+    CHECK(stribeck_describe(model, 0, NULL) == STRIBECK_NULL);
+    CHECK(stribeck_get(model, 0, NULL) == STRIBECK_NULL);
+    CHECK(says(model, "value", "NULL"));
+    CHECK(stribeck_set_by_name(model, NULL, 0.0) == STRIBECK_NULL);
+    CHECK(stribeck_get_by_name(model, NULL, &value) == STRIBECK_NULL);
+    CHECK(stribeck_get_by_name(model, "velocity", NULL) == STRIBECK_NULL);
+    CHECK(stribeck_derivative(model, column(model, "friction_force"), column(model, "velocity"), NULL) ==
+          STRIBECK_NULL);
+    CHECK(stribeck_save(model, NULL, before.size) == STRIBECK_NULL);
+    CHECK(stribeck_restore(model, NULL, before.size) == STRIBECK_NULL);
+    CHECK(says(model, "buffer", "NULL"));
+    CHECK(found == 7 && value == 7.0);
+    CHECK(is_unchanged(model, &before));
+    free(before.bytes);
+    stribeck_free(model);
+}
+
+/* ------------------------------------------------------------------------------------------------ tables */
+
+static void describes_itself(stribeck_model *model, uint32_t at) {
+    stribeck_variable variable;
+    memset(&variable, 0, sizeof variable);
+    REQUIRE(stribeck_describe(model, at, &variable) == STRIBECK_OK);
+    REQUIRE(variable.name != NULL && variable.unit != NULL && variable.help != NULL);
+    CHECK(strlen(variable.name) > 0);
+    CHECK(strlen(variable.help) > 0);
+    CHECK((strlen(variable.unit) > 0) == (variable.kind == STRIBECK_REAL));
+    CHECK(variable.role >= STRIBECK_INPUT && variable.role <= STRIBECK_OUTPUT);
+    CHECK(variable.kind >= STRIBECK_REAL && variable.kind <= STRIBECK_ENUMERATION);
+    CHECK(variable.min <= variable.start && variable.start <= variable.max);
+    CHECK(column(model, variable.name) == at);
+    double by_column = NAN;
+    CHECK(stribeck_get(model, at, &by_column) == STRIBECK_OK);
+    CHECK(by_column == get(model, variable.name));
+    CHECK(variable.role == STRIBECK_OUTPUT || by_column == variable.start);
+}
+
+/* What a column admits is what its description says; a refused value leaves everything as it was. */
+static void keeps_its_bounds(stribeck_model *model, uint32_t at) {
+    stribeck_variable variable;
+    memset(&variable, 0, sizeof variable);
+    REQUIRE(stribeck_describe(model, at, &variable) == STRIBECK_OK);
+    state before = save(model);
+    if (variable.role == STRIBECK_OUTPUT) {
+        CHECK(stribeck_set(model, at, variable.start) == STRIBECK_NOT_SETTABLE);
+        CHECK(says(model, variable.name, "cannot be set"));
+    } else {
+        CHECK(stribeck_set(model, at, NAN) == STRIBECK_REFUSED_VALUE);
+        CHECK(says(model, variable.name, "NaN"));
+        CHECK(stribeck_set(model, at, INFINITY) == STRIBECK_REFUSED_VALUE);
+        CHECK(stribeck_set(model, at, -INFINITY) == STRIBECK_REFUSED_VALUE);
+        CHECK(stribeck_set_by_name(model, variable.name, NAN) == STRIBECK_REFUSED_VALUE);
+        if (variable.min > -DBL_MAX) {
+            CHECK(stribeck_set(model, at, variable.min - 1.0) == STRIBECK_REFUSED_VALUE);
+            CHECK(says(model, variable.name, "must be"));
+        }
+        if (variable.max < DBL_MAX) {
+            CHECK(stribeck_set(model, at, variable.max + 1.0) == STRIBECK_REFUSED_VALUE);
+        }
+        if (variable.kind != STRIBECK_REAL) {
+            CHECK(stribeck_set(model, at, variable.start + 0.5) == STRIBECK_REFUSED_VALUE);
+        }
+    }
+    CHECK(is_unchanged(model, &before));
+    if (variable.role != STRIBECK_OUTPUT) {
+        CHECK(stribeck_set(model, at, variable.max) == STRIBECK_OK);
+        double value = NAN;
+        state after = save(model);
+        CHECK(!(variable.max != variable.start) || memcmp(after.bytes, before.bytes, after.size) != 0);
+        free(after.bytes);
+        CHECK(stribeck_set(model, at, variable.start) == STRIBECK_OK);
+        CHECK(stribeck_get(model, at, &value) == STRIBECK_OK);
+        CHECK(value == variable.start);
+    }
+    free(before.bytes);
+}
+
+static void unknown_variables_are_refused(stribeck_model *model) {
+    uint32_t count = stribeck_column_count(model);
+    state before = save(model);
+    const uint32_t outside[] = {count, count + 1, UINT32_MAX};
+    for (size_t i = 0; i < sizeof outside / sizeof outside[0]; i++) {
+        stribeck_variable described = {0};
+        double value = 7.0;
+        CHECK(stribeck_set(model, outside[i], 0.0) == STRIBECK_UNKNOWN_VARIABLE);
+        CHECK(stribeck_get(model, outside[i], &value) == STRIBECK_UNKNOWN_VARIABLE);
+        CHECK(stribeck_describe(model, outside[i], &described) == STRIBECK_UNKNOWN_VARIABLE);
+        CHECK(stribeck_derivative(model, outside[i], 0, &value) == STRIBECK_UNKNOWN_VARIABLE);
+        CHECK(stribeck_derivative(model, count - 1, outside[i], &value) == STRIBECK_UNKNOWN_VARIABLE);
+        CHECK(value == 7.0 && described.name == NULL);
+    }
+    uint32_t found = 7;
+    double value = 7.0;
+    CHECK(stribeck_find(model, "no_such_variable", &found) == STRIBECK_UNKNOWN_VARIABLE);
+    CHECK(says(model, "no_such_variable", "no variable"));
+    CHECK(stribeck_find(model, "", &found) == STRIBECK_UNKNOWN_VARIABLE);
+    CHECK(stribeck_find(model, "\xFF", &found) == STRIBECK_UNKNOWN_VARIABLE);
+    CHECK(stribeck_get_by_name(model, "no_such_variable", &value) == STRIBECK_UNKNOWN_VARIABLE);
+    CHECK(stribeck_set_by_name(model, "no_such_variable", 0.0) == STRIBECK_UNKNOWN_VARIABLE);
+    CHECK(found == 7 && value == 7.0);
+    CHECK(is_unchanged(model, &before));
+    free(before.bytes);
+}
+
+static void every_model_keeps_its_table(void) {
+    for (size_t i = 0; i < stribeck_model_count(); i++) {
+        stribeck_model *model = create(stribeck_model_name(i));
+        REQUIRE(stribeck_column_count(model) > 0);
+        for (uint32_t at = 0; at < stribeck_column_count(model); at++) {
+            describes_itself(model, at);
+            keeps_its_bounds(model, at);
+        }
+        unknown_variables_are_refused(model);
+        stribeck_free(model);
+    }
+}
+
+/* The enums of the header and the library agree. */
+static void columns_of_the_header_are_those_of_the_library(void) {
+    stribeck_model *lugre = create("LuGre");
+    CHECK(column(lugre, "velocity") == STRIBECK_LUGRE_VELOCITY);
+    CHECK(column(lugre, "sigma_0") == STRIBECK_LUGRE_SIGMA_0);
+    CHECK(column(lugre, "friction_force") == STRIBECK_LUGRE_FRICTION_FORCE);
+    CHECK(column(lugre, "sticking") == STRIBECK_LUGRE_STICKING);
+    stribeck_free(lugre);
+    stribeck_model *rig = create("BeltRig");
+    CHECK(column(rig, "friction_force") == STRIBECK_BELT_RIG_FRICTION_FORCE);
+    CHECK(column(rig, "external_force") == STRIBECK_BELT_RIG_EXTERNAL_FORCE);
+    stribeck_free(rig);
+}
+
+/* ------------------------------------------------------------------------------------------------ steps */
+
+static void bad_steps_are_refused(stribeck_model *model) {
+    state before = save(model);
+    const double bad[] = {0.0, -0.0, -1e-3, NAN, INFINITY, -INFINITY};
+    for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++) {
+        CHECK(stribeck_step(model, bad[i]) == STRIBECK_REFUSED_VALUE);
+        CHECK(says(model, "dt", "must be"));
+    }
+    CHECK(is_unchanged(model, &before));
+    free(before.bytes);
+}
+
+static void every_model_steps_and_resets(void) {
+    for (size_t i = 0; i < stribeck_model_count(); i++) {
+        stribeck_model *model = create(stribeck_model_name(i));
+        state fresh = save(model);
+        CHECK(stribeck_time(model) == 0.0);
+        bad_steps_are_refused(model);
+        CHECK(stribeck_step(model, 0.25) == STRIBECK_OK);
+        CHECK(stribeck_step(model, 0.5) == STRIBECK_OK);
+        CHECK(stribeck_time(model) == 0.75);
+        CHECK(!is_unchanged(model, &fresh));
+        bad_steps_are_refused(model);
+        CHECK(stribeck_reset(model) == STRIBECK_OK);
+        CHECK(stribeck_time(model) == 0.0);
+        CHECK(is_unchanged(model, &fresh));
+        free(fresh.bytes);
+        stribeck_free(model);
+    }
+}
+
+/* Parameters that do not fit together are refused by the step, one by one they may pass through such a state. */
+static void parameters_must_fit_together(void) {
+    stribeck_model *model = create("LuGre");
+    set(model, "velocity", 0.01);
+    set(model, "mu_k", 0.5);
+    state before = save(model);
+    CHECK(stribeck_step(model, 1e-3) == STRIBECK_REFUSED_VALUE);
+    CHECK(says(model, "mu_s = 0.15", "mu_k = 0.5"));
+    CHECK(stribeck_output(model) == STRIBECK_REFUSED_VALUE);
+    CHECK(is_unchanged(model, &before));
+    set(model, "mu_s", 0.6);
+    CHECK(stribeck_output(model) == STRIBECK_OK);
+    CHECK(stribeck_step(model, 1e-3) == STRIBECK_OK);
+    free(before.bytes);
+    stribeck_free(model);
+}
+
+/* A result that no double can hold is refused, and the model goes on afterwards. */
+static void overflow_is_refused(void) {
+    stribeck_model *model = create("LuGre");
+    set(model, "viscous_coefficient", 1e300);
+    set(model, "velocity", 1e300);
+    double value = 7.0;
+    CHECK(stribeck_output(model) == STRIBECK_NOT_FINITE);
+    CHECK(stribeck_get_by_name(model, "friction_force", &value) == STRIBECK_NOT_FINITE);
+    CHECK(stribeck_step(model, 1e-3) == STRIBECK_NOT_FINITE);
+    CHECK(value == 7.0);
+    CHECK(stribeck_time(model) == 0.0);
+    set(model, "velocity", 0.0);
+    CHECK(stribeck_step(model, 1e-3) == STRIBECK_OK);
+    CHECK(get(model, "friction_force") == 0.0);
+    stribeck_free(model);
+}
+
+/* Steady sliding at the Stribeck velocity: f_C + (f_s - f_C) / e + sigma_2 v. */
+static void steady_sliding_is_the_stribeck_curve(void) {
+    stribeck_model *model = create("LuGre");
+    set(model, "velocity", -0.001);
+    CHECK(stribeck_step(model, 1.0) == STRIBECK_OK);
+    CHECK(fabs(get(model, "friction_force") + 0.981 + 0.4905 * exp(-1.0) + 0.1 * 0.001) < 1e-12);
+    CHECK(get(model, "sticking") == 0.0);
+    stribeck_free(model);
+}
+
+/* Results follow a set at once, without a step. */
+static void outputs_follow_inputs(void) {
+    stribeck_model *model = create("CoulombStiction");
+    set(model, "external_force", -1.2);
+    CHECK(get(model, "friction_force") == -1.2);
+    CHECK(get(model, "sticking") == 1.0);
+    set(model, "external_force", 9.0);
+    CHECK(fabs(get(model, "friction_force") - 1.4715) < 1e-12);
+    set(model, "velocity", 1e-6);
+    CHECK(stribeck_output(model) == STRIBECK_OK);
+    CHECK(fabs(get(model, "friction_force") - 0.981) < 1e-12);
+    CHECK(stribeck_time(model) == 0.0);
+    stribeck_free(model);
+}
+
+/* Against a central difference, at points left and right of the peak. */
+static void derivative_is_that_of_the_force(void) {
+    stribeck_model *model = create("BrownMcPhee");
+    uint32_t force = column(model, "friction_force");
+    uint32_t velocity = column(model, "velocity");
+    const double at[] = {-3e-3, -1e-3, 0.0, 2e-4, 0.5};
+    for (size_t i = 0; i < sizeof at / sizeof at[0]; i++) {
+        const double d = 1e-8;
+        set(model, "velocity", at[i] + d);
+        double above = get(model, "friction_force");
+        set(model, "velocity", at[i] - d);
+        double below = get(model, "friction_force");
+        set(model, "velocity", at[i]);
+        double exact = NAN;
+        CHECK(stribeck_derivative(model, force, velocity, &exact) == STRIBECK_OK);
+        double difference = (above - below) / (2.0 * d);
+        CHECK(fabs(exact - difference) <= 1e-6 * fabs(exact) + 1e-7);
+    }
+    /* At rest: (4 f_C + 16/9 (f_s - f_C)) / v_0. */
+    double slope = NAN;
+    set(model, "velocity", 0.0);
+    CHECK(stribeck_derivative(model, force, velocity, &slope) == STRIBECK_OK);
+    CHECK(fabs(slope - (4.0 * 0.981 + 16.0 / 9.0 * 0.4905) / 0.001) < 1e-9);
+    /* Only results can be differentiated, and only with respect to what can be set. */
+    slope = 7.0;
+    CHECK(stribeck_derivative(model, velocity, force, &slope) == STRIBECK_UNKNOWN_VARIABLE);
+    CHECK(stribeck_derivative(model, velocity, velocity, &slope) == STRIBECK_UNKNOWN_VARIABLE);
+    CHECK(stribeck_derivative(model, force, force, &slope) == STRIBECK_UNKNOWN_VARIABLE);
+    CHECK(slope == 7.0);
+    stribeck_free(model);
+}
+
+/* ------------------------------------------------------------------------------------------------ saved states */
+
+/* Moves the first input of a model to and fro. */
+static void excite(stribeck_model *model, int i) {
+    stribeck_variable variable;
+    memset(&variable, 0, sizeof variable);
+    uint32_t at = 0;
+    CHECK(stribeck_describe(model, at, &variable) == STRIBECK_OK);
+    while (variable.role != STRIBECK_INPUT) {
+        REQUIRE(stribeck_describe(model, ++at, &variable) == STRIBECK_OK);
+    }
+    CHECK(stribeck_set(model, at, 2e-3 * sin(0.1 * i)) == STRIBECK_OK);
+    CHECK(stribeck_step(model, 1e-3) == STRIBECK_OK);
+}
+
+static void every_model_goes_back_to_the_same_bits(void) {
+    for (size_t i = 0; i < stribeck_model_count(); i++) {
+        stribeck_model *model = create(stribeck_model_name(i));
+        stribeck_model *twin = create(stribeck_model_name(i));
+        for (int step = 0; step < 100; step++) {
+            excite(model, step);
+        }
+        state middle = save(model);
+        for (int step = 100; step < 200; step++) {
+            excite(model, step);
+        }
+        state end = save(model);
+        CHECK(memcmp(middle.bytes, end.bytes, end.size) != 0);
+        /* The same model, and one that has seen nothing. */
+        stribeck_model *const both[] = {model, twin};
+        for (size_t k = 0; k < 2; k++) {
+            CHECK(stribeck_restore(both[k], middle.bytes, middle.size) == STRIBECK_OK);
+            CHECK(is_unchanged(both[k], &middle));
+            for (int step = 100; step < 200; step++) {
+                excite(both[k], step);
+            }
+            CHECK(is_unchanged(both[k], &end));
+        }
+        free(middle.bytes);
+        free(end.bytes);
+        stribeck_free(model);
+        stribeck_free(twin);
+    }
+}
+
+static void damaged_states_are_refused(void) {
+    stribeck_model *model = create("LuGre");
+    excite(model, 3);
+    state good = save(model);
+    excite(model, 4);
+    state before = save(model);
+    unsigned char *bytes = malloc(good.size + 1);
+    REQUIRE(bytes != NULL);
+
+    /* Every byte counts. */
+    for (size_t i = 0; i < good.size; i++) {
+        memcpy(bytes, good.bytes, good.size);
+        bytes[i] = (unsigned char)(bytes[i] ^ 0x10);
+        CHECK(stribeck_restore(model, bytes, good.size) == STRIBECK_BAD_BUFFER);
+    }
+    /* As does every length but the right one. */
+    for (size_t size = 0; size < good.size; size++) {
+        CHECK(stribeck_restore(model, good.bytes, size) == STRIBECK_BAD_BUFFER);
+    }
+    memcpy(bytes, good.bytes, good.size);
+    bytes[good.size] = 0;
+    CHECK(stribeck_restore(model, bytes, good.size + 1) == STRIBECK_BAD_BUFFER);
+    /* Garbage of the right size. */
+    const unsigned char fillings[] = {0x00, 0x5A, 0xFF};
+    for (size_t i = 0; i < sizeof fillings; i++) {
+        memset(bytes, fillings[i], good.size);
+        CHECK(stribeck_restore(model, bytes, good.size) == STRIBECK_BAD_BUFFER);
+        CHECK(strlen(stribeck_last_error(model)) > 0);
+    }
+    CHECK(is_unchanged(model, &before));
+    CHECK(stribeck_restore(model, good.bytes, good.size) == STRIBECK_OK);
+    CHECK(is_unchanged(model, &good));
+    free(bytes);
+    free(before.bytes);
+    free(good.bytes);
+    stribeck_free(model);
+}
+
+/* The bytes of one model are refused by every other. */
+static void states_of_other_models_are_refused(void) {
+    for (size_t i = 0; i < stribeck_model_count(); i++) {
+        stribeck_model *one = create(stribeck_model_name(i));
+        state foreign = save(one);
+        for (size_t j = 0; j < stribeck_model_count(); j++) {
+            stribeck_model *other = create(stribeck_model_name(j));
+            stribeck_status status = stribeck_restore(other, foreign.bytes, foreign.size);
+            CHECK(status == (i == j ? STRIBECK_OK : STRIBECK_BAD_BUFFER));
+            stribeck_free(other);
+        }
+        free(foreign.bytes);
+        stribeck_free(one);
+    }
+}
+
+static void small_buffers_are_refused(void) {
+    stribeck_model *model = create("Dahl");
+    size_t size = stribeck_state_size(model);
+    unsigned char *bytes = malloc(size + 16);
+    REQUIRE(bytes != NULL);
+    memset(bytes, 0xA5, size + 16);
+    CHECK(stribeck_save(model, bytes, size - 1) == STRIBECK_BAD_BUFFER);
+    CHECK(stribeck_save(model, bytes, 0) == STRIBECK_BAD_BUFFER);
+    for (size_t i = 0; i < size + 16; i++) {
+        CHECK(bytes[i] == 0xA5);
+    }
+    /* A larger one is used as far as needed. */
+    CHECK(stribeck_save(model, bytes, size + 16) == STRIBECK_OK);
+    for (size_t i = size; i < size + 16; i++) {
+        CHECK(bytes[i] == 0xA5);
+    }
+    CHECK(stribeck_restore(model, bytes, size) == STRIBECK_OK);
+    free(bytes);
+    stribeck_free(model);
+}
+
+/* ------------------------------------------------------------------------------------------------ two at once */
+
+/* Two models that take turns do what each does alone; so do their error texts. */
+static void models_do_not_disturb_each_other(void) {
+    stribeck_model *alone = create("LuGre");
+    for (int step = 0; step < 50; step++) {
+        excite(alone, step);
+    }
+    state expected = save(alone);
+
+    stribeck_model *one = create("LuGre");
+    stribeck_model *other = create("LuGre");
+    set(other, "mu_s", 0.3);
+    for (int step = 0; step < 50; step++) {
+        excite(one, step);
+        excite(other, 7 * step);
+    }
+    CHECK(is_unchanged(one, &expected));
+    CHECK(!is_unchanged(other, &expected));
+
+    CHECK(stribeck_set_by_name(one, "mu_k", -1.0) == STRIBECK_REFUSED_VALUE);
+    CHECK(stribeck_set_by_name(other, "sigma_0", -2.0) == STRIBECK_REFUSED_VALUE);
+    CHECK(says(one, "mu_k", "-1"));
+    CHECK(says(other, "sigma_0", "-2"));
+
+    /* One goes, the other stays. */
+    stribeck_free(one);
+    CHECK(stribeck_step(other, 1e-3) == STRIBECK_OK);
+    stribeck_free(other);
+    stribeck_free(alone);
+    free(expected.bytes);
+}
+
+int main(void) {
+    library_names_itself_and_its_models();
+    every_status_has_its_own_text();
+    unknown_models_are_refused();
+    null_handles_are_answered();
+    null_pointers_are_answered();
+    every_model_keeps_its_table();
+    columns_of_the_header_are_those_of_the_library();
+    every_model_steps_and_resets();
+    parameters_must_fit_together();
+    overflow_is_refused();
+    steady_sliding_is_the_stribeck_curve();
+    outputs_follow_inputs();
+    derivative_is_that_of_the_force();
+    every_model_goes_back_to_the_same_bits();
+    damaged_states_are_refused();
+    states_of_other_models_are_refused();
+    small_buffers_are_refused();
+    models_do_not_disturb_each_other();
+    return report();
+}

@@ -1,0 +1,318 @@
+//! What every friction model promises, asked of all models of the catalogue over a grid of their parameters.
+
+mod common;
+
+use std::collections::HashMap;
+
+use common::Bench;
+use stribeck::catalogue::{self, Family};
+use stribeck::model::{Kind, ModelType, Role, Variable};
+
+fn friction_models() -> impl Iterator<Item = &'static ModelType> {
+    catalogue::documented(Family::Friction).map(|(model, _)| model)
+}
+
+/// A small generator (Knuth's MMIX constants), so that a failure can be repeated.
+struct Random(u64);
+
+impl Random {
+    fn next(&mut self) -> f64 {
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (self.0 >> 11) as f64 / (1u64 << 53) as f64
+    }
+
+    fn signed(&mut self) -> f64 {
+        2.0 * self.next() - 1.0
+    }
+
+    fn pick(&mut self, values: &[f64]) -> f64 {
+        values[(self.next() * values.len() as f64) as usize]
+    }
+}
+
+/// Parameter sets: the defaults, each parameter at each end and in the middle of its range, and random mixtures.
+fn parameter_sets(model: &'static ModelType) -> Vec<Vec<(usize, f64)>> {
+    let mut sets = vec![Vec::new()];
+    let parameters: Vec<usize> = (0..model.table.len()).filter(|c| model.table[*c].role.is_parameter()).collect();
+    for column in &parameters {
+        sets.extend(candidates(&model.table[*column]).into_iter().map(|value| vec![(*column, value)]));
+    }
+    let mut random = Random(7);
+    for _ in 0..200 {
+        let mixture = parameters.iter().map(|column| (*column, random.pick(&candidates(&model.table[*column]))));
+        sets.push(mixture.collect());
+    }
+    sets.retain(|set| {
+        let mut bench = Bench::new(model.name, &[]);
+        apply(&mut bench, set);
+        bench.instance.check().is_ok()
+    });
+    sets
+}
+
+/// Values of a parameter from one end of its range to the other, around its default and equal to other defaults.
+fn candidates(variable: &Variable) -> Vec<f64> {
+    let start = if variable.start == 0.0 { 1e-3 } else { variable.start };
+    let values: Vec<f64> = match variable.kind {
+        Kind::Real(_) => {
+            vec![0.0, 1e-3 * start, 0.5 * start, start, 1.5 * start, 2.0 * start, 100.0 * start, 0.1, 0.15]
+        }
+        _ => (variable.bound.min() as i64..=(variable.bound.max() as i64).min(10)).map(|n| n as f64).collect(),
+    };
+    values.into_iter().filter(|value| variable.admits(*value)).collect()
+}
+
+fn apply(bench: &mut Bench, set: &[(usize, f64)]) {
+    for (column, value) in set {
+        bench.instance.put(*column, *value);
+    }
+}
+
+fn describe(model: &ModelType, set: &[(usize, f64)]) -> String {
+    let set: Vec<String> =
+        set.iter().map(|(column, value)| format!("{} = {value}", model.table[*column].path)).collect();
+    format!("{} with {}", model.name, set.join(", "))
+}
+
+/// Runs `check` on every friction model with every parameter set.
+fn for_all(check: impl Fn(&mut Bench, &str)) {
+    let mut cases = 0;
+    for model in friction_models() {
+        for set in parameter_sets(model) {
+            let mut bench = Bench::new(model.name, &[]);
+            apply(&mut bench, &set);
+            check(&mut bench, &describe(model, &set));
+            cases += 1;
+        }
+    }
+    assert!(cases > 60 * friction_models().count(), "only {cases} cases");
+}
+
+/// Upper limit of the force in steady sliding: the static level and the viscous part.
+fn limit(bench: &mut Bench, velocity: f64) -> f64 {
+    let value = |bench: &mut Bench, name: &str| if bench.has(name) { bench.get(name) } else { 0.0 };
+    let mu = f64::max(value(bench, "mu_s"), value(bench, "mu_k"));
+    mu * bench.get("normal_force") + value(bench, "viscous_coefficient") * velocity.abs()
+}
+
+/// Columns that change sign when the motion is mirrored. A new model with a new state must be put on one of the lists.
+const ODD: [&str; 4] = ["velocity", "external_force", "bristle_deflection", "planned_force"];
+const EVEN: [&str; 4] = ["normal_force", "dissipated_energy", "stuck", "step_size"];
+
+#[test]
+fn mirrored_motion_gives_the_mirrored_force() {
+    for model in friction_models() {
+        for variable in model.table.iter().filter(|variable| variable.role.is_state() || variable.role == Role::Input) {
+            let name = variable.path.to_string();
+            assert!(ODD.contains(&&*name) != EVEN.contains(&&*name), "{}: put {name} on one list", model.name);
+        }
+    }
+    for_all(|bench, what| {
+        let mut mirror = Bench::new(bench.instance.model().name, &[]);
+        mirror.instance.restore(&bench.instance.save());
+        let mut random = Random(11);
+        for _ in 0..20 {
+            let scale = 10f64.powf(-6.0 * random.next());
+            for (name, value) in [("velocity", scale * random.signed()), ("external_force", 2.0 * random.signed())] {
+                if bench.has(name) {
+                    bench.set(name, value);
+                    mirror.set(name, -value);
+                }
+            }
+            let h = 10f64.powf(-4.0 * random.next());
+            bench.step(h);
+            mirror.step(h);
+            let (force, mirrored) = (bench.get("friction_force"), mirror.get("friction_force"));
+            assert_eq!(force, -mirrored, "{what}");
+            assert_eq!(bench.get("dissipated_energy"), mirror.get("dissipated_energy"), "{what}");
+        }
+    });
+}
+
+#[test]
+fn steady_sliding_dissipates_within_the_static_level() {
+    for_all(|bench, what| {
+        // A law that plans for a body of known mass cannot follow a velocity that no such body could have.
+        if bench.has("mass") && bench.get("mass") > 0.0 && bench.get("exchange") == 2.0 {
+            return;
+        }
+        for velocity in [-10.0, -0.1, -2e-3, 5e-4, 1e-2, 1.0] {
+            bench.set("velocity", velocity);
+            // With mass the force would stop the body in a long step.
+            let h = if bench.has("mass") && bench.get("mass") > 0.0 { 1e-9 } else { 1e6 };
+            for _ in 0..3 {
+                bench.step(h);
+            }
+            let force = bench.get("friction_force");
+            assert!(force * velocity >= 0.0, "{what}: {force} N at {velocity} m/s");
+            let limit = limit(bench, velocity);
+            assert!(force.abs() <= limit * (1.0 + 1e-12), "{what}: {force} N at {velocity} m/s, limit {limit} N");
+            assert!((bench.get("dissipated_power") - force * velocity).abs() <= 1e-12 * (force * velocity).abs());
+        }
+    });
+}
+
+#[test]
+fn no_load_releases_the_contact() {
+    for_all(|bench, what| {
+        bench.set("velocity", 0.02);
+        bench.step(0.01);
+        bench.set("normal_force", 0.0);
+        if bench.has("external_force") {
+            bench.set("external_force", 3.0);
+        }
+        for velocity in [0.0, 0.02, -1.0] {
+            bench.set("velocity", velocity);
+            assert_eq!((bench.get("friction_force"), bench.get("sticking")), (0.0, 0.0), "{what} before a step");
+            bench.step(0.01);
+            assert_eq!((bench.get("friction_force"), bench.get("sticking")), (0.0, 0.0), "{what} after a step");
+            if bench.has("bristle_deflection") {
+                assert_eq!(bench.get("bristle_deflection"), 0.0, "{what}");
+            }
+        }
+    });
+}
+
+/// Without the memory of the last step's length, which `mass` switches on, every step is exact for held inputs.
+#[test]
+fn two_half_steps_are_one_step() {
+    for_all(|bench, what| {
+        if bench.has("mass") && bench.get("mass") > 0.0 {
+            return;
+        }
+        let mut halves = Bench::new(bench.instance.model().name, &[]);
+        halves.instance.restore(&bench.instance.save());
+        let mut random = Random(13);
+        for _ in 0..20 {
+            let velocity = 10f64.powf(-6.0 * random.next()) * random.signed();
+            let h = 10f64.powf(-5.0 * random.next());
+            bench.set("velocity", velocity);
+            halves.set("velocity", velocity);
+            bench.step(h);
+            halves.step(0.5 * h);
+            halves.step(0.5 * h);
+            // A force at constant speed is not larger than this, so differences are measured against it.
+            let scale = 1e-3 + limit(bench, velocity) + 1e4 * velocity.abs();
+            for name in ["friction_force", "dissipated_energy"] {
+                let (one, two) = (bench.get(name), halves.get(name));
+                assert!((one - two).abs() <= 1e-10 * scale.max(one.abs()), "{what}: {name} {one} against {two}");
+            }
+        }
+    });
+}
+
+#[test]
+fn finite_inputs_give_finite_results_or_a_refusal_that_changes_nothing() {
+    let extremes = [0.0, 5e-324, 1e-310, 1e-160, 1e-12, 1e-3, 1.0, 1e6, 1e150, 1e308];
+    let steps = [1e-300, 1e-12, 1e-6, 1.0, 1e6, 1e300];
+    for_all(|bench, what| {
+        let mut random = Random(17);
+        for _ in 0..30 {
+            for name in ["velocity", "normal_force", "external_force"] {
+                if bench.has(name) {
+                    let sign = if name == "normal_force" { 1.0 } else { random.pick(&[-1.0, 1.0]) };
+                    bench.set(name, sign * random.pick(&extremes));
+                }
+            }
+            let before = bench.instance.save();
+            match bench.instance.step(random.pick(&steps)) {
+                Ok(()) => assert!(bench.instance.row().iter().all(|value| value.is_finite()), "{what}"),
+                Err(_) => {
+                    assert_eq!(bench.instance.save(), before, "{what}");
+                    bench.instance.reset();
+                }
+            }
+        }
+    });
+}
+
+/// Sound inputs are never refused: what a vehicle can do, at any step that a master can choose.
+#[test]
+fn everyday_inputs_are_never_refused() {
+    for_all(|bench, what| {
+        let mut random = Random(19);
+        for _ in 0..50 {
+            bench.set("velocity", random.pick(&[0.0, 1e-9, 1e-4, 0.1, 2.0, 20.0]) * random.pick(&[-1.0, 1.0]));
+            bench.set("normal_force", random.pick(&[0.0, 1e-9, 1e-3, 10.0, 2e4]));
+            let h = random.pick(&[2e-13, 1e-6, 1e-4, 1e-3, 0.1, 1.0]);
+            bench.instance.step(h).unwrap_or_else(|fault| panic!("{what}: {fault}"));
+        }
+    });
+}
+
+#[test]
+fn reset_is_fresh_and_restored_is_the_same_future() {
+    for model in catalogue::models() {
+        let fresh = Bench::new(model.name, &[]).instance.save();
+        let inputs: Vec<usize> = (0..model.table.len()).filter(|c| model.table[*c].role == Role::Input).collect();
+        let mut bench = Bench::new(model.name, &[]);
+        if bench.has("external_force") && bench.has("mass") && inputs.len() == 3 {
+            bench.set("mass", 1.0);
+        }
+        let future = |bench: &mut Bench, seed| {
+            let mut random = Random(seed);
+            for step in 0..1000 {
+                for column in &inputs {
+                    let value = 0.01 * random.signed();
+                    let value = if model.table[*column].admits(value) { value } else { -value };
+                    bench.instance.put(*column, value);
+                    if step % 7 == 0 {
+                        bench.instance.put_slope(*column, 1e-3 * random.next());
+                    }
+                }
+                bench.step(1e-3 * (0.5 + random.next()));
+            }
+            bench.instance.save()
+        };
+        future(&mut bench, 1);
+        let saved = bench.instance.save();
+        let once = future(&mut bench, 2);
+        bench.instance.restore(&saved);
+        assert_eq!(future(&mut bench, 2), once, "{}", model.name);
+        bench.instance.reset();
+        assert_eq!(bench.instance.save(), fresh, "{}", model.name);
+    }
+}
+
+/// One quantity, one name: where a name stands in two models, its unit, type and help text are the same.
+#[test]
+fn equal_names_mean_equal_things() {
+    let mut seen: HashMap<String, (&str, &Variable)> = HashMap::new();
+    for model in friction_models() {
+        for variable in model.table {
+            let name = variable.path.to_string();
+            let (other, first) = *seen.entry(name.clone()).or_insert((model.name, variable));
+            assert_eq!(first.kind, variable.kind, "{name} in {other} and {}", model.name);
+            assert_eq!(first.help, variable.help, "{name} in {other} and {}", model.name);
+            assert_eq!(first.role, variable.role, "{name} in {other} and {}", model.name);
+        }
+    }
+    assert!(seen.len() > 10);
+}
+
+#[test]
+fn every_friction_model_has_the_common_columns() {
+    for model in friction_models() {
+        let role = |name: &str| model.find(name).map(|column| model.table[column].role);
+        assert_eq!(role("velocity"), Some(Role::Input), "{}", model.name);
+        assert_eq!(role("normal_force"), Some(Role::Input), "{}", model.name);
+        for output in ["friction_force", "dissipated_power", "sticking"] {
+            assert_eq!(role(output), Some(Role::Output), "{} {output}", model.name);
+        }
+        assert_eq!(role("dissipated_energy"), Some(Role::StateOutput), "{}", model.name);
+        let start = model.find("normal_force").map(|column| model.table[column].start);
+        assert_eq!(start, Some(9.81), "{}: m g of the benchmark", model.name);
+    }
+}
+
+/// The static coefficient must not be below the kinetic one; the refusal names both.
+#[test]
+fn inverted_coefficients_are_refused_by_name() {
+    for model in friction_models().filter(|model| model.find("mu_s").is_some()) {
+        let mut bench = Bench::new(model.name, &[("mu_s", 0.05)]);
+        let before = bench.instance.save();
+        let fault = bench.instance.step(1e-3).expect_err("mu_s < mu_k");
+        assert_eq!(fault.0, "mu_s = 0.05: must be >= mu_k = 0.1", "{}", model.name);
+        assert_eq!(bench.instance.save(), before, "{}", model.name);
+    }
+}

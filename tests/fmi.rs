@@ -1,0 +1,688 @@
+//! The FMI 2.0 functions as an importer sees them: state machine, misuse, messages, snapshots, derivatives.
+
+mod common;
+
+use std::ffi::{CStr, CString, c_void};
+use std::ptr::{null, null_mut};
+use std::sync::Mutex;
+
+use stribeck::catalogue;
+use stribeck::fmi2::lifecycle::{ALLOWED, Call, STATES, State};
+use stribeck::fmi2::setup::*;
+use stribeck::fmi2::snapshot::*;
+use stribeck::fmi2::step::*;
+use stribeck::fmi2::types::fmi2Status::*;
+use stribeck::fmi2::types::*;
+use stribeck::fmi2::values::*;
+use stribeck::model::{Kind, Role};
+
+/// What the logger of an importer heard.
+type Heard = Mutex<Vec<(fmi2Status, String, String)>>;
+
+/// Rust cannot define variadic functions, but on the platforms of these tests a function that names the first variadic
+/// argument receives it: on x86-64 and AArch64 Linux and on x86-64 Windows pointers travel in the same registers.
+unsafe extern "C" fn listen(
+    environment: *mut c_void,
+    _name: fmi2String,
+    status: fmi2Status,
+    category: fmi2String,
+    message: fmi2String,
+    argument: fmi2String,
+) {
+    // SAFETY: the environment is the `Heard` given below; the texts are those of the library.
+    unsafe {
+        assert_eq!(CStr::from_ptr(message), c"%s", "the message is a format and must be constant");
+        let text = |text| CStr::from_ptr(text).to_string_lossy().into_owned();
+        let heard = &*environment.cast::<Heard>();
+        heard.lock().expect("one thread").push((status, text(category), text(argument)));
+    }
+}
+
+fn callbacks(heard: &Heard) -> fmi2CallbackFunctions {
+    type Fixed = unsafe extern "C" fn(*mut c_void, fmi2String, fmi2Status, fmi2String, fmi2String, fmi2String);
+    // SAFETY: see `listen`.
+    let logger = unsafe { std::mem::transmute::<Fixed, fmi2CallbackLogger>(listen) };
+    fmi2CallbackFunctions {
+        logger,
+        allocateMemory: None,
+        freeMemory: None,
+        stepFinished: None,
+        componentEnvironment: std::ptr::from_ref(heard).cast_mut().cast(),
+    }
+}
+
+/// An importer with one instance.
+struct Importer {
+    c: fmi2Component,
+    model: &'static str,
+    heard: Box<Heard>,
+}
+
+impl Drop for Importer {
+    fn drop(&mut self) {
+        // SAFETY: freed once, here.
+        unsafe { fmi2FreeInstance(self.c) };
+    }
+}
+
+fn guid(model: &str) -> CString {
+    CString::new(catalogue::by_name(model).expect(model).guid()).expect("no zero byte")
+}
+
+impl Importer {
+    fn new(model: &'static str) -> Importer {
+        let heard = Box::<Heard>::default();
+        let callbacks = callbacks(&heard);
+        // SAFETY: valid texts and callbacks.
+        let c = unsafe {
+            let name = c"importer".as_ptr();
+            fmi2Instantiate(name, fmi2CoSimulation, guid(model).as_ptr(), null(), &callbacks, fmi2False, fmi2True)
+        };
+        assert!(!c.is_null());
+        Importer { c, model, heard }
+    }
+
+    fn in_state(model: &'static str, state: State) -> Importer {
+        let importer = Importer::new(model);
+        let c = importer.c;
+        // SAFETY: an instance of this test.
+        unsafe {
+            if state != State::Instantiated {
+                assert_eq!(fmi2SetupExperiment(c, fmi2True, 1e-6, 0.0, fmi2True, 100.0), fmi2OK);
+                assert_eq!(fmi2EnterInitializationMode(c), fmi2OK);
+            }
+            if !matches!(state, State::Instantiated | State::Initialization) {
+                assert_eq!(fmi2ExitInitializationMode(c), fmi2OK);
+            }
+            match state {
+                State::Terminated => assert_eq!(fmi2Terminate(c), fmi2OK),
+                State::Error => assert_eq!(fmi2DoStep(c, 0.0, -1.0, fmi2True), fmi2Error),
+                _ => (),
+            }
+        }
+        importer.heard.lock().expect("one thread").clear();
+        importer
+    }
+
+    fn ready(model: &'static str) -> Importer {
+        Importer::in_state(model, State::StepComplete)
+    }
+
+    fn vr(&self, name: &str) -> fmi2ValueReference {
+        catalogue::by_name(self.model).and_then(|model| model.find(name)).expect(name) as fmi2ValueReference
+    }
+
+    fn set(&self, name: &str, value: f64) -> fmi2Status {
+        // SAFETY: one reference, one value.
+        unsafe { fmi2SetReal(self.c, &self.vr(name), 1, &value) }
+    }
+
+    fn get(&self, name: &str) -> f64 {
+        let mut value = f64::NAN;
+        // SAFETY: one reference, one value.
+        assert_eq!(unsafe { fmi2GetReal(self.c, &self.vr(name), 1, &mut value) }, fmi2OK, "{name}");
+        value
+    }
+
+    fn step(&self, t: f64, h: f64) -> fmi2Status {
+        // SAFETY: an instance of this test.
+        unsafe { fmi2DoStep(self.c, t, h, fmi2True) }
+    }
+
+    fn save(&self) -> fmi2FMUstate {
+        let mut state = null_mut();
+        // SAFETY: an instance of this test.
+        assert_eq!(unsafe { fmi2GetFMUstate(self.c, &mut state) }, fmi2OK);
+        state
+    }
+
+    fn bytes(&self, state: fmi2FMUstate) -> Vec<fmi2Byte> {
+        let mut size = 0;
+        // SAFETY: a state of this test and a buffer of its size.
+        unsafe {
+            assert_eq!(fmi2SerializedFMUstateSize(self.c, state, &mut size), fmi2OK);
+            let mut bytes = vec![0; size];
+            assert_eq!(fmi2SerializeFMUstate(self.c, state, bytes.as_mut_ptr(), size), fmi2OK);
+            bytes
+        }
+    }
+
+    /// The one message heard since the last time.
+    #[track_caller]
+    fn one_message(&self) -> (fmi2Status, String, String) {
+        let mut heard = self.heard.lock().expect("one thread");
+        assert_eq!(heard.len(), 1, "{heard:?}");
+        heard.remove(0)
+    }
+}
+
+/// Makes the call with sound arguments, as far as there are any in this state.
+fn call(importer: &Importer, call: Call) -> fmi2Status {
+    let c = importer.c;
+    let (real, order) = (importer.vr("velocity"), 1);
+    let (mut value, mut size, mut status, mut flag, mut text) = (0.0, 0, fmi2OK, 0, null());
+    let mut state: fmi2FMUstate = null_mut();
+    // A state of another instance, so that the calls on states have something to work on.
+    let donor = Importer::in_state(importer.model, State::StepComplete);
+    let saved = donor.save();
+    let mut bytes = donor.bytes(saved);
+    // SAFETY: an instance of this test, arrays of one element.
+    let result = unsafe {
+        match call {
+            Call::SetDebugLogging => fmi2SetDebugLogging(c, fmi2True, 0, null()),
+            Call::SetupExperiment => fmi2SetupExperiment(c, fmi2False, 0.0, 0.0, fmi2False, 0.0),
+            Call::EnterInitializationMode => {
+                if importer.one_state_is_set_up() {
+                    fmi2SetupExperiment(c, fmi2False, 0.0, 0.0, fmi2False, 0.0);
+                }
+                fmi2EnterInitializationMode(c)
+            }
+            Call::ExitInitializationMode => fmi2ExitInitializationMode(c),
+            Call::Terminate => fmi2Terminate(c),
+            Call::Reset => fmi2Reset(c),
+            Call::GetReal => fmi2GetReal(c, &real, 1, &mut value),
+            Call::GetInteger => fmi2GetInteger(c, null(), 0, null_mut()),
+            Call::GetBoolean => fmi2GetBoolean(c, &importer.vr("sticking"), 1, &mut flag),
+            Call::GetString => fmi2GetString(c, null(), 0, null_mut()),
+            Call::SetReal => fmi2SetReal(c, &real, 1, &value),
+            Call::SetInteger => fmi2SetInteger(c, null(), 0, null()),
+            Call::SetBoolean => fmi2SetBoolean(c, null(), 0, null()),
+            Call::SetString => fmi2SetString(c, null(), 0, null()),
+            Call::GetFMUstate => {
+                let status = fmi2GetFMUstate(c, &mut state);
+                fmi2FreeFMUstate(c, &mut state);
+                status
+            }
+            Call::SetFMUstate => fmi2SetFMUstate(c, saved),
+            Call::FreeFMUstate => fmi2FreeFMUstate(c, &mut state),
+            Call::SerializedFMUstateSize => fmi2SerializedFMUstateSize(c, saved, &mut size),
+            Call::SerializeFMUstate => fmi2SerializeFMUstate(c, saved, bytes.as_mut_ptr(), bytes.len()),
+            Call::DeSerializeFMUstate => {
+                let status = fmi2DeSerializeFMUstate(c, bytes.as_ptr(), bytes.len(), &mut state);
+                fmi2FreeFMUstate(c, &mut state);
+                status
+            }
+            Call::GetDirectionalDerivative => {
+                fmi2GetDirectionalDerivative(c, &importer.vr("friction_force"), 1, &real, 1, &1.0, &mut value)
+            }
+            Call::SetRealInputDerivatives => fmi2SetRealInputDerivatives(c, &real, 1, &order, &value),
+            Call::GetRealOutputDerivatives => {
+                fmi2GetRealOutputDerivatives(c, &importer.vr("friction_force"), 1, &order, &mut value)
+            }
+            Call::DoStep => fmi2DoStep(c, 0.0, 1e-3, fmi2True),
+            Call::CancelStep => fmi2CancelStep(c),
+            Call::GetStatus => fmi2GetStatus(c, fmi2DoStepStatus, &mut status),
+            Call::GetRealStatus => fmi2GetRealStatus(c, fmi2LastSuccessfulTime, &mut value),
+            Call::GetIntegerStatus => fmi2GetIntegerStatus(c, fmi2DoStepStatus, &mut flag),
+            Call::GetBooleanStatus => fmi2GetBooleanStatus(c, fmi2Terminated, &mut flag),
+            Call::GetStringStatus => fmi2GetStringStatus(c, fmi2PendingStatus, &mut text),
+        }
+    };
+    let mut saved = saved;
+    // SAFETY: freed once.
+    unsafe { fmi2FreeFMUstate(donor.c, &mut saved) };
+    result
+}
+
+impl Importer {
+    /// fmi2EnterInitializationMode needs an experiment; in the state Instantiated the matrix sets one up.
+    fn one_state_is_set_up(&self) -> bool {
+        // SAFETY: an instance of this test; a state is saved and freed to find out where it is.
+        let state = self.save();
+        let bytes = self.bytes(state);
+        let mut state = state;
+        unsafe { fmi2FreeFMUstate(self.c, &mut state) };
+        // The first number behind head (50 bytes) and the three of the instance is the state.
+        let number: Vec<u8> = bytes[50 + 24..50 + 32].iter().map(|byte| *byte as u8).collect();
+        f64::from_le_bytes(number.try_into().expect("eight bytes")) == 0.0
+    }
+}
+
+/// The table of FMI 2.0.5 section 4.2.4, typed in from the standard a second time: one letter per state, in the order
+/// instantiated, initialization mode, stepComplete, terminated, error; `d` where the call is allowed but has no answer.
+const STANDARD: [(&str, &str); 30] = [
+    ("SetDebugLogging", "xxxxx"),
+    ("SetupExperiment", "x----"),
+    ("EnterInitializationMode", "x----"),
+    ("ExitInitializationMode", "-x---"),
+    ("Terminate", "--x--"),
+    ("Reset", "xxxxx"),
+    ("GetReal", "-xxxx"),
+    ("GetInteger", "-xxxx"),
+    ("GetBoolean", "-xxxx"),
+    ("GetString", "-xxxx"),
+    ("SetReal", "xxx--"),
+    ("SetInteger", "xxx--"),
+    ("SetBoolean", "xxx--"),
+    ("SetString", "xxx--"),
+    ("GetFMUstate", "xxxxx"),
+    ("SetFMUstate", "xxxxx"),
+    ("FreeFMUstate", "xxxxx"),
+    ("SerializedFMUstateSize", "xxxxx"),
+    ("SerializeFMUstate", "xxxxx"),
+    ("DeSerializeFMUstate", "xxxxx"),
+    ("GetDirectionalDerivative", "-xxxx"),
+    ("SetRealInputDerivatives", "xxx--"),
+    ("GetRealOutputDerivatives", "--xxx"),
+    ("DoStep", "--x--"),
+    ("CancelStep", "-----"),
+    ("GetStatus", "--dd-"),
+    ("GetRealStatus", "--xx-"),
+    ("GetIntegerStatus", "--dd-"),
+    ("GetBooleanStatus", "--xx-"),
+    ("GetStringStatus", "--dd-"),
+];
+
+#[test]
+fn every_function_in_every_state_answers_as_the_standard_asks() {
+    for (function, row) in STANDARD {
+        let found = ALLOWED.iter().find(|(call, _)| format!("{call:?}") == function);
+        let (found, _) = found.unwrap_or_else(|| panic!("no function {function}"));
+        for (state, mark) in STATES.into_iter().zip(row.chars()) {
+            let importer = Importer::in_state("LuGre", state);
+            let expected = match mark {
+                'x' => fmi2OK,
+                'd' => fmi2Discard,
+                _ => fmi2Error,
+            };
+            assert_eq!(call(&importer, *found), expected, "fmi2{function} in {state:?}");
+            if expected != fmi2OK {
+                let (status, category, text) = importer.one_message();
+                assert_eq!(status, expected);
+                assert!(category.starts_with("logStatus") && text.contains(function), "{category}: {text}");
+            }
+        }
+    }
+}
+
+#[test]
+fn instantiation_refuses_what_it_cannot_serve() {
+    let heard = Heard::default();
+    let callbacks = callbacks(&heard);
+    let guid = guid("LuGre");
+    let make = |name: fmi2String, kind, guid: fmi2String, callbacks: *const fmi2CallbackFunctions| {
+        // SAFETY: valid texts and callbacks, or NULL.
+        unsafe { fmi2Instantiate(name, kind, guid, null(), callbacks, fmi2False, fmi2False) }
+    };
+    let name = c"a".as_ptr();
+    for (what, name, kind, guid) in [
+        ("guid", name, fmi2CoSimulation, c"{00000000-0000-0000-0000-000000000000}".as_ptr()),
+        ("fmuGUID is NULL", name, fmi2CoSimulation, null()),
+        ("instanceName is NULL or blank", null(), fmi2CoSimulation, guid.as_ptr()),
+        ("instanceName is NULL or blank", c" \t".as_ptr(), fmi2CoSimulation, guid.as_ptr()),
+        ("fmuType is 0", name, fmi2ModelExchange, guid.as_ptr()),
+    ] {
+        let c = make(name, kind, guid, &callbacks);
+        assert!(c.is_null(), "{what}");
+        let (status, category, text) = heard.lock().expect("one thread").pop().expect("a message");
+        assert_eq!((status, &*category), (fmi2Error, "logStatusError"));
+        assert!(text.contains(what), "{text}");
+    }
+    assert!(make(name, fmi2CoSimulation, guid.as_ptr(), null()).is_null());
+    // SAFETY: NULL is ignored.
+    unsafe { fmi2FreeInstance(null_mut()) };
+}
+
+/// The struct of callbacks is only valid during fmi2Instantiate, and all its pointers may be NULL.
+#[test]
+fn callbacks_are_copied_and_optional() {
+    let heard = Heard::default();
+    let mut callbacks = callbacks(&heard);
+    // SAFETY: valid texts and callbacks; the instance is freed once.
+    unsafe {
+        let name = c"a".as_ptr();
+        let make = |callbacks: *const fmi2CallbackFunctions| {
+            fmi2Instantiate(name, fmi2CoSimulation, guid("Dahl").as_ptr(), null(), callbacks, fmi2False, fmi2True)
+        };
+        let c = make(&callbacks);
+        callbacks.logger = None;
+        callbacks.componentEnvironment = null_mut();
+        assert_eq!(fmi2Terminate(c), fmi2Error);
+        assert_eq!(heard.lock().expect("one thread").len(), 1);
+        fmi2FreeInstance(c);
+        let silent = make(&callbacks);
+        assert_eq!(fmi2Terminate(silent), fmi2Error);
+        fmi2FreeInstance(silent);
+    }
+}
+
+#[test]
+fn null_components_are_errors() {
+    let c = null_mut();
+    // SAFETY: NULL is allowed everywhere.
+    unsafe {
+        assert_eq!(fmi2DoStep(c, 0.0, 1.0, fmi2True), fmi2Error);
+        assert_eq!(fmi2GetReal(c, null(), 0, null_mut()), fmi2Error);
+        assert_eq!(fmi2GetFMUstate(c, null_mut()), fmi2Error);
+        assert_eq!(fmi2Reset(c), fmi2Error);
+    }
+    // Memory that is no instance is refused too, as long as it is memory.
+    let mut other = [0u64; 64];
+    // SAFETY: readable and writable memory, large enough to be looked at.
+    assert_eq!(unsafe { fmi2Reset(other.as_mut_ptr().cast()) }, fmi2Error);
+}
+
+#[test]
+fn experiments_that_make_no_sense_are_refused() {
+    let cases = [
+        (fmi2False, 0.0, 1.0, fmi2True, 0.5, "stopTime = 0.5: must be finite and >= startTime = 1"),
+        (fmi2False, 0.0, f64::NAN, fmi2False, 0.0, "startTime = NaN"),
+        (fmi2False, 0.0, 0.0, fmi2True, f64::INFINITY, "stopTime = inf"),
+        (fmi2True, 0.0, 0.0, fmi2False, 0.0, "tolerance = 0"),
+        (fmi2True, f64::NAN, 0.0, fmi2False, 0.0, "tolerance = NaN"),
+    ];
+    for (has_tolerance, tolerance, start, has_stop, stop, why) in cases {
+        let importer = Importer::new("LuGre");
+        // SAFETY: an instance of this test.
+        let status = unsafe { fmi2SetupExperiment(importer.c, has_tolerance, tolerance, start, has_stop, stop) };
+        assert_eq!(status, fmi2Error, "{why}");
+        assert!(importer.one_message().2.contains(why));
+    }
+    let importer = Importer::new("LuGre");
+    // SAFETY: an instance of this test.
+    assert_eq!(unsafe { fmi2EnterInitializationMode(importer.c) }, fmi2Error);
+    assert!(importer.one_message().2.contains("fmi2SetupExperiment must be called before"));
+}
+
+#[test]
+fn steps_that_make_no_sense_are_refused() {
+    for (t, h) in [
+        (0.0, 0.0),
+        (0.0, -1e-3),
+        (0.0, f64::NAN),
+        (0.0, f64::INFINITY),
+        (f64::NAN, 1e-3),
+        (f64::INFINITY, 1e-3),
+        (5e-3, 1e-3),
+        (-1e-3, 1e-3),
+        (0.0, 100.1),
+    ] {
+        let importer = Importer::ready("LuGre");
+        assert_eq!(importer.step(t, h), fmi2Error, "{t} {h}");
+        importer.one_message();
+        assert_eq!(importer.step(0.0, 1e-3), fmi2Error, "after an error");
+    }
+}
+
+/// Masters accumulate the time, multiply it, count nanoseconds, or make one tiny step at the end.
+#[test]
+fn communication_points_are_compared_with_a_relative_tolerance() {
+    let h = 1e-3;
+    let accumulated = Importer::ready("LuGre");
+    let mut t = 0.0;
+    for _ in 0..90_000 {
+        assert_eq!(accumulated.step(t, h), fmi2OK);
+        t += h;
+    }
+    let computed = Importer::ready("LuGre");
+    for k in 0..90_000 {
+        assert_eq!(computed.step(f64::from(k) * h, h), fmi2OK);
+    }
+    let counted = Importer::ready("LuGre");
+    for k in 0..90_000i64 {
+        let (t, next) = ((k * 1_000_000) as f64 * 1e-9, ((k + 1) * 1_000_000) as f64 * 1e-9);
+        assert_eq!(counted.step(t, next - t), fmi2OK);
+    }
+    let ulp = Importer::ready("LuGre");
+    let mut t: f64 = 0.0;
+    for k in 0..90_000 {
+        let t_off = if k % 2 == 0 { t.next_up() } else { t.next_down() };
+        assert_eq!(ulp.step(t_off, h), fmi2OK);
+        t = t_off + h;
+    }
+    assert_eq!(computed.step(90.0, 10.0 - 2e-13), fmi2OK);
+    assert_eq!(computed.step(100.0 - 2e-13, 2e-13), fmi2OK, "a last step of 2e-13 s");
+    assert_eq!(computed.step(100.0, 1e-3), fmi2Error, "past the stop time");
+}
+
+#[test]
+fn wrong_references_pointers_and_types_are_errors() {
+    let too_far = 10_000;
+    // SAFETY: arrays of one element, or NULL where the library must notice.
+    unsafe {
+        let check = |what: &str, wrong: &dyn Fn(&Importer) -> fmi2Status| {
+            let importer = Importer::ready("LuGre");
+            assert_eq!(wrong(&importer), fmi2Error, "{what}");
+            importer.one_message();
+        };
+        check("unknown reference, get", &|i| fmi2GetReal(i.c, &too_far, 1, &mut 0.0));
+        check("unknown reference, set", &|i| fmi2SetReal(i.c, &too_far, 1, &0.0));
+        check("vr NULL", &|i| fmi2GetReal(i.c, null(), 1, &mut 0.0));
+        check("value NULL", &|i| fmi2GetReal(i.c, &0, 1, null_mut()));
+        check("vr NULL, set", &|i| fmi2SetReal(i.c, null(), 1, &0.0));
+        check("value NULL, set", &|i| fmi2SetReal(i.c, &0, 1, null()));
+        check("Boolean vr NULL", &|i| fmi2GetBoolean(i.c, null(), 1, &mut 0));
+        check("Boolean value NULL", &|i| fmi2GetBoolean(i.c, &i.vr("sticking"), 1, null_mut()));
+        check("Integer value NULL", &|i| fmi2GetInteger(i.c, &0, 1, null_mut()));
+        check("String", &|i| fmi2GetString(i.c, &0, 1, &mut null()));
+        check("set String", &|i| fmi2SetString(i.c, &0, 1, &null()));
+        check("Real as Integer", &|i| fmi2SetInteger(i.c, &0, 1, &0));
+        check("Boolean as Real", &|i| fmi2GetReal(i.c, &i.vr("sticking"), 1, &mut 0.0));
+        check("set an output", &|i| i.set("friction_force", 1.0));
+        check("set a state while stepping", &|i| i.set("bristle_deflection", 0.0));
+        check("category NULL", &|i| fmi2SetDebugLogging(i.c, fmi2True, 1, &null()));
+        check("unknown category", &|i| fmi2SetDebugLogging(i.c, fmi2True, 1, &c"logNothing".as_ptr()));
+        check("derivative of a parameter", &|i| fmi2SetRealInputDerivatives(i.c, &i.vr("mu_k"), 1, &1, &0.0));
+        check("derivative of order 2", &|i| fmi2SetRealInputDerivatives(i.c, &0, 1, &2, &0.0));
+        check("output derivative of an input", &|i| fmi2GetRealOutputDerivatives(i.c, &0, 1, &1, &mut 0.0));
+        check("output derivative of order 0", &|i| {
+            fmi2GetRealOutputDerivatives(i.c, &i.vr("friction_force"), 1, &0, &mut 0.0)
+        });
+        check("unknown that is an input", &|i| fmi2GetDirectionalDerivative(i.c, &0, 1, &1, 1, &1.0, &mut 0.0));
+        check("status value NULL", &|i| fmi2GetRealStatus(i.c, fmi2LastSuccessfulTime, null_mut()));
+        check("FMUstate NULL", &|i| fmi2GetFMUstate(i.c, null_mut()));
+        check("set FMUstate NULL", &|i| fmi2SetFMUstate(i.c, null_mut()));
+        check("size of NULL", &|i| fmi2SerializedFMUstateSize(i.c, null_mut(), &mut 0));
+        check("deserialise nothing", &|i| fmi2DeSerializeFMUstate(i.c, null(), 0, &mut null_mut()));
+
+        let importer = Importer::ready("LuGre");
+        assert_eq!(fmi2GetReal(importer.c, null(), 0, null_mut()), fmi2OK);
+        assert_eq!(fmi2SetBoolean(importer.c, null(), 0, null()), fmi2OK);
+        assert_eq!(fmi2FreeFMUstate(importer.c, null_mut()), fmi2OK);
+        assert_eq!(fmi2FreeFMUstate(importer.c, &mut null_mut()), fmi2OK);
+        let time = catalogue::by_name("LuGre").expect("LuGre").table.len() as fmi2ValueReference;
+        let mut value = f64::NAN;
+        assert_eq!(importer.step(0.0, 0.25), fmi2OK);
+        assert_eq!(fmi2GetReal(importer.c, &time, 1, &mut value), fmi2OK);
+        assert_eq!(value, 0.25, "the independent variable");
+    }
+    let host = Importer::ready("BeltRig");
+    assert_eq!(host.set("mass", 2.0), fmi2Error, "a fixed parameter while stepping");
+    assert!(host.one_message().2.contains("mass is neither input nor tunable"));
+}
+
+/// Every settable Real of every model: values outside its bound, NaN and infinities are discarded, named, and change
+/// nothing; afterwards the instance goes on.
+#[test]
+fn values_outside_their_bounds_are_discarded_by_name() {
+    for model in catalogue::models() {
+        let importer = Importer::in_state(model.name, State::Initialization);
+        for (column, variable) in model.table.iter().enumerate() {
+            if variable.role == Role::Output || !matches!(variable.kind, Kind::Real(_)) {
+                continue;
+            }
+            let mut refused = vec![f64::NAN, f64::INFINITY, f64::NEG_INFINITY];
+            if variable.bound.min() > f64::MIN {
+                refused.push(variable.bound.min() - 1e-300);
+                refused.push(-1.0);
+            }
+            if variable.bound.is_open() {
+                refused.push(variable.bound.min());
+            }
+            for value in refused {
+                if variable.bound.admits(value) {
+                    continue;
+                }
+                let name = variable.path.to_string();
+                let before = importer.get(&name);
+                // The first of the two is sound, and must not be written either.
+                let (references, values) = ([column as u32, column as u32], [before + 1.0, value]);
+                // SAFETY: two references, two values.
+                let status = unsafe { fmi2SetReal(importer.c, references.as_ptr(), 2, values.as_ptr()) };
+                assert_eq!(status, fmi2Discard, "{} {name} = {value}", model.name);
+                let (_, category, text) = importer.one_message();
+                assert_eq!(category, "logStatusDiscard");
+                assert!(text.contains(&format!("{name} = {value}: must be ")), "{text}");
+                assert_eq!(importer.get(&name), before, "{} {name}", model.name);
+            }
+        }
+        // SAFETY: an instance of this test.
+        assert_eq!(unsafe { fmi2ExitInitializationMode(importer.c) }, fmi2OK);
+    }
+}
+
+#[test]
+fn messages_can_be_switched_by_category_and_keep_percent_signs() {
+    let importer = Importer::ready("LuGre");
+    let switch = |category: &CStr, on| {
+        // SAFETY: one category.
+        assert_eq!(unsafe { fmi2SetDebugLogging(importer.c, on, 1, &category.as_ptr()) }, fmi2OK);
+    };
+    switch(c"logStatusDiscard", fmi2False);
+    assert_eq!(importer.set("normal_force", -1.0), fmi2Discard);
+    assert!(importer.heard.lock().expect("one thread").is_empty());
+    switch(c"logAll", fmi2True);
+    assert_eq!(importer.set("normal_force", -1.0), fmi2Discard);
+    importer.one_message();
+    // SAFETY: one category.
+    assert_eq!(unsafe { fmi2SetDebugLogging(importer.c, fmi2True, 1, &c"100%s#".as_ptr()) }, fmi2Error);
+    assert!(importer.one_message().2.contains("unknown log category 100%s##"));
+}
+
+#[test]
+fn outputs_follow_a_set_at_once() {
+    let importer = Importer::in_state("BrownMcPhee", State::Initialization);
+    for velocity in [1e-3, -1e-3, 0.0] {
+        assert_eq!(importer.set("velocity", velocity), fmi2OK);
+        let peak = 0.981 * 4f64.tanh() + 0.4905;
+        let expected = peak * velocity / 1e-3;
+        assert!((importer.get("friction_force") - expected).abs() < 1e-14);
+    }
+}
+
+#[test]
+fn an_error_is_left_by_reset_or_by_a_saved_state() {
+    let importer = Importer::ready("LuGre");
+    assert_eq!(importer.set("velocity", 1e-3), fmi2OK);
+    assert_eq!(importer.step(0.0, 0.01), fmi2OK);
+    let force = importer.get("friction_force");
+    let mut saved = importer.save();
+    assert_eq!(importer.step(0.01, -1.0), fmi2Error);
+    assert_eq!(importer.step(0.01, 0.01), fmi2Error);
+    assert_eq!(importer.get("friction_force"), force, "values can be read for debugging");
+    // SAFETY: a state of this instance, freed once.
+    unsafe {
+        assert_eq!(fmi2SetFMUstate(importer.c, saved), fmi2OK);
+        assert_eq!(importer.step(0.01, 0.01), fmi2OK, "time is part of the state");
+        assert_eq!(fmi2FreeFMUstate(importer.c, &mut saved), fmi2OK);
+        assert!(saved.is_null());
+        assert_eq!(importer.step(0.5, 0.01), fmi2Error);
+        assert_eq!(fmi2Reset(importer.c), fmi2OK);
+        assert_eq!(fmi2SetupExperiment(importer.c, fmi2False, 0.0, 7.0, fmi2False, 0.0), fmi2OK);
+        assert_eq!(fmi2EnterInitializationMode(importer.c), fmi2OK);
+        assert_eq!(fmi2ExitInitializationMode(importer.c), fmi2OK);
+    }
+    assert_eq!((importer.get("velocity"), importer.get("bristle_deflection")), (0.0, 0.0));
+    assert_eq!(importer.step(7.0, 200.0), fmi2OK, "the old stop time is forgotten");
+}
+
+/// Save, 1000 steps, restore, 1000 steps: the same bits, also through bytes and in another instance.
+#[test]
+fn a_restored_state_has_the_same_future() {
+    for model in catalogue::models() {
+        let drive = |importer: &Importer, from: i32| -> Vec<u64> {
+            let outputs =
+                model.table.iter().enumerate().filter(|(_, v)| v.role.is_output() && matches!(v.kind, Kind::Real(_)));
+            let outputs: Vec<u32> = outputs.map(|(column, _)| column as u32).collect();
+            let mut bits = Vec::new();
+            for k in from..from + 1000 {
+                for (column, variable) in model.table.iter().enumerate().filter(|(_, v)| v.role == Role::Input) {
+                    let value = if variable.bound.admits(-1.0) { 0.01 * f64::from(k).sin() } else { 5.0 };
+                    // SAFETY: one reference, one value.
+                    assert_eq!(unsafe { fmi2SetReal(importer.c, &(column as u32), 1, &value) }, fmi2OK);
+                }
+                assert_eq!(importer.step(f64::from(k) * 1e-3, 1e-3), fmi2OK);
+                for output in &outputs {
+                    let mut value = 0.0;
+                    // SAFETY: one reference, one value.
+                    assert_eq!(unsafe { fmi2GetReal(importer.c, output, 1, &mut value) }, fmi2OK);
+                    bits.push(value.to_bits());
+                }
+            }
+            bits
+        };
+        let importer = Importer::ready(model.name);
+        drive(&importer, 0);
+        let mut saved = importer.save();
+        let bytes = importer.bytes(saved);
+        let future = drive(&importer, 1000);
+        // SAFETY: states of this test, freed once.
+        unsafe {
+            assert_eq!(fmi2SetFMUstate(importer.c, saved), fmi2OK);
+            assert_eq!(drive(&importer, 1000), future, "{}", model.name);
+
+            let other = Importer::new(model.name);
+            let mut read = null_mut();
+            assert_eq!(fmi2DeSerializeFMUstate(other.c, bytes.as_ptr(), bytes.len(), &mut read), fmi2OK);
+            assert_eq!(fmi2SetFMUstate(other.c, read), fmi2OK, "an instance takes over state and lifecycle");
+            assert_eq!(drive(&other, 1000), future, "{} in another instance", model.name);
+            assert_eq!(fmi2SetFMUstate(other.c, saved), fmi2OK);
+            assert_eq!(other.bytes(read), bytes, "equal states give equal bytes");
+
+            let mut garbage = vec![0x55; bytes.len()];
+            assert_eq!(fmi2DeSerializeFMUstate(other.c, garbage.as_ptr(), garbage.len(), &mut read), fmi2Error);
+            garbage.copy_from_slice(&bytes);
+            garbage[60] ^= 1;
+            assert_eq!(fmi2DeSerializeFMUstate(other.c, garbage.as_ptr(), garbage.len(), &mut read), fmi2Error);
+            assert_eq!(fmi2FreeFMUstate(other.c, &mut read), fmi2OK);
+            assert_eq!(fmi2FreeFMUstate(importer.c, &mut saved), fmi2OK);
+        }
+    }
+}
+
+#[test]
+fn a_state_of_another_model_is_refused() {
+    let (lugre, dahl) = (Importer::ready("LuGre"), Importer::ready("Dahl"));
+    let mut saved = lugre.save();
+    // SAFETY: a live state, freed once.
+    unsafe {
+        assert_eq!(fmi2SetFMUstate(dahl.c, saved), fmi2Error);
+        assert!(dahl.one_message().2.contains("FMUstate is one of LuGre, not of Dahl"));
+        let bytes = lugre.bytes(saved);
+        let mut read = null_mut();
+        assert_eq!(fmi2DeSerializeFMUstate(dahl.c, bytes.as_ptr(), bytes.len(), &mut read), fmi2Error);
+        assert!(read.is_null());
+        assert_eq!(fmi2FreeFMUstate(lugre.c, &mut saved), fmi2OK);
+    }
+}
+
+/// Input slopes are used for one step; output derivatives of order 1 are compared with differences of outputs.
+#[test]
+fn slopes_of_inputs_and_outputs() {
+    let importer = Importer::ready("LuGre");
+    let (velocity, force) = (importer.vr("velocity"), importer.vr("friction_force"));
+    let derivative = |order: fmi2Integer| {
+        let mut value = f64::NAN;
+        // SAFETY: one reference, one value.
+        assert_eq!(unsafe { fmi2GetRealOutputDerivatives(importer.c, &force, 1, &order, &mut value) }, fmi2OK);
+        value
+    };
+    let mut t = 0.0;
+    let mut ramp = |h: f64| {
+        // SAFETY: one reference, one value.
+        assert_eq!(unsafe { fmi2SetRealInputDerivatives(importer.c, &velocity, 1, &1, &0.3) }, fmi2OK);
+        assert_eq!(importer.step(t, h), fmi2OK);
+        t += h;
+        (importer.get("friction_force"), derivative(1))
+    };
+    ramp(2e-3);
+    assert!((importer.get("velocity") - 6e-4).abs() < 1e-18, "the input has moved to the end of its ramp");
+    let h = 1e-6;
+    let [(before, _), (_, exact), (after, _)] = [ramp(h), ramp(h), ramp(h)];
+    let difference = (after - before) / (2.0 * h);
+    assert!((exact / difference - 1.0).abs() < 1e-4, "{exact} against {difference}");
+    assert_eq!(derivative(2), 0.0, "higher orders are 0");
+    let velocity = importer.get("velocity");
+    assert_eq!(importer.step(t, h), fmi2OK);
+    assert_eq!(importer.get("velocity"), velocity, "a slope serves one step");
+}

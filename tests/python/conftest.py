@@ -1,0 +1,57 @@
+"""What the tests share: the packed FMUs, which must be those of the sources, and runs on the belt, computed once."""
+
+import functools
+import xml.etree.ElementTree as ElementTree
+import zipfile
+from pathlib import Path
+
+import pytest
+from belt import BeltRun, run_belt
+from coupling import FMUS, PROJECT
+
+DESCRIPTIONS = PROJECT / "modelDescription"
+
+
+def guids_of_sources() -> dict[str, str]:
+    """Guid of each model as the committed descriptions have it."""
+    return {path.stem: ElementTree.parse(path).getroot().get("guid") for path in DESCRIPTIONS.glob("*.xml")}
+
+
+def guids_of_fmus() -> dict[str, str]:
+    """Guid of each packed FMU."""
+    guids = {}
+    for path in FMUS.glob("*.fmu"):
+        with zipfile.ZipFile(path) as archive:
+            guids[path.stem] = ElementTree.fromstring(archive.read("modelDescription.xml")).get("guid")
+    return guids
+
+
+def pytest_sessionstart() -> None:
+    """Refuses to test FMUs that are missing or of other sources."""
+    wanted, found = guids_of_sources(), guids_of_fmus()
+    if not wanted:
+        pytest.exit(f"no model descriptions in {DESCRIPTIONS}: run `cargo run -p fmu-build -- generate`", returncode=1)
+    stale = sorted(model for model in wanted | found if wanted.get(model) != found.get(model))
+    if stale:
+        pytest.exit(f"missing or outdated in {FMUS}: {', '.join(stale)}; run `python3 tasks.py pack`", returncode=1)
+
+
+@functools.cache
+def _cached_run(model: str, step: float, time: float, exchange: str, parameters: tuple) -> BeltRun:
+    return run_belt(FMUS, model, step, time, exchange, dict(parameters))
+
+
+@pytest.fixture(scope="session")
+def belt():
+    """A run on the belt."""
+
+    def run(model: str, step=1e-3, time=40.0, exchange="sequential", **parameters) -> BeltRun:
+        return _cached_run(model, step, time, exchange, tuple(parameters.items()))
+
+    return run
+
+
+@pytest.fixture
+def dist() -> Path:
+    """The folder of the FMUs."""
+    return FMUS
