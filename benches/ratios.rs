@@ -1,5 +1,10 @@
 //! Ratios of Stribeck's cost to that of the same law in plain C, measured in one run.
 //!
+//! Two kinds of runs. *Coupled* is what a co-simulation does: the next velocity depends on the force just read, so one
+//! call cannot begin before the last one has ended, and what is measured is the time from input to output. *Replay* feeds
+//! velocities that are known beforehand: the processor then works on several calls at once, as far as they are short
+//! enough for that, and what is measured is the number of instructions. Both sides do the same thing in both.
+//!
 //! Absolute times on a shared machine wander by tens of percent; a ratio taken within a round of a few milliseconds does
 //! not. Each round runs both sides, in alternating order, and counts processor time; the median over the rounds is
 //! reported.
@@ -17,18 +22,27 @@ const CALLS: usize = 100_000;
 /// The laws that exist in C too: the model's name, and the file in `benches/floor`.
 const PAIRS: [(&str, &str); 2] = [("BrownMcPhee", "brown_mcphee"), ("LuGre", "lugre")];
 
+#[derive(Clone, Copy, Debug)]
+enum Run {
+    Coupled,
+    Replay,
+}
+
 fn main() {
     let library = support::build_release_library();
     println!("set 2 inputs + step + get 2 outputs, {ROUNDS} rounds of {CALLS} calls; median ratio [quartiles]\n");
     println!(
-        "{:14} {:>9} {:>9} {:>24} {:>24}",
-        "model", "ours, ns", "C, ns", "ours / same law in C", "ours / calls alone"
+        "{:12} {:8} {:>8} {:>8} {:>22} {:>22}",
+        "model", "run", "ours, ns", "C, ns", "ours / same law in C", "ours / calls alone"
     );
     for (model, law) in PAIRS {
-        let mut ours = Slave::ours(&library, model);
-        let same = compare(&mut ours, &mut Slave::floor(law));
-        let alone = compare(&mut ours, &mut Slave::floor("trivial"));
-        println!("{model:14} {:9.1} {:9.1} {:>24} {:>24}", same.ours, same.theirs, same.ratio(), alone.ratio());
+        for run in [Run::Coupled, Run::Replay] {
+            let mut ours = Slave::ours(&library, model);
+            let same = compare(run, &mut ours, &mut Slave::floor(law));
+            let alone = compare(run, &mut ours, &mut Slave::floor("trivial"));
+            let (kind, times) = (format!("{run:?}").to_lowercase(), format!("{:8.1} {:8.1}", same.ours, same.theirs));
+            println!("{model:12} {kind:8} {times} {:>22} {:>22}", same.ratio(), alone.ratio());
+        }
     }
 }
 
@@ -46,39 +60,47 @@ impl Comparison {
     }
 }
 
-fn compare(ours: &mut Slave, theirs: &mut Slave) -> Comparison {
+fn compare(run: Run, ours: &mut Slave, theirs: &mut Slave) -> Comparison {
     let velocities = support::velocities();
     // One round to warm up: pages, caches, branch predictors.
-    nanoseconds_per_call(ours, &velocities);
-    nanoseconds_per_call(theirs, &velocities);
-    let rounds: Vec<(f64, f64)> = (0..ROUNDS)
-        .map(|round| {
-            if round % 2 == 0 {
-                let first = nanoseconds_per_call(ours, &velocities);
-                (first, nanoseconds_per_call(theirs, &velocities))
-            } else {
-                let first = nanoseconds_per_call(theirs, &velocities);
-                (nanoseconds_per_call(ours, &velocities), first)
-            }
-        })
-        .collect();
-    let quartile = |of: fn(&(f64, f64)) -> f64, quarter: usize| {
+    nanoseconds_per_call(run, ours, &velocities);
+    nanoseconds_per_call(run, theirs, &velocities);
+    let mut rounds = Vec::with_capacity(ROUNDS);
+    for round in 0..ROUNDS {
+        let mut times = [0.0; 2];
+        // Whoever goes first in one round goes second in the next.
+        for side in [round % 2, 1 - round % 2] {
+            let slave = if side == 0 { &mut *ours } else { &mut *theirs };
+            times[side] = nanoseconds_per_call(run, slave, &velocities);
+        }
+        rounds.push(times);
+    }
+    let quartile = |of: fn(&[f64; 2]) -> f64, quarter: usize| {
         let mut sorted: Vec<f64> = rounds.iter().map(of).collect();
         sorted.sort_by(f64::total_cmp);
         sorted[quarter * (ROUNDS - 1) / 4]
     };
     Comparison {
-        ours: quartile(|round| round.0, 2),
-        theirs: quartile(|round| round.1, 2),
-        quartiles: [1, 2, 3].map(|quarter| quartile(|(ours, theirs)| ours / theirs, quarter)),
+        ours: quartile(|[ours, _]| *ours, 2),
+        theirs: quartile(|[_, theirs]| *theirs, 2),
+        quartiles: [1, 2, 3].map(|quarter| quartile(|[ours, theirs]| ours / theirs, quarter)),
     }
 }
 
-fn nanoseconds_per_call(slave: &mut Slave, velocities: &[f64]) -> f64 {
-    let (mut sum, mut refused) = (0.0, 0);
+fn nanoseconds_per_call(run: Run, slave: &mut Slave, velocities: &[f64]) -> f64 {
+    match run {
+        // Far below rounding, but the processor does not know that: it has to wait for the force.
+        Run::Coupled => timed(slave, velocities, |velocity, force| velocity + 1e-300 * force),
+        Run::Replay => timed(slave, velocities, |velocity, _| velocity),
+    }
+}
+
+fn timed(slave: &mut Slave, velocities: &[f64], next: impl Fn(f64, f64) -> f64) -> f64 {
+    let (mut last, mut sum, mut refused) = (0.0, 0.0, 0);
     let start = ThreadTime::now();
     for velocity in velocities.iter().cycle().take(CALLS) {
-        let ([force, power], status) = slave.round_trip(*velocity);
+        let ([force, power], status) = slave.round_trip(next(*velocity, last));
+        last = force;
         sum += force + power;
         refused |= status;
     }

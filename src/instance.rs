@@ -14,6 +14,8 @@ pub struct Instance {
     /// Do the outputs lag behind the other columns?
     stale: bool,
     time: f64,
+    // Room to work in, so that no call allocates.
+    rate: Box<[f64]>,
     duals: Box<[Dual]>,
 }
 
@@ -43,6 +45,7 @@ impl Instance {
             slopes_are_new: false,
             stale: true,
             time: 0.0,
+            rate: vec![0.0; columns].into(),
             duals: vec![Dual::default(); columns].into(),
         };
         instance.reset();
@@ -92,6 +95,17 @@ impl Instance {
     pub fn put(&mut self, column: usize, value: f64) {
         self.row[column] = value;
         self.stale = true;
+    }
+
+    /// Writes the values of the named preset. False if there is none of that name.
+    pub fn apply(&mut self, preset: &str) -> bool {
+        let Some(preset) = self.model.presets.iter().find(|known| known.name == preset) else { return false };
+        for (name, value) in preset.values {
+            if let Some(column) = self.model.find(name) {
+                self.put(column, *value);
+            }
+        }
+        true
     }
 
     /// Gives an input a slope over the next step.
@@ -171,9 +185,8 @@ impl Instance {
         for (dual, value) in self.duals.iter_mut().zip(&self.row) {
             *dual = Dual::from(*value);
         }
-        let mut rate: Vec<f64> = vec![0.0; self.row.len()];
-        self.model.rate(&self.row, &mut rate);
-        for ((dual, rate), slope) in self.duals.iter_mut().zip(&rate).zip(&self.slope) {
+        self.model.rate(&self.row, &mut self.rate);
+        for ((dual, rate), slope) in self.duals.iter_mut().zip(&self.rate).zip(&self.slope) {
             dual.slope = rate + slope;
         }
         self.model.output_dual(&mut self.duals);

@@ -361,8 +361,22 @@ pub trait Law {
     fn output(&mut self);
 }
 
+/// A named set of parameter values with its source.
+#[derive(Debug, PartialEq)]
+pub struct Preset {
+    /// Name, in lower case with underscores.
+    pub name: &'static str,
+    /// One line: where the values come from. A set that is made up begins with "Example".
+    pub source: &'static str,
+    /// Variables and their values; the others keep their start values.
+    pub values: &'static [(&'static str, f64)],
+}
+
 /// What a model adds to its table: how it moves in time.
 pub trait Model: Described + Law {
+    /// Named parameter sets.
+    const PRESETS: &'static [Preset] = &[];
+
     /// Refuses parameters that are admitted one by one but not together.
     fn check(&self) -> Result<(), Fault> {
         Ok(())
@@ -391,6 +405,8 @@ pub struct ModelType {
     pub summary: &'static str,
     /// Its columns.
     pub table: &'static [Variable],
+    /// Its named parameter sets.
+    pub presets: &'static [Preset],
     guid: GuidText,
     check: fn(&[f64]) -> Result<(), Fault>,
     advance: fn(&mut [f64], f64) -> bool,
@@ -408,6 +424,7 @@ impl ModelType {
             c_name: M::C_NAME,
             summary: M::SUMMARY,
             table: M::TABLE,
+            presets: M::PRESETS,
             guid: guid::fingerprint(M::NAME, M::TABLE),
             check: |row| view::<M, f64>(row).check(),
             advance: |row, dt| commit::<M>(row, |model| model.step(dt)),

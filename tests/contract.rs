@@ -96,8 +96,20 @@ fn limit(bench: &mut Bench, velocity: f64) -> f64 {
 }
 
 /// Columns that change sign when the motion is mirrored. A new model with a new state must be put on one of the lists.
-const ODD: [&str; 4] = ["velocity", "external_force", "bristle_deflection", "planned_force"];
-const EVEN: [&str; 4] = ["normal_force", "dissipated_energy", "stuck", "step_size"];
+#[rustfmt::skip]
+const ODD: &[&str] = &[
+    "velocity",
+    "external_force",
+    "bristle_deflection",
+    "planned_force",
+];
+#[rustfmt::skip]
+const EVEN: &[&str] = &[
+    "normal_force",
+    "dissipated_energy",
+    "stuck",
+    "step_size",
+];
 
 #[test]
 fn mirrored_motion_gives_the_mirrored_force() {
@@ -314,5 +326,27 @@ fn inverted_coefficients_are_refused_by_name() {
         let fault = bench.instance.step(1e-3).expect_err("mu_s < mu_k");
         assert_eq!(fault.0, "mu_s = 0.05: must be >= mu_k = 0.1", "{}", model.name);
         assert_eq!(bench.instance.save(), before, "{}", model.name);
+    }
+}
+
+/// A preset names variables of its model, with admitted values that fit together, and says where it comes from.
+#[test]
+fn presets_are_admitted_parameter_sets_with_a_source() {
+    for model in catalogue::models() {
+        for preset in model.presets {
+            assert!(!preset.source.is_empty() && preset.source.is_ascii(), "{} {}", model.name, preset.name);
+            let mut bench = Bench::new(model.name, &[]);
+            for (name, value) in preset.values {
+                let variable = &model.table[bench.column(name)];
+                assert!(variable.admits(*value), "{} {}: {name} = {value}", model.name, preset.name);
+                assert_ne!(variable.role, Role::Output, "{} {}: {name}", model.name, preset.name);
+            }
+            assert!(bench.instance.apply(preset.name));
+            for (name, value) in preset.values {
+                assert_eq!(bench.get(name), *value);
+            }
+            bench.instance.check().unwrap_or_else(|fault| panic!("{} {}: {fault}", model.name, preset.name));
+        }
+        assert!(!Bench::new(model.name, &[]).instance.apply("no such preset"));
     }
 }

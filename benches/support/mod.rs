@@ -96,7 +96,7 @@ impl Slave {
             let enter: unsafe extern "C" fn(Component) -> c_int = symbol(&library, "fmi2EnterInitializationMode");
             let exit: unsafe extern "C" fn(Component) -> c_int = symbol(&library, "fmi2ExitInitializationMode");
             let co_simulation = 1;
-            let component = instantiate(c"bench".as_ptr(), co_simulation, guid.as_ptr(), ptr::null(), &callbacks, 0, 0);
+            let component = instantiate(c"bench".as_ptr(), co_simulation, guid.as_ptr(), ptr::null(), &callbacks, 0, 1);
             assert!(!component.is_null(), "fmi2Instantiate refused");
             let statuses = [setup(component, 0, 0.0, 0.0, 0, 0.0), enter(component), exit(component)];
             assert_eq!(statuses, [0; 3], "initialisation");

@@ -3,9 +3,9 @@
  *     cc -Iinclude examples/c/belt.c -Ltarget/release -lstribeck -lm -o belt
  *     LD_LIBRARY_PATH=target/release ./belt            (or: ./belt CoulombStiction)
  *
- * The program couples two models: BeltRig, a spring-held block on a belt, and a friction law that is named on the command
- * line (LuGre unless told otherwise). On the way it shows how to list the models, how to find variables by name, how to
- * save a state and come back to it, and what a refused value looks like.
+ * The program couples two models: BeltRig, a spring-held block on a belt, and a friction law that is named on the
+ * command line (LuGre unless told otherwise). On the way it shows how to list the models, how to find variables by
+ * name, how to save a state and come back to it, and what a refused value looks like.
  */
 #include <stdbool.h>
 #include <stdint.h>
@@ -15,12 +15,12 @@
 
 #include "stribeck.h"
 
-/* Communication step. The coupling is explicit, so the step must resolve the steepest slope of the law; this one does for
- * every law of the library at its default parameters. */
+/* Communication step. The coupling is explicit, so the step must resolve the steepest slope of the law; this one does
+ * for every law of the library at its default parameters. */
 static const double STEP = 1e-4;     /* s */
 static const double DURATION = 40.0; /* s */
 
-/* ------------------------------------------------------------------------------------------------ errors */
+/* ---------------------------------------------------------------------- errors */
 
 /* Every function that can fail returns a status. What went wrong, in words, is kept by the model it happened to. An
  * example may stop at the first error; a library would pass the status on. */
@@ -39,10 +39,10 @@ static stribeck_model *create(const char *name) {
     return model;
 }
 
-/* ------------------------------------------------------------------------------------------------ variables */
+/* ---------------------------------------------------------------------- variables */
 
-/* A variable is addressed by its column. Look the name up once and use the number in the loop: a set is then a bound check
- * and a store. */
+/* A variable is addressed by its column. Look the name up once and use the number in the loop: a set is then a bound
+ * check and a store. */
 static uint32_t column(stribeck_model *model, const char *variable) {
     uint32_t found = 0;
     check(stribeck_find(model, variable, &found), model, variable);
@@ -75,7 +75,7 @@ static void set_named(stribeck_model *model, const char *variable, double value)
     check(stribeck_set_by_name(model, variable, value), model, variable);
 }
 
-/* ------------------------------------------------------------------------------------------------ the coupled system */
+/* ---------------------------------------------------------------------- the coupled system */
 
 typedef struct {
     stribeck_model *rig;
@@ -113,8 +113,8 @@ static belt assemble(const char *law) {
     return system;
 }
 
-/* Friction first, with the motion at the start of the step; then the rig, with the new force. This order is what the laws
- * call a sequential exchange. */
+/* Friction first, with the motion at the start of the step; then the rig, with the new force. This order is what the
+ * laws call a sequential exchange. */
 static void step(const belt *system) {
     set(system->friction, system->velocity, get(system->rig, system->rig_velocity));
     if (system->wants_external_force) {
@@ -130,7 +130,7 @@ static void dismantle(belt *system) {
     stribeck_free(system->rig);
 }
 
-/* ------------------------------------------------------------------------------------------------ what is reported */
+/* ---------------------------------------------------------------------- what is reported */
 
 /* Kinetic energy of the block and energy of the spring. */
 static double mechanical_energy(const belt *system) {

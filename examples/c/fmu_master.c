@@ -3,12 +3,13 @@
  *     cc -Iinclude examples/c/fmu_master.c -Ltarget/release -lstribeck -lm -o fmu_master
  *     LD_LIBRARY_PATH=target/release ./fmu_master
  *
- * The FMI functions are linked directly, so there is no archive to unpack and no XML to read: the header knows the value
- * references and the GUID. With an .fmu file the calls are the same, on functions found with dlsym or GetProcAddress.
+ * The FMI functions are linked directly, so there is no archive to unpack and no XML to read: the header knows the
+ * value references and the GUID. With an .fmu file the calls are the same, on functions found with dlsym or
+ * GetProcAddress.
  *
  * Coulomb friction jumps at rest. A master that only asks for a force sees it alternate between two levels while the
- * block should stick. The model CoulombStiction can do better if it is told the mass that it has to hold. The program runs
- * both ways and counts.
+ * block should stick. The model CoulombStiction can do better if it is told the mass that it has to hold. The program
+ * runs both ways and counts.
  */
 #include <math.h>
 #include <stdarg.h>
@@ -21,6 +22,7 @@ static const double MASS = 1.0;          /* kg */
 static const double STIFFNESS = 2.0;     /* N/m */
 static const double BELT_VELOCITY = 0.1; /* m/s */
 static const double NORMAL_FORCE = 9.81; /* N */
+static const double MU_S = 0.15;         /* static coefficient of friction */
 static const double STEP = 1e-3;         /* s */
 static const double DURATION = 40.0;     /* s */
 
@@ -48,14 +50,15 @@ static fmi2Component start_slave(double mass) {
     /* The slave copies the structure; it may go away when fmi2Instantiate returns. Memory functions are not needed. */
     fmi2CallbackFunctions callbacks = {.logger = logger};
     fmi2Component slave = fmi2Instantiate("friction", fmi2CoSimulation, STRIBECK_COULOMB_STICTION_GUID, NULL,
-                                          &callbacks, fmi2False, fmi2False);
+                                          &callbacks, fmi2False, fmi2True);
     if (slave == NULL) {
         fprintf(stderr, "fmi2Instantiate refused: header and library do not belong together\n");
         exit(EXIT_FAILURE);
     }
-    const fmi2ValueReference parameters[] = {STRIBECK_COULOMB_STICTION_NORMAL_FORCE, STRIBECK_COULOMB_STICTION_MASS};
-    const fmi2Real values[] = {NORMAL_FORCE, mass};
-    check(fmi2SetReal(slave, parameters, 2, values), "fmi2SetReal");
+    const fmi2ValueReference start[] = {STRIBECK_COULOMB_STICTION_NORMAL_FORCE, STRIBECK_COULOMB_STICTION_MU_S,
+                                        STRIBECK_COULOMB_STICTION_MASS};
+    const fmi2Real values[] = {NORMAL_FORCE, MU_S, mass};
+    check(fmi2SetReal(slave, start, 3, values), "fmi2SetReal");
     check(fmi2SetupExperiment(slave, fmi2False, 0.0, 0.0, fmi2True, DURATION), "fmi2SetupExperiment");
     check(fmi2EnterInitializationMode(slave), "fmi2EnterInitializationMode");
     check(fmi2ExitInitializationMode(slave), "fmi2ExitInitializationMode");
@@ -123,7 +126,7 @@ int main(void) {
     result untold = run(0.0);
 
     /* The belt carries the block until the spring pulls as hard as static friction can: k v_b t = mu_s f_n. */
-    double first_slip = 0.15 * NORMAL_FORCE / (STIFFNESS * BELT_VELOCITY);
+    double first_slip = MU_S * NORMAL_FORCE / (STIFFNESS * BELT_VELOCITY);
 
     printf("Coulomb friction with stiction, %g s in steps of %g s\n\n", DURATION, STEP);
     printf("the slave knows the mass\n");

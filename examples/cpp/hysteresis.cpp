@@ -3,8 +3,8 @@
 //     c++ -std=c++17 -Iinclude examples/cpp/hysteresis.cpp -Ltarget/release -lstribeck -o hysteresis
 //     LD_LIBRARY_PATH=target/release ./hysteresis loop.csv
 //
-// Before it slides, a contact yields like a spring that is never quite elastic. Dahl's law describes the loop of force over
-// displacement, and for a triangular motion of stroke 2 X the energy of the loop has a closed form:
+// Before it slides, a contact yields like a spring that is never quite elastic. Dahl's law describes the loop of force
+// over displacement, and for a triangular motion of stroke 2 X the energy of the loop has a closed form:
 //
 //     E = 4 f_C X - 4 f_C^2 / sigma_0 tanh(sigma_0 X / f_C)
 //
@@ -80,7 +80,7 @@ class Bench {
   public:
     static constexpr double amplitude = 20e-6; // m
 
-    explicit Bench(std::ostream &csv) : csv(csv) {
+    explicit Bench(std::ostream &output) : csv(output) {
         csv << "position_m,friction_force_N\n" << std::setprecision(9);
     }
 

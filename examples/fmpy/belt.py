@@ -12,21 +12,22 @@ Writes <out>.csv and <out>.png. The parameters are those of the benchmark in F. 
 """
 
 import argparse
+import math
 import sys
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
 import numpy
-from analysis import measure
+from analysis import Cycle, measure
 from coupling import (
     FMUS,
     CouplingError,
     Fmu,
+    command_line,
     friction_path_of,
     main,
     open_fmu,
-    parameter,
     path_of,
     positive,
     variables_of,
@@ -148,6 +149,18 @@ def time_stepping(friction_path: Path, rig_path: Path, exchange: str) -> dict[st
     return values if "mass" in known else {}
 
 
+def limit_of_step(model: str, fmu_dir: Path = FMUS) -> float:
+    """Largest communication step at which a block at rest on the belt does not chatter; infinite if any will do.
+
+    A force that is exchanged once per step is stable below 2 m / (df/dv), with the slope of the law at rest.
+    """
+    rig_path, friction_path = path_of("BeltRig", fmu_dir), friction_path_of(model, fmu_dir)
+    with open_fmu(friction_path, time_stepping(friction_path, rig_path, "sequential")) as friction:
+        force, velocity = friction.references("friction_force"), friction.references("velocity")
+        slope = friction.slave.getDirectionalDerivative(force, velocity, [1.0])[0]
+    return 2.0 * float(variables_of(rig_path)["mass"].start) / slope if slope > 0.0 else math.inf
+
+
 def run_belt(
     fmu_dir: Path = FMUS,
     model: str = "CoulombStiction",
@@ -168,25 +181,21 @@ def run_belt(
 
 
 def arguments() -> argparse.Namespace:
-    """The command line."""
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--model", default="CoulombStiction", help="friction model (default: CoulombStiction)")
+    """Reads the command line."""
+    parser = command_line(__doc__, model="CoulombStiction", out="out/belt")
     parser.add_argument("--step", type=positive, default=1e-3, help="communication step in s (default: 1e-3)")
     parser.add_argument("--time", type=positive, default=40.0, help="simulated time in s (default: 40)")
     parser.add_argument("--exchange", choices=EXCHANGES, default="sequential", help="default: sequential")
-    parser.add_argument(
-        "--set",
-        type=parameter,
-        action="append",
-        default=[],
-        metavar="NAME=VALUE",
-        help="parameter of the friction model; may be repeated",
-    )
-    parser.add_argument("--fmus", type=Path, default=FMUS, help="folder of the FMUs (default: dist)")
-    parser.add_argument(
-        "--out", type=Path, default=Path("out/belt"), help="results, without ending (default: out/belt)"
-    )
     return parser.parse_args()
+
+
+def summary(cycle: Cycle) -> str:
+    """Says in words what was measured."""
+    if math.isnan(cycle.first_slip):
+        return "the block never slips"
+    if math.isnan(cycle.period):
+        return f"first slip at {cycle.first_slip:.4f} s; too short for a period"
+    return f"first slip at {cycle.first_slip:.4f} s, then a period of {cycle.period:.4f} s"
 
 
 def program() -> None:
@@ -196,8 +205,10 @@ def program() -> None:
     table, picture = Path(f"{options.out}.csv"), Path(f"{options.out}.png")
     write_csv(table, run.columns())
     draw_belt(run, picture)
-    cycle = measure(run.time, run.position, run.sticking)
-    print(f"{run.model}: first slip at {cycle.first_slip:.4f} s, then a period of {cycle.period:.4f} s")
+    print(f"{run.model}: {summary(measure(run.time, run.position, run.sticking))}")
+    limit = limit_of_step(options.model, options.fmus)
+    if options.step > limit:
+        print(f"the law is steep: a block at rest chatters unless --step is below {limit:.1e} s")
     print(f"{table}\n{picture}")
 
 

@@ -3,6 +3,7 @@
 import argparse
 import shutil
 import sys
+from collections import deque
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from ctypes import byref
@@ -102,10 +103,9 @@ def open_fmu(path: Path, parameters: Mapping[str, object] | None = None) -> Iter
             slave.freeInstance()
     except FMICallException as error:
         # The exception may come from another FMU that is open at the same time: then it is not ours to explain.
-        reason = _last_message.pop(description.modelName, None)
-        if reason is None:
+        if not _latest_message or _latest_message[0][0] != description.modelName:
             raise
-        raise CouplingError(f"{description.modelName}: {reason} ({error.function})") from error
+        raise CouplingError(": ".join(_latest_message[0])) from error
     finally:
         shutil.rmtree(folder, ignore_errors=True)
 
@@ -151,14 +151,14 @@ def _refuse_unknown(description: ModelDescription, names: object, kind: str, kno
             raise CouplingError(f"{description.modelName} has no {kind} '{name}'; it has {', '.join(known)}")
 
 
-# The latest message of each FMU, by instance name.
-_last_message: dict[str, str] = {}
+# Instance name and text of the latest message of any FMU.
+_latest_message: deque[tuple[str, str]] = deque(maxlen=1)
 
 
 def _show(_environment: int, instance: bytes, _status: int, category: bytes, message: bytes) -> None:
     """Prints a log message of an FMU and remembers it as the reason of a call that fails."""
     name, kind, text = instance.decode(), category.decode(), message.decode()
-    _last_message[name] = text
+    _latest_message.append((name, text))
     print(f"{name}: {text} [{kind}]", file=sys.stderr)
 
 
@@ -179,6 +179,23 @@ def _callbacks() -> fmi2CallbackFunctions:
 
 # One record for all FMUs: fmpy's formatting library remembers the last logger it was given, for the whole process.
 _CALLBACKS = _callbacks()
+
+
+def command_line(about: str, model: str, out: str) -> argparse.ArgumentParser:
+    """The options that all programs have."""
+    parser = argparse.ArgumentParser(description=about, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--model", default=model, help=f"friction model (default: {model})")
+    parser.add_argument(
+        "--set",
+        type=parameter,
+        action="append",
+        default=[],
+        metavar="NAME=VALUE",
+        help="parameter of the friction model; may be repeated",
+    )
+    parser.add_argument("--fmus", type=Path, default=FMUS, help="folder of the FMUs (default: dist)")
+    parser.add_argument("--out", default=out, help=f"result files, without ending (default: {out})")
+    return parser
 
 
 def parameter(text: str) -> tuple[str, str]:

@@ -3,19 +3,19 @@
 
 import sys
 import time
-from math import inf, isnan
 from pathlib import Path
 
 from analysis import BENCHMARK, Cycle, measure, stick_slip, without_stiction
-from belt import BeltRun, run_belt
-from coupling import FMUS, friction_models_in, friction_path_of, main, variables_of
+from belt import BeltRun, limit_of_step, run_belt
+from coupling import FMUS, CouplingError, friction_models_in, friction_path_of, main, variables_of
 from make_motion import MOTION
 from pictures import draw_belt, draw_comparison, draw_replay
 from replay import read_motion, replay
 
 OUT = Path("out")
-STEP = 1e-3
+STEPS = (1e-3, 5e-4, 2e-4, 1e-4, 5e-5, 2e-5, 1e-5)
 TIME = 40.0
+REPLAYED = "LuGre"
 
 
 def closed_form(model: str) -> tuple[str, Cycle]:
@@ -25,25 +25,49 @@ def closed_form(model: str) -> tuple[str, Cycle]:
     return "without stiction", without_stiction(**{name: BENCHMARK[name] for name in BENCHMARK if name != "mu_s"})
 
 
-def timed_run(model: str) -> tuple[BeltRun, float]:
+def step_for(model: str) -> float:
+    """The longest step that is well below the one at which a block at rest would chatter."""
+    return next(step for step in STEPS if step <= 0.5 * limit_of_step(model))
+
+
+def timed_run(model: str, step: float) -> tuple[BeltRun, float]:
     """A run on the belt, and the steps per second of wall time; reading and extracting the FMUs included."""
     begin = time.perf_counter()
-    run = run_belt(model=model, step=STEP, time=TIME)
+    run = run_belt(model=model, step=step, time=TIME)
     return run, (len(run.time) - 1) / (time.perf_counter() - begin)
 
 
-def program() -> None:
-    """Runs all models and prints the table."""
-    models = friction_models_in(FMUS)
-    print(f"Block on a moving belt, {TIME:g} s in steps of {1e3 * STEP:g} ms:\n")
-    print(f"{'model':16} {'period [s]':>10}  {'Coulomb friction':16} {'period [s]':>10} {'deviation':>9} {'steps/s':>9}")
+def run_on_belt(models: list[str]) -> list[BeltRun]:
+    """Runs the models and prints a line of the table for each."""
+    print(f"Block on a moving belt, {TIME:g} s, against the closed form of Coulomb friction:\n")
+    print(f"{'model':16} {'step':>7} {'period':>10}   {'closed form':26} {'deviation':>9} {'steps/s':>9}")
     runs = []
     for model in models:
-        run, speed = timed_run(model)
+        step = step_for(model)
+        run, speed = timed_run(model, step)
         name, exact = closed_form(model)
         period = measure(run.time, run.position, run.sticking).period
         deviation = period / exact.period - 1.0
-        print(f"{model:16} {period:10.4f}  {name:16} {exact.period:10.4f} {deviation:+9.2%} {speed:9.0f}")
+        left = f"{model:16} {1e3 * step:4g} ms {period:8.4f} s"
+        print(f"{left}   {exact.period:.4f} s {name:17} {deviation:+9.2%} {speed:9.0f}", flush=True)
         draw_belt(run, OUT / "belt" / f"{model}.png")
         runs.append(run)
+    return runs
+
+
+def program() -> None:
+    """Runs all models and prints where the results are."""
+    models = friction_models_in(FMUS)
+    if not models:
+        raise CouplingError(f"no friction FMU in {FMUS}: run `python3 tasks.py pack`")
+    runs = run_on_belt(models)
     draw_comparison(runs, OUT / "comparison.png")
+    result = replay(friction_path_of(REPLAYED), read_motion(MOTION))
+    draw_replay(result, OUT / "replay.png")
+    energy, span = result.dissipated_energy[-1], result.motion.time[-1]
+    print(f"\n{REPLAYED} along the recorded motion {MOTION.name}: {energy:.4g} J dissipated in {span:g} s")
+    print(f"\nPictures: {OUT / 'comparison.png'}, {OUT / 'belt'}/<model>.png, {OUT / 'replay.png'}")
+
+
+if __name__ == "__main__":
+    sys.exit(main(program))

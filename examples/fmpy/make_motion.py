@@ -5,8 +5,8 @@
 
 The data are computed, not measured, but have what measured data have:
 
-    motion         a crank of 5 mm (stroke 10 mm) and a rod of 20 mm, so that the strokes are not sinusoidal; ten turns at
-                   1 Hz, from rest to rest, with a motor whose speed varies by 1 % four times per turn
+    motion         a crank of 5 mm (stroke 10 mm) and a rod of 20 mm, so that the strokes are not sinusoidal; ten turns
+                   at 1 Hz, from rest to rest, with a motor whose speed varies by 1 % four times per turn
     position       an encoder with steps of 1 um
     velocity       the difference quotient of the encoder, smoothed over 6 ms, as an evaluation would do it
     normal force   50 N from a pneumatic cylinder: 1.5 % ripple at 2.3 Hz, 0.6 % with the stroke, noise of 0.15 N

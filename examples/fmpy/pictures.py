@@ -5,6 +5,8 @@ from pathlib import Path
 import numpy
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.patches import Patch
+from matplotlib.ticker import FuncFormatter
 
 BLUE, RED, GREY = "#1f5a96", "#c0392b", "#6b7280"
 STICKING = "#e8eef5"
@@ -18,6 +20,13 @@ def _axes(axes: Axes, across: str, up: str) -> Axes:
     axes.set_axisbelow(True)
     axes.spines[["top", "right"]].set_visible(False)
     return axes
+
+
+def _over_time(time: numpy.ndarray, *rows: Axes) -> None:
+    """Gives axes that stand above each other the same time axis, with numbers at the lowest one."""
+    for axes in rows:
+        axes.set_xlim(time[0], time[-1])
+        axes.tick_params(labelbottom=axes is rows[-1])
 
 
 def _shade_sticking(axes: Axes, time: numpy.ndarray, sticking: numpy.ndarray) -> None:
@@ -36,19 +45,30 @@ def draw_belt(run, path: Path) -> None:
     """Position, velocity and friction force over time, and friction force over velocity."""
     figure = Figure(figsize=(12, 7.2), layout="constrained")
     figure.suptitle(f"Block on a moving belt, friction model {run.model}")
-    over_time = figure.subplot_mosaic([["x", "f(v)"], ["v", "f(v)"], ["f", "f(v)"]], width_ratios=[1.5, 1])
-    position = _axes(over_time["x"], "", "position [m]")
-    velocity = _axes(over_time["v"], "", "velocity [m/s]")
-    force = _axes(over_time["f"], "time [s]", "friction force [N]")
+    places = [["position", "law"], ["velocity", "law"], ["force", "law"]]
+    panels = figure.subplot_mosaic(places, width_ratios=[1.6, 1])
+    position = _axes(panels["position"], "", "position [m]")
+    velocity = _axes(panels["velocity"], "", "velocity [m/s]")
+    force = _axes(panels["force"], "time [s]", "friction force [N]")
+    law = _axes(panels["law"], "velocity of the block relative to the belt [mm/s]", "friction force [N]")
+    _over_time(run.time, position, velocity, force)
     for axes in (position, velocity, force):
         _shade_sticking(axes, run.time, run.sticking)
-        axes.set_xlim(run.time[0], run.time[-1])
-    position.plot(run.time, run.position, color=BLUE)
+    position.plot(run.time, run.position, color=BLUE, label="block")
     velocity.plot(run.time, run.block_velocity, color=BLUE, label="block")
-    velocity.plot(run.time, run.block_velocity - run.velocity, color=GREY, linestyle="--", label="belt")
+    velocity.plot(run.time, run.block_velocity - run.velocity, color=GREY, linestyle="--", linewidth=1, label="belt")
     force.plot(run.time, run.friction_force, color=RED)
-    law = _axes(over_time["f(v)"], "velocity of the block relative to the belt [m/s]", "friction force [N]")
-    law.plot(run.velocity, run.friction_force, color=RED)
+    figure.legend(
+        handles=[*velocity.get_lines(), Patch(color=STICKING, label="sticking")],
+        loc="outside upper right",
+        ncols=3,
+        frameon=False,
+    )
+    law.plot(1e3 * run.velocity, run.friction_force, color=RED, linewidth=1.2)
+    # Linear within 1 mm/s, where friction laws do most of what they do, logarithmic outside.
+    law.set_xscale("symlog", linthresh=1.0, linscale=1.0)
+    law.set_xlim(min(-1e3, 1e3 * run.velocity.min()), max(1e1, 1e3 * run.velocity.max()))
+    law.xaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
     _save(figure, path)
 
 
@@ -69,8 +89,24 @@ def draw_replay(result, path: Path) -> None:
     velocity.plot(motion.time, 1e3 * motion.velocity, color=BLUE, linewidth=0.9)
     load.plot(motion.time, motion.normal_force, color=GREY, linewidth=0.5)
     force.plot(motion.time, result.friction_force, color=RED, linewidth=0.9)
-    for axes in (velocity, load, force):
-        axes.set_xlim(motion.time[0], motion.time[-1])
+    _over_time(motion.time, velocity, load, force)
     over_velocity.plot(1e3 * motion.velocity, result.friction_force, color=RED, linewidth=0.6)
     over_position.plot(1e3 * motion.position, result.friction_force, color=RED, linewidth=0.6)
+    _save(figure, path)
+
+
+def draw_comparison(runs, path: Path) -> None:
+    """Position of the block over time, one row per friction model."""
+    figure = Figure(figsize=(12, 1.3 * len(runs) + 1.2), layout="constrained")
+    figure.suptitle("Block on a moving belt: the same benchmark with each friction model")
+    figure.supylabel("position [m]", fontsize="medium")
+    rows = figure.subplots(len(runs), 1, sharex=True, sharey=True, squeeze=False)[:, 0]
+    for axes, run in zip(rows, runs, strict=True):
+        _axes(axes, "", "")
+        _shade_sticking(axes, run.time, run.sticking)
+        axes.plot(run.time, run.position, color=BLUE)
+        axes.set_title(run.model, loc="left", fontsize="medium")
+        axes.set_xlim(run.time[0], run.time[-1])
+    rows[-1].set_xlabel("time [s]")
+    figure.legend(handles=[Patch(color=STICKING, label="sticking")], loc="outside upper right", frameon=False)
     _save(figure, path)

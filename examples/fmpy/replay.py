@@ -4,8 +4,8 @@
     python examples/fmpy/replay.py --model LuGre --motion examples/fmpy/motion.csv --set sigma_0=2e6
 
 Writes <out>.csv and <out>.png. The file must have the columns `time [s]`, `position [m]`, `velocity [m/s]` and
-`normal_force [N]`; others are ignored. Between two samples the inputs move linearly (fmi2SetRealInputDerivatives) if the
-FMU can do that; with --hold they keep their values until the next sample.
+`normal_force [N]`; others are ignored. Between two samples the inputs move linearly (fmi2SetRealInputDerivatives), if
+the FMU can do that; with --hold they keep their values until the next sample.
 """
 
 import argparse
@@ -17,7 +17,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy
-from coupling import FMUS, CouplingError, Fmu, friction_path_of, main, open_fmu, parameter, write_csv
+from coupling import CouplingError, Fmu, command_line, friction_path_of, main, open_fmu, write_csv
 from make_motion import MOTION
 from pictures import draw_replay
 
@@ -111,9 +111,7 @@ def drive(friction: Fmu, motion: Motion, interpolate: bool) -> tuple[numpy.ndarr
     return results[:, 0], results[:, 1]
 
 
-def replay(
-    path: Path, motion: Motion, parameters: Mapping[str, object] | None = None, hold: bool = False
-) -> Replay:
+def replay(path: Path, motion: Motion, parameters: Mapping[str, object] | None = None, hold: bool = False) -> Replay:
     """Computes the friction force of an FMU along a motion."""
     with open_fmu(path, parameters) as friction:
         can_interpolate = friction.description.coSimulation.canInterpolateInputs
@@ -123,20 +121,9 @@ def replay(
 
 def arguments() -> argparse.Namespace:
     """Reads the command line."""
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--model", default="LuGre", help="friction model (default: LuGre)")
+    parser = command_line(__doc__, model="LuGre", out="out/replay")
     parser.add_argument("--motion", type=Path, default=MOTION, help="CSV file (default: examples/fmpy/motion.csv)")
     parser.add_argument("--hold", action="store_true", help="hold the inputs between the samples")
-    parser.add_argument(
-        "--set",
-        type=parameter,
-        action="append",
-        default=[],
-        metavar="NAME=VALUE",
-        help="parameter of the friction model; may be repeated",
-    )
-    parser.add_argument("--fmus", type=Path, default=FMUS, help="folder of the FMUs (default: dist)")
-    parser.add_argument("--out", default="out/replay", help="result files, without ending (default: out/replay)")
     return parser.parse_args()
 
 

@@ -13,6 +13,9 @@ use crate::xml::CAPABILITIES;
 
 const STYLE: &str = include_str!("style.css");
 
+const ROLES: &str = "Inputs are set before each step. A fixed parameter stays constant during a run, a tunable one may \
+    change between steps. States are advanced by the steps; their start values may be set before a run.";
+
 /// The page of a model; `documentation` is its Markdown text.
 pub fn page(model: &ModelType, documentation: &str) -> String {
     let mut page = String::new();
@@ -78,7 +81,7 @@ fn table<R: AsRef<[String]>>(page: &mut String, head: &[&str], rows: impl Iterat
 }
 
 fn variables(page: &mut String, model: &ModelType) {
-    push(page, format_args!("<h2>Variables</h2>\n"));
+    push(page, format_args!("<h2>Variables</h2>\n<p>{ROLES}</p>\n"));
     let head = ["Variable", "Unit", "Start", "Bound", "Meaning", "Role", "Type", "Value reference"];
     table(page, &head, model.table.iter().enumerate().map(variable));
 }
@@ -130,11 +133,14 @@ fn capabilities(page: &mut String, model: &ModelType) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::specimen::{SPECIMEN, Specimen};
     use stribeck::catalogue::{Family, documented};
+    use stribeck::model::Described;
 
     #[test]
     fn every_page_is_well_formed_and_lists_every_variable() {
-        for (model, documentation) in documented(Family::Friction).chain(documented(Family::Host)) {
+        let specimen = (&SPECIMEN, <Specimen as Described>::DOCUMENTATION);
+        for (model, documentation) in documented(Family::Friction).chain(documented(Family::Host)).chain([specimen]) {
             let page = page(model, documentation);
             // The page closes what it opens, so that with closed void elements it is also XML.
             let mut closed = page.clone();

@@ -4,7 +4,7 @@ use anyhow::{Context, Result, ensure};
 use stribeck::catalogue::{self, Family};
 use stribeck::instance::Instance;
 use stribeck::model::{Kind, ModelType, Role};
-use tiny_skia::{Color, FillRule, LineCap, LineJoin, Paint, PathBuilder, Pixmap, Rect, Stroke, Transform};
+use tiny_skia::{Color, FillRule, LineCap, LineJoin, Paint, PathBuilder, Pixmap, Stroke, Transform};
 
 /// Width and height in pixels.
 const SIZE: f32 = 240.0;
@@ -33,6 +33,11 @@ fn column(model: &ModelType, name: &str) -> Result<usize> {
     model.find(name).with_context(|| format!("{} has no variable {name}", model.name))
 }
 
+fn value(instance: &mut Instance, column: usize) -> Result<f64> {
+    instance.refresh()?;
+    Ok(instance.row()[column])
+}
+
 /// Two periods of a sinusoidal velocity; the second is drawn, when a law with memory has settled.
 fn force_over_velocity(model: &'static ModelType) -> Result<Curve> {
     const STEPS: usize = 4000;
@@ -43,7 +48,7 @@ fn force_over_velocity(model: &'static ModelType) -> Result<Curve> {
         let phase = std::f64::consts::TAU * step as f64 / STEPS as f64;
         law.put(velocity, 5.0 * typical_velocity(model) * phase.sin());
         if step >= STEPS {
-            curve.push([law.get(velocity)?, law.get(force)?]);
+            curve.push([value(&mut law, velocity)?, value(&mut law, force)?]);
         }
         law.step(1.0 / STEPS as f64)?;
     }
@@ -68,7 +73,7 @@ fn motion(model: &'static ModelType) -> Result<Curve> {
     let mut contact = Contact::of(model)?;
     let mut curve = Vec::new();
     for _ in 0..40_000 {
-        curve.push([host.get(position)?, host.get(velocity)?]);
+        curve.push([value(&mut host, position)?, value(&mut host, velocity)?]);
         contact.act(&mut host, STEP)?;
         host.step(STEP)?;
     }
@@ -96,11 +101,11 @@ impl Contact {
 
     fn act(&mut self, host: &mut Instance, dt: f64) -> Result<()> {
         for [from, to] in &self.to_law {
-            self.law.put(*to, host.get(*from)?);
+            self.law.put(*to, value(host, *from)?);
         }
         self.law.step(dt)?;
         for [from, to] in &self.to_host {
-            host.put(*to, self.law.get(*from)?);
+            host.put(*to, value(&mut self.law, *from)?);
         }
         Ok(())
     }

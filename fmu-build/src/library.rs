@@ -44,14 +44,15 @@ fn platform(os: &str, architecture: &str) -> Result<&'static str> {
     })
 }
 
-/// Folders of this machine that source paths in the library would begin with, and what to write instead.
+/// Folders of this machine that source paths in the library begin with, and what to write instead.
 fn remapped_paths(root: &Path) -> Result<Vec<(PathBuf, &'static str)>> {
     let rustc = env::var_os("RUSTC").unwrap_or("rustc".into());
     let sysroot = stdout(Command::new(rustc).args(["--print", "sysroot"]))?;
-    let mut paths = vec![(root.to_owned(), "/stribeck"), (Path::new(sysroot.trim()).join("lib/rustlib/src/rust"), "/rust")];
-    if let Some(home) = cargo_home() {
-        paths.push((home.join("registry/src"), "/crates"));
-    }
+    let mut paths = vec![
+        (root.join("src"), "/stribeck/src"),
+        (Path::new(sysroot.trim()).join("lib").join("rustlib").join("src").join("rust"), "/rust"),
+    ];
+    paths.extend(cargo_home().map(|home| (home.join("registry").join("src"), "/crates")));
     Ok(paths)
 }
 
@@ -71,18 +72,31 @@ fn compile(root: &Path, remapped: &[(PathBuf, &'static str)]) -> Result<PathBuf>
         .arg(target)
         .current_dir(root)
         .env_remove("RUSTFLAGS")
-        .env("CARGO_ENCODED_RUSTFLAGS", flags(remapped));
+        .env("CARGO_ENCODED_RUSTFLAGS", flags(given_flags(), remapped));
     let messages = stdout(&mut cargo)?;
-    let file = messages.lines().filter_map(|line| serde_json::from_str(line).ok()).find_map(|message| artifact(&message));
+    let file =
+        messages.lines().filter_map(|line| serde_json::from_str(line).ok()).find_map(|message| artifact(&message));
     file.with_context(|| format!("cargo named no *{} of the package stribeck", env::consts::DLL_SUFFIX))
 }
 
-/// The user's flags for rustc and ours, in cargo's encoding.
-fn flags(remapped: &[(PathBuf, &'static str)]) -> OsString {
-    const SEPARATOR: &str = "\u{1f}";
-    let encoded = env::var_os("CARGO_ENCODED_RUSTFLAGS").filter(|flags| !flags.is_empty());
-    let plain = || env::var("RUSTFLAGS").unwrap_or_default().split_whitespace().collect::<Vec<_>>().join(SEPARATOR);
-    let mut flags = encoded.unwrap_or_else(|| plain().into());
+/// What separates flags in cargo's encoding of a list of them.
+const SEPARATOR: &str = "\u{1f}";
+
+/// The flags that the user has set for rustc, in cargo's encoding.
+fn given_flags() -> OsString {
+    match env::var_os("CARGO_ENCODED_RUSTFLAGS") {
+        Some(encoded) => encoded,
+        None => encoded(&env::var("RUSTFLAGS").unwrap_or_default()).into(),
+    }
+}
+
+fn encoded(flags: &str) -> String {
+    flags.split_whitespace().collect::<Vec<_>>().join(SEPARATOR)
+}
+
+/// The given flags and ours.
+fn flags(given: OsString, remapped: &[(PathBuf, &'static str)]) -> OsString {
+    let mut flags = given;
     for (path, name) in remapped {
         if !flags.is_empty() {
             flags.push(SEPARATOR);
@@ -133,6 +147,14 @@ mod tests {
         assert_eq!(artifact(&message("stribeck")), Some(PathBuf::from(&file)));
         assert_eq!(artifact(&message("libc")), None);
         assert_eq!(artifact(&serde_json::json!({ "reason": "build-finished", "success": true })), None);
+    }
+
+    #[test]
+    fn flags_of_the_user_are_kept() {
+        let remapped = [(PathBuf::from("/here"), "/there")];
+        assert_eq!(flags(encoded("").into(), &remapped), "--remap-path-prefix=/here=/there");
+        let both = flags(encoded(" -C  target-cpu=native ").into(), &remapped);
+        assert_eq!(both, "-C\u{1f}target-cpu=native\u{1f}--remap-path-prefix=/here=/there");
     }
 
     #[test]

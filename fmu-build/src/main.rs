@@ -1,10 +1,110 @@
 //! Writes the files that derive from the tables of the models, checks them, and packs FMUs.
 
+mod archive;
 mod dependencies;
+mod generated;
+mod header;
+mod html;
+mod icon;
+mod library;
+mod package;
 mod project;
+mod readme;
+mod rules;
+#[cfg(test)]
+mod specimen;
 mod text;
 mod xml;
 
-fn main() {
-    for m in stribeck::catalogue::models() { print!("{}", xml::model_description(m, project::release_date()).unwrap()); }
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+
+use anyhow::{Result, bail};
+use clap::{Parser, Subcommand};
+
+/// Writes what derives from the tables of Stribeck's models, and packs its FMUs.
+#[derive(Parser)]
+#[command(version)]
+struct Arguments {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    /// Write modelDescription/*.xml, include/stribeck.h and the table of models in README.md.
+    Generate,
+    /// Write nothing; fail if one of these files is stale or a table breaks a rule.
+    Check,
+    /// Build the library for this machine and pack one FMU per model.
+    Pack {
+        /// Models to pack; all if none is named.
+        models: Vec<String>,
+        /// Folder for the FMUs.
+        #[arg(long, default_value = "dist")]
+        out: PathBuf,
+    },
+}
+
+fn main() -> ExitCode {
+    let root = project::root();
+    let result = match Arguments::parse().command {
+        Command::Generate => generate(root),
+        Command::Check => check(root),
+        Command::Pack { models, out } => pack(root, &models, &out),
+    };
+    match result {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("error: {error:#}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn generate(root: &Path) -> Result<()> {
+    let stale = generated::stale(root)?;
+    for file in &stale {
+        file.write(root)?;
+        println!("wrote {}", file.path.display());
+    }
+    if stale.is_empty() {
+        println!("nothing to do: all generated files are up to date");
+    }
+    Ok(())
+}
+
+fn check(root: &Path) -> Result<()> {
+    let stale = generated::stale(root)?;
+    let breaches = rules::breaches(root)?;
+    for file in &stale {
+        println!("stale: {}", file.path.display());
+    }
+    for breach in &breaches {
+        println!("{breach}");
+    }
+    if !stale.is_empty() {
+        bail!("stale files: {}; run `cargo run -p fmu-build -- generate`", stale.len());
+    }
+    if !breaches.is_empty() {
+        bail!("broken rules: {}", breaches.len());
+    }
+    println!("generated files are up to date, and the tables keep the rules");
+    Ok(())
+}
+
+fn pack(root: &Path, models: &[String], out: &Path) -> Result<()> {
+    let entries = package::select(models)?;
+    if let Some(file) = generated::stale(root)?.first() {
+        // The library refuses an FMU whose XML was written from another table.
+        bail!("{} is stale: run `cargo run -p fmu-build -- generate` and review the change", file.path.display());
+    }
+    let date = project::packing_date()?;
+    let library = library::build(root)?;
+    for entry in &entries {
+        let size = package::write(entry, &library, root, date, out)?;
+        println!("{:<20} {:>9} bytes", format!("{}.fmu", entry.model.name), size);
+    }
+    println!("{} FMUs for {} in {}", entries.len(), library.platform, out.display());
+    Ok(())
 }

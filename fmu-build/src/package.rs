@@ -17,7 +17,8 @@ pub struct Entry {
     /// The model.
     pub model: &'static ModelType,
     family: Family,
-    documentation: &'static str,
+    /// Its page, in Markdown.
+    pub documentation: &'static str,
 }
 
 /// The models of these names, or all of them if there are none.
@@ -72,4 +73,100 @@ fn license(root: &Path) -> Result<String> {
         read("LICENSE-MIT")?,
         read("LICENSE-APACHE")?,
     ))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::project::{release_date, root};
+    use jiff::SignedDuration;
+
+    /// A library of another platform, which is only carried.
+    fn library() -> Library {
+        let bytes = (0..100_000_u32).flat_map(|number| (number / 7).to_le_bytes()).collect();
+        Library { platform: "win64", suffix: ".dll", bytes }
+    }
+
+    fn packed(entry: &Entry, date: Timestamp) -> Vec<u8> {
+        let folder = tempfile::tempdir().unwrap();
+        let size = write(entry, &library(), root(), date, folder.path()).unwrap();
+        let bytes = fs::read(folder.path().join(format!("{}.fmu", entry.model.name))).unwrap();
+        assert_eq!(bytes.len(), size);
+        bytes
+    }
+
+    fn u16_at(bytes: &[u8], at: usize) -> usize {
+        usize::from(u16::from_le_bytes([bytes[at], bytes[at + 1]]))
+    }
+
+    fn u32_at(bytes: &[u8], at: usize) -> usize {
+        u16_at(bytes, at) | u16_at(bytes, at + 2) << 16
+    }
+
+    /// Reads an archive as the format's description says (PKWARE, APPNOTE 4.3), without the library that wrote it, and
+    /// asserts the rules of FMI 2.0.5 section 2.3. Returns the names.
+    fn names_by_the_rules(zip: &[u8]) -> Vec<String> {
+        let end = zip.len() - 22;
+        assert_eq!(&zip[end..end + 4], b"PK\x05\x06", "the archive ends with the end record, without a comment");
+        assert_ne!(&zip[end - 20..end - 16], b"PK\x06\x07", "no Zip64");
+        let mut names = Vec::new();
+        let mut at = u32_at(zip, end + 16);
+        for _ in 0..u16_at(zip, end + 10) {
+            assert_eq!(&zip[at..at + 4], b"PK\x01\x02");
+            let local = u32_at(zip, at + 42);
+            assert_eq!(&zip[local..local + 4], b"PK\x03\x04");
+            for (header, first) in [(at, at + 6), (local, local + 4)] {
+                assert!(u16_at(zip, first) <= 20, "version needed: at most 2.0");
+                assert_eq!(u16_at(zip, first + 2), 0, "flags: no encryption, no data descriptor");
+                assert!([0, 8].contains(&u16_at(zip, first + 4)), "method: store or deflate");
+                let extra = u16_at(zip, if header == at { at + 30 } else { local + 28 });
+                assert_eq!(extra, 0, "no extra fields");
+            }
+            assert_eq!(u16_at(zip, at + 40) >> 12, 0o10, "a regular file, no symbolic link");
+            let name = std::str::from_utf8(&zip[at + 46..at + 46 + u16_at(zip, at + 28)]).unwrap();
+            assert!(name.is_ascii() && !name.contains('\\') && !name.contains(".."), "{name}");
+            assert!(!name.starts_with(['/', '.']) && !name.ends_with('/'), "{name}");
+            names.push(name.to_owned());
+            at += 46 + name.len() + u16_at(zip, at + 32);
+        }
+        names
+    }
+
+    #[test]
+    fn archives_keep_the_rules_of_the_standard() {
+        for entry in entries() {
+            let names = names_by_the_rules(&packed(&entry, release_date()));
+            let binary = format!("binaries/win64/{}.dll", entry.model.name);
+            let expected = [
+                binary.as_str(),
+                "documentation/index.html",
+                "documentation/licenses/license.txt",
+                "model.png",
+                "modelDescription.xml",
+            ];
+            assert_eq!(names, expected);
+        }
+    }
+
+    #[test]
+    fn packing_twice_gives_the_same_bytes_and_the_date_is_the_given_one() {
+        let entry = &entries()[0];
+        let date = release_date();
+        assert_eq!(packed(entry, date), packed(entry, date));
+        assert_ne!(packed(entry, date), packed(entry, date + SignedDuration::from_hours(30)));
+    }
+
+    #[test]
+    fn license_text_holds_both_licences() {
+        let text = license(root()).unwrap();
+        assert!(text.contains("Permission is hereby granted") && text.contains("Apache License"));
+    }
+
+    #[test]
+    fn unknown_models_are_refused_with_the_known_names() {
+        let error = select(&["LuGre".into(), "Lugre".into()]).err().unwrap().to_string();
+        assert!(error.starts_with("there is no model Lugre; there are ") && error.contains("LuGre"), "{error}");
+        assert_eq!(select(&["LuGre".into()]).unwrap().len(), 1);
+        assert_eq!(select(&[]).unwrap().len(), catalogue::models().count());
+    }
 }

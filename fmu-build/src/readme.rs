@@ -14,7 +14,8 @@ const END: &str = "<!-- models:end -->";
 
 /// The text of README.md with a fresh table.
 pub fn with_table(readme: &str, root: &Path) -> Result<String> {
-    let missing = |marker: &str| format!("README.md lacks the line `{}`: the table of models goes there", marker.trim());
+    let missing =
+        |marker: &str| format!("README.md lacks the line `{}`: the table of models goes there", marker.trim());
     let (before, rest) = readme.split_once(BEGIN).with_context(|| missing(BEGIN))?;
     let (_, after) = rest.split_once(END).with_context(|| missing(END))?;
     Ok(format!("{before}{BEGIN}\n{}\n{END}{after}", table(root)?))
@@ -44,7 +45,9 @@ mod tests {
         let readme = format!("# Title\n\n{BEGIN}old\n{END}\n\nRest.\n");
         let fresh = with_table(&readme, root()).unwrap();
         assert!(fresh.starts_with("# Title\n\n<!-- models:begin") && fresh.ends_with("<!-- models:end -->\n\nRest.\n"));
-        assert!(fresh.contains("| [`LuGre`](src/friction/lugre.rs) | Bristle friction with Stribeck effect (LuGre) | "));
+        assert!(
+            fresh.contains("| [`LuGre`](src/friction/lugre.rs) | Bristle friction with Stribeck effect (LuGre) | ")
+        );
         assert!(!fresh.contains("old"));
         assert_eq!(with_table(&fresh, root()).unwrap(), fresh);
     }

@@ -62,10 +62,10 @@ pub fn unit(variable: &Variable) -> &'static str {
 pub fn role(role: Role) -> &'static str {
     match role {
         Role::Input => "input",
-        Role::Fixed => "parameter, fixed during a run",
-        Role::Tunable => "parameter, may change between steps",
+        Role::Fixed => "fixed parameter",
+        Role::Tunable => "tunable parameter",
         Role::State => "state",
-        Role::StateOutput => "state and output",
+        Role::StateOutput => "state, output",
         Role::Output => "output",
     }
 }

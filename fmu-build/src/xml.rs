@@ -8,12 +8,13 @@ use anyhow::Result;
 use jiff::Timestamp;
 use quick_xml::events::{BytesDecl, Event};
 use quick_xml::writer::{ElementWriter, Writer};
+use stribeck::fmi2::log::CATEGORIES;
 use stribeck::model::{Enumeration, Kind, ModelType, Role, Variable};
 use stribeck::unit::{UNITS, Unit};
 
+use crate::dependencies;
 use crate::project::{AUTHORS, LICENSE, VERSION, copyright};
 use crate::text::{limits, number};
-use crate::dependencies;
 
 type Xml = Writer<Vec<u8>>;
 type Attributes = Vec<(&'static str, String)>;
@@ -30,13 +31,6 @@ pub const CAPABILITIES: [(&str, &str); 10] = [
     ("canGetAndSetFMUstate", "true"),
     ("canSerializeFMUstate", "true"),
     ("providesDirectionalDerivative", "true"),
-];
-
-/// Categories of the messages that the library logs.
-const LOG_CATEGORIES: [(&str, &str); 3] = [
-    ("logStatusDiscard", "Answers with status fmi2Discard: a value was refused and nothing was changed."),
-    ("logStatusError", "Answers with status fmi2Error: a call was refused and nothing was changed."),
-    ("logAll", "All messages."),
 ];
 
 /// The text of modelDescription.xml.
@@ -172,8 +166,9 @@ fn items(xml: &mut Xml, enumeration: &Enumeration) -> io::Result<()> {
 
 fn log_categories(xml: &mut Xml) -> io::Result<()> {
     parent(xml, "LogCategories", vec![], |xml| {
-        LOG_CATEGORIES.into_iter().try_for_each(|(name, description)| {
-            leaf(xml, "Category", vec![("name", name.into()), ("description", description.into())])
+        CATEGORIES.iter().try_for_each(|category| {
+            let name = category.name.to_string_lossy().into_owned();
+            leaf(xml, "Category", vec![("name", name), ("description", category.description.into())])
         })
     })
 }
@@ -197,7 +192,12 @@ fn model_variables(xml: &mut Xml, model: &ModelType) -> io::Result<()> {
     })
 }
 
-fn scalar_attributes(name: String, column: usize, help: &str, [causality, variability, initial]: [&str; 3]) -> Attributes {
+fn scalar_attributes(
+    name: String,
+    column: usize,
+    help: &str,
+    [causality, variability, initial]: [&str; 3],
+) -> Attributes {
     let mut attributes = vec![
         ("name", name),
         ("valueReference", column.to_string()),
@@ -287,4 +287,230 @@ fn unknown(xml: &mut Xml, column: usize, dependencies: &BTreeSet<usize>) -> io::
         attributes.push(("dependenciesKind", vec!["dependent"; dependencies.len()].join(" ")));
     }
     leaf(xml, "Unknown", attributes)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::project::release_date;
+    use crate::specimen::SPECIMEN;
+    use roxmltree::{Document, Node};
+    use std::sync::LazyLock;
+
+    /// Runs a test on the description of every model and of one with all that no shipped model has yet.
+    fn on_every_description(test: impl Fn(&ModelType, &Document)) {
+        static TEXTS: LazyLock<Vec<(&ModelType, String)>> = LazyLock::new(|| {
+            let models = stribeck::catalogue::models().chain([&SPECIMEN]);
+            models.map(|model| (model, model_description(model, release_date()).unwrap())).collect()
+        });
+        for (model, text) in TEXTS.iter() {
+            test(model, &Document::parse(text).unwrap());
+        }
+    }
+
+    fn all<'a>(document: &'a Document, name: &str) -> Vec<Node<'a, 'a>> {
+        document.descendants().filter(|node| node.has_tag_name(name)).collect()
+    }
+
+    /// Each `<ScalarVariable>` with the element inside it.
+    fn variables<'a>(document: &'a Document) -> Vec<(Node<'a, 'a>, Node<'a, 'a>)> {
+        let with_type = |node: Node<'a, 'a>| (node, node.first_element_child().unwrap());
+        all(document, "ScalarVariable").into_iter().map(with_type).collect()
+    }
+
+    fn text<'a>(node: Node<'a, '_>, attribute: &str) -> &'a str {
+        node.attribute(attribute).unwrap_or_else(|| panic!("{} without {attribute}", node.tag_name().name()))
+    }
+
+    fn number_of(node: Node, attribute: &str) -> Option<f64> {
+        node.attribute(attribute).map(|text| text.parse().unwrap())
+    }
+
+    fn assert_unique<T: Ord + std::fmt::Debug>(values: impl Iterator<Item = T>) {
+        let mut seen = BTreeSet::new();
+        for value in values {
+            assert!(!seen.contains(&value), "{value:?} twice");
+            seen.insert(value);
+        }
+    }
+
+    #[test]
+    fn elements_stand_in_the_order_of_the_schema() {
+        on_every_description(|_, document| {
+            let children: Vec<_> = document
+                .root_element()
+                .children()
+                .filter(Node::is_element)
+                .map(|node| node.tag_name().name())
+                .collect();
+            let schema = [
+                "CoSimulation",
+                "UnitDefinitions",
+                "TypeDefinitions",
+                "LogCategories",
+                "DefaultExperiment",
+                "ModelVariables",
+                "ModelStructure",
+            ];
+            assert_eq!(children, schema);
+        });
+    }
+
+    #[test]
+    fn model_identifier_is_the_name_and_a_c_identifier() {
+        on_every_description(|model, document| {
+            let identifier = text(all(document, "CoSimulation")[0], "modelIdentifier");
+            assert_eq!(identifier, model.name);
+            assert!(identifier.starts_with(|first: char| first.is_ascii_alphabetic()), "{identifier}");
+            assert!(identifier.chars().all(|letter| letter.is_ascii_alphanumeric() || letter == '_'), "{identifier}");
+        });
+    }
+
+    #[test]
+    fn names_and_value_references_are_unique_and_follow_the_columns() {
+        on_every_description(|model, document| {
+            let variables = variables(document);
+            let types = all(document, "SimpleType");
+            assert_unique(
+                variables.iter().map(|(node, _)| *node).chain(types).map(|node| text(node, "name").to_owned()),
+            );
+            for (column, (node, _)) in variables.iter().enumerate() {
+                assert_eq!(text(*node, "valueReference"), column.to_string());
+                let name = model.table.get(column).map_or("time".into(), |variable| variable.path.to_string());
+                assert_eq!(text(*node, "name"), name);
+            }
+            assert_eq!(variables.len(), model.table.len() + 1);
+        });
+    }
+
+    #[test]
+    fn start_values_are_given_where_the_standard_wants_them_and_lie_within_their_limits() {
+        on_every_description(|_, document| {
+            for (node, declaration) in variables(document) {
+                let initial = node.attribute("initial");
+                let wants_start = text(node, "causality") == "input" || initial == Some("exact");
+                assert_eq!(declaration.has_attribute("start"), wants_start, "{node:?}");
+                let may_be_initial = !["input", "independent"].contains(&text(node, "causality"));
+                assert_eq!(initial.is_some(), may_be_initial, "{node:?}");
+                if declaration.has_tag_name("Boolean") {
+                    continue;
+                }
+                let min = number_of(declaration, "min").unwrap_or(f64::NEG_INFINITY);
+                let max = number_of(declaration, "max").unwrap_or(f64::INFINITY);
+                let start = number_of(declaration, "start").unwrap_or(min.max(-1e300).min(max));
+                assert!(min <= start && start <= max, "{node:?}");
+                assert!(number_of(declaration, "nominal").is_none_or(|nominal| nominal > 0.0), "{node:?}");
+            }
+        });
+    }
+
+    #[test]
+    fn only_real_variables_are_continuous() {
+        on_every_description(|_, document| {
+            for (node, declaration) in variables(document) {
+                let is_continuous = text(node, "variability") == "continuous";
+                assert!(declaration.has_tag_name("Real") || !is_continuous, "{node:?}");
+            }
+        });
+    }
+
+    #[test]
+    fn units_and_types_are_defined_once_and_used() {
+        on_every_description(|_, document| {
+            let names = |element| all(document, element).into_iter().map(|node| text(node, "name"));
+            assert_unique(names("Unit"));
+            assert_unique(names("SimpleType"));
+            let used =
+                |attribute| variables(document).into_iter().filter_map(move |(_, node)| node.attribute(attribute));
+            assert_eq!(names("Unit").collect::<BTreeSet<_>>(), used("unit").collect());
+            assert_eq!(names("SimpleType").collect::<BTreeSet<_>>(), used("declaredType").collect());
+            for (_, declaration) in variables(document) {
+                let Some(shown) = declaration.attribute("displayUnit") else { continue };
+                let units = all(document, "Unit");
+                let unit = units.iter().find(|unit| text(**unit, "name") == text(declaration, "unit")).unwrap();
+                let mut displays = unit.children().filter(|node| node.has_tag_name("DisplayUnit"));
+                assert!(displays.any(|display| text(display, "name") == shown), "{shown}");
+            }
+        });
+    }
+
+    /// Indices of the entries of a list in the model structure.
+    fn unknowns(document: &Document, list: &str) -> Vec<usize> {
+        let list = all(document, list);
+        let entries = list.iter().flat_map(|list| list.children()).filter(Node::is_element);
+        entries.map(|node| text(node, "index").parse().unwrap()).collect()
+    }
+
+    #[test]
+    fn model_structure_is_complete_and_ordered() {
+        on_every_description(|_, document| {
+            let variables = variables(document);
+            let indices = |condition: &dyn Fn(Node) -> bool| -> Vec<usize> {
+                (1..=variables.len()).filter(|index| condition(variables[index - 1].0)).collect()
+            };
+            let is_output = |node: Node| text(node, "causality") == "output";
+            assert_eq!(unknowns(document, "Outputs"), indices(&is_output));
+            let is_unknown = |node: Node| is_output(node) && text(node, "initial") == "calculated";
+            assert_eq!(unknowns(document, "InitialUnknowns"), indices(&is_unknown));
+        });
+    }
+
+    #[test]
+    fn dependencies_are_on_what_is_known() {
+        on_every_description(|_, document| {
+            let variables = variables(document);
+            for entry in all(document, "Unknown") {
+                let is_initial = entry.parent_element().unwrap().has_tag_name("InitialUnknowns");
+                let mut before = 0;
+                let indices: Vec<usize> =
+                    text(entry, "dependencies").split_whitespace().map(|index| index.parse().unwrap()).collect();
+                let kinds = entry.attribute("dependenciesKind").unwrap_or_default();
+                assert_eq!(kinds.split_whitespace().count(), indices.len());
+                for index in indices {
+                    let known = variables[index - 1].0;
+                    let is_exact = is_initial && known.attribute("initial") == Some("exact");
+                    assert!(text(known, "causality") == "input" || is_exact, "{entry:?}");
+                    assert!(index > before, "{entry:?}");
+                    before = index;
+                }
+            }
+        });
+    }
+
+    #[test]
+    fn default_experiment_makes_sense() {
+        on_every_description(|_, document| {
+            let experiment = all(document, "DefaultExperiment")[0];
+            let value = |attribute| number_of(experiment, attribute).unwrap();
+            assert!(value("startTime") < value("stopTime") && value("stepSize") > 0.0 && value("tolerance") > 0.0);
+        });
+    }
+
+    #[test]
+    fn every_kind_of_variable_is_written_as_the_standard_wants_it() {
+        let text = model_description(&SPECIMEN, release_date()).unwrap();
+        for line in [
+            "<Boolean start=\"true\"/>",
+            "<Enumeration declaredType=\"Behaviour\" start=\"2\"/>",
+            "<Integer min=\"0\" max=\"9\" start=\"3\"/>",
+            "<Integer start=\"-7\"/>",
+            "<Integer/>",
+            "<Real declaredType=\"Ratio\" unit=\"1\" min=\"0\" max=\"1\" start=\"0.5\"/>",
+            "<Real declaredType=\"Length\" unit=\"m\" displayUnit=\"um\" nominal=\"1e-5\" start=\"0\"/>",
+            "name=\"element[2].stiffness\"",
+        ] {
+            assert!(text.contains(line), "{line} is not in\n{text}");
+        }
+    }
+
+    #[test]
+    fn texts_are_escaped() {
+        let text = model_description(&SPECIMEN, release_date()).unwrap();
+        let document = Document::parse(&text).unwrap();
+        assert_eq!(document.root_element().attribute("description"), Some(SPECIMEN.summary));
+        let share = all(&document, "ScalarVariable")[0];
+        assert_eq!(share.attribute("description"), Some("A value that is < 1 & > 0, \"quoted\"."));
+        let item = all(&document, "Item")[1];
+        assert_eq!(item.attribute("description"), Some("In motion, \"fast\" & furious."));
+    }
 }

@@ -28,7 +28,7 @@ pub enum stribeck_status {
     STRIBECK_OK = 0,
     /// A pointer that must not be NULL is NULL.
     STRIBECK_NULL = 1,
-    /// There is no model of that name.
+    /// There is no model, or no preset, of that name.
     STRIBECK_UNKNOWN_MODEL = 2,
     /// The model has no variable of that name, or no column of that number.
     STRIBECK_UNKNOWN_VARIABLE = 3,
@@ -105,6 +105,7 @@ pub struct stribeck_variable {
 pub struct stribeck_model {
     instance: Instance,
     texts: Vec<[CString; 3]>,
+    presets: Vec<[CString; 2]>,
     error: CString,
 }
 
@@ -228,7 +229,7 @@ pub extern "C" fn stribeck_status_text(status: c_int) -> *const c_char {
     const TEXTS: [&CStr; 9] = [
         c"all well",
         c"a pointer is NULL",
-        c"unknown model",
+        c"unknown model or preset",
         c"unknown variable",
         c"value refused",
         c"variable cannot be set",
@@ -260,7 +261,8 @@ pub unsafe extern "C" fn stribeck_create(name: *const c_char, model: *mut *mut s
             [c_text(&variable.path.to_string()), c_text(unit), c_text(variable.help)]
         };
         let texts = model.table.iter().map(texts).collect();
-        Box::new(stribeck_model { instance: Instance::new(model), texts, error: CString::default() })
+        let presets = model.presets.iter().map(|preset| [c_text(preset.name), c_text(preset.source)]).collect();
+        Box::new(stribeck_model { instance: Instance::new(model), texts, presets, error: CString::default() })
     });
     let Ok(made) = made else { return STRIBECK_INTERNAL };
     *place = Box::into_raw(made);
@@ -382,6 +384,63 @@ fn kind(kind: Kind) -> stribeck_kind {
         Kind::Boolean => STRIBECK_BOOLEAN,
         Kind::Enumeration(_) => STRIBECK_ENUMERATION,
     }
+}
+
+/// Number of presets, that is, of named parameter sets of the model; 0 for NULL.
+///
+/// # Safety
+/// As the module says of handles.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stribeck_preset_count(model: *const stribeck_model) -> usize {
+    // SAFETY: the caller's promise.
+    unsafe { model.as_ref() }.map_or(0, |model| model.presets.len())
+}
+
+/// Name of the preset of that index, from 0; NULL past the last. The text belongs to the handle.
+///
+/// # Safety
+/// As the module says of handles.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stribeck_preset_name(model: *const stribeck_model, index: usize) -> *const c_char {
+    // SAFETY: the caller's promise.
+    unsafe { preset_text(model, index, 0) }
+}
+
+/// Where the values of the preset of that index come from; NULL past the last. The text belongs to the handle.
+///
+/// # Safety
+/// As the module says of handles.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stribeck_preset_source(model: *const stribeck_model, index: usize) -> *const c_char {
+    // SAFETY: the caller's promise.
+    unsafe { preset_text(model, index, 1) }
+}
+
+/// # Safety
+/// As the module says of handles.
+unsafe fn preset_text(model: *const stribeck_model, index: usize, which: usize) -> *const c_char {
+    // SAFETY: the caller's promise.
+    let preset = unsafe { model.as_ref() }.and_then(|model| model.presets.get(index));
+    preset.map_or(null(), |texts| texts[which].as_ptr())
+}
+
+/// Sets the parameters of the named preset; the other variables stay as they are.
+///
+/// # Safety
+/// As the module says of handles and pointers.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stribeck_apply_preset(model: *mut stribeck_model, preset: *const c_char) -> stribeck_status {
+    let body = |model: &mut stribeck_model| {
+        // SAFETY: the caller's promise.
+        let name = unsafe { text(preset, "preset") }?;
+        if !model.instance.apply(name) {
+            let model = model.instance.model().name;
+            return refuse(STRIBECK_UNKNOWN_MODEL, format!("{model} has no preset '{name}'"));
+        }
+        Ok(())
+    };
+    // SAFETY: the caller's promise.
+    unsafe { enter(model, body) }
 }
 
 /// Sets a variable. Everything but computed results can be set at any time; outputs follow at once.

@@ -1,5 +1,5 @@
 use crate::laws::{relaxation, stribeck};
-use crate::model::{Fault, Law, Model, boolean, real};
+use crate::model::{Fault, Law, Model, Preset, boolean, real};
 use crate::number::Real;
 
 crate::model! {
@@ -160,6 +160,15 @@ impl<T: Real> Law for LuGre<T> {
 }
 
 impl Model for LuGre {
+    const PRESETS: &'static [Preset] = &[
+        Preset { name: "thesis", source: "Novais (2024), Tables 6.1 and 7.1: the start values", values: &[] },
+        Preset {
+            name: "canudas_1995",
+            source: "Canudas de Wit et al. (1995), Table I: F_C = 1 N, F_S = 1.5 N, here at a normal force of 1 N",
+            values: &[("normal_force", 1.0), ("mu_k", 1.0), ("mu_s", 1.5), ("viscous_coefficient", 0.4)],
+        },
+    ];
+
     fn check(&self) -> Result<(), Fault> {
         crate::friction::static_not_below_kinetic(self.mu_s, self.mu_k)
     }

@@ -59,7 +59,7 @@ static int says(const stribeck_model *model, const char *one, const char *other)
     return text != NULL && strstr(text, one) != NULL && strstr(text, other) != NULL;
 }
 
-/* ------------------------------------------------------------------------------------------------ library */
+/* ---------------------------------------------------------------------- library */
 
 static void library_names_itself_and_its_models(void) {
     CHECK(stribeck_version() != NULL && strlen(stribeck_version()) >= strlen("0.0.0"));
@@ -114,7 +114,7 @@ static void unknown_models_are_refused(void) {
     stribeck_free(live);
 }
 
-/* ------------------------------------------------------------------------------------------------ NULL */
+/* ---------------------------------------------------------------------- NULL */
 
 static void null_handles_are_answered(void) {
     uint32_t found = 7;
@@ -169,7 +169,7 @@ static void null_pointers_are_answered(void) {
     stribeck_free(model);
 }
 
-/* ------------------------------------------------------------------------------------------------ tables */
+/* ---------------------------------------------------------------------- tables */
 
 static void describes_itself(stribeck_model *model, uint32_t at) {
     stribeck_variable variable;
@@ -283,7 +283,7 @@ static void columns_of_the_header_are_those_of_the_library(void) {
     stribeck_free(rig);
 }
 
-/* ------------------------------------------------------------------------------------------------ steps */
+/* ---------------------------------------------------------------------- steps */
 
 static void bad_steps_are_refused(stribeck_model *model) {
     state before = save(model);
@@ -406,7 +406,7 @@ static void derivative_is_that_of_the_force(void) {
     stribeck_free(model);
 }
 
-/* ------------------------------------------------------------------------------------------------ saved states */
+/* ---------------------------------------------------------------------- saved states */
 
 /* Moves the first input of a model to and fro. */
 static void excite(stribeck_model *model, int i) {
@@ -526,7 +526,7 @@ static void small_buffers_are_refused(void) {
     stribeck_free(model);
 }
 
-/* ------------------------------------------------------------------------------------------------ two at once */
+/* ---------------------------------------------------------------------- two at once */
 
 /* Two models that take turns do what each does alone; so do their error texts. */
 static void models_do_not_disturb_each_other(void) {

@@ -1,5 +1,5 @@
-/* Wrong on purpose: each argument names a mistake that a sanitizer must catch. run.py uses it to prove that the sanitizers
- * are at work in the other programs. */
+/* Wrong on purpose: each argument names a mistake that a sanitizer must catch. run.py uses it to prove that the
+ * sanitizers are at work in the other programs. */
 #include <limits.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -101,7 +101,7 @@ typedef struct {
     fmi2Status (*DeSerializeFMUstate)(fmi2Component, const fmi2Byte[], size_t, fmi2FMUstate *);
 } functions;
 
-/* ISO C has no cast from void * to a function pointer; a copy of the bytes is what POSIX and Windows promise to work. */
+/* ISO C has no cast from void * to a function pointer; POSIX and Windows promise that a copy of the bytes works. */
 #define RESOLVE(loaded, table, name)                                                                                   \
     do {                                                                                                               \
         void *address = find(loaded, "fmi2" #name);                                                                    \
@@ -133,7 +133,7 @@ static functions resolve(library loaded) {
     return fmi;
 }
 
-/* ------------------------------------------------------------------------------------------------ log */
+/* ---------------------------------------------------------------------- log */
 
 typedef struct {
     int count;
@@ -180,7 +180,7 @@ static void set(const functions *fmi, fmi2Component slave, fmi2ValueReference re
     CHECK(fmi->SetReal(slave, &reference, 1, &value) == fmi2OK);
 }
 
-/* ------------------------------------------------------------------------------------------------ tests */
+/* ---------------------------------------------------------------------- tests */
 
 static void every_function_of_the_standard_is_there(library loaded) {
     for (size_t i = 0; i < sizeof FUNCTIONS / sizeof FUNCTIONS[0]; i++) {

@@ -1,0 +1,104 @@
+//! The committed files that derive from the tables: written on purpose, reviewed, and compared on every check.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use anyhow::{Context, Result};
+use stribeck::catalogue;
+
+use crate::{header, project, readme, xml};
+
+const DESCRIPTIONS: &str = "modelDescription";
+
+/// A file as it should be.
+pub struct File {
+    /// Path, relative to the root.
+    pub path: PathBuf,
+    /// Its text; `None` if there should be no such file.
+    text: Option<String>,
+}
+
+impl File {
+    fn new(path: impl Into<PathBuf>, text: String) -> File {
+        File { path: path.into(), text: Some(text) }
+    }
+
+    fn is_stale(&self, root: &Path) -> bool {
+        fs::read_to_string(root.join(&self.path)).ok() != self.text
+    }
+
+    /// Makes the file what it should be.
+    pub fn write(&self, root: &Path) -> Result<()> {
+        let file = root.join(&self.path);
+        let Some(text) = &self.text else {
+            return fs::remove_file(&file).with_context(|| format!("cannot remove {}", file.display()));
+        };
+        if let Some(folder) = file.parent() {
+            fs::create_dir_all(folder).with_context(|| format!("cannot create {}", folder.display()))?;
+        }
+        fs::write(&file, text).with_context(|| format!("cannot write {}", file.display()))
+    }
+}
+
+/// The files that differ from what the tables give.
+pub fn stale(root: &Path) -> Result<Vec<File>> {
+    let mut files = Vec::new();
+    for model in catalogue::models() {
+        let text = xml::model_description(model, project::release_date())?;
+        files.push(File::new(description(model.name), text));
+    }
+    files.push(File::new("include/stribeck.h", header::text(root)?));
+    let readme = fs::read_to_string(root.join("README.md")).context("cannot read README.md")?;
+    files.push(File::new("README.md", readme::with_table(&readme, root)?));
+    files.extend(left_over(root)?);
+    files.retain(|file| file.is_stale(root));
+    Ok(files)
+}
+
+fn description(model: &str) -> PathBuf {
+    Path::new(DESCRIPTIONS).join(format!("{model}.xml"))
+}
+
+/// Descriptions of models that are no more.
+fn left_over(root: &Path) -> Result<Vec<File>> {
+    let folder = root.join(DESCRIPTIONS);
+    if !folder.exists() {
+        return Ok(Vec::new());
+    }
+    let mut files = Vec::new();
+    for entry in folder.read_dir().with_context(|| format!("cannot list {}", folder.display()))? {
+        let path = Path::new(DESCRIPTIONS).join(entry?.file_name());
+        if !catalogue::models().any(|model| description(model.name) == path) {
+            files.push(File { path, text: None });
+        }
+    }
+    Ok(files)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_file_is_stale_until_it_is_written() {
+        let root = tempfile::tempdir().unwrap();
+        let file = File::new("folder/file.txt", "text".into());
+        assert!(file.is_stale(root.path()));
+        file.write(root.path()).unwrap();
+        assert!(!file.is_stale(root.path()));
+        let no_more = File { path: file.path, text: None };
+        assert!(no_more.is_stale(root.path()));
+        no_more.write(root.path()).unwrap();
+        assert!(!no_more.is_stale(root.path()));
+    }
+
+    #[test]
+    fn description_of_a_removed_model_is_left_over() {
+        let root = tempfile::tempdir().unwrap();
+        for name in ["LuGre", "Removed"] {
+            File::new(description(name), String::new()).write(root.path()).unwrap();
+        }
+        let left: Vec<_> = left_over(root.path()).unwrap().into_iter().map(|file| file.path).collect();
+        assert_eq!(left, [description("Removed")]);
+    }
+}
