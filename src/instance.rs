@@ -11,6 +11,10 @@ pub struct Instance {
     slope: Box<[f64]>,
     /// Do the slopes belong to the step to come? They are given for one step, and then used up.
     slopes_are_new: bool,
+    /// Is there a slope that is not zero?
+    has_slopes: bool,
+    /// Has a parameter been set since the parameters were last checked against each other?
+    unchecked: bool,
     /// Do the outputs lag behind the other columns?
     stale: bool,
     time: f64,
@@ -43,6 +47,8 @@ impl Instance {
             row: vec![0.0; columns].into(),
             slope: vec![0.0; columns].into(),
             slopes_are_new: false,
+            has_slopes: false,
+            unchecked: true,
             stale: true,
             time: 0.0,
             rate: vec![0.0; columns].into(),
@@ -57,8 +63,9 @@ impl Instance {
         for (value, variable) in self.row.iter_mut().zip(self.model.table) {
             *value = variable.start;
         }
-        self.slope.fill(0.0);
+        self.clear_slopes();
         self.slopes_are_new = false;
+        self.unchecked = true;
         self.stale = true;
         self.time = 0.0;
     }
@@ -95,6 +102,15 @@ impl Instance {
     pub fn put(&mut self, column: usize, value: f64) {
         self.row[column] = value;
         self.stale = true;
+        self.unchecked |= self.model.access[column].role.is_parameter();
+    }
+
+    /// The row, for a caller that writes admitted values into columns that may be set; `parameters`: into parameters too?
+    #[inline(always)]
+    pub(crate) fn row_to_set(&mut self, parameters: bool) -> &mut [f64] {
+        self.stale = true;
+        self.unchecked |= parameters;
+        &mut self.row
     }
 
     /// Writes the values of the named preset. False if there is none of that name.
@@ -111,15 +127,32 @@ impl Instance {
     /// Gives an input a slope over the next step.
     pub fn put_slope(&mut self, column: usize, slope: f64) {
         if !self.slopes_are_new {
-            self.slope.fill(0.0);
-            self.slopes_are_new = true;
+            self.clear_slopes();
         }
+        self.slopes_are_new = true;
+        self.has_slopes = true;
         self.slope[column] = slope;
     }
 
+    fn clear_slopes(&mut self) {
+        self.slope.fill(0.0);
+        self.has_slopes = false;
+    }
+
     /// Refuses parameters that are admitted one by one but not together.
-    pub fn check(&self) -> Result<(), Fault> {
-        self.model.check(&self.row)
+    #[inline]
+    pub fn check(&mut self) -> Result<(), Fault> {
+        if self.unchecked {
+            self.model.check(&self.row)?;
+            self.unchecked = false;
+        }
+        Ok(())
+    }
+
+    /// Do the outputs lag behind the other columns?
+    #[inline(always)]
+    pub fn is_stale(&self) -> bool {
+        self.stale
     }
 
     /// Makes the outputs follow the other columns.
@@ -139,15 +172,16 @@ impl Instance {
     pub fn step(&mut self, dt: f64) -> Result<(), Fault> {
         self.check()?;
         let finite = if self.slopes_are_new {
+            self.check_ramps(dt)?;
             self.model.advance_ramp(&mut self.row, &self.slope, dt)
         } else {
             self.model.advance(&mut self.row, dt)
         };
         if !finite {
-            return Err(self.not_finite(&format!("a step of {dt} s")));
+            return Err(self.step_not_finite(dt));
         }
-        if !self.slopes_are_new {
-            self.slope.fill(0.0);
+        if self.has_slopes && !self.slopes_are_new {
+            self.clear_slopes();
         }
         self.slopes_are_new = false;
         self.stale = false;
@@ -155,6 +189,23 @@ impl Instance {
         Ok(())
     }
 
+    /// Refuses slopes that lead an input out of its bound within the step.
+    fn check_ramps(&self, dt: f64) -> Result<(), Fault> {
+        for (column, slope) in self.slope.iter().enumerate().filter(|(_, slope)| **slope != 0.0) {
+            let (variable, end) = (&self.model.table[column], self.row[column] + slope * dt);
+            if !variable.admits(end) {
+                return Err(Fault(format!("at the end of its ramp {}", variable.fault(end))));
+            }
+        }
+        Ok(())
+    }
+
+    #[cold]
+    fn step_not_finite(&self, dt: f64) -> Fault {
+        self.not_finite(&format!("a step of {dt} s"))
+    }
+
+    #[cold]
     fn not_finite(&self, what: &str) -> Fault {
         let given: Vec<String> = self
             .model
@@ -218,6 +269,8 @@ impl Instance {
         self.row.copy_from_slice(&snapshot.row);
         self.slope.copy_from_slice(&snapshot.slope);
         self.slopes_are_new = snapshot.slopes_are_new;
+        self.has_slopes = true;
+        self.unchecked = true;
         self.stale = snapshot.stale;
         self.time = snapshot.time;
     }

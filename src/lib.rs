@@ -2,7 +2,7 @@
 //!
 //! # The tour
 //!
-//! A model is one row of `f64` with a declared table ([`model`]); its outputs are written once for every [`number`]
+//! A model is one row of `f64` with a declared table ([`mod@model`]); its outputs are written once for every [`number`]
 //! type; [`laws`] are the pure functions that models share. [`friction`] and [`host`] hold one model per file, listed in
 //! the [`catalogue`]. An [`instance`] is a live model; [`fmi2`] and [`c_api`] offer it to the world.
 

@@ -351,6 +351,10 @@ pub trait Described: Columns {
     const SUMMARY: &'static str;
     /// The documentation page, in Markdown.
     const DOCUMENTATION: &'static str;
+    /// What an interface must know of the columns on every call.
+    const ACCESS: &'static [Access];
+    /// What a master may set on every step.
+    const INPUTS: &'static [InputRange];
     /// The same model in dual numbers, for exact derivatives.
     type Dual: Law;
 }
@@ -385,6 +389,13 @@ pub trait Model: Described + Law {
     /// Advances the states by `dt` > 0 while the inputs are held.
     fn step(&mut self, dt: f64);
 
+    /// [`Model::step`], and the outputs after it. To be overridden where both need the same costly term.
+    #[inline(always)]
+    fn step_and_output(&mut self, dt: f64) {
+        self.step(dt);
+        self.output();
+    }
+
     /// Advances the states by `dt` while each input moves with the slope in its column of `slope`, and leaves the
     /// inputs at their values at the end. By default composed of held steps, with error control.
     fn step_ramp(&mut self, slope: &Self, dt: f64) {
@@ -393,6 +404,68 @@ pub trait Model: Described + Law {
 
     /// Writes the time derivatives of the continuous states into their columns of `rate`.
     fn rate(&self, _rate: &mut Self) {}
+}
+
+/// What an interface must know of a column on every call, packed closely.
+#[derive(Clone, Copy, Debug)]
+pub struct Access {
+    low: f64,
+    high: f64,
+    /// Type of the column.
+    pub kind: BaseType,
+    /// Role of the column.
+    pub role: Role,
+}
+
+/// The types that FMI tells apart; enumerations are integers there.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum BaseType {
+    /// Floating-point number.
+    Real,
+    /// Whole number or choice.
+    Integer,
+    /// True or false.
+    Boolean,
+}
+
+/// The values that a Real input admits while stepping; none at all for every other column. What a master sets on every
+/// step is checked against this and nothing else.
+#[derive(Clone, Copy, Debug)]
+pub struct InputRange {
+    low: f64,
+    high: f64,
+}
+
+impl InputRange {
+    /// May `value` be written?
+    #[inline(always)]
+    pub fn admits(&self, value: f64) -> bool {
+        value >= self.low && value <= self.high
+    }
+
+    const fn of(variable: &Variable) -> InputRange {
+        match (variable.role, variable.kind) {
+            (Role::Input, Kind::Real(_)) => InputRange { low: variable.bound.low, high: variable.bound.high },
+            _ => InputRange { low: f64::INFINITY, high: f64::NEG_INFINITY },
+        }
+    }
+}
+
+impl Access {
+    /// Does the bound of the column admit `value`? Whether it is a whole number is not asked.
+    #[inline(always)]
+    pub fn is_within(&self, value: f64) -> bool {
+        value >= self.low && value <= self.high
+    }
+
+    const fn of(variable: &Variable) -> Access {
+        let kind = match variable.kind {
+            Kind::Real(_) => BaseType::Real,
+            Kind::Integer | Kind::Enumeration(_) => BaseType::Integer,
+            Kind::Boolean => BaseType::Boolean,
+        };
+        Access { low: variable.bound.low, high: variable.bound.high, kind, role: variable.role }
+    }
 }
 
 /// Everything the library knows about a model, in one record of plain data and functions.
@@ -405,6 +478,10 @@ pub struct ModelType {
     pub summary: &'static str,
     /// Its columns.
     pub table: &'static [Variable],
+    /// What an interface must know of the columns on every call.
+    pub access: &'static [Access],
+    /// What a master may set on every step.
+    pub inputs: &'static [InputRange],
     /// Its named parameter sets.
     pub presets: &'static [Preset],
     guid: GuidText,
@@ -424,15 +501,22 @@ impl ModelType {
             c_name: M::C_NAME,
             summary: M::SUMMARY,
             table: M::TABLE,
+            access: M::ACCESS,
+            inputs: M::INPUTS,
             presets: M::PRESETS,
             guid: guid::fingerprint(M::NAME, M::TABLE),
             check: |row| view::<M, f64>(row).check(),
-            advance: |row, dt| commit::<M>(row, |model| model.step(dt)),
+            advance: |row, dt| commit::<M>(row, first_result(M::TABLE), |model| model.step_and_output(dt)),
             advance_ramp: |row, slope, dt| {
                 let slope = *view::<M, f64>(slope);
-                commit::<M>(row, |model| model.step_ramp(&slope, dt))
+                let advance = |model: &mut M| {
+                    model.step_ramp(&slope, dt);
+                    model.output();
+                };
+                // The inputs have moved too.
+                commit::<M>(row, 0, advance)
             },
-            output: |row| commit::<M>(row, |_| ()),
+            output: |row| commit::<M>(row, first_result(M::TABLE), M::output),
             output_dual: |row| view_mut::<M::Dual, Dual>(row).output(),
             rate: |row, rate| {
                 rate.fill(0.0);
@@ -498,18 +582,42 @@ impl fmt::Debug for ModelType {
     }
 }
 
-/// Works on a copy and keeps it only if every number is finite, so that a failed step leaves the row as it was.
-#[inline(always)]
-fn commit<M: Model>(row: &mut [f64], work: impl FnOnce(&mut M)) -> bool {
-    let row = view_mut::<M, f64>(row);
-    let mut next = *row;
-    work(&mut next);
-    next.output();
-    let finite = row_of(&next).iter().fold(true, |finite, value| finite & value.is_finite());
-    if finite {
-        *row = next;
+/// The first column that a step or the outputs may change: before it there are inputs and parameters only.
+const fn first_result(table: &[Variable]) -> usize {
+    let mut first = 0;
+    while first < table.len() && (table[first].role.is_parameter() || matches!(table[first].role, Role::Input)) {
+        first += 1;
     }
-    finite
+    first
+}
+
+/// Works on the row and keeps the work only if every number from column `first` on is finite; otherwise, and if the work
+/// panics, the row is as it was. Nothing before that column may be changed by the work.
+#[inline(always)]
+fn commit<M: Model>(row: &mut [f64], first: usize, work: impl FnOnce(&mut M)) -> bool {
+    let row = view_mut::<M, f64>(row);
+    let mut guard = RollBack { before: *row, row, keep: false };
+    work(guard.row);
+    // x 0 is 0 for every finite x, and NaN for the others.
+    guard.keep = row_of(guard.row)[first..].iter().fold(0.0, |sum, value| sum + value * 0.0) == 0.0;
+    guard.keep
+}
+
+/// Puts a row back unless it is told to keep it. The work is done in place, and not on a copy that is written back,
+/// because processors stall where a vector copy reads what was just written number by number.
+struct RollBack<'a, M: Model> {
+    row: &'a mut M,
+    before: M,
+    keep: bool,
+}
+
+impl<M: Model> Drop for RollBack<'_, M> {
+    #[inline(always)]
+    fn drop(&mut self) {
+        if !self.keep {
+            *self.row = self.before;
+        }
+    }
 }
 
 /// The row of a model, as plain numbers.
@@ -581,6 +689,28 @@ pub const fn graft(
         index += 1;
     }
     at
+}
+
+/// The packed form of a table.
+pub const fn access<const COLUMNS: usize>(table: &[Variable]) -> [Access; COLUMNS] {
+    let mut access = [Access::of(&BLANK); COLUMNS];
+    let mut column = 0;
+    while column < COLUMNS {
+        access[column] = Access::of(&table[column]);
+        column += 1;
+    }
+    access
+}
+
+/// The ranges of the inputs of a table.
+pub const fn input_ranges<const COLUMNS: usize>(table: &[Variable]) -> [InputRange; COLUMNS] {
+    let mut ranges = [InputRange::of(&BLANK); COLUMNS];
+    let mut column = 0;
+    while column < COLUMNS {
+        ranges[column] = InputRange::of(&table[column]);
+        column += 1;
+    }
+    ranges
 }
 
 /// A table entry to be overwritten by [`place`] or [`graft`].
@@ -758,6 +888,12 @@ macro_rules! model {
             };
             const SUMMARY: &'static str = $summary;
             const DOCUMENTATION: &'static str = concat!($($doc, "\n"),+);
+            const ACCESS: &'static [$crate::model::Access] =
+                &$crate::model::access::<{ <$Name as $crate::model::Width>::WIDTH }>(
+                    <$Name as $crate::model::Columns>::TABLE);
+            const INPUTS: &'static [$crate::model::InputRange] =
+                &$crate::model::input_ranges::<{ <$Name as $crate::model::Width>::WIDTH }>(
+                    <$Name as $crate::model::Columns>::TABLE);
             type Dual = $Name<$crate::number::Dual>;
         }
 

@@ -73,6 +73,10 @@ impl Real for f64 {
     fn abs(self) -> f64 {
         f64::abs(self)
     }
+    fn sign(self) -> f64 {
+        // Without a branch: the sign of a velocity is hard to predict.
+        f64::from(u8::from(self != 0.0)).copysign(self)
+    }
 }
 
 /// A value and its derivative in one direction (forward automatic differentiation).

@@ -2,23 +2,29 @@
 
 use std::any::Any;
 use std::panic::{self, PanicHookInfo};
-use std::sync::Once;
+use std::sync::OnceLock;
 
 /// Silences the report that Rust prints for a panic in this library's code; all other panics keep their report. Called
 /// when the first instance is made through a C interface, where every panic is caught and told to the caller instead.
 ///
 /// The place of the panic decides, and not a thread-local flag: that would cost as much as a friction law on each call.
 pub(crate) fn silence() {
-    static ONCE: Once = Once::new();
-    ONCE.call_once(|| {
+    // A closure that captured the report would be lost, 16 bytes, whenever the library is unloaded.
+    static REPORT: OnceLock<Box<Report>> = OnceLock::new();
+    REPORT.get_or_init(|| {
         let report = panic::take_hook();
-        panic::set_hook(Box::new(move |info| {
-            if !is_ours(info) {
+        panic::set_hook(Box::new(|info| {
+            if !is_ours(info)
+                && let Some(report) = REPORT.get()
+            {
                 report(info);
             }
         }));
+        report
     });
 }
+
+type Report = dyn Fn(&PanicHookInfo<'_>) + Send + Sync;
 
 fn is_ours(info: &PanicHookInfo) -> bool {
     // Unit tests live in the same folder and keep their reports; only their probe is told to panic.

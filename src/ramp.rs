@@ -55,7 +55,8 @@ fn smooth<M: Model>(model: &mut M, begin: &M, slope: &M, from: f64, to: f64) {
         held(&mut halves, begin, slope, middle, end);
         let error = difference(&whole, &halves) / TOLERANCE;
         let length = end - at;
-        if error <= 1.0 || length <= shortest {
+        // Not the length: by rounding it may stay above the shortest piece for ever. What is not finite will be refused.
+        if error <= 1.0 || piece <= shortest || !error.is_finite() {
             *model = halves;
             at = end;
         }

@@ -227,11 +227,10 @@ fn call(importer: &Importer, call: Call) -> fmi2Status {
 impl Importer {
     /// fmi2EnterInitializationMode needs an experiment; in the state Instantiated the matrix sets one up.
     fn one_state_is_set_up(&self) -> bool {
-        // SAFETY: an instance of this test; a state is saved and freed to find out where it is.
-        let state = self.save();
+        let mut state = self.save();
         let bytes = self.bytes(state);
-        let mut state = state;
-        unsafe { fmi2FreeFMUstate(self.c, &mut state) };
+        // SAFETY: a state of this instance, freed once.
+        assert_eq!(unsafe { fmi2FreeFMUstate(self.c, &mut state) }, fmi2OK);
         // The first number behind head (50 bytes) and the three of the instance is the state.
         let number: Vec<u8> = bytes[50 + 24..50 + 32].iter().map(|byte| *byte as u8).collect();
         f64::from_le_bytes(number.try_into().expect("eight bytes")) == 0.0

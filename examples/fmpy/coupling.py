@@ -119,7 +119,9 @@ def _initialise(slave: FMU2Slave, description: ModelDescription, values: dict[st
 
 def _start_values(description: ModelDescription, parameters: Mapping[str, object]) -> dict[str, object]:
     variables = _by_name(description)
-    settable = [name for name, variable in variables.items() if variable.initial == "exact"]
+    # Start values of inputs and states may be set as well; parameters come first in the answer to a wrong name.
+    settable = [name for name, variable in variables.items() if variable.start is not None]
+    settable.sort(key=lambda name: variables[name].causality != "parameter")
     _refuse_unknown(description, parameters, "parameter", settable)
     return {name: _value(variables[name], value) for name, value in parameters.items()}
 

@@ -23,11 +23,12 @@ pub(super) struct Slave {
 pub(super) struct Experiment {
     pub is_set_up: bool,
     pub start: f64,
-    pub stop: Option<f64>,
+    /// Infinite if no stop time is defined.
+    pub stop: f64,
 }
 
 impl Experiment {
-    pub const NONE: Experiment = Experiment { is_set_up: false, start: 0.0, stop: None };
+    pub const NONE: Experiment = Experiment { is_set_up: false, start: 0.0, stop: f64::INFINITY };
 }
 
 /// Marks the memory of a live instance, so that a pointer to something else is refused.
@@ -70,14 +71,25 @@ pub(super) unsafe fn enter(c: fmi2Component, call: Call, body: impl FnOnce(&mut 
     // SAFETY: the caller's promise.
     let Some(slave) = (unsafe { slave(c) }) else { return fmi2Status::fmi2Error };
     if !call.is_allowed(slave.state) {
-        return refused(slave, call, Refusal::Error(format!("may not be called in state {:?}", slave.state)));
+        return refused(slave, call, not_allowed(slave.state));
     }
     // A panic leaves the row as it was: models work on a copy. Everything else that a body writes, it writes last.
     match catch_unwind(AssertUnwindSafe(|| body(slave))) {
         Ok(Ok(())) => fmi2Status::fmi2OK,
         Ok(Err(refusal)) => refused(slave, call, refusal),
-        Err(panic) => refused(slave, call, Refusal::Error(crate::panics::text(&panic))),
+        Err(panic) => refused(slave, call, Refusal::Error(crate::panics::text(&*panic))),
     }
+}
+
+/// The instance behind `c` if it is ready to step: what a call needs to know before it may take the short way, in which
+/// nothing can be refused. Everything unusual takes the long way through [`enter`].
+///
+/// # Safety
+/// As for [`enter`].
+#[inline(always)]
+pub(super) unsafe fn stepping<'a>(c: fmi2Component) -> Option<&'a mut Slave> {
+    // SAFETY: the caller's promise.
+    unsafe { slave(c) }.filter(|slave| slave.state == State::StepComplete)
 }
 
 /// The live instance behind `c`.
@@ -106,6 +118,18 @@ pub(super) unsafe fn take(c: fmi2Component) -> Option<Box<Slave>> {
 
 #[cold]
 #[inline(never)]
+fn not_allowed(state: State) -> Refusal {
+    Refusal::Error(format!("may not be called in state {state:?}"))
+}
+
+#[cold]
+#[inline(never)]
+fn is_null(name: &str) -> Refusal {
+    Refusal::Error(format!("{name} is NULL"))
+}
+
+#[cold]
+#[inline(never)]
 fn refused(slave: &mut Slave, call: Call, refusal: Refusal) -> fmi2Status {
     let (status, text) = match refusal {
         Refusal::Discard(text) => (fmi2Status::fmi2Discard, text),
@@ -128,7 +152,7 @@ pub(super) unsafe fn array<'a, T>(pointer: *const T, n: usize, name: &str) -> Re
         return Ok(&[]);
     }
     if pointer.is_null() {
-        return refuse(format!("{name} is NULL"));
+        return Err(is_null(name));
     }
     // SAFETY: not NULL, and the caller promises `n` elements.
     Ok(unsafe { std::slice::from_raw_parts(pointer, n) })
@@ -144,7 +168,7 @@ pub(super) unsafe fn array_mut<'a, T>(pointer: *mut T, n: usize, name: &str) -> 
         return Ok(&mut []);
     }
     if pointer.is_null() {
-        return refuse(format!("{name} is NULL"));
+        return Err(is_null(name));
     }
     // SAFETY: not NULL, and the caller promises `n` elements.
     Ok(unsafe { std::slice::from_raw_parts_mut(pointer, n) })

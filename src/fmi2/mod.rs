@@ -1,6 +1,6 @@
 //! The functions of FMI 2.0 for co-simulation, as the standard's headers declare them.
 //!
-//! Every call on an instance passes one [`door`]: null pointer, state (the table in [`lifecycle`]), panic, log. The
+//! Every call on an instance passes one door: null pointer, state (the table in [`lifecycle`]), panic, log. The
 //! entry points are written out because cbindgen cannot see what macros make.
 //!
 //! For every call on an instance `c` must be NULL or an instance made by [`setup::fmi2Instantiate`] and not yet freed; one

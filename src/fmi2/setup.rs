@@ -144,12 +144,10 @@ pub unsafe extern "C" fn fmi2SetupExperiment(
         if !startTime.is_finite() {
             return refuse(format!("startTime = {startTime}: must be finite"));
         }
-        let stop = (stopTimeDefined != fmi2False).then_some(stopTime);
-        if let Some(stop) = stop
-            && !(stop.is_finite() && stop >= startTime)
-        {
-            return refuse(format!("stopTime = {stop}: must be finite and >= startTime = {startTime}"));
+        if stopTimeDefined != fmi2False && !(stopTime.is_finite() && stopTime >= startTime) {
+            return refuse(format!("stopTime = {stopTime}: must be finite and >= startTime = {startTime}"));
         }
+        let stop = if stopTimeDefined != fmi2False { stopTime } else { f64::INFINITY };
         slave.experiment = Experiment { is_set_up: true, start: startTime, stop };
         slave.instance.set_time(startTime);
         Ok(())

@@ -36,17 +36,17 @@ impl Saved {
         slave.instance.save_into(&mut self.snapshot);
     }
 
-    /// The numbers that the FMI layer adds to a serialised instance; an undefined stop time is written as infinity.
+    /// The numbers that the FMI layer adds to a serialised instance.
     fn owners(&self) -> [f64; serial::OWNERS] {
         let Experiment { is_set_up, start, stop } = self.experiment;
         let state = STATES.iter().position(|state| *state == self.state).unwrap_or_default();
-        [state as f64, f64::from(u8::from(is_set_up)), start, stop.unwrap_or(f64::INFINITY)]
+        [state as f64, f64::from(u8::from(is_set_up)), start, stop]
     }
 
     fn read(model: &'static ModelType, bytes: &[u8]) -> Result<Saved, Refusal> {
         let (snapshot, [state, is_set_up, start, stop]) = serial::read(model, bytes)?;
         let Some(state) = STATES.get(state as usize) else { return refuse(format!("unknown state {state}")) };
-        let experiment = Experiment { is_set_up: is_set_up != 0.0, start, stop: stop.is_finite().then_some(stop) };
+        let experiment = Experiment { is_set_up: is_set_up != 0.0, start, stop };
         Ok(Saved { magic: MAGIC, model, state: *state, experiment, snapshot })
     }
 }

@@ -1,15 +1,17 @@
 //! Getting and setting variables. The value reference is the column of the row.
 
-use super::door::{Outcome, Refusal, Slave, array, array_mut, enter, refuse};
+use std::slice::{from_raw_parts, from_raw_parts_mut};
+
+use super::door::{self, Outcome, Refusal, Slave, array, array_mut, enter, refuse};
 use super::lifecycle::{Call, State};
+use super::types::fmi2Status::fmi2OK;
 use super::types::*;
-use crate::model::{Kind, Role, Variable};
+use crate::model::{Access, BaseType, Role, Variable};
 
 /// How one of FMI's base types looks at a column.
 trait Base {
     type Value: Copy;
-    const NAME: &str;
-    fn serves(kind: Kind) -> bool;
+    const TYPE: BaseType;
     fn to_number(value: Self::Value) -> f64;
     fn from_number(number: f64) -> Self::Value;
 }
@@ -20,11 +22,7 @@ struct Boolean;
 
 impl Base for Real {
     type Value = fmi2Real;
-    const NAME: &str = "Real";
-    #[inline(always)]
-    fn serves(kind: Kind) -> bool {
-        matches!(kind, Kind::Real(_))
-    }
+    const TYPE: BaseType = BaseType::Real;
     #[inline(always)]
     fn to_number(value: fmi2Real) -> f64 {
         value
@@ -37,10 +35,7 @@ impl Base for Real {
 
 impl Base for Integer {
     type Value = fmi2Integer;
-    const NAME: &str = "Integer";
-    fn serves(kind: Kind) -> bool {
-        matches!(kind, Kind::Integer | Kind::Enumeration(_))
-    }
+    const TYPE: BaseType = BaseType::Integer;
     fn to_number(value: fmi2Integer) -> f64 {
         f64::from(value)
     }
@@ -51,10 +46,7 @@ impl Base for Integer {
 
 impl Base for Boolean {
     type Value = fmi2Boolean;
-    const NAME: &str = "Boolean";
-    fn serves(kind: Kind) -> bool {
-        matches!(kind, Kind::Boolean)
-    }
+    const TYPE: BaseType = BaseType::Boolean;
     fn to_number(value: fmi2Boolean) -> f64 {
         f64::from(value)
     }
@@ -64,50 +56,68 @@ impl Base for Boolean {
 }
 
 impl Slave {
-    /// The variable behind a value reference; an error if there is none or if it is of another base type.
-    #[inline(always)]
-    fn variable<B: Base>(&self, reference: fmi2ValueReference) -> Result<&'static Variable, Refusal> {
-        match self.instance.variable(reference as usize) {
-            Some(variable) if B::serves(variable.kind) => Ok(variable),
-            other => Err(wrong_reference(reference, B::NAME, other)),
+    /// Is it the value reference of the independent variable `time`, the one behind the last column?
+    #[cold]
+    #[inline(never)]
+    fn check_time<B: Base>(&self, reference: fmi2ValueReference) -> Outcome {
+        let is_time = reference as usize == self.instance.row().len() && B::TYPE == BaseType::Real;
+        if is_time { Ok(()) } else { Err(wrong_reference(self, reference, B::TYPE)) }
+    }
+
+    /// What the calls need of the column behind a value reference; an error if it is of another type, or none.
+    fn access<B: Base>(&self, reference: fmi2ValueReference) -> Result<&'static Access, Refusal> {
+        match self.instance.model().access.get(reference as usize) {
+            Some(access) if access.kind == B::TYPE => Ok(access),
+            _ => Err(wrong_reference(self, reference, B::TYPE)),
         }
     }
 
-    /// The independent variable `time` has the value reference behind the last column.
-    #[inline(always)]
-    fn is_time(&self, reference: fmi2ValueReference) -> bool {
-        reference as usize == self.instance.model().table.len()
+    /// The variable behind a value reference of type Real.
+    fn real(&self, reference: fmi2ValueReference) -> Result<&'static Variable, Refusal> {
+        self.access::<Real>(reference)?;
+        Ok(&self.instance.model().table[reference as usize])
     }
+}
 
-    /// FMI 2.0.5 section 4.2.4, conditions 1, 3 and 6 of the table: what may be set in this state.
-    #[inline(always)]
-    fn may_set(&self, variable: &Variable) -> Outcome {
-        let may = match self.state {
-            State::StepComplete => matches!(variable.role, Role::Input | Role::Tunable),
-            _ => variable.role != Role::Output,
-        };
-        if may { Ok(()) } else { Err(not_settable(self.state, variable)) }
+/// FMI 2.0.5 section 4.2.4, conditions 1, 3 and 6 of the table: what may be set in a state.
+#[inline(always)]
+fn may_set(state: State, role: Role) -> bool {
+    match role {
+        Role::Input | Role::Tunable => true,
+        Role::Fixed | Role::State | Role::StateOutput => state != State::StepComplete,
+        Role::Output => false,
     }
 }
 
 #[cold]
-fn wrong_reference(reference: fmi2ValueReference, wanted: &str, found: Option<&Variable>) -> Refusal {
-    Refusal::Error(match found {
-        None => format!("value reference {reference} is that of no {wanted} variable"),
-        Some(variable) => format!("{} (value reference {reference}) is not of type {wanted}", variable.path),
+#[inline(never)]
+fn wrong_reference(slave: &Slave, reference: fmi2ValueReference, wanted: BaseType) -> Refusal {
+    Refusal::Error(match slave.instance.variable(reference as usize) {
+        None => format!("value reference {reference} is that of no {wanted:?} variable"),
+        Some(variable) => format!("{} (value reference {reference}) is not of type {wanted:?}", variable.path),
     })
 }
 
+/// Why a value was not taken: its reference, the role of its variable, or its bound.
 #[cold]
-fn not_settable(state: State, variable: &Variable) -> Refusal {
-    Refusal::Error(match variable.role {
-        Role::Output => format!("{} is computed and cannot be set", variable.path),
-        _ => format!("{} is neither input nor tunable and cannot be set in state {state:?}", variable.path),
-    })
+#[inline(never)]
+fn refused_value<B: Base>(slave: &Slave, reference: fmi2ValueReference, value: f64) -> Refusal {
+    if let Err(refusal) = slave.access::<B>(reference) {
+        return refusal;
+    }
+    let (variable, state) = (&slave.instance.model().table[reference as usize], slave.state);
+    if variable.role == Role::Output {
+        return Refusal::Error(format!("{} is computed and cannot be set", variable.path));
+    }
+    if !may_set(state, variable.role) {
+        let text = "is neither input nor tunable and cannot be set in state";
+        return Refusal::Error(format!("{} {text} {state:?}", variable.path));
+    }
+    Refusal::Discard(variable.fault(value).0)
 }
 
 /// Reads `n` variables; writes the results only if all can be read.
-#[inline(always)]
+#[inline(never)]
 unsafe fn get<B: Base>(
     c: fmi2Component,
     call: Call,
@@ -118,17 +128,18 @@ unsafe fn get<B: Base>(
     let body = |slave: &mut Slave| {
         // SAFETY: the importer promises `n` value references and room for `n` values.
         let (references, values) = unsafe { (array(vr, n, "vr")?, array_mut(value, n, "value")?) };
+        let access = slave.instance.model().access;
         for reference in references {
-            if !(slave.is_time(*reference) && B::NAME == Real::NAME) {
-                slave.variable::<B>(*reference)?;
+            match access.get(*reference as usize) {
+                Some(access) if access.kind == B::TYPE => (),
+                _ => slave.check_time::<B>(*reference)?,
             }
         }
         slave.instance.refresh()?;
+        let row = slave.instance.row();
         for (reference, value) in references.iter().zip(values) {
-            *value = B::from_number(match slave.is_time(*reference) {
-                true => slave.instance.time(),
-                false => slave.instance.row()[*reference as usize],
-            });
+            let found = row.get(*reference as usize).copied();
+            *value = B::from_number(found.unwrap_or(slave.instance.time()));
         }
         Ok(())
     };
@@ -137,7 +148,7 @@ unsafe fn get<B: Base>(
 }
 
 /// Writes `n` variables: all, or none if one is refused.
-#[inline(always)]
+#[inline(never)]
 unsafe fn set<B: Base>(
     c: fmi2Component,
     call: Call,
@@ -148,21 +159,75 @@ unsafe fn set<B: Base>(
     let body = |slave: &mut Slave| {
         // SAFETY: the importer promises `n` value references and `n` values.
         let (references, values) = unsafe { (array(vr, n, "vr")?, array(value, n, "value")?) };
+        let (access, state) = (slave.instance.model().access, slave.state);
+        let mut parameters = false;
         for (reference, value) in references.iter().zip(values) {
-            let variable = slave.variable::<B>(*reference)?;
-            slave.may_set(variable)?;
             let number = B::to_number(*value);
-            if !variable.admits(number) {
-                return Err(Refusal::Discard(variable.fault(number).0));
+            match access.get(*reference as usize) {
+                // Values of the whole-numbered types are whole numbers.
+                Some(access) if access.kind == B::TYPE && may_set(state, access.role) && access.is_within(number) => {
+                    parameters |= access.role.is_parameter();
+                }
+                _ => return Err(refused_value::<B>(slave, *reference, number)),
             }
         }
+        let row = slave.instance.row_to_set(parameters);
         for (reference, value) in references.iter().zip(values) {
-            slave.instance.put(*reference as usize, B::to_number(*value));
+            row[*reference as usize] = B::to_number(*value);
         }
         Ok(())
     };
     // SAFETY: the importer's promise about `c`.
     unsafe { enter(c, call, body) }
+}
+
+/// The short way of fmi2GetReal: results that need no computing. False if there is anything else among them; what was
+/// written until then is written again by the long way, or not to be used.
+///
+/// # Safety
+/// `vr` and `value` must be NULL or have `n` elements.
+#[inline(always)]
+unsafe fn read_at_once(slave: &Slave, vr: *const fmi2ValueReference, n: usize, value: *mut fmi2Real) -> bool {
+    if n == 0 || vr.is_null() || value.is_null() {
+        return false;
+    }
+    // SAFETY: not NULL, and the caller promises `n` elements.
+    let (references, values) = unsafe { (from_raw_parts(vr, n), from_raw_parts_mut(value, n)) };
+    let (row, access) = (slave.instance.row(), slave.instance.model().access);
+    for (reference, value) in references.iter().zip(values) {
+        match (row.get(*reference as usize), access.get(*reference as usize)) {
+            (Some(found), Some(access)) if access.kind == BaseType::Real => *value = *found,
+            _ => return false,
+        }
+    }
+    !slave.instance.is_stale()
+}
+
+/// The short way of fmi2SetReal: admitted values of inputs, to which no rule but their range applies. False, and nothing
+/// changed, if there is anything else among them.
+///
+/// # Safety
+/// `vr` and `value` must be NULL or have `n` elements.
+#[inline(always)]
+unsafe fn write_at_once(slave: &mut Slave, vr: *const fmi2ValueReference, n: usize, value: *const fmi2Real) -> bool {
+    if n == 0 || vr.is_null() || value.is_null() {
+        return false;
+    }
+    // SAFETY: not NULL, and the caller promises `n` elements.
+    let (references, values) = unsafe { (from_raw_parts(vr, n), from_raw_parts(value, n)) };
+    let inputs = slave.instance.model().inputs;
+    for (reference, value) in references.iter().zip(values) {
+        if !inputs.get(*reference as usize).is_some_and(|input| input.admits(*value)) {
+            return false;
+        }
+    }
+    let row = slave.instance.row_to_set(false);
+    for (reference, value) in references.iter().zip(values) {
+        if let Some(place) = row.get_mut(*reference as usize) {
+            *place = *value;
+        }
+    }
+    true
 }
 
 /// Reads Real variables.
@@ -177,7 +242,14 @@ pub unsafe extern "C" fn fmi2GetReal(
     value: *mut fmi2Real,
 ) -> fmi2Status {
     // SAFETY: the caller's promises.
-    unsafe { get::<Real>(c, Call::GetReal, vr, nvr, value) }
+    unsafe {
+        if let Some(slave) = door::stepping(c)
+            && read_at_once(slave, vr, nvr, value)
+        {
+            return fmi2OK;
+        }
+        get::<Real>(c, Call::GetReal, vr, nvr, value)
+    }
 }
 
 /// Reads Integer and Enumeration variables.
@@ -237,7 +309,14 @@ pub unsafe extern "C" fn fmi2SetReal(
     value: *const fmi2Real,
 ) -> fmi2Status {
     // SAFETY: the caller's promises.
-    unsafe { set::<Real>(c, Call::SetReal, vr, nvr, value) }
+    unsafe {
+        if let Some(slave) = door::stepping(c)
+            && write_at_once(slave, vr, nvr, value)
+        {
+            return fmi2OK;
+        }
+        set::<Real>(c, Call::SetReal, vr, nvr, value)
+    }
 }
 
 /// Sets Integer and Enumeration variables, as fmi2SetReal does.
@@ -310,7 +389,7 @@ pub unsafe extern "C" fn fmi2SetRealInputDerivatives(
         let (references, orders, values) =
             unsafe { (array(vr, nvr, "vr")?, array(order, nvr, "order")?, array(value, nvr, "value")?) };
         for ((reference, order), value) in references.iter().zip(orders).zip(values) {
-            let variable = slave.variable::<Real>(*reference)?;
+            let variable = slave.real(*reference)?;
             if variable.role != Role::Input {
                 return refuse(format!("{} is not an input", variable.path));
             }
@@ -347,7 +426,7 @@ pub unsafe extern "C" fn fmi2GetRealOutputDerivatives(
         let (references, orders, values) =
             unsafe { (array(vr, nvr, "vr")?, array(order, nvr, "order")?, array_mut(value, nvr, "value")?) };
         for (reference, order) in references.iter().zip(orders) {
-            let variable = slave.variable::<Real>(*reference)?;
+            let variable = slave.real(*reference)?;
             if !variable.role.is_output() {
                 return refuse(format!("{} is not an output", variable.path));
             }
@@ -395,13 +474,13 @@ pub unsafe extern "C" fn fmi2GetDirectionalDerivative(
             )
         };
         for reference in unknowns {
-            let variable = slave.variable::<Real>(*reference)?;
+            let variable = slave.real(*reference)?;
             if !variable.role.is_output() {
                 return refuse(format!("{} is not an output", variable.path));
             }
         }
         for reference in knowns {
-            let variable = slave.variable::<Real>(*reference)?;
+            let variable = slave.real(*reference)?;
             if variable.role == Role::Output {
                 return refuse(format!("{} is computed: outputs are differentiated, not varied", variable.path));
             }

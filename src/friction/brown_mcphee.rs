@@ -118,6 +118,11 @@ impl Model for BrownMcPhee {
         self.dissipated_energy += self.force() * self.velocity * dt;
     }
 
+    fn step_and_output(&mut self, dt: f64) {
+        self.output();
+        self.dissipated_energy += self.dissipated_power * dt;
+    }
+
     fn rate(&self, rate: &mut Self) {
         rate.dissipated_energy = self.force() * self.velocity;
     }

@@ -138,24 +138,54 @@ impl<T: Real> LuGre<T> {
     }
 
     #[inline]
-    fn force(&self, deflection_rate: T) -> T {
+    fn force(&self, deflection_rate: T, damping: T) -> T {
         if self.normal_force.value() == 0.0 {
             return T::zero();
         }
-        self.sigma_0 * self.bristle_deflection
-            + self.damping() * deflection_rate
-            + self.viscous_coefficient * self.velocity
+        self.sigma_0 * self.bristle_deflection + damping * deflection_rate + self.viscous_coefficient * self.velocity
+    }
+}
+
+impl<T: Real> LuGre<T> {
+    /// The outputs at the level g(v) and with the damping sigma_1(v).
+    #[inline(always)]
+    fn respond(&mut self, level: T, damping: T) {
+        let rate = self.deflection_rate(level);
+        self.friction_force = self.force(rate, damping);
+        self.dissipated_power = self.friction_force * self.velocity;
+        let [rate, velocity] = [rate.value(), self.velocity.value()];
+        let elastic = velocity == 0.0 || rate * velocity.sign() > ELASTIC_SHARE * velocity.abs();
+        self.sticking = T::from(f64::from(u8::from(elastic && self.normal_force.value() > 0.0)));
     }
 }
 
 impl<T: Real> Law for LuGre<T> {
     fn output(&mut self) {
-        let rate = self.deflection_rate(self.level());
-        self.friction_force = self.force(rate);
-        self.dissipated_power = self.friction_force * self.velocity;
-        let [rate, velocity] = [rate.value(), self.velocity.value()];
-        let elastic = velocity == 0.0 || rate * velocity.sign() > ELASTIC_SHARE * velocity.abs();
-        self.sticking = T::from(f64::from(u8::from(elastic && self.normal_force.value() > 0.0)));
+        self.respond(self.level(), self.damping());
+    }
+}
+
+impl LuGre {
+    /// Exact step of the deflection at the level g(v) and with the damping sigma_1(v).
+    #[inline(always)]
+    fn relax(&mut self, level: f64, damping: f64, dt: f64) {
+        let distance = self.velocity * dt;
+        if level == 0.0 {
+            self.bristle_deflection = 0.0;
+            if self.normal_force > 0.0 {
+                self.dissipated_energy += self.viscous_coefficient * self.velocity * distance;
+            }
+            return;
+        }
+        let direction = self.velocity.sign();
+        let decay = self.sigma_0 * distance.abs() / level;
+        let before = self.bristle_deflection;
+        self.bristle_deflection = relaxation::after(before, direction * level / self.sigma_0, decay);
+        let change = self.bristle_deflection - before;
+        // The integral of the force over the distance: sigma_0 z |v| / g = v - dz/dt gives the first term.
+        self.dissipated_energy += direction * level * (distance - change)
+            + damping * self.velocity * change
+            + self.viscous_coefficient * self.velocity * distance;
     }
 }
 
@@ -174,29 +204,19 @@ impl Model for LuGre {
     }
 
     fn step(&mut self, dt: f64) {
-        let level = self.level();
-        let distance = self.velocity * dt;
-        if level == 0.0 {
-            self.bristle_deflection = 0.0;
-            if self.normal_force > 0.0 {
-                self.dissipated_energy += self.viscous_coefficient * self.velocity * distance;
-            }
-            return;
-        }
-        let direction = self.velocity.sign();
-        let decay = self.sigma_0 * distance.abs() / level;
-        let before = self.bristle_deflection;
-        self.bristle_deflection = relaxation::after(before, direction * level / self.sigma_0, decay);
-        let change = self.bristle_deflection - before;
-        // The integral of the force over the distance: sigma_0 z |v| / g = v - dz/dt gives the first term.
-        self.dissipated_energy += direction * level * (distance - change)
-            + self.damping() * self.velocity * change
-            + self.viscous_coefficient * self.velocity * distance;
+        self.relax(self.level(), self.damping(), dt);
+    }
+
+    #[inline(always)]
+    fn step_and_output(&mut self, dt: f64) {
+        let (level, damping) = (self.level(), self.damping());
+        self.relax(level, damping, dt);
+        self.respond(level, damping);
     }
 
     fn rate(&self, rate: &mut Self) {
         rate.bristle_deflection = self.deflection_rate(self.level());
-        rate.dissipated_energy = self.force(rate.bristle_deflection) * self.velocity;
+        rate.dissipated_energy = self.force(rate.bristle_deflection, self.damping()) * self.velocity;
     }
 }
 

@@ -269,6 +269,17 @@ def test_an_input_outside_its_bound_is_refused_and_the_old_value_stays(model, ca
     )
 
 
+@pytest.mark.parametrize("model", FRICTION_MODELS)
+def test_a_slope_that_leads_an_input_out_of_its_bound_is_refused(model):
+    """From 20 N with -210 N/s the load would be -1 N after 0.1 s."""
+    with pytest.raises(CouplingError, match="normal_force = -1: must be >= 0 and finite"):
+        with open_fmu(path_of(model)) as fmu:
+            inputs = fmu.references("velocity", "normal_force")
+            fmu.slave.setReal(inputs, [2e-3, 20.0])
+            fmu.slave.setRealInputDerivatives(inputs, [1, 1], [0.0, -210.0])
+            fmu.slave.doStep(0.0, 0.1)
+
+
 def test_the_reason_of_a_failed_call_becomes_the_text_of_the_error():
     with pytest.raises(CouplingError, match="Dahl: fmi2SetReal: normal_force = -1: must be >= 0 and finite"):
         with open_fmu(path_of("BeltRig")), open_fmu(path_of("Dahl")) as fmu, open_fmu(path_of("LuGre")):
