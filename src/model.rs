@@ -402,6 +402,11 @@ pub trait Model: Described + Law {
         crate::ramp::advance(self, slope, dt);
     }
 
+    /// Speeds at which the law jumps or bends in `velocity`; 0 for none. No piece of a ramp reaches across them.
+    fn kinks(&self) -> [f64; 3] {
+        [0.0; 3]
+    }
+
     /// Writes the time derivatives of the continuous states into their columns of `rate`.
     fn rate(&self, _rate: &mut Self) {}
 }

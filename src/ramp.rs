@@ -3,7 +3,7 @@
 //! The models solve a step with held inputs exactly. Holding each input at its value in the middle of a piece is of
 //! second order; the length of the pieces follows from comparing one piece with its two halves.
 
-use crate::model::{Columns, Model, Role, row_of, row_of_mut};
+use crate::model::{Columns, Model, Path, Role, row_of, row_of_mut};
 
 /// Error allowed in a piece, relative to the larger of the state and its nominal value (chosen: an order below what
 /// co-simulation with a communication step of 1 us would resolve).
@@ -17,8 +17,7 @@ pub(crate) fn advance<M: Model>(model: &mut M, slope: &M, dt: f64) {
     let begin = *model;
     let mut from = 0.0;
     while from < dt {
-        // The laws have their kinks where an input changes sign, so no piece reaches across such an instant.
-        let to = next_zero(&begin, slope, from).map_or(dt, |zero| zero.min(dt));
+        let to = next_kink(&begin, slope, from).map_or(dt, |kink| kink.min(dt));
         smooth(model, &begin, slope, from, to);
         from = to;
     }
@@ -32,15 +31,18 @@ pub(crate) fn at_end<M: Model>(model: &mut M, slope: &M, dt: f64) {
     model.step(dt);
 }
 
-/// The first instant after `from` at which an input passes through zero.
-fn next_zero<M: Columns>(begin: &M, slope: &M, from: f64) -> Option<f64> {
-    inputs::<M>()
-        .map(|column| -row_of(begin)[column] / row_of(slope)[column])
-        .filter(|zero| *zero > from && zero.is_finite())
-        .min_by(f64::total_cmp)
+/// The first instant after `from` at which an input changes sign, where most laws have a kink, or at which the velocity
+/// passes another kink of the law.
+fn next_kink<M: Model>(begin: &M, slope: &M, from: f64) -> Option<f64> {
+    let reach = |column: usize, level: f64| (level - row_of(begin)[column]) / row_of(slope)[column];
+    let zeros = inputs::<M>().map(|column| reach(column, 0.0));
+    let velocity = M::TABLE.iter().position(|variable| variable.path == Path::root("velocity"));
+    let kinks = begin.kinks().into_iter().flat_map(|speed| [speed, -speed]);
+    let kinks = velocity.into_iter().flat_map(|column| kinks.clone().map(move |level| reach(column, level)));
+    zeros.chain(kinks).filter(|time| *time > from && time.is_finite()).min_by(f64::total_cmp)
 }
 
-/// Advances over an interval in which no input changes sign.
+/// Advances over an interval in which the law is smooth.
 fn smooth<M: Model>(model: &mut M, begin: &M, slope: &M, from: f64, to: f64) {
     let shortest = SHORTEST * (to - from);
     let mut at = from;

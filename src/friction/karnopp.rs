@@ -123,6 +123,10 @@ impl Model for Karnopp {
         self.dissipated_energy += self.time_stepping.step(&contact, dt);
     }
 
+    fn kinks(&self) -> [f64; 3] {
+        [self.transition_velocity, 0.0, 0.0]
+    }
+
     fn step_ramp(&mut self, slope: &Self, dt: f64) {
         if self.time_stepping.mass > 0.0 {
             crate::ramp::at_end(self, slope, dt);
