@@ -102,7 +102,7 @@ impl Instance {
     pub fn put(&mut self, column: usize, value: f64) {
         self.row[column] = value;
         self.stale = true;
-        self.unchecked |= self.model.access[column].role.is_parameter();
+        self.unchecked |= self.model.table[column].role.is_parameter();
     }
 
     /// The row, for a caller that writes admitted values into columns that may be set; `parameters`: into parameters too?

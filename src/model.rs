@@ -62,6 +62,29 @@ pub enum Kind {
     Enumeration(&'static Enumeration),
 }
 
+/// The types that FMI tells apart; enumerations are integers there.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum BaseType {
+    /// Floating-point number.
+    Real,
+    /// Whole number or choice.
+    Integer,
+    /// True or false.
+    Boolean,
+}
+
+impl Kind {
+    /// The type as FMI tells them apart.
+    #[inline(always)]
+    pub const fn base_type(self) -> BaseType {
+        match self {
+            Kind::Real(_) => BaseType::Real,
+            Kind::Integer | Kind::Enumeration(_) => BaseType::Integer,
+            Kind::Boolean => BaseType::Boolean,
+        }
+    }
+}
+
 /// The choices of an enumeration column.
 #[derive(Debug, PartialEq)]
 pub struct Enumeration {
@@ -351,10 +374,8 @@ pub trait Described: Columns {
     const SUMMARY: &'static str;
     /// The documentation page, in Markdown.
     const DOCUMENTATION: &'static str;
-    /// What an interface must know of the columns on every call.
-    const ACCESS: &'static [Access];
-    /// What a master may set on every step.
-    const INPUTS: &'static [InputRange];
+    /// What a master's calls on every step must know of the columns.
+    const PORTS: &'static [Port];
     /// The same model in dual numbers, for exact derivatives.
     type Dual: Law;
 }
@@ -411,65 +432,29 @@ pub trait Model: Described + Law {
     fn rate(&self, _rate: &mut Self) {}
 }
 
-/// What an interface must know of a column on every call, packed closely.
+/// What a master's calls on every step must know of a column, packed closely.
 #[derive(Clone, Copy, Debug)]
-pub struct Access {
+pub struct Port {
     low: f64,
     high: f64,
     /// Type of the column.
-    pub kind: BaseType,
-    /// Role of the column.
-    pub role: Role,
+    pub base_type: BaseType,
 }
 
-/// The types that FMI tells apart; enumerations are integers there.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum BaseType {
-    /// Floating-point number.
-    Real,
-    /// Whole number or choice.
-    Integer,
-    /// True or false.
-    Boolean,
-}
-
-/// The values that a Real input admits while stepping; none at all for every other column. What a master sets on every
-/// step is checked against this and nothing else.
-#[derive(Clone, Copy, Debug)]
-pub struct InputRange {
-    low: f64,
-    high: f64,
-}
-
-impl InputRange {
-    /// May `value` be written?
+impl Port {
+    /// May `value` be written while stepping, with no rule to obey but its range? True for admitted values of Real
+    /// inputs, false for all other columns.
     #[inline(always)]
-    pub fn admits(&self, value: f64) -> bool {
+    pub fn takes(&self, value: f64) -> bool {
         value >= self.low && value <= self.high
     }
 
-    const fn of(variable: &Variable) -> InputRange {
-        match (variable.role, variable.kind) {
-            (Role::Input, Kind::Real(_)) => InputRange { low: variable.bound.low, high: variable.bound.high },
-            _ => InputRange { low: f64::INFINITY, high: f64::NEG_INFINITY },
-        }
-    }
-}
-
-impl Access {
-    /// Does the bound of the column admit `value`? Whether it is a whole number is not asked.
-    #[inline(always)]
-    pub fn is_within(&self, value: f64) -> bool {
-        value >= self.low && value <= self.high
-    }
-
-    const fn of(variable: &Variable) -> Access {
-        let kind = match variable.kind {
-            Kind::Real(_) => BaseType::Real,
-            Kind::Integer | Kind::Enumeration(_) => BaseType::Integer,
-            Kind::Boolean => BaseType::Boolean,
+    const fn of(variable: &Variable) -> Port {
+        let (low, high) = match (variable.role, variable.kind) {
+            (Role::Input, Kind::Real(_)) => (variable.bound.low, variable.bound.high),
+            _ => (f64::INFINITY, f64::NEG_INFINITY),
         };
-        Access { low: variable.bound.low, high: variable.bound.high, kind, role: variable.role }
+        Port { low, high, base_type: variable.kind.base_type() }
     }
 }
 
@@ -483,10 +468,8 @@ pub struct ModelType {
     pub summary: &'static str,
     /// Its columns.
     pub table: &'static [Variable],
-    /// What an interface must know of the columns on every call.
-    pub access: &'static [Access],
-    /// What a master may set on every step.
-    pub inputs: &'static [InputRange],
+    /// What a master's calls on every step must know of the columns.
+    pub ports: &'static [Port],
     /// Its named parameter sets.
     pub presets: &'static [Preset],
     guid: GuidText,
@@ -506,8 +489,7 @@ impl ModelType {
             c_name: M::C_NAME,
             summary: M::SUMMARY,
             table: M::TABLE,
-            access: M::ACCESS,
-            inputs: M::INPUTS,
+            ports: M::PORTS,
             presets: M::PRESETS,
             guid: guid::fingerprint(M::NAME, M::TABLE),
             check: |row| view::<M, f64>(row).check(),
@@ -696,26 +678,15 @@ pub const fn graft(
     at
 }
 
-/// The packed form of a table.
-pub const fn access<const COLUMNS: usize>(table: &[Variable]) -> [Access; COLUMNS] {
-    let mut access = [Access::of(&BLANK); COLUMNS];
+/// The ports of a table.
+pub const fn ports<const COLUMNS: usize>(table: &[Variable]) -> [Port; COLUMNS] {
+    let mut ports = [Port::of(&BLANK); COLUMNS];
     let mut column = 0;
     while column < COLUMNS {
-        access[column] = Access::of(&table[column]);
+        ports[column] = Port::of(&table[column]);
         column += 1;
     }
-    access
-}
-
-/// The ranges of the inputs of a table.
-pub const fn input_ranges<const COLUMNS: usize>(table: &[Variable]) -> [InputRange; COLUMNS] {
-    let mut ranges = [InputRange::of(&BLANK); COLUMNS];
-    let mut column = 0;
-    while column < COLUMNS {
-        ranges[column] = InputRange::of(&table[column]);
-        column += 1;
-    }
-    ranges
+    ports
 }
 
 /// A table entry to be overwritten by [`place`] or [`graft`].
@@ -893,11 +864,8 @@ macro_rules! model {
             };
             const SUMMARY: &'static str = $summary;
             const DOCUMENTATION: &'static str = concat!($($doc, "\n"),+);
-            const ACCESS: &'static [$crate::model::Access] =
-                &$crate::model::access::<{ <$Name as $crate::model::Width>::WIDTH }>(
-                    <$Name as $crate::model::Columns>::TABLE);
-            const INPUTS: &'static [$crate::model::InputRange] =
-                &$crate::model::input_ranges::<{ <$Name as $crate::model::Width>::WIDTH }>(
+            const PORTS: &'static [$crate::model::Port] =
+                &$crate::model::ports::<{ <$Name as $crate::model::Width>::WIDTH }>(
                     <$Name as $crate::model::Columns>::TABLE);
             type Dual = $Name<$crate::number::Dual>;
         }

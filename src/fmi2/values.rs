@@ -6,7 +6,7 @@ use super::door::{self, Outcome, Refusal, Slave, array, array_mut, enter, refuse
 use super::lifecycle::{Call, State};
 use super::types::fmi2Status::fmi2OK;
 use super::types::*;
-use crate::model::{Access, BaseType, Role, Variable};
+use crate::model::{BaseType, Role, Variable};
 
 /// How one of FMI's base types looks at a column.
 trait Base {
@@ -57,30 +57,20 @@ impl Base for Boolean {
 
 impl Slave {
     /// Is it the value reference of the independent variable `time`, the one behind the last column?
-    #[cold]
-    #[inline(never)]
-    fn check_time<B: Base>(&self, reference: fmi2ValueReference) -> Outcome {
-        let is_time = reference as usize == self.instance.row().len() && B::TYPE == BaseType::Real;
-        if is_time { Ok(()) } else { Err(wrong_reference(self, reference, B::TYPE)) }
+    fn is_time<B: Base>(&self, reference: fmi2ValueReference) -> bool {
+        reference as usize == self.instance.row().len() && B::TYPE == BaseType::Real
     }
 
-    /// What the calls need of the column behind a value reference; an error if it is of another type, or none.
-    fn access<B: Base>(&self, reference: fmi2ValueReference) -> Result<&'static Access, Refusal> {
-        match self.instance.model().access.get(reference as usize) {
-            Some(access) if access.kind == B::TYPE => Ok(access),
+    /// The variable behind a value reference; an error if it is of another type, or if there is none.
+    fn variable<B: Base>(&self, reference: fmi2ValueReference) -> Result<&'static Variable, Refusal> {
+        match self.instance.variable(reference as usize) {
+            Some(variable) if variable.kind.base_type() == B::TYPE => Ok(variable),
             _ => Err(wrong_reference(self, reference, B::TYPE)),
         }
-    }
-
-    /// The variable behind a value reference of type Real.
-    fn real(&self, reference: fmi2ValueReference) -> Result<&'static Variable, Refusal> {
-        self.access::<Real>(reference)?;
-        Ok(&self.instance.model().table[reference as usize])
     }
 }
 
 /// FMI 2.0.5 section 4.2.4, conditions 1, 3 and 6 of the table: what may be set in a state.
-#[inline(always)]
 fn may_set(state: State, role: Role) -> bool {
     match role {
         Role::Input | Role::Tunable => true,
@@ -89,8 +79,6 @@ fn may_set(state: State, role: Role) -> bool {
     }
 }
 
-#[cold]
-#[inline(never)]
 fn wrong_reference(slave: &Slave, reference: fmi2ValueReference, wanted: BaseType) -> Refusal {
     Refusal::Error(match slave.instance.variable(reference as usize) {
         None => format!("value reference {reference} is that of no {wanted:?} variable"),
@@ -98,22 +86,20 @@ fn wrong_reference(slave: &Slave, reference: fmi2ValueReference, wanted: BaseTyp
     })
 }
 
-/// Why a value was not taken: its reference, the role of its variable, or its bound.
-#[cold]
-#[inline(never)]
-fn refused_value<B: Base>(slave: &Slave, reference: fmi2ValueReference, value: f64) -> Refusal {
-    if let Err(refusal) = slave.access::<B>(reference) {
-        return refusal;
-    }
-    let (variable, state) = (&slave.instance.model().table[reference as usize], slave.state);
+/// Refuses a value that may not be set now, or that its variable does not admit.
+fn check_value(slave: &Slave, variable: &Variable, value: f64) -> Outcome {
+    let state = slave.state;
     if variable.role == Role::Output {
-        return Refusal::Error(format!("{} is computed and cannot be set", variable.path));
+        return refuse(format!("{} is computed and cannot be set", variable.path));
     }
     if !may_set(state, variable.role) {
         let text = "is neither input nor tunable and cannot be set in state";
-        return Refusal::Error(format!("{} {text} {state:?}", variable.path));
+        return refuse(format!("{} {text} {state:?}", variable.path));
     }
-    Refusal::Discard(variable.fault(value).0)
+    if !variable.admits(value) {
+        return Err(Refusal::Discard(variable.fault(value).0));
+    }
+    Ok(())
 }
 
 /// Reads `n` variables; writes the results only if all can be read.
@@ -128,11 +114,9 @@ unsafe fn get<B: Base>(
     let body = |slave: &mut Slave| {
         // SAFETY: the importer promises `n` value references and room for `n` values.
         let (references, values) = unsafe { (array(vr, n, "vr")?, array_mut(value, n, "value")?) };
-        let access = slave.instance.model().access;
         for reference in references {
-            match access.get(*reference as usize) {
-                Some(access) if access.kind == B::TYPE => (),
-                _ => slave.check_time::<B>(*reference)?,
+            if !slave.is_time::<B>(*reference) {
+                slave.variable::<B>(*reference)?;
             }
         }
         slave.instance.refresh()?;
@@ -159,17 +143,11 @@ unsafe fn set<B: Base>(
     let body = |slave: &mut Slave| {
         // SAFETY: the importer promises `n` value references and `n` values.
         let (references, values) = unsafe { (array(vr, n, "vr")?, array(value, n, "value")?) };
-        let (access, state) = (slave.instance.model().access, slave.state);
         let mut parameters = false;
         for (reference, value) in references.iter().zip(values) {
-            let number = B::to_number(*value);
-            match access.get(*reference as usize) {
-                // Values of the whole-numbered types are whole numbers.
-                Some(access) if access.kind == B::TYPE && may_set(state, access.role) && access.is_within(number) => {
-                    parameters |= access.role.is_parameter();
-                }
-                _ => return Err(refused_value::<B>(slave, *reference, number)),
-            }
+            let variable = slave.variable::<B>(*reference)?;
+            check_value(slave, variable, B::to_number(*value))?;
+            parameters |= variable.role.is_parameter();
         }
         let row = slave.instance.row_to_set(parameters);
         for (reference, value) in references.iter().zip(values) {
@@ -193,10 +171,10 @@ unsafe fn read_at_once(slave: &Slave, vr: *const fmi2ValueReference, n: usize, v
     }
     // SAFETY: not NULL, and the caller promises `n` elements.
     let (references, values) = unsafe { (from_raw_parts(vr, n), from_raw_parts_mut(value, n)) };
-    let (row, access) = (slave.instance.row(), slave.instance.model().access);
+    let (row, ports) = (slave.instance.row(), slave.instance.model().ports);
     for (reference, value) in references.iter().zip(values) {
-        match (row.get(*reference as usize), access.get(*reference as usize)) {
-            (Some(found), Some(access)) if access.kind == BaseType::Real => *value = *found,
+        match (row.get(*reference as usize), ports.get(*reference as usize)) {
+            (Some(found), Some(port)) if port.base_type == BaseType::Real => *value = *found,
             _ => return false,
         }
     }
@@ -215,9 +193,9 @@ unsafe fn write_at_once(slave: &mut Slave, vr: *const fmi2ValueReference, n: usi
     }
     // SAFETY: not NULL, and the caller promises `n` elements.
     let (references, values) = unsafe { (from_raw_parts(vr, n), from_raw_parts(value, n)) };
-    let inputs = slave.instance.model().inputs;
+    let ports = slave.instance.model().ports;
     for (reference, value) in references.iter().zip(values) {
-        if !inputs.get(*reference as usize).is_some_and(|input| input.admits(*value)) {
+        if !ports.get(*reference as usize).is_some_and(|port| port.takes(*value)) {
             return false;
         }
     }
@@ -389,7 +367,7 @@ pub unsafe extern "C" fn fmi2SetRealInputDerivatives(
         let (references, orders, values) =
             unsafe { (array(vr, nvr, "vr")?, array(order, nvr, "order")?, array(value, nvr, "value")?) };
         for ((reference, order), value) in references.iter().zip(orders).zip(values) {
-            let variable = slave.real(*reference)?;
+            let variable = slave.variable::<Real>(*reference)?;
             if variable.role != Role::Input {
                 return refuse(format!("{} is not an input", variable.path));
             }
@@ -426,7 +404,7 @@ pub unsafe extern "C" fn fmi2GetRealOutputDerivatives(
         let (references, orders, values) =
             unsafe { (array(vr, nvr, "vr")?, array(order, nvr, "order")?, array_mut(value, nvr, "value")?) };
         for (reference, order) in references.iter().zip(orders) {
-            let variable = slave.real(*reference)?;
+            let variable = slave.variable::<Real>(*reference)?;
             if !variable.role.is_output() {
                 return refuse(format!("{} is not an output", variable.path));
             }
@@ -474,13 +452,13 @@ pub unsafe extern "C" fn fmi2GetDirectionalDerivative(
             )
         };
         for reference in unknowns {
-            let variable = slave.real(*reference)?;
+            let variable = slave.variable::<Real>(*reference)?;
             if !variable.role.is_output() {
                 return refuse(format!("{} is not an output", variable.path));
             }
         }
         for reference in knowns {
-            let variable = slave.real(*reference)?;
+            let variable = slave.variable::<Real>(*reference)?;
             if variable.role == Role::Output {
                 return refuse(format!("{} is computed: outputs are differentiated, not varied", variable.path));
             }
