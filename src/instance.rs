@@ -168,8 +168,22 @@ impl Instance {
     }
 
     /// Advances by `dt` > 0. On a fault nothing has changed.
-    #[inline]
+    #[inline(always)]
     pub fn step(&mut self, dt: f64) -> Result<(), Fault> {
+        // The usual step has held inputs and unchanged parameters.
+        if self.unchecked || self.has_slopes {
+            return self.step_with_care(dt);
+        }
+        if !self.model.advance(&mut self.row, dt) {
+            return Err(self.step_not_finite(dt));
+        }
+        self.stale = false;
+        self.time += dt;
+        Ok(())
+    }
+
+    #[inline(never)]
+    fn step_with_care(&mut self, dt: f64) -> Result<(), Fault> {
         self.check()?;
         let finite = if self.slopes_are_new {
             self.check_ramps(dt)?;
@@ -180,7 +194,7 @@ impl Instance {
         if !finite {
             return Err(self.step_not_finite(dt));
         }
-        if self.has_slopes && !self.slopes_are_new {
+        if !self.slopes_are_new {
             self.clear_slopes();
         }
         self.slopes_are_new = false;
