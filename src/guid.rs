@@ -8,7 +8,7 @@ use crate::model::{Kind, Role, Segment, Variable};
 pub type GuidText = [u8; 38];
 
 /// Fingerprint of a model: its name and everything of its columns that a caller depends on (name, role, type, unit,
-/// start, bounds). Help texts and the model's documentation are left out: rewording them breaks nobody.
+/// start, bounds, nominal value). Help texts, display units and the model's documentation are left out: rewording them breaks nobody.
 pub const fn fingerprint(model: &str, table: &[Variable]) -> GuidText {
     let mut hash = text(Fnv::START, model);
     let mut column = 0;
@@ -64,7 +64,7 @@ const fn variable(mut hash: Fnv, variable: &Variable) -> Fnv {
         Kind::Integer => byte(hash, 1),
         Kind::Boolean => byte(hash, 2),
         Kind::Enumeration(items) => {
-            hash = byte(hash, 3);
+            hash = text(byte(hash, 3), items.name);
             let mut at = 0;
             while at < items.items.len() {
                 hash = text(hash, items.items[at].name);
@@ -73,7 +73,8 @@ const fn variable(mut hash: Fnv, variable: &Variable) -> Fnv {
             hash
         }
     };
-    number(number(number(hash, variable.start), variable.bound.min()), variable.bound.max())
+    let Variable { start, bound, nominal, .. } = *variable;
+    number(number(number(number(byte(hash, bound.is_open() as u8), start), bound.min()), bound.max()), nominal)
 }
 
 const fn role(role: Role) -> u8 {
@@ -125,5 +126,25 @@ mod tests {
         assert_ne!(base, fingerprint("M", &[column("a", 1.0, "m")]));
         assert_ne!(base, fingerprint("M", &[column("a", 0.0, "N")]));
         assert_ne!(base, fingerprint("M", &[]));
+        let seen =
+            |column: crate::model::Column, role| fingerprint("M", &[column.named(Path::root("a"), role, "help")]);
+        let all = [
+            seen(real("m", 1.0), Role::Input),
+            seen(real("m", 1.0), Role::Fixed),
+            seen(real("m", 1.0), Role::Tunable),
+            seen(real("m", 1.0), Role::State),
+            seen(real("m", 1.0), Role::StateOutput),
+            seen(real("m", 1.0), Role::Output),
+            seen(real("m", 1.0).at_least(0.0), Role::Input),
+            seen(real("m", 1.0).positive(), Role::Input),
+            seen(real("m", 1.0).at_most(2.0), Role::Input),
+            seen(real("m", 1.0).nominal(2.0), Role::Input),
+            seen(crate::model::integer(1), Role::Input),
+            seen(crate::model::boolean(true), Role::Input),
+            seen(crate::probe::Behaviour::Integrate.start(), Role::Input),
+        ];
+        for (at, one) in all.iter().enumerate() {
+            assert!(!all[..at].contains(one), "{at}");
+        }
     }
 }

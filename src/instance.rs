@@ -113,9 +113,15 @@ impl Instance {
         &mut self.row
     }
 
-    /// Writes the values of the named preset. False if there is none of that name.
+    /// Writes the values of the named preset; the other parameters get their start values. False if there is none of
+    /// that name.
     pub fn apply(&mut self, preset: &str) -> bool {
         let Some(preset) = self.model.presets.iter().find(|known| known.name == preset) else { return false };
+        for (column, variable) in self.model.table.iter().enumerate() {
+            if variable.role.is_parameter() {
+                self.put(column, variable.start);
+            }
+        }
         for (name, value) in preset.values {
             if let Some(column) = self.model.find(name) {
                 self.put(column, *value);
@@ -171,7 +177,7 @@ impl Instance {
     #[inline(always)]
     pub fn step(&mut self, dt: f64) -> Result<(), Fault> {
         // The usual step has held inputs and unchanged parameters.
-        if self.unchecked || self.has_slopes {
+        if self.unchecked || self.has_slopes || dt.is_nan() || dt <= 0.0 {
             return self.step_with_care(dt);
         }
         if !self.model.advance(&mut self.row, dt) {
@@ -184,6 +190,9 @@ impl Instance {
 
     #[inline(never)]
     fn step_with_care(&mut self, dt: f64) -> Result<(), Fault> {
+        if !(dt > 0.0 && dt.is_finite()) {
+            return Err(Fault(format!("a step of {dt} s: must be > 0 and finite")));
+        }
         self.check()?;
         let finite = if self.slopes_are_new {
             self.check_ramps(dt)?;
@@ -203,11 +212,14 @@ impl Instance {
         Ok(())
     }
 
-    /// Refuses slopes that lead an input out of its bound within the step.
+    /// Refuses slopes that lead an input out of its bound within the step, rounding aside.
     fn check_ramps(&self, dt: f64) -> Result<(), Fault> {
         for (column, slope) in self.slope.iter().enumerate().filter(|(_, slope)| **slope != 0.0) {
-            let (variable, end) = (&self.model.table[column], self.row[column] + slope * dt);
-            if !variable.admits(end) {
+            let (variable, start, change) = (&self.model.table[column], self.row[column], slope * dt);
+            let end = start + change;
+            let rounding = 4.0 * f64::EPSILON * (start.abs() + change.abs());
+            let is_outside = (end - variable.bound.nearest(end)).abs() > rounding;
+            if is_outside || !end.is_finite() {
                 return Err(Fault(format!("at the end of its ramp {}", variable.fault(end))));
             }
         }

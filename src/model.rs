@@ -122,6 +122,11 @@ impl Bound {
         value >= self.low && value <= self.high
     }
 
+    /// The admitted value nearest to `value`.
+    pub const fn nearest(&self, value: f64) -> f64 {
+        value.clamp(self.low, self.high)
+    }
+
     /// Lower end; `f64::MIN` if there is none.
     pub const fn min(&self) -> f64 {
         if self.open { self.low.next_down() } else { self.low }
@@ -365,7 +370,10 @@ pub unsafe trait Columns: Copy + Width {
 }
 
 /// The text of a model: what `model!` takes from its doc comments.
-pub trait Described: Columns {
+///
+/// # Safety
+/// `Dual` must be the same struct in dual numbers: `#[repr(C)]`, with a [`Dual`](crate::number::Dual) for each f64.
+pub unsafe trait Described: Columns {
     /// Name, also FMI's modelIdentifier.
     const NAME: &'static str;
     /// The name, for C.
@@ -393,7 +401,7 @@ pub struct Preset {
     pub name: &'static str,
     /// One line: where the values come from. A set that is made up begins with "Example".
     pub source: &'static str,
-    /// Variables and their values; the others keep their start values.
+    /// Variables and their values; the other parameters get their start values.
     pub values: &'static [(&'static str, f64)],
 }
 
@@ -656,23 +664,29 @@ pub const fn inline(table: &mut [Variable], at: usize, part: &[Variable]) -> usi
     at + column
 }
 
-/// Writes the table of a part `count` times (0: once, without index) and returns the next free column.
-pub const fn graft(
+/// Writes the table of a part under the name that it has here and returns the next free column.
+pub const fn graft(table: &mut [Variable], at: usize, place: Segment, part: &[Variable]) -> usize {
+    let mut column = 0;
+    while column < part.len() {
+        table[at + column] = part[column];
+        table[at + column].path = part[column].path.within(place);
+        column += 1;
+    }
+    at + column
+}
+
+/// Writes the table of a part `count` times, with an index from 1, and returns the next free column.
+pub const fn graft_all(
     table: &mut [Variable],
     mut at: usize,
     name: &'static str,
     count: usize,
     part: &[Variable],
 ) -> usize {
-    let mut index = if count == 0 { 0 } else { 1 };
+    assert!(count <= u16::MAX as usize, "too many elements");
+    let mut index = 1;
     while index <= count {
-        let mut column = 0;
-        while column < part.len() {
-            table[at] = part[column];
-            table[at].path = part[column].path.within(Segment { name, index: index as u16 });
-            at += 1;
-            column += 1;
-        }
+        at = graft(table, at, Segment { name, index: index as u16 }, part);
         index += 1;
     }
     at
@@ -798,13 +812,18 @@ macro_rules! part {
     (@role output) => { $crate::model::Role::Output };
 
     (@place $table:ident $at:ident $field:ident [$Part:ident; $n:expr], $help:expr) => {
-        $crate::model::graft(&mut $table, $at, stringify!($field), $n, <$Part as $crate::model::Columns>::TABLE)
+        $crate::model::graft_all(&mut $table, $at, stringify!($field), $n, <$Part as $crate::model::Columns>::TABLE)
     };
     (@place $table:ident $at:ident $field:ident ($Part:ident), $help:expr) => {
         $crate::model::inline(&mut $table, $at, <$Part as $crate::model::Columns>::TABLE)
     };
     (@place $table:ident $at:ident $field:ident $Part:ident, $help:expr) => {
-        $crate::model::graft(&mut $table, $at, stringify!($field), 0, <$Part as $crate::model::Columns>::TABLE)
+        $crate::model::graft(
+            &mut $table,
+            $at,
+            $crate::model::Segment { name: stringify!($field), index: 0 },
+            <$Part as $crate::model::Columns>::TABLE,
+        )
     };
     (@place $table:ident $at:ident $field:ident $role:ident = $column:expr, $help:expr) => {
         $crate::model::place(&mut $table, $at, $column.named(
@@ -854,7 +873,8 @@ macro_rules! model {
     ($(#[doc = $doc:literal])+ $Name:ident: $summary:literal { $($fields:tt)+ }) => {
         $crate::part! { $(#[doc = $doc])+ $Name { $($fields)+ } }
 
-        impl $crate::model::Described for $Name {
+        // SAFETY: `Dual` is the same generic struct, for which `part!` makes the promise of `Columns`.
+        unsafe impl $crate::model::Described for $Name {
             const NAME: &'static str = stringify!($Name);
             const C_NAME: &'static std::ffi::CStr = match std::ffi::CStr::from_bytes_with_nul(
                 concat!(stringify!($Name), "\0").as_bytes(),

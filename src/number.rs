@@ -160,7 +160,8 @@ impl Real for Dual {
     }
     fn exp(self) -> Dual {
         let value = self.value.exp();
-        self.chain(value, value)
+        // Where nothing is left of the exponential, nothing is left of its derivative, however fast the exponent moves.
+        if value == 0.0 { Dual::from(0.0) } else { self.chain(value, value) }
     }
     fn tanh(self) -> Dual {
         let value = self.value.tanh();

@@ -5,12 +5,11 @@
 
 use crate::model::{Columns, Model, Path, Role, row_of, row_of_mut};
 
-/// Error allowed in a piece, relative to the larger of the state and its nominal value (chosen: an order below what
-/// co-simulation with a communication step of 1 us would resolve).
+/// Error allowed in a piece, relative to the larger of the state and its nominal value (chosen).
 const TOLERANCE: f64 = 1e-9;
 
-/// No piece is shorter than this part of the step (chosen), so that the number of pieces is bounded.
-const SHORTEST: f64 = 1e-6;
+/// No piece is shorter than this part of the step (chosen), so that the time that a step takes is bounded.
+const SHORTEST: f64 = 1e-5;
 
 /// Advances `model` by `dt` while its inputs move with `slope`.
 pub(crate) fn advance<M: Model>(model: &mut M, slope: &M, dt: f64) {
@@ -45,25 +44,27 @@ fn next_kink<M: Model>(begin: &M, slope: &M, from: f64) -> Option<f64> {
 /// Advances over an interval in which the law is smooth.
 fn smooth<M: Model>(model: &mut M, begin: &M, slope: &M, from: f64, to: f64) {
     let shortest = SHORTEST * (to - from);
-    let mut at = from;
-    let mut piece = to - from;
+    let (mut at, mut piece) = (from, to - from);
     while at < to {
-        let end = if at + piece >= to - shortest { to } else { at + piece };
-        let middle = 0.5 * (at + end);
+        // A rest that is hardly longer than the piece is made in one.
+        let end = if at + 1.01 * piece >= to { to } else { at + piece };
+        let (middle, length) = (0.5 * (at + end), end - at);
         let mut whole = *model;
         held(&mut whole, begin, slope, at, end);
         let mut halves = *model;
         held(&mut halves, begin, slope, at, middle);
         held(&mut halves, begin, slope, middle, end);
         let error = difference(&whole, &halves) / TOLERANCE;
-        let length = end - at;
-        // Not the length: by rounding it may stay above the shortest piece for ever. What is not finite will be refused.
-        if error <= 1.0 || piece <= shortest || !error.is_finite() {
+        let is_accurate = error <= 1.0;
+        // What is not finite is refused by the caller; what can hardly be divided is taken as it is.
+        if is_accurate || length <= 2.0 * shortest || middle <= at || !error.is_finite() {
             *model = halves;
             at = end;
         }
-        // The local error is of third order; safety factor and limits as usual in step-size control.
-        piece = shortest.max(length * (0.9 * error.powf(-1.0 / 3.0)).clamp(0.2, 4.0));
+        // The local error is of third order; safety factor and limits as usual in step-size control. A refused piece is
+        // at least halved, so that the shortest is always reached.
+        let most = if is_accurate { 4.0 } else { 0.5 };
+        piece = shortest.max(length * (0.9 * error.powf(-1.0 / 3.0)).clamp(0.2, most));
     }
 }
 
@@ -75,7 +76,9 @@ fn held<M: Model>(model: &mut M, begin: &M, slope: &M, from: f64, to: f64) {
 
 fn set_inputs<M: Columns>(model: &mut M, begin: &M, slope: &M, time: f64) {
     for column in inputs::<M>() {
-        row_of_mut(model)[column] = row_of(begin)[column] + row_of(slope)[column] * time;
+        // By rounding, a ramp that ends on a bound may end beyond it.
+        let value = row_of(begin)[column] + row_of(slope)[column] * time;
+        row_of_mut(model)[column] = M::TABLE[column].bound.nearest(value);
     }
 }
 

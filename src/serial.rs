@@ -4,7 +4,7 @@
 //! numbers, row and slopes as f64, and an FNV-1a checksum of all that. Foreign, truncated and damaged bytes are refused.
 
 use crate::instance::Snapshot;
-use crate::model::{Fault, ModelType, Role};
+use crate::model::{Fault, ModelType, Role, Variable};
 
 const MAGIC: &[u8; 8] = b"STRIBECK";
 /// Raised when the layout changes; bytes of another format are refused.
@@ -71,8 +71,10 @@ pub fn read(model: &ModelType, bytes: &[u8]) -> Result<(Snapshot, [f64; OWNERS])
             return Err(variable.fault(*value));
         }
     }
-    if !time.is_finite() || slope.iter().any(|slope| !slope.is_finite()) {
-        return refuse("time or a slope is not finite".into());
+    let is_sound =
+        |(variable, slope): (&Variable, &f64)| slope.is_finite() && (*slope == 0.0 || variable.role == Role::Input);
+    if !time.is_finite() || !model.table.iter().zip(&slope).all(is_sound) {
+        return refuse("time or a slope is not finite, or the slope is not that of an input".into());
     }
     let snapshot = Snapshot { row, slope, slopes_are_new: slopes_are_new != 0.0, stale: stale != 0.0, time };
     Ok((snapshot, owners))

@@ -424,7 +424,8 @@ unsafe fn preset_text(model: *const stribeck_model, index: usize, which: usize) 
     preset.map_or(null(), |texts| texts[which].as_ptr())
 }
 
-/// Sets the parameters of the named preset; the other variables stay as they are.
+/// Sets all parameters: those of the named preset to its values, the others to their start values. Inputs that the preset
+/// names are set too.
 ///
 /// # Safety
 /// As the module says of handles and pointers.

@@ -98,9 +98,13 @@ pub(super) unsafe fn stepping<'a>(c: fmi2Component) -> Option<&'a mut Slave> {
 /// As for [`enter`].
 #[inline(always)]
 unsafe fn slave<'a>(c: fmi2Component) -> Option<&'a mut Slave> {
-    // SAFETY: the caller promises that `c` is NULL or points to a `Slave` that nobody else uses now.
-    let slave = unsafe { c.cast::<Slave>().as_mut() }?;
-    (slave.magic == MAGIC).then_some(slave)
+    let slave = c.cast::<Slave>();
+    // SAFETY: the caller promises NULL or a `Slave` that nobody else uses now. Only its mark is read before it is known
+    // to be one.
+    unsafe {
+        let is_one = !slave.is_null() && (&raw const (*slave).magic).read() == MAGIC;
+        is_one.then(|| &mut *slave)
+    }
 }
 
 /// Takes an instance back to free it. `None` for NULL and for memory that is no instance.
@@ -110,8 +114,10 @@ unsafe fn slave<'a>(c: fmi2Component) -> Option<&'a mut Slave> {
 pub(super) unsafe fn take(c: fmi2Component) -> Option<Box<Slave>> {
     // SAFETY: the caller's promise.
     let slave = unsafe { slave(c) }?;
-    // A second free of the same pointer then finds no mark, as long as the memory has not been reused.
-    slave.magic = 0;
+    // A second free of the same pointer then finds no mark, as long as the memory has not been reused. Volatile, or the
+    // compiler would drop the last write to memory that is freed.
+    // SAFETY: a live instance.
+    unsafe { (&raw mut slave.magic).write_volatile(0) };
     // SAFETY: every `Slave` behind an `fmi2Component` was made by `Box::into_raw` in `fmi2Instantiate`.
     Some(unsafe { Box::from_raw(slave) })
 }

@@ -45,7 +45,11 @@ impl Saved {
 
     fn read(model: &'static ModelType, bytes: &[u8]) -> Result<Saved, Refusal> {
         let (snapshot, [state, is_set_up, start, stop]) = serial::read(model, bytes)?;
-        let Some(state) = STATES.get(state as usize) else { return refuse(format!("unknown state {state}")) };
+        let number = STATES.iter().enumerate().find(|(index, _)| *index as f64 == state);
+        let Some((_, state)) = number else { return refuse(format!("unknown state {state}")) };
+        if !start.is_finite() || stop.is_nan() {
+            return refuse(format!("start time {start} or stop time {stop} is no time"));
+        }
         let experiment = Experiment { is_set_up: is_set_up != 0.0, start, stop };
         Ok(Saved { magic: MAGIC, model, state: *state, experiment, snapshot })
     }
@@ -55,9 +59,9 @@ impl Saved {
 ///
 /// # Safety
 /// `state` must be NULL or a state made by this library and not yet freed.
-unsafe fn saved<'a>(slave: &Slave, state: fmi2FMUstate) -> Result<&'a mut Saved, Refusal> {
+unsafe fn saved<'a>(slave: &Slave, state: fmi2FMUstate) -> Result<&'a Saved, Refusal> {
     // SAFETY: the caller's promise.
-    match unsafe { state.cast::<Saved>().as_mut() } {
+    match unsafe { state.cast::<Saved>().as_ref() } {
         None => refuse("FMUstate is NULL"),
         Some(saved) if saved.magic != MAGIC => refuse("FMUstate is no state of this library"),
         Some(saved) if saved.model != slave.instance.model() => {
@@ -65,6 +69,17 @@ unsafe fn saved<'a>(slave: &Slave, state: fmi2FMUstate) -> Result<&'a mut Saved,
         }
         Some(saved) => Ok(saved),
     }
+}
+
+/// As [`saved`], to write.
+///
+/// # Safety
+/// As for [`saved`]; nobody else may use the state during the call.
+unsafe fn saved_mut<'a>(slave: &Slave, state: fmi2FMUstate) -> Result<&'a mut Saved, Refusal> {
+    // SAFETY: the caller's promise.
+    unsafe { saved(slave, state) }?;
+    // SAFETY: `saved` has found a state there, and the caller promises that nobody else uses it.
+    Ok(unsafe { &mut *state.cast::<Saved>() })
 }
 
 /// Saves the state. `*FMUstate` must be NULL, to make a new one, or an earlier state, to overwrite it. To be freed once
@@ -81,7 +96,7 @@ pub unsafe extern "C" fn fmi2GetFMUstate(c: fmi2Component, FMUstate: *mut fmi2FM
             *place = Box::into_raw(Box::new(Saved::of(slave))).cast();
         } else {
             // SAFETY: not NULL, so the caller promises a state of this library.
-            unsafe { saved(slave, *place) }?.refill(slave);
+            unsafe { saved_mut(slave, *place) }?.refill(slave);
         }
         Ok(())
     };
@@ -118,7 +133,7 @@ pub unsafe extern "C" fn fmi2FreeFMUstate(c: fmi2Component, FMUstate: *mut fmi2F
         let Some(place) = (unsafe { FMUstate.as_mut() }) else { return Ok(()) };
         if !place.is_null() {
             // SAFETY: not NULL, so the caller promises a state of this library, which came from `Box::into_raw`.
-            drop(unsafe { Box::from_raw(saved(slave, *place)?) });
+            drop(unsafe { Box::from_raw(saved_mut(slave, *place)?) });
             *place = std::ptr::null_mut();
         }
         Ok(())
@@ -196,7 +211,7 @@ pub unsafe extern "C" fn fmi2DeSerializeFMUstate(
             *place = Box::into_raw(Box::new(read)).cast();
         } else {
             // SAFETY: not NULL, so the caller promises a state of this library.
-            *unsafe { saved(slave, *place) }? = read;
+            *unsafe { saved_mut(slave, *place) }? = read;
         }
         Ok(())
     };

@@ -5,11 +5,17 @@ use super::lifecycle::Call;
 use super::types::*;
 
 /// Slack for communication points and the stop time, relative to the time: masters accumulate h, compute i h, or count
-/// nanoseconds. It is far above their rounding (1e6 accumulated steps: 1e-10) and far below any step worth making.
+/// nanoseconds.
 const TIME_SLACK: f64 = 1e-9;
 
-/// And relative to the step, for the first steps after time 0 (chosen).
-const STEP_SLACK: f64 = 1e-6;
+/// But never more than this part of the step (chosen), or a step would pass unnoticed, apart from rounding.
+const STEP_SLACK: f64 = 0.01;
+
+fn slack(t: f64, time: f64, h: f64) -> f64 {
+    let largest = t.abs().max(time.abs());
+    let rounding = 4.0 * f64::EPSILON * largest;
+    rounding + (TIME_SLACK * largest.max(1.0)).min(STEP_SLACK * h)
+}
 
 /// Advances the instance by `communicationStepSize` > 0. Inputs are held, or move with the slopes of
 /// fmi2SetRealInputDerivatives. On an error nothing has changed.
@@ -52,7 +58,7 @@ fn check_unusual_step(slave: &Slave, t: f64, h: f64) -> Outcome {
     if !(h > 0.0 && h.is_finite()) {
         return refuse(format!("communicationStepSize = {h}: must be > 0 and finite"));
     }
-    let slack = TIME_SLACK * t.abs().max(time.abs()) + STEP_SLACK * h;
+    let slack = slack(t, time, h);
     if !(t.is_finite() && (t - time).abs() <= slack) {
         return refuse(format!("currentCommunicationPoint = {t}: must be {time}, where the last step ended"));
     }

@@ -102,7 +102,7 @@ fn check_value(slave: &Slave, variable: &Variable, value: f64) -> Outcome {
     Ok(())
 }
 
-/// Reads `n` variables; writes the results only if all can be read.
+/// Reads `n` variables. After an error the values are not to be used.
 #[inline(never)]
 unsafe fn get<B: Base>(
     c: fmi2Component,
@@ -119,7 +119,13 @@ unsafe fn get<B: Base>(
                 slave.variable::<B>(*reference)?;
             }
         }
-        slave.instance.refresh()?;
+        let is_result = |reference: &fmi2ValueReference| {
+            slave.instance.variable(*reference as usize).is_some_and(|variable| variable.role == Role::Output)
+        };
+        // After an error the last results are read, for debugging.
+        if slave.state != State::Error && references.iter().any(is_result) {
+            slave.instance.refresh()?;
+        }
         let row = slave.instance.row();
         for (reference, value) in references.iter().zip(values) {
             let found = row.get(*reference as usize).copied();

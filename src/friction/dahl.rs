@@ -1,3 +1,4 @@
+use crate::friction::ELASTIC_SHARE;
 use crate::model::{Law, Model, boolean, real};
 use crate::number::Real;
 
@@ -89,9 +90,6 @@ crate::model! {
     }
 }
 
-/// Share of the motion that is elastic above which the contact counts as sticking (chosen).
-const ELASTIC_SHARE: f64 = 0.01;
-
 impl<T: Real> Dahl<T> {
     fn coulomb(&self) -> T {
         self.mu_k * self.normal_force
@@ -112,8 +110,8 @@ impl<T: Real> Law for Dahl<T> {
         self.friction_force = self.force();
         self.dissipated_power = self.friction_force * self.velocity;
         let distance = self.distance_to_sliding().value();
-        let elastic =
-            self.velocity.value() == 0.0 || distance.signum() * distance.abs().powf(self.alpha.value()) > ELASTIC_SHARE;
+        let share = distance.sign() * distance.abs().powf(self.alpha.value());
+        let elastic = self.velocity.value() == 0.0 || share > ELASTIC_SHARE;
         self.sticking = T::from(f64::from(u8::from(elastic && self.coulomb().value() > 0.0)));
     }
 }

@@ -1,3 +1,4 @@
+use crate::friction::ELASTIC_SHARE;
 use crate::laws::{relaxation, stribeck};
 use crate::model::{Fault, Law, Model, Preset, boolean, real};
 use crate::number::Real;
@@ -49,7 +50,8 @@ crate::model! {
     /// Refused: a parameter outside its bound; `mu_s` < `mu_k`.
     ///
     /// # Limits
-    /// Drifts under a load that cycles below breakaway. Passive for every motion only if
+    /// Drifts under a load that cycles below breakaway. mu_k = 0 is refused: g would vanish at high speed, and the equation
+    /// of z with it. Passive for every motion only if
     /// sigma_2 >= sigma_1 (f_s - f_C) / f_C, which no common parameter set satisfies: a velocity that jumps, as a sampled
     /// one does, can give a force spike of sigma_1 dz/dt (0 -> 0.1 m/s from full stiction: -14.3 N). `damping_velocity`
     /// (of the size of v_S) removes it; the default 0 keeps the law of the paper. `normal_force` = 0 releases the contact
@@ -77,7 +79,7 @@ crate::model! {
         /// Normal force that presses the surfaces together.
         normal_force: input = real("N", 9.81).at_least(0.0),
         /// Kinetic coefficient of friction.
-        mu_k: tunable = real("1", 0.1).at_least(0.0),
+        mu_k: tunable = real("1", 0.1).positive(),
         /// Static coefficient of friction; not less than mu_k.
         mu_s: tunable = real("1", 0.15).at_least(0.0),
         /// Speed at which the excess of static over kinetic friction has fallen to 1/e.
@@ -105,9 +107,6 @@ crate::model! {
     }
 }
 
-/// Share of the motion that is elastic above which the contact counts as sticking (chosen).
-const ELASTIC_SHARE: f64 = 0.01;
-
 impl<T: Real> LuGre<T> {
     /// g(v).
     #[inline]
@@ -120,7 +119,7 @@ impl<T: Real> LuGre<T> {
     /// sigma_1(v).
     #[inline]
     fn damping(&self) -> T {
-        if self.damping_velocity.is(0.0) {
+        if self.damping_velocity.value() == 0.0 {
             return self.sigma_1;
         }
         let u = self.velocity / self.damping_velocity;

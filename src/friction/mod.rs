@@ -23,3 +23,6 @@ fn static_not_below_kinetic(mu_s: f64, mu_k: f64) -> Result<(), Fault> {
     }
     Ok(())
 }
+
+/// Share of the motion that is elastic above which a contact with bristles counts as sticking (chosen).
+const ELASTIC_SHARE: f64 = 0.01;
