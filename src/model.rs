@@ -651,6 +651,14 @@ macro_rules! part {
 
         impl<T: Copy> Copy for $Name<T> {}
 
+        impl<T: Copy> $Name<T> {
+            /// The same columns in another number type.
+            #[allow(dead_code, reason = "not every model needs it")]
+            pub fn map<U: Copy>(&self, convert: &impl Fn(T) -> U) -> $Name<U> {
+                $Name { $($field: $crate::part!(@map $what (self.$field) convert),)+ }
+            }
+        }
+
         impl std::fmt::Debug for $Name {
             fn fmt(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
                 $crate::model::list(self, f)
@@ -683,6 +691,16 @@ macro_rules! part {
     (@type [$Part:ident; $n:expr] $T:ident) => { [$Part<$T>; $n] };
     (@type ($Part:ident) $T:ident) => { $Part<$T> };
     (@type $Part:ident $T:ident) => { $Part<$T> };
+
+    (@map input $value:tt $convert:ident) => { $convert($value) };
+    (@map fixed $value:tt $convert:ident) => { $convert($value) };
+    (@map tunable $value:tt $convert:ident) => { $convert($value) };
+    (@map state $value:tt $convert:ident) => { $convert($value) };
+    (@map state_output $value:tt $convert:ident) => { $convert($value) };
+    (@map output $value:tt $convert:ident) => { $convert($value) };
+    (@map [$Part:ident; $n:expr] $value:tt $convert:ident) => { $value.map(|part| part.map($convert)) };
+    (@map ($Part:ident) $value:tt $convert:ident) => { $value.map($convert) };
+    (@map $Part:ident $value:tt $convert:ident) => { $value.map($convert) };
 
     (@role input) => { $crate::model::Role::Input };
     (@role fixed) => { $crate::model::Role::Fixed };

@@ -1,4 +1,5 @@
-use crate::model::{Fault, Law, Model, boolean, real};
+use crate::friction::time_stepping::{Curve, TimeStepping, memoryless};
+use crate::model::{Fault, Model, boolean, real};
 use crate::number::Real;
 
 crate::model! {
@@ -61,6 +62,8 @@ crate::model! {
         velocity: input = real("m/s", 0.0).shown_in("mm/s"),
         /// Normal force that presses the surfaces together.
         normal_force: input = real("N", 9.81).at_least(0.0),
+        /// Resultant of all other tangential forces on body 1.
+        external_force: input = real("N", 0.0),
         /// Kinetic coefficient of friction.
         mu_k: tunable = real("1", 0.1).at_least(0.0),
         /// Static coefficient of friction; not less than mu_k.
@@ -71,6 +74,8 @@ crate::model! {
         viscous_coefficient: tunable = real("N.s/m", 0.0).at_least(0.0),
         /// Normal force at which the viscous part is fully active (default chosen).
         transition_normal_force: tunable = real("N", 1.0).positive(),
+        /// What the law needs of the host in co-simulation.
+        time_stepping: (TimeStepping),
         /// Energy taken out of the motion since the start.
         dissipated_energy: state_output = real("J", 0.0).nominal(1e-3),
         /// Friction force; has the sign of the velocity when sliding. Body 1 feels its negative.
@@ -82,13 +87,14 @@ crate::model! {
     }
 }
 
-impl<T: Real> BrownMcPhee<T> {
+impl<T: Real> Curve<T> for BrownMcPhee<T> {
     /// Eq. (6.31).
-    fn force(&self) -> T {
+    #[inline]
+    fn curve(&self, velocity: T) -> T {
         let [quarter, three_quarters, four] = [0.25, 0.75, 4.0].map(T::from);
         let coulomb = self.mu_k * self.normal_force;
         let statical = self.mu_s * self.normal_force;
-        let u = self.velocity / self.transition_velocity;
+        let u = velocity / self.transition_velocity;
         let base = quarter * u * u + three_quarters;
         let sliding = coulomb * (four * u).tanh() + (statical - coulomb) * u / (base * base);
         // Usually absent, and a hyperbolic tangent costs more than all the rest.
@@ -96,31 +102,26 @@ impl<T: Real> BrownMcPhee<T> {
             return sliding;
         }
         let active = (four * self.normal_force / self.transition_normal_force).tanh();
-        sliding + self.viscous_coefficient * self.velocity * active
+        sliding + self.viscous_coefficient * velocity * active
+    }
+
+    fn level(&self) -> T {
+        self.mu_s * self.normal_force
+    }
+
+    fn band(&self) -> Option<T> {
+        Some(self.transition_velocity)
     }
 }
 
-impl<T: Real> Law for BrownMcPhee<T> {
-    fn output(&mut self) {
-        self.friction_force = self.force();
-        self.dissipated_power = self.friction_force * self.velocity;
-        let sticking = self.velocity.abs() < self.transition_velocity && self.normal_force.value() > 0.0;
-        self.sticking = T::from(f64::from(u8::from(sticking)));
-    }
-}
+memoryless!(BrownMcPhee);
 
 impl Model for BrownMcPhee {
     fn check(&self) -> Result<(), Fault> {
         crate::friction::static_not_below_kinetic(self.mu_s, self.mu_k)
     }
 
-    fn step(&mut self, dt: f64) {
-        self.dissipated_energy += self.force() * self.velocity * dt;
-    }
-
-    fn rate(&self, rate: &mut Self) {
-        rate.dissipated_energy = self.force() * self.velocity;
-    }
+    memoryless!();
 }
 
 #[cfg(test)]
@@ -128,7 +129,7 @@ mod tests {
     use super::*;
 
     fn force(law: BrownMcPhee) -> f64 {
-        law.force()
+        law.curve(law.velocity)
     }
 
     /// With f_s = f_C the law reduces to a hyperbolic tangent.
