@@ -5,6 +5,7 @@
 //! resultant of all other tangential forces on body 1.
 
 crate::catalogue::family! {
+    coulomb::Coulomb,
     coulomb_stiction::CoulombStiction,
     karnopp::Karnopp,
     brown_mcphee::BrownMcPhee,
