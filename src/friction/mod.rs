@@ -7,6 +7,7 @@
 crate::catalogue::family! {
     coulomb::Coulomb,
     coulomb_stiction::CoulombStiction,
+    stribeck::Stribeck,
     karnopp::Karnopp,
     brown_mcphee::BrownMcPhee,
     dahl::Dahl,
