@@ -7,6 +7,7 @@
 crate::catalogue::family! {
     coulomb::Coulomb,
     coulomb_stiction::CoulombStiction,
+    coulomb_viscous::CoulombViscous,
     stribeck::Stribeck,
     karnopp::Karnopp,
     brown_mcphee::BrownMcPhee,
