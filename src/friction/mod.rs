@@ -10,6 +10,7 @@ crate::catalogue::family! {
     coulomb_viscous::CoulombViscous,
     stribeck::Stribeck,
     karnopp::Karnopp,
+    hollars::Hollars,
     andersson::Andersson,
     linear_stiction::LinearStiction,
     brown_mcphee::BrownMcPhee,
