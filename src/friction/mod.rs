@@ -12,6 +12,7 @@ crate::catalogue::family! {
     karnopp::Karnopp,
     hollars::Hollars,
     andersson::Andersson,
+    specker::Specker,
     linear_stiction::LinearStiction,
     brown_mcphee::BrownMcPhee,
     dahl::Dahl,
