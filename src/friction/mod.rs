@@ -10,6 +10,7 @@ crate::catalogue::family! {
     coulomb_viscous::CoulombViscous,
     stribeck::Stribeck,
     karnopp::Karnopp,
+    bengisu_akay::BengisuAkay,
     hollars::Hollars,
     andersson::Andersson,
     specker::Specker,
