@@ -13,6 +13,7 @@ crate::catalogue::family! {
     bengisu_akay::BengisuAkay,
     hollars::Hollars,
     andersson::Andersson,
+    awrejcewicz::Awrejcewicz,
     specker::Specker,
     linear_stiction::LinearStiction,
     brown_mcphee::BrownMcPhee,
