@@ -9,6 +9,7 @@ crate::catalogue::family! {
     coulomb_stiction::CoulombStiction,
     coulomb_viscous::CoulombViscous,
     stribeck::Stribeck,
+    bernard::Bernard,
     karnopp::Karnopp,
     bengisu_akay::BengisuAkay,
     hollars::Hollars,
