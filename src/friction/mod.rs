@@ -10,6 +10,7 @@ crate::catalogue::family! {
     coulomb_viscous::CoulombViscous,
     stribeck::Stribeck,
     bernard::Bernard,
+    threlfall::Threlfall,
     karnopp::Karnopp,
     bengisu_akay::BengisuAkay,
     hollars::Hollars,
