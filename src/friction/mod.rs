@@ -11,6 +11,7 @@ crate::catalogue::family! {
     stribeck::Stribeck,
     bernard::Bernard,
     threlfall::Threlfall,
+    threlfall_modified::ThrelfallModified,
     karnopp::Karnopp,
     bengisu_akay::BengisuAkay,
     hollars::Hollars,
