@@ -12,6 +12,7 @@ crate::catalogue::family! {
     bernard::Bernard,
     threlfall::Threlfall,
     threlfall_modified::ThrelfallModified,
+    rooney_deravi::RooneyDeravi,
     karnopp::Karnopp,
     bengisu_akay::BengisuAkay,
     hollars::Hollars,
