@@ -13,6 +13,7 @@ crate::catalogue::family! {
     threlfall::Threlfall,
     threlfall_modified::ThrelfallModified,
     rooney_deravi::RooneyDeravi,
+    ambrosio::Ambrosio,
     karnopp::Karnopp,
     bengisu_akay::BengisuAkay,
     hollars::Hollars,
