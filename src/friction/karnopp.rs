@@ -1,4 +1,4 @@
-use crate::friction::time_stepping::{TimeStepping, TwoLevels};
+use crate::friction::time_stepping::{self, TimeStepping, TwoLevels};
 use crate::model::{Fault, Law, Model, boolean, real};
 use crate::number::Real;
 
@@ -132,7 +132,9 @@ impl Model for Karnopp {
         if self.time_stepping.mass > 0.0 {
             crate::ramp::at_end(self, slope, dt);
         } else {
-            crate::ramp::advance(self, slope, dt);
+            // The force jumps where the velocity leaves the band.
+            let speeds = [0.0, self.transition_velocity];
+            time_stepping::ramp(self, slope, [self.velocity, slope.velocity], speeds, dt);
         }
     }
 }

@@ -5,7 +5,7 @@
 
 use crate::laws::end_velocity::{self, Landing};
 use crate::laws::stopping::{force_to_stop, friction, is_held};
-use crate::model::real;
+use crate::model::{Model, real};
 use crate::number::{Dual, Real};
 
 crate::choices! {
@@ -329,6 +329,21 @@ impl<T: Real, L: Curve<T> + Lift> Contact<T> for OnCurve<'_, T, L> {
     }
 }
 
+/// Advances a law without memory by `dt` while its inputs move with `slope`; `speeds` are those at which its curve has a
+/// kink or a jump. Pieces that end there leave nothing to be missed between the points at which the law is evaluated.
+pub(crate) fn ramp<M: Model>(law: &mut M, slope: &M, [velocity, acceleration]: [f64; 2], speeds: [f64; 2], dt: f64) {
+    let [near, far] = speeds;
+    let mut crossings = [near, -near, far, -far].map(|speed| (speed - velocity) / acceleration);
+    crossings.sort_by(f64::total_cmp);
+    let mut time = 0.0;
+    for end in crossings.into_iter().filter(|crossing| *crossing > 0.0 && *crossing < dt).chain([dt]) {
+        if end > time {
+            crate::ramp::advance(law, slope, end - time);
+            time = end;
+        }
+    }
+}
+
 /// 1 or 0, as a Boolean column holds it.
 #[inline]
 fn truth<T: Real>(is_true: bool) -> T {
@@ -381,7 +396,8 @@ macro_rules! memoryless {
             if self.time_stepping.mass > 0.0 {
                 $crate::ramp::at_end(self, slope, dt);
             } else {
-                $crate::ramp::advance(self, slope, dt);
+                let speeds = $crate::friction::time_stepping::Curve::kinks(self);
+                $crate::friction::time_stepping::ramp(self, slope, [self.velocity, slope.velocity], speeds, dt);
             }
         }
 
