@@ -56,7 +56,7 @@ crate::model! {
     ///
     /// # Limits
     /// Holds at v = 0 exactly; inside the band, under a load below f_s, the net force is A (f_s sgn(v) - f_e), which
-    /// vanishes with v^2: a body comes to rest ever more slowly, v = 1 / t in the end, instead of stopping. Passive
+    /// vanishes with v^2: a body slows down as 1 / t in the end, instead of stopping. Passive
     /// outside the band only. The peak is exactly f_s at v_0. No pre-sliding displacement. `normal_force` = 0 gives
     /// force 0.
     ///
