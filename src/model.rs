@@ -432,8 +432,8 @@ pub trait Model: Described + Law {
     }
 
     /// Speeds at which the law jumps or bends in `velocity`; 0 for none. No piece of a ramp reaches across them.
-    fn kinks(&self) -> [f64; 3] {
-        [0.0; 3]
+    fn kinks(&self) -> [f64; 2] {
+        [0.0; 2]
     }
 
     /// Writes the time derivatives of the continuous states into their columns of `rate`.
@@ -771,6 +771,14 @@ macro_rules! part {
 
         impl<T: Copy> Copy for $Name<T> {}
 
+        impl<T: Copy> $Name<T> {
+            /// The same columns in another number type.
+            #[allow(dead_code, reason = "not every model needs it")]
+            pub fn map<U: Copy>(&self, convert: &impl Fn(T) -> U) -> $Name<U> {
+                $Name { $($field: $crate::part!(@map $what (self.$field) convert),)+ }
+            }
+        }
+
         impl std::fmt::Debug for $Name {
             fn fmt(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
                 $crate::model::list(self, f)
@@ -803,6 +811,16 @@ macro_rules! part {
     (@type [$Part:ident; $n:expr] $T:ident) => { [$Part<$T>; $n] };
     (@type ($Part:ident) $T:ident) => { $Part<$T> };
     (@type $Part:ident $T:ident) => { $Part<$T> };
+
+    (@map input $value:tt $convert:ident) => { $convert($value) };
+    (@map fixed $value:tt $convert:ident) => { $convert($value) };
+    (@map tunable $value:tt $convert:ident) => { $convert($value) };
+    (@map state $value:tt $convert:ident) => { $convert($value) };
+    (@map state_output $value:tt $convert:ident) => { $convert($value) };
+    (@map output $value:tt $convert:ident) => { $convert($value) };
+    (@map [$Part:ident; $n:expr] $value:tt $convert:ident) => { $value.map(|part| part.map($convert)) };
+    (@map ($Part:ident) $value:tt $convert:ident) => { $value.map($convert) };
+    (@map $Part:ident $value:tt $convert:ident) => { $value.map($convert) };
 
     (@role input) => { $crate::model::Role::Input };
     (@role fixed) => { $crate::model::Role::Fixed };

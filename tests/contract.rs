@@ -88,11 +88,17 @@ fn for_all(check: impl Fn(&mut Bench, &str)) {
     assert!(cases > 60 * friction_models().count(), "only {cases} cases");
 }
 
-/// Upper limit of the force in steady sliding: the static level and the viscous part.
+/// Upper limit of the force in steady sliding: the static level and the parts that grow with speed.
 fn limit(bench: &mut Bench, velocity: f64) -> f64 {
     let value = |bench: &mut Bench, name: &str| if bench.has(name) { bench.get(name) } else { 0.0 };
     let mu = f64::max(value(bench, "mu_s"), value(bench, "mu_k"));
-    mu * bench.get("normal_force") + value(bench, "viscous_coefficient") * velocity.abs()
+    let (load, speed) = (bench.get("normal_force"), velocity.abs());
+    // Specker's law passes through the static level and has its maximum, at most 11 % higher, beyond.
+    let overshoot = if bench.has("peak_velocity") { 1.11 } else { 1.0 };
+    let power = if value(bench, "variant") == 2.0 { value(bench, "viscous_exponent") } else { 0.0 };
+    let viscous = value(bench, "viscous_coefficient") * if power > 0.0 { speed.powf(power) } else { speed };
+    let quadratic = value(bench, "quadratic_coefficient") * speed * speed;
+    overshoot * mu * load + viscous + quadratic + value(bench, "mu_v") * load * speed
 }
 
 /// Columns that change sign when the motion is mirrored. A new model with a new state must be put on one of the lists.
@@ -109,6 +115,7 @@ const EVEN: &[&str] = &[
     "dissipated_energy",
     "stuck",
     "step_size",
+    "planning_step",
 ];
 
 #[test]
@@ -294,7 +301,10 @@ fn equal_names_mean_equal_things() {
         for variable in model.table {
             let name = variable.path.to_string();
             let (other, first) = *seen.entry(name.clone()).or_insert((model.name, variable));
-            assert_eq!(first.kind, variable.kind, "{name} in {other} and {}", model.name);
+            // Every model has variants of its own.
+            if name != "variant" {
+                assert_eq!(first.kind, variable.kind, "{name} in {other} and {}", model.name);
+            }
             assert_eq!(first.help, variable.help, "{name} in {other} and {}", model.name);
             assert_eq!(first.role, variable.role, "{name} in {other} and {}", model.name);
         }

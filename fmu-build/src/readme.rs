@@ -42,13 +42,13 @@ mod tests {
 
     #[test]
     fn only_the_block_between_the_markers_changes() {
-        let readme = format!("# Title\n\n{BEGIN}old\n{END}\n\nRest.\n");
+        let readme = format!("# Title\n\n{BEGIN}a stale block\n{END}\n\nRest.\n");
         let fresh = with_table(&readme, root()).unwrap();
         assert!(fresh.starts_with("# Title\n\n<!-- models:begin") && fresh.ends_with("<!-- models:end -->\n\nRest.\n"));
         assert!(
             fresh.contains("| [`LuGre`](src/friction/lugre.rs) | Bristle friction with Stribeck effect (LuGre) | ")
         );
-        assert!(!fresh.contains("old"));
+        assert!(!fresh.contains("stale"));
         assert_eq!(with_table(&fresh, root()).unwrap(), fresh);
     }
 

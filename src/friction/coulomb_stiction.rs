@@ -1,4 +1,4 @@
-use crate::friction::time_stepping::{Contact, TimeStepping};
+use crate::friction::time_stepping::{self, TimeStepping, TwoLevels};
 use crate::model::{Fault, Law, Model, boolean, real};
 use crate::number::Real;
 
@@ -78,6 +78,8 @@ crate::model! {
         mu_k: tunable = real("1", 0.1).at_least(0.0),
         /// Static coefficient of friction; not less than mu_k.
         mu_s: tunable = real("1", 0.15).at_least(0.0),
+        /// Is the contact stuck since the last step? Used with mass > 0.
+        stuck: state = boolean(false),
         /// What the law needs to hold a body in co-simulation.
         time_stepping: (TimeStepping),
         /// Energy taken out of the motion since the start.
@@ -92,13 +94,14 @@ crate::model! {
 }
 
 impl<T: Real> CoulombStiction<T> {
-    fn contact(&self) -> Contact<T> {
-        Contact {
+    fn contact(&self) -> TwoLevels<T> {
+        TwoLevels {
             velocity: self.velocity,
             external_force: self.external_force,
             kinetic: self.mu_k * self.normal_force,
             statical: self.mu_s * self.normal_force,
             band: T::zero(),
+            stuck: self.stuck.value() != 0.0,
         }
     }
 }
@@ -108,7 +111,7 @@ impl<T: Real> Law for CoulombStiction<T> {
         let contact = self.contact();
         self.friction_force = self.time_stepping.force(&contact);
         self.dissipated_power = self.friction_force * self.velocity;
-        self.sticking = self.time_stepping.sticking(&contact);
+        self.sticking = contact.sticking(&self.time_stepping);
     }
 }
 
@@ -119,15 +122,17 @@ impl Model for CoulombStiction {
 
     fn step(&mut self, dt: f64) {
         let contact = self.contact();
-        self.dissipated_energy += self.time_stepping.step(&contact, dt);
+        let done = self.time_stepping.step(&contact, dt);
+        self.dissipated_energy += done.energy;
+        self.stuck = f64::from(u8::from(done.is_held));
     }
 
     fn step_ramp(&mut self, slope: &Self, dt: f64) {
-        if self.time_stepping.mass > 0.0 {
-            crate::ramp::at_end(self, slope, dt);
-        } else {
-            crate::ramp::advance(self, slope, dt);
-        }
+        time_stepping::step_ramp(self, self.time_stepping.mass, slope, dt);
+    }
+
+    fn rate(&self, rate: &mut Self) {
+        rate.dissipated_energy = self.time_stepping.force(&self.contact()) * self.velocity;
     }
 }
 

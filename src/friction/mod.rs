@@ -5,8 +5,22 @@
 //! resultant of all other tangential forces on body 1.
 
 crate::catalogue::family! {
+    coulomb::Coulomb,
     coulomb_stiction::CoulombStiction,
+    coulomb_viscous::CoulombViscous,
+    stribeck::Stribeck,
+    bernard::Bernard,
+    threlfall::Threlfall,
+    threlfall_modified::ThrelfallModified,
+    rooney_deravi::RooneyDeravi,
+    ambrosio::Ambrosio,
     karnopp::Karnopp,
+    bengisu_akay::BengisuAkay,
+    hollars::Hollars,
+    andersson::Andersson,
+    awrejcewicz::Awrejcewicz,
+    specker::Specker,
+    linear_stiction::LinearStiction,
     brown_mcphee::BrownMcPhee,
     dahl::Dahl,
     lugre::LuGre,

@@ -18,6 +18,31 @@ pub fn level<T: Real>(velocity: T, coulomb: T, statical: T, stribeck_velocity: T
     coulomb + (statical - coulomb) * (-power).exp()
 }
 
+/// A level that falls as a Lorentzian: half-way at the Stribeck velocity.
+///
+/// ```text
+/// S(v) = f_C + (f_s - f_C) / (1 + (v / v_S)^2)
+/// ```
+///
+/// Hess and Soom (1990), Journal of Tribology 112, 147-152.
+#[inline]
+pub fn lorentzian<T: Real>(velocity: T, coulomb: T, statical: T, stribeck_velocity: T) -> T {
+    let u = velocity / stribeck_velocity;
+    coulomb + (statical - coulomb) / (T::from(1.0) + u * u)
+}
+
+/// A level that falls as a hyperbola: half-way at the Stribeck velocity.
+///
+/// ```text
+/// S(v) = f_C + (f_s - f_C) / (1 + |v| / v_S)
+/// ```
+///
+/// Popp and Stelter (1990).
+#[inline]
+pub fn hyperbolic<T: Real>(velocity: T, coulomb: T, statical: T, stribeck_velocity: T) -> T {
+    coulomb + (statical - coulomb) / (T::from(1.0) + velocity.abs() / stribeck_velocity)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -28,6 +53,13 @@ mod tests {
             let level = level(-0.001, 0.981, 1.4715, 0.001, exponent);
             assert!((level - 1.161_444_866).abs() < 1e-9, "{exponent}: {level}");
         }
+    }
+
+    #[test]
+    fn rational_levels_are_half_way_at_the_stribeck_velocity() {
+        assert_eq!(lorentzian(-0.25, 1.0, 1.5, 0.25), 1.25);
+        assert_eq!(hyperbolic(-0.25, 1.0, 1.5, 0.25), 1.25);
+        assert_eq!((lorentzian(0.0, 1.0, 1.5, 0.25), hyperbolic(0.0, 1.0, 1.5, 0.25)), (1.5, 1.5));
     }
 
     #[test]

@@ -1,0 +1,176 @@
+use crate::friction::time_stepping::{Curve, TimeStepping, memoryless};
+use crate::laws::{stribeck, viscous};
+use crate::model::{Fault, Model, Preset, boolean, real};
+use crate::number::Real;
+
+crate::model! {
+    /// Andersson friction: the Stribeck curve times a hyperbolic tangent, smooth, with every parameter of the curve.
+    ///
+    /// # Equations
+    ///
+    /// ```text
+    /// f_f = (f_C + (f_s - f_C) exp(-(|v| / v_S)^p)) tanh(k_t v) + f_v v
+    /// f_C = mu_k f_n,   f_s = mu_s f_n
+    /// ```
+    ///
+    /// With `mass` m > 0 the force over a step h is that of the velocity w at its end, and of several solutions the
+    /// first that is met from v on in the direction of the acceleration (implicit Euler):
+    ///
+    /// ```text
+    /// m (w - v) / h = f_e - f_f(w)
+    /// ```
+    ///
+    /// | symbol | variable              | unit  | meaning                                         |
+    /// |--------|-----------------------|-------|-------------------------------------------------|
+    /// | v      | `velocity`            | m/s   | velocity of body 1 relative to body 2           |
+    /// | f_n    | `normal_force`        | N     | force pressing the surfaces together            |
+    /// | f_e    | `external_force`      | N     | all other tangential forces on body 1           |
+    /// | mu_k   | `mu_k`                | 1     | kinetic coefficient of friction                 |
+    /// | mu_s   | `mu_s`                | 1     | static coefficient of friction                  |
+    /// | v_S    | `stribeck_velocity`   | m/s   | Stribeck velocity                               |
+    /// | p      | `stribeck_exponent`   | 1     | shape of the falling level                      |
+    /// | k_t    | `transition_slope`    | s/m   | slope at rest over f_s                          |
+    /// | f_v    | `viscous_coefficient` | N.s/m | viscous coefficient                             |
+    /// | m      | `mass`                | kg    | effective mass of the host, 0 = the printed law |
+    /// | h      | `step_size`           | s     | last communication step                         |
+    /// | f_f    | `friction_force`      | N     | friction force                                  |
+    ///
+    /// # Sign
+    /// `friction_force` has the sign of `velocity`; body 1 feels `-friction_force`. Dissipated power is `friction_force
+    /// * velocity`, never negative: the law is passive.
+    ///
+    /// # Step
+    /// Without `mass` the law has no memory; only the dissipated energy is integrated, exactly for held inputs. A
+    /// master that couples it explicitly to a mass m needs a communication step below 2 m / f'(0), where f'(0) = f_s
+    /// k_t + f_v (14715 N.s/m for the defaults: 0.14 ms for 1 kg, the shortest of all static laws); above, a held body
+    /// chatters. With `mass` there is no largest step. For two bodies that both move, `mass` is m_1 m_2 / (m_1 + m_2);
+    /// for `exchange` see `CoulombStiction`. A force read before the first step is the printed one. With `mass` > 0
+    /// slopes of the inputs are not used, only their values at the end of the step. `sticking` says |v| < 3 / k_t
+    /// (chosen: 99.5 % of the rise).
+    ///
+    /// # Errors
+    /// Refused: a parameter outside its bound; `mu_s` < `mu_k`.
+    ///
+    /// # Limits
+    /// Cannot hold a load: a stuck body creeps at the speed where the force equals the load. The peak is always below
+    /// f_s (0.9678 f_s at 0.272 mm/s for the defaults, 0.9991 f_s for k_t = 1e5 s/m) and needs k_t v_S well above 1,
+    /// say 10: for k_t v_S = 1 there is none, and friction never exceeds f_C. `mu_s` = `mu_k` is f_C tanh(k_t v). No
+    /// pre-sliding displacement. `normal_force` = 0 gives force 0, also of the viscous part.
+    ///
+    /// # Source
+    /// Andersson, Soderberg, Bjorklund (2007), doi:10.1016/j.triboint.2005.11.014, and Nikravesh, Planar Multibody
+    /// Dynamics, whose programs have the same function. No equation of the thesis was available. Defaults as in those
+    /// programs. Some copies of the equation have mu_k - mu_s in the bracket: wrong.
+    ///
+    /// # Example
+    /// ```
+    /// use stribeck::friction::Andersson;
+    /// use stribeck::model::Law;
+    /// let mut law = Andersson { velocity: 0.001, ..Default::default() }; // the Stribeck velocity, k_t v = 10
+    /// law.output();
+    /// assert!((law.friction_force - (0.981 + 0.4905 * (-1.0f64).exp()) * 10f64.tanh()).abs() < 1e-15);
+    /// ```
+    Andersson: "Smooth friction law with the Stribeck curve (Andersson)" {
+        /// Sliding velocity of body 1 relative to body 2.
+        velocity: input = real("m/s", 0.0).shown_in("mm/s"),
+        /// Normal force that presses the surfaces together.
+        normal_force: input = real("N", 9.81).at_least(0.0),
+        /// Resultant of all other tangential forces on body 1.
+        external_force: input = real("N", 0.0),
+        /// Kinetic coefficient of friction.
+        mu_k: tunable = real("1", 0.1).at_least(0.0),
+        /// Static coefficient of friction; not less than mu_k.
+        mu_s: tunable = real("1", 0.15).at_least(0.0),
+        /// Speed at which the excess of static over kinetic friction has fallen to 1/e.
+        stribeck_velocity: tunable = real("m/s", 0.001).positive().shown_in("mm/s"),
+        /// Exponent of the falling level.
+        stribeck_exponent: tunable = real("1", 2.0).positive(),
+        /// Slope of the force at rest, relative to the level there.
+        transition_slope: tunable = real("s/m", 10_000.0).positive().nominal(1e3),
+        /// Viscous friction coefficient.
+        viscous_coefficient: tunable = real("N.s/m", 0.0).at_least(0.0),
+        /// What the law needs of the host in co-simulation.
+        time_stepping: (TimeStepping),
+        /// Energy taken out of the motion since the start.
+        dissipated_energy: state_output = real("J", 0.0).nominal(1e-3),
+        /// Friction force; has the sign of the velocity when sliding. Body 1 feels its negative.
+        friction_force: output = real("N", 0.0),
+        /// Power taken out of the motion: friction force times velocity.
+        dissipated_power: output = real("W", 0.0),
+        /// Is the contact sticking?
+        sticking: output = boolean(false),
+    }
+}
+
+impl<T: Real> Curve<T> for Andersson<T> {
+    /// The Stribeck level, regularised.
+    #[inline]
+    fn curve(&self, velocity: T) -> T {
+        let [coulomb, statical] = [self.mu_k * self.normal_force, self.level()];
+        let level = stribeck::level(velocity, coulomb, statical, self.stribeck_velocity, self.stribeck_exponent);
+        let viscous = viscous::force(velocity, self.viscous_coefficient, self.normal_force);
+        level * (self.transition_slope * velocity).tanh() + viscous
+    }
+
+    fn level(&self) -> T {
+        self.mu_s * self.normal_force
+    }
+
+    fn band(&self) -> Option<T> {
+        Some(T::from(3.0) / self.transition_slope)
+    }
+}
+
+memoryless!(Andersson);
+
+impl Model for Andersson {
+    const PRESETS: &'static [Preset] = &[Preset {
+        name: "conveyor_belt",
+        source: "Conveyor-belt example of Nikravesh, Planar Multibody Dynamics",
+        values: &[("mu_k", 0.15), ("mu_s", 0.2)],
+    }];
+
+    fn check(&self) -> Result<(), Fault> {
+        crate::friction::static_not_below_kinetic(self.mu_s, self.mu_k)
+    }
+
+    memoryless!();
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn force(law: Andersson) -> f64 {
+        law.curve(law.velocity)
+    }
+
+    fn peak(law: Andersson) -> f64 {
+        (1..40_000).map(|k| force(Andersson { velocity: 5e-8 * f64::from(k), ..law })).fold(0.0, f64::max)
+    }
+
+    /// Found by search: 1.42410731 N at 0.272268 mm/s; 0.999099 f_s for k_t = 1e5; 0.913878 f_s for p = 1.
+    #[test]
+    fn peak_is_below_the_static_level() {
+        let law = Andersson::default();
+        assert!((peak(law) - 1.424_107_31).abs() < 1e-8);
+        assert!((force(Andersson { velocity: 2.722_68e-4, ..law }) - 1.424_107_31).abs() < 1e-8);
+        assert!((peak(Andersson { transition_slope: 1e5, ..law }) / 1.4715 - 0.999_099).abs() < 1e-6);
+        assert!((peak(Andersson { stribeck_exponent: 1.0, ..law }) / 1.4715 - 0.913_878).abs() < 1e-6);
+    }
+
+    /// k_t v_S = 1: no stiction peak is left.
+    #[test]
+    fn a_flat_transition_hides_the_peak() {
+        let law = Andersson { transition_slope: 1e3, ..Default::default() };
+        assert!(peak(law) < 0.981 && (force(Andersson { velocity: 1.0, ..law }) - 0.981).abs() < 1e-15);
+    }
+
+    #[test]
+    fn equal_levels_leave_a_hyperbolic_tangent() {
+        for velocity in [-2e-3, 3e-5, 0.0] {
+            let law = Andersson { velocity, mu_s: 0.1, ..Default::default() };
+            assert!((force(law) - 0.981 * (1e4 * velocity).tanh()).abs() < 1e-15);
+        }
+    }
+}

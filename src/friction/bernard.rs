@@ -1,0 +1,145 @@
+use crate::friction::time_stepping::{Curve, TimeStepping, memoryless};
+use crate::model::{Model, Preset, boolean, real};
+use crate::number::Real;
+
+crate::model! {
+    /// Bernard friction: Coulomb friction with a steep straight line through rest, so that a solver meets no jump.
+    ///
+    /// # Equations
+    ///
+    /// ```text
+    /// f_f = f_C max(min(k_l v, 1), -1)     (6.1)
+    /// f_C = mu_k f_n
+    /// ```
+    ///
+    /// With `mass` m > 0 the force over a step h is that of the velocity w at its end, and of several solutions the
+    /// first that is met from v on in the direction of the acceleration (implicit Euler):
+    ///
+    /// ```text
+    /// m (w - v) / h = f_e - f_f(w)
+    /// ```
+    ///
+    /// | symbol | variable           | unit | meaning                                          |
+    /// |--------|--------------------|------|--------------------------------------------------|
+    /// | v      | `velocity`         | m/s  | velocity of body 1 relative to body 2            |
+    /// | f_n    | `normal_force`     | N    | force pressing the surfaces together             |
+    /// | f_e    | `external_force`   | N    | all other tangential forces on body 1            |
+    /// | mu_k   | `mu_k`             | 1    | kinetic coefficient of friction                  |
+    /// | k_l    | `transition_slope` | s/m  | slope at rest over f_C; the band ends at 1 / k_l |
+    /// | m      | `mass`             | kg   | effective mass of the host, 0 = the printed law  |
+    /// | h      | `step_size`        | s    | last communication step                          |
+    /// | f_f    | `friction_force`   | N    | friction force                                   |
+    ///
+    /// # Sign
+    /// `friction_force` has the sign of `velocity`; body 1 feels `-friction_force`. Dissipated power is `friction_force
+    /// * velocity`, never negative: the law is passive.
+    ///
+    /// # Step
+    /// Without `mass` the law has no memory; only the dissipated energy is integrated, exactly for held inputs. A
+    /// master that couples it explicitly to a mass m needs a communication step below 2 m / f'(0), where f'(0) = f_C
+    /// k_l (1962 N.s/m for the defaults: 1.0 ms for 1 kg); above, a held body chatters. With `mass` there is no largest
+    /// step. For two bodies that both move, `mass` is m_1 m_2 / (m_1 + m_2); for `exchange` see `CoulombStiction`. A
+    /// force read before the first step is the printed one. With `mass` > 0 slopes of the inputs are not used, only
+    /// their values at the end of the step. `sticking` says |v| < 1 / k_l.
+    ///
+    /// # Errors
+    /// Refused: a parameter outside its bound.
+    ///
+    /// # Limits
+    /// No stiction: friction never exceeds f_C. Cannot hold a load: a stuck body creeps with |v| < 1 / k_l. The default
+    /// k_l = 2000 s/m saturates at 0.5 mm/s, half of the band of the other laws. `normal_force` = 0 gives force 0.
+    ///
+    /// # Source
+    /// Bernard (1974), as cited in F. Novais, "A critical analysis on friction force models in dynamical systems", MSc
+    /// thesis, University of Minho (2024): equation (6.1), default of Table 6.2.
+    ///
+    /// # Example
+    /// ```
+    /// use stribeck::friction::Bernard;
+    /// use stribeck::model::Law;
+    /// let mut law = Bernard { velocity: 0.000_25, ..Default::default() }; // half way to 1 / k_l
+    /// law.output();
+    /// assert!((law.friction_force - 0.981 / 2.0).abs() < 1e-15);
+    /// ```
+    Bernard: "Coulomb friction with a linear transition, by its slope (Bernard)" {
+        /// Sliding velocity of body 1 relative to body 2.
+        velocity: input = real("m/s", 0.0).shown_in("mm/s"),
+        /// Normal force that presses the surfaces together.
+        normal_force: input = real("N", 9.81).at_least(0.0),
+        /// Resultant of all other tangential forces on body 1.
+        external_force: input = real("N", 0.0),
+        /// Kinetic coefficient of friction.
+        mu_k: tunable = real("1", 0.1).at_least(0.0),
+        /// Slope of the force at rest, relative to the level there.
+        transition_slope: tunable = real("s/m", 2000.0).positive().nominal(1e3),
+        /// What the law needs of the host in co-simulation.
+        time_stepping: (TimeStepping),
+        /// Energy taken out of the motion since the start.
+        dissipated_energy: state_output = real("J", 0.0).nominal(1e-3),
+        /// Friction force; has the sign of the velocity when sliding. Body 1 feels its negative.
+        friction_force: output = real("N", 0.0),
+        /// Power taken out of the motion: friction force times velocity.
+        dissipated_power: output = real("W", 0.0),
+        /// Is the contact sticking?
+        sticking: output = boolean(false),
+    }
+}
+
+impl<T: Real> Curve<T> for Bernard<T> {
+    /// Eq. (6.1).
+    #[inline]
+    fn curve(&self, velocity: T) -> T {
+        self.level() * (self.transition_slope * velocity).limited(T::from(1.0))
+    }
+
+    fn level(&self) -> T {
+        self.mu_k * self.normal_force
+    }
+
+    fn band(&self) -> Option<T> {
+        Some(T::from(1.0) / self.transition_slope)
+    }
+
+    fn kinks(&self) -> [T; 2] {
+        [T::zero(), T::from(1.0) / self.transition_slope]
+    }
+}
+
+memoryless!(Bernard);
+
+impl Model for Bernard {
+    const PRESETS: &'static [Preset] =
+        &[Preset { name: "thesis", source: "Novais (2024), Tables 6.1 and 6.2: the start values", values: &[] }];
+
+    memoryless!();
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn force(law: Bernard) -> f64 {
+        law.curve(law.velocity)
+    }
+
+    /// 0.981 N at and beyond 0.5 mm/s, one fifth of it at 0.1 mm/s.
+    #[test]
+    fn line_and_plateaus() {
+        for (velocity, share) in [(1e-4, 0.2), (-1e-4, -0.2), (5e-4, 1.0), (-0.3, -1.0), (0.0, 0.0)] {
+            let law = Bernard { velocity, ..Default::default() };
+            assert!((force(law) - 0.981 * share).abs() < 1e-15, "{velocity}");
+        }
+    }
+
+    /// Inside the band a body with mass decays as implicit Euler of v' = -(f_C k_l / m) v: v / (1 + f_C k_l h / m).
+    #[test]
+    fn band_with_mass_is_implicit_euler() {
+        for dt in [1e-4, 1e-2, 1.0] {
+            let mut law = Bernard { velocity: 4e-4, ..Default::default() };
+            law.time_stepping.mass = 1.0;
+            law.step(dt);
+            crate::model::Law::output(&mut law);
+            assert!((law.friction_force - 1962.0 * 4e-4 / (1.0 + 1962.0 * dt)).abs() < 1e-15, "{dt}");
+        }
+    }
+}

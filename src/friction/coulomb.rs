@@ -1,0 +1,145 @@
+use crate::friction::time_stepping::{Curve, TimeStepping, memoryless};
+use crate::model::{Model, boolean, real};
+use crate::number::Real;
+
+crate::model! {
+    /// Coulomb friction: a sliding contact resists with a constant force, one at rest holds up to the same force. The
+    /// law that all others refine.
+    ///
+    /// # Equations
+    ///
+    /// ```text
+    /// f_f = f_C sgn(v)                   v != 0
+    /// f_f = min(|f_e|, f_C) sgn(f_e)     v  = 0
+    /// f_C = mu_k f_n
+    /// ```
+    ///
+    /// With `mass` m > 0 the force over a step h is that of the velocity w at its end; the jump at rest is part of f_f.
+    /// Of several solutions it is the first that is met from v on in the direction of the acceleration (implicit Euler;
+    /// time stepping in the sense of Moreau):
+    ///
+    /// ```text
+    /// m (w - v) / h = f_e - f_f(w)
+    /// ```
+    ///
+    /// | symbol | variable         | unit | meaning                                         |
+    /// |--------|------------------|------|-------------------------------------------------|
+    /// | v      | `velocity`       | m/s  | velocity of body 1 relative to body 2           |
+    /// | f_n    | `normal_force`   | N    | force pressing the surfaces together            |
+    /// | f_e    | `external_force` | N    | all other tangential forces on body 1           |
+    /// | mu_k   | `mu_k`           | 1    | coefficient of friction                         |
+    /// | m      | `mass`           | kg   | effective mass of the host, 0 = the printed law |
+    /// | h      | `step_size`      | s    | last communication step                         |
+    /// | f_f    | `friction_force` | N    | friction force                                  |
+    ///
+    /// # Sign
+    /// `friction_force` has the sign of `velocity` when sliding and the sign of `external_force` when stuck; body 1
+    /// feels `-friction_force`. Dissipated power is `friction_force * velocity`; outside rest it is never negative: the
+    /// law is passive.
+    ///
+    /// # Step
+    /// Without `mass` the law has no memory; only the dissipated energy is integrated, exactly for held inputs. A host
+    /// that integrates the body itself never meets v = 0 exactly, so the force of a contact at rest then alternates at
+    /// any step. With `mass` the body is caught where it comes to rest and neither chatters nor creeps; there is no
+    /// largest step. For two bodies that both move, `mass` is m_1 m_2 / (m_1 + m_2); for `exchange` see
+    /// `CoulombStiction`. A force read before the first step is the printed one. With `mass` > 0 slopes of the inputs
+    /// are not used, only their values at the end of the step.
+    ///
+    /// # Errors
+    /// Refused: a parameter outside its bound.
+    ///
+    /// # Limits
+    /// No stiction: what holds is not stronger than what slides. No Stribeck effect, no viscous part, no pre-sliding
+    /// displacement. `normal_force` = 0 releases the contact (force 0, not sticking). `sticking` says that the step
+    /// ends at rest or, without `mass`, that v = 0 and |f_e| is within the level.
+    ///
+    /// # Source
+    /// Coulomb (1785); section 5.1 of F. Novais, "A critical analysis on friction force models in dynamical systems",
+    /// MSc thesis, University of Minho (2024). Time stepping: Moreau (1988), doi:10.1007/978-3-7091-2624-0_1. The
+    /// choice `exchange` is ours.
+    ///
+    /// # Example
+    /// ```
+    /// use stribeck::friction::Coulomb;
+    /// use stribeck::model::Law;
+    /// let mut held = Coulomb { external_force: -1.2, ..Default::default() };
+    /// held.output();
+    /// assert_eq!(held.friction_force, -0.1 * 9.81); // -1.2 N exceeds mu_k f_n
+    /// ```
+    Coulomb: "Coulomb friction" {
+        /// Sliding velocity of body 1 relative to body 2.
+        velocity: input = real("m/s", 0.0).shown_in("mm/s"),
+        /// Normal force that presses the surfaces together.
+        normal_force: input = real("N", 9.81).at_least(0.0),
+        /// Resultant of all other tangential forces on body 1.
+        external_force: input = real("N", 0.0),
+        /// Kinetic coefficient of friction.
+        mu_k: tunable = real("1", 0.1).at_least(0.0),
+        /// What the law needs of the host in co-simulation.
+        time_stepping: (TimeStepping),
+        /// Energy taken out of the motion since the start.
+        dissipated_energy: state_output = real("J", 0.0).nominal(1e-3),
+        /// Friction force; has the sign of the velocity when sliding. Body 1 feels its negative.
+        friction_force: output = real("N", 0.0),
+        /// Power taken out of the motion: friction force times velocity.
+        dissipated_power: output = real("W", 0.0),
+        /// Is the contact sticking?
+        sticking: output = boolean(false),
+    }
+}
+
+impl<T: Real> Curve<T> for Coulomb<T> {
+    #[inline]
+    fn curve(&self, velocity: T) -> T {
+        self.level() * velocity.sign()
+    }
+
+    fn level(&self) -> T {
+        self.mu_k * self.normal_force
+    }
+
+    fn band(&self) -> Option<T> {
+        None
+    }
+}
+
+memoryless!(Coulomb);
+
+impl Model for Coulomb {
+    memoryless!();
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    use crate::model::Law;
+
+    fn output(law: Coulomb) -> (f64, f64) {
+        let mut law = law;
+        law.output();
+        (law.friction_force, law.sticking)
+    }
+
+    /// f_C = 0.981 N: up to it the contact holds, above it slides.
+    #[test]
+    fn holds_up_to_the_level_and_slides_with_it() {
+        assert_eq!(output(Coulomb { external_force: 0.98, ..Default::default() }), (0.98, 1.0));
+        assert_eq!(output(Coulomb { external_force: -2.0, ..Default::default() }), (-0.1 * 9.81, 0.0));
+        assert_eq!(output(Coulomb { velocity: -1e-12, external_force: 0.5, ..Default::default() }), (-0.1 * 9.81, 0.0));
+    }
+
+    /// 2 kg at 3 mm/s under 0.4 N: the force that stops it in 10 ms is 0.4 + 2 * 0.003 / 0.01 = 1.0 N, just too much;
+    /// in 11 ms it is 0.945 N.
+    #[test]
+    fn catches_a_body_that_comes_to_rest_within_the_step() {
+        for (dt, force, sticking) in [(0.010, 0.981, 0.0), (0.011, 0.4 + 0.006 / 0.011, 1.0)] {
+            let mut law = Coulomb { velocity: 0.003, external_force: 0.4, ..Default::default() };
+            law.time_stepping.mass = 2.0;
+            law.step(dt);
+            let (found, held) = output(law);
+            assert!((found - force).abs() < 1e-12, "{found}");
+            assert_eq!(held, sticking);
+        }
+    }
+}

@@ -1,0 +1,164 @@
+use crate::friction::time_stepping::{Curve, TimeStepping, memoryless};
+use crate::laws::regularised;
+use crate::model::{Model, Preset, boolean, real};
+use crate::number::Real;
+
+crate::choices! {
+    /// Variants of the law.
+    pub enum ThrelfallVariant {
+        /// The exponential for all velocities, as the thesis prints it.
+        Printed,
+        /// The original, which stops at 95 % of the Coulomb level.
+        Capped,
+    }
+}
+
+crate::model! {
+    /// Threlfall friction: Coulomb friction with an exponential transition, smooth but for rest itself.
+    ///
+    /// # Equations
+    ///
+    /// ```text
+    /// f_f = f_C (1 - exp(-3 |v| / v_0)) sgn(v)      Printed, and Capped for |v| <= v_0     (6.2)
+    /// f_f = 0.95 f_C sgn(v)                         Capped for |v| > v_0
+    /// f_C = mu_k f_n
+    /// ```
+    ///
+    /// With `mass` m > 0 the force over a step h is that of the velocity w at its end, and of several solutions the
+    /// first that is met from v on in the direction of the acceleration (implicit Euler):
+    ///
+    /// ```text
+    /// m (w - v) / h = f_e - f_f(w)
+    /// ```
+    ///
+    /// | symbol | variable              | unit | meaning                                         |
+    /// |--------|-----------------------|------|-------------------------------------------------|
+    /// | v      | `velocity`            | m/s  | velocity of body 1 relative to body 2           |
+    /// | f_n    | `normal_force`        | N    | force pressing the surfaces together            |
+    /// | f_e    | `external_force`      | N    | all other tangential forces on body 1           |
+    /// | mu_k   | `mu_k`                | 1    | kinetic coefficient of friction                 |
+    /// |        | `variant`             |      | which of the two forms                          |
+    /// | v_0    | `transition_velocity` | m/s  | velocity at which 95 % of f_C are reached       |
+    /// | m      | `mass`                | kg   | effective mass of the host, 0 = the printed law |
+    /// | h      | `step_size`           | s    | last communication step                         |
+    /// | f_f    | `friction_force`      | N    | friction force                                  |
+    ///
+    /// # Sign
+    /// `friction_force` has the sign of `velocity`; body 1 feels `-friction_force`. Dissipated power is `friction_force
+    /// * velocity`, never negative: the law is passive.
+    ///
+    /// # Step
+    /// Without `mass` the law has no memory; only the dissipated energy is integrated, exactly for held inputs. A
+    /// master that couples it explicitly to a mass m needs a communication step below 2 m / f'(0), where f'(0) = 3 f_C
+    /// / v_0 (2943 N.s/m for the defaults: 0.68 ms for 1 kg); above, a held body chatters. With `mass` there is no
+    /// largest step. For two bodies that both move, `mass` is m_1 m_2 / (m_1 + m_2); for `exchange` see
+    /// `CoulombStiction`. A force read before the first step is the printed one. With `mass` > 0 slopes of the inputs
+    /// are not used, only their values at the end of the step. `sticking` says |v| < v_0.
+    ///
+    /// # Errors
+    /// Refused: a parameter outside its bound.
+    ///
+    /// # Limits
+    /// No stiction: friction never exceeds f_C (Printed) or 0.9502 f_C (Capped). Cannot hold a load: a stuck body
+    /// creeps with |v| < v_0 as long as the load is below 0.95 f_C. Capped drops by 2.13e-4 f_C at v_0, because 1 -
+    /// exp(-3) is 0.9502, not 0.95. `normal_force` = 0 gives force 0.
+    ///
+    /// # Source
+    /// Threlfall (1978), Mechanism and Machine Theory 13, 475-483; equation (6.2) of F. Novais, "A critical analysis on
+    /// friction force models in dynamical systems", MSc thesis, University of Minho (2024), default of Table 6.2. The
+    /// thesis prints one formula for all v (Printed); the original stops at 0.95 f_C (Capped): two different laws.
+    ///
+    /// # Example
+    /// ```
+    /// use stribeck::friction::Threlfall;
+    /// use stribeck::model::Law;
+    /// let mut law = Threlfall { velocity: -0.001, ..Default::default() };
+    /// law.output();
+    /// assert!((law.friction_force + 0.981 * 0.950_212_932).abs() < 1e-9); // 1 - exp(-3)
+    /// ```
+    Threlfall: "Coulomb friction with an exponential transition (Threlfall)" {
+        /// Sliding velocity of body 1 relative to body 2.
+        velocity: input = real("m/s", 0.0).shown_in("mm/s"),
+        /// Normal force that presses the surfaces together.
+        normal_force: input = real("N", 9.81).at_least(0.0),
+        /// Resultant of all other tangential forces on body 1.
+        external_force: input = real("N", 0.0),
+        /// Kinetic coefficient of friction.
+        mu_k: tunable = real("1", 0.1).at_least(0.0),
+        /// Variant of the law.
+        variant: fixed = ThrelfallVariant::Printed.start(),
+        /// Velocity at which the regularised band around rest ends (default chosen).
+        transition_velocity: tunable = real("m/s", 0.001).positive().shown_in("mm/s"),
+        /// What the law needs of the host in co-simulation.
+        time_stepping: (TimeStepping),
+        /// Energy taken out of the motion since the start.
+        dissipated_energy: state_output = real("J", 0.0).nominal(1e-3),
+        /// Friction force; has the sign of the velocity when sliding. Body 1 feels its negative.
+        friction_force: output = real("N", 0.0),
+        /// Power taken out of the motion: friction force times velocity.
+        dissipated_power: output = real("W", 0.0),
+        /// Is the contact sticking?
+        sticking: output = boolean(false),
+    }
+}
+
+impl<T: Real> Curve<T> for Threlfall<T> {
+    /// Eq. (6.2).
+    #[inline]
+    fn curve(&self, velocity: T) -> T {
+        let is_capped = ThrelfallVariant::of(self.variant.value()) == ThrelfallVariant::Capped;
+        let share = if is_capped && velocity.abs() > self.transition_velocity {
+            T::from(0.95) * velocity.sign()
+        } else {
+            regularised::exponential(velocity, self.transition_velocity)
+        };
+        self.level() * share
+    }
+
+    fn level(&self) -> T {
+        self.mu_k * self.normal_force
+    }
+
+    fn band(&self) -> Option<T> {
+        Some(self.transition_velocity)
+    }
+
+    fn kinks(&self) -> [T; 2] {
+        [T::zero(), self.transition_velocity]
+    }
+}
+
+memoryless!(Threlfall);
+
+impl Model for Threlfall {
+    const PRESETS: &'static [Preset] =
+        &[Preset { name: "thesis", source: "Novais (2024), Tables 6.1 and 6.2: the start values", values: &[] }];
+
+    memoryless!();
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn force(law: Threlfall) -> f64 {
+        law.curve(law.velocity)
+    }
+
+    const CAPPED: f64 = 2.0;
+
+    /// The cap takes away (1 - exp(-3) - 0.95) f_C = 2.13e-4 f_C at v_0.
+    #[test]
+    fn the_cap_drops_the_force_at_v_0() {
+        let at = |velocity| force(Threlfall { velocity, variant: CAPPED, ..Default::default() }) / 0.981;
+        assert!((at(0.001) - 0.950_212_932).abs() < 1e-9);
+        assert!((at(0.001_000_000_1) - 0.95).abs() < 1e-15);
+        assert!((at(-5.0) + 0.95).abs() < 1e-15);
+    }
+
+    #[test]
+    fn printed_form_tends_to_the_coulomb_level() {
+        assert!((force(Threlfall { velocity: -0.1, ..Default::default() }) + 0.981).abs() < 1e-15);
+        assert_eq!(force(Threlfall::default()), 0.0);
+    }
+}

@@ -1,0 +1,149 @@
+use crate::friction::time_stepping::{Curve, TimeStepping, memoryless};
+use crate::laws::regularised;
+use crate::model::{Model, Preset, boolean, real};
+use crate::number::Real;
+
+crate::model! {
+    /// Modified Threlfall friction: the exponential transition of Threlfall, scaled so that it reaches the Coulomb
+    /// level at the transition velocity and continues without a jump.
+    ///
+    /// # Equations
+    ///
+    /// ```text
+    /// f_f = f_C (1 - exp(-3 |v| / v_0)) / (1 - exp(-3)) sgn(v)      |v| <= v_0     (6.4)
+    /// f_f = f_C sgn(v)                                              |v| >  v_0
+    /// f_C = mu_k f_n
+    /// ```
+    ///
+    /// With `mass` m > 0 the force over a step h is that of the velocity w at its end, and of several solutions the
+    /// first that is met from v on in the direction of the acceleration (implicit Euler):
+    ///
+    /// ```text
+    /// m (w - v) / h = f_e - f_f(w)
+    /// ```
+    ///
+    /// | symbol | variable              | unit | meaning                                         |
+    /// |--------|-----------------------|------|-------------------------------------------------|
+    /// | v      | `velocity`            | m/s  | velocity of body 1 relative to body 2           |
+    /// | f_n    | `normal_force`        | N    | force pressing the surfaces together            |
+    /// | f_e    | `external_force`      | N    | all other tangential forces on body 1           |
+    /// | mu_k   | `mu_k`                | 1    | kinetic coefficient of friction                 |
+    /// | v_0    | `transition_velocity` | m/s  | velocity at which f_C is reached                |
+    /// | m      | `mass`                | kg   | effective mass of the host, 0 = the printed law |
+    /// | h      | `step_size`           | s    | last communication step                         |
+    /// | f_f    | `friction_force`      | N    | friction force                                  |
+    ///
+    /// # Sign
+    /// `friction_force` has the sign of `velocity`; body 1 feels `-friction_force`. Dissipated power is `friction_force
+    /// * velocity`, never negative: the law is passive.
+    ///
+    /// # Step
+    /// Without `mass` the law has no memory; only the dissipated energy is integrated, exactly for held inputs. A
+    /// master that couples it explicitly to a mass m needs a communication step below 2 m / f'(0), where f'(0) = 3.157
+    /// f_C / v_0 (3097 N.s/m for the defaults: 0.65 ms for 1 kg); above, a held body chatters. With `mass` there is no
+    /// largest step. For two bodies that both move, `mass` is m_1 m_2 / (m_1 + m_2); for `exchange` see
+    /// `CoulombStiction`. A force read before the first step is the printed one. With `mass` > 0 slopes of the inputs
+    /// are not used, only their values at the end of the step. `sticking` says |v| < v_0.
+    ///
+    /// # Errors
+    /// Refused: a parameter outside its bound.
+    ///
+    /// # Limits
+    /// No stiction: friction never exceeds f_C. Cannot hold a load: a stuck body creeps with |v| < v_0. The slope jumps
+    /// at v_0 from 0.157 f_C / v_0 to 0. `normal_force` = 0 gives force 0.
+    ///
+    /// # Source
+    /// Marques, Flores, Claro, Lankarani (2016), doi:10.1007/s11071-016-2999-3, after Threlfall (1978), Mechanism and
+    /// Machine Theory 13, 475-483; equation (6.4) of F. Novais, "A critical analysis on friction force models in
+    /// dynamical systems", MSc thesis, University of Minho (2024), default of Table 6.2. Differs from the thesis: (6.4)
+    /// has no condition; unbounded, the formula would reach 1.0524 f_C.
+    ///
+    /// # Example
+    /// ```
+    /// use stribeck::friction::ThrelfallModified;
+    /// use stribeck::model::Law;
+    /// let mut law = ThrelfallModified { velocity: 0.001, ..Default::default() };
+    /// law.output();
+    /// assert!((law.friction_force - 0.981).abs() < 1e-15);
+    /// ```
+    ThrelfallModified: "Coulomb friction with an exponential transition that ends at the Coulomb level (modified Threlfall)" {
+        /// Sliding velocity of body 1 relative to body 2.
+        velocity: input = real("m/s", 0.0).shown_in("mm/s"),
+        /// Normal force that presses the surfaces together.
+        normal_force: input = real("N", 9.81).at_least(0.0),
+        /// Resultant of all other tangential forces on body 1.
+        external_force: input = real("N", 0.0),
+        /// Kinetic coefficient of friction.
+        mu_k: tunable = real("1", 0.1).at_least(0.0),
+        /// Velocity at which the regularised band around rest ends (default chosen).
+        transition_velocity: tunable = real("m/s", 0.001).positive().shown_in("mm/s"),
+        /// What the law needs of the host in co-simulation.
+        time_stepping: (TimeStepping),
+        /// Energy taken out of the motion since the start.
+        dissipated_energy: state_output = real("J", 0.0).nominal(1e-3),
+        /// Friction force; has the sign of the velocity when sliding. Body 1 feels its negative.
+        friction_force: output = real("N", 0.0),
+        /// Power taken out of the motion: friction force times velocity.
+        dissipated_power: output = real("W", 0.0),
+        /// Is the contact sticking?
+        sticking: output = boolean(false),
+    }
+}
+
+impl<T: Real> Curve<T> for ThrelfallModified<T> {
+    /// Eq. (6.4).
+    #[inline]
+    fn curve(&self, velocity: T) -> T {
+        if velocity.abs() > self.transition_velocity {
+            return self.level() * velocity.sign();
+        }
+        let end = T::from(-(-3.0f64).exp_m1());
+        self.level() * regularised::exponential(velocity, self.transition_velocity) / end
+    }
+
+    fn level(&self) -> T {
+        self.mu_k * self.normal_force
+    }
+
+    fn band(&self) -> Option<T> {
+        Some(self.transition_velocity)
+    }
+
+    fn kinks(&self) -> [T; 2] {
+        [T::zero(), self.transition_velocity]
+    }
+}
+
+memoryless!(ThrelfallModified);
+
+impl Model for ThrelfallModified {
+    const PRESETS: &'static [Preset] =
+        &[Preset { name: "thesis", source: "Novais (2024), Tables 6.1 and 6.2: the start values", values: &[] }];
+
+    memoryless!();
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn force(law: ThrelfallModified) -> f64 {
+        law.curve(law.velocity)
+    }
+
+    #[test]
+    fn reaches_the_coulomb_level_at_v_0_without_a_jump() {
+        for velocity in [0.001, 0.001f64.next_up(), 0.3] {
+            let law = ThrelfallModified { velocity, ..Default::default() };
+            assert!((force(law) - 0.981).abs() < 1e-15);
+            assert!((force(ThrelfallModified { velocity: -velocity, ..law }) + 0.981).abs() < 1e-15);
+        }
+    }
+
+    /// Half way the exponential has covered 1 / (1 + exp(-3/2)) of its range: (1 - q) / (1 - q^2) with q = exp(-3/2).
+    #[test]
+    fn half_way() {
+        let law = ThrelfallModified { velocity: 5e-4, ..Default::default() };
+        assert!((force(law) - 0.981 / (1.0 + (-1.5f64).exp())).abs() < 1e-15);
+    }
+}

@@ -1,0 +1,20 @@
+//! The viscous part of friction.
+
+use crate::number::Real;
+
+/// A force in proportion to the velocity, as long as there is contact.
+#[inline]
+pub fn force<T: Real>(velocity: T, viscous_coefficient: T, normal_force: T) -> T {
+    if normal_force.value() > 0.0 { viscous_coefficient * velocity } else { T::zero() }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn needs_contact_only() {
+        assert_eq!(force(-2.0, 0.5, 1e-300), -1.0);
+        assert_eq!(force(-2.0, 0.5, 0.0), 0.0);
+    }
+}
