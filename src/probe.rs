@@ -67,7 +67,10 @@ impl Model for Probe {
     fn step(&mut self, dt: f64) {
         match Behaviour::of(self.behaviour) {
             Behaviour::Integrate => self.integral += self.rate * dt,
-            Behaviour::Panic => panic!("the probe was told to panic"),
+            Behaviour::Panic => {
+                self.integral = 99.0;
+                panic!("the probe was told to panic")
+            }
             Behaviour::Overflow => self.integral = 1.0 / 0.0,
         }
     }

@@ -122,6 +122,29 @@ mod tests {
         assert!(read(model, &[]).is_err());
     }
 
+    /// Damage that brings a checksum of its own.
+    #[test]
+    fn a_fitting_checksum_does_not_make_bytes_sound() {
+        let (model, bytes) = bytes_of("Dahl");
+        let body = bytes.len() - CHECKSUM;
+        let first_slope = HEAD + 8 * (OWN + OWNERS + model.table.len());
+        let mu_k = model.find("mu_k").expect("a variable of Dahl");
+        let damages: [(&str, usize, Vec<u8>); 5] = [
+            ("format", 8, 2u32.to_le_bytes().into()),
+            ("time", HEAD, f64::NAN.to_le_bytes().into()),
+            ("row", HEAD + 8 * (OWN + OWNERS), f64::INFINITY.to_le_bytes().into()),
+            ("slope", first_slope, f64::NAN.to_le_bytes().into()),
+            ("slope of a parameter", first_slope + 8 * mu_k, 1f64.to_le_bytes().into()),
+        ];
+        for (what, at, damage) in damages {
+            let mut damaged = bytes.clone();
+            damaged[at..at + damage.len()].copy_from_slice(&damage);
+            let checksum = hash(&damaged[..body]);
+            damaged[body..].copy_from_slice(&checksum.to_le_bytes());
+            assert!(read(model, &damaged).is_err(), "{what}");
+        }
+    }
+
     #[test]
     fn another_model_refuses_the_bytes() {
         let (_, bytes) = bytes_of("CoulombStiction");

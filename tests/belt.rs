@@ -72,6 +72,90 @@ fn a_stuck_block_neither_chatters_nor_creeps_at_any_step() {
     assert!(stuck(&samples).all(|w| w[0].velocity.abs() < 1e-6));
 }
 
+/// A master that changes its step from one to the next, by a factor of a hundred.
+#[test]
+fn a_block_sticks_also_when_the_step_changes_all_the_time() {
+    let steps = [1e-4, 1e-2, 9e-4, 1.1e-3, 1e-4, 1e-4, 5e-3];
+    for model in ["CoulombStiction", "Karnopp", "Coulomb", "Stribeck"] {
+        for exchange in [Exchange::Sequential, Exchange::Parallel] {
+            let mut law = holding(model, exchange);
+            let mut rig = Bench::new("BeltRig", &[]);
+            let mut time = 0.0;
+            for k in 0.. {
+                let (h, mut force) = (steps[k % steps.len()], law.get("friction_force"));
+                let (velocity, external_force) = (rig.get("velocity"), rig.get("external_force"));
+                law.set("velocity", velocity);
+                law.set("external_force", external_force);
+                law.step(h);
+                if exchange == Exchange::Sequential {
+                    force = law.get("friction_force");
+                }
+                rig.set("friction_force", force);
+                rig.step(h);
+                time += h;
+                if time > 4.5 {
+                    break;
+                }
+                // A few times what the spring's change within the longest step causes: k v_b h^2 / m.
+                assert!(velocity.abs() < 1e-4, "{model} {exchange:?} at {time} s: {velocity} m/s");
+            }
+        }
+    }
+}
+
+/// Without mass the law forgets: a mass that is given again finds a sliding contact, not the one that stuck before.
+#[test]
+fn a_mass_that_comes_and_goes_leaves_no_memory() {
+    let mut law = Bench::new("CoulombStiction", &[("mass", 1.0)]);
+    law.step(1e-3);
+    assert_eq!(law.get("sticking"), 1.0);
+    law.set("mass", 0.0);
+    law.set("velocity", 1.0);
+    law.step(1e-3);
+    law.set("mass", 1.0);
+    assert!((law.get("friction_force") - 0.981).abs() < 1e-15 && law.get("sticking") == 0.0);
+    law.step(1e-3);
+    assert!((law.get("friction_force") - 0.981).abs() < 1e-15);
+}
+
+/// The energy of a step is the work of the force that the step has delivered, at breakaway too.
+#[test]
+fn the_charged_force_is_the_delivered_force() {
+    let mut law = Bench::new("CoulombStiction", &[("mass", 1.0)]);
+    let (h, mut v) = (1e-3, 1e-9);
+    for external_force in [0.3, 1.2, 1.6, 1.6, 0.2, 0.1] {
+        law.set("velocity", v);
+        law.set("external_force", external_force);
+        let before = law.get("dissipated_energy");
+        law.step(h);
+        let force = law.get("friction_force");
+        let after = v + h * (external_force - force);
+        let work = force * 0.5 * (v + after) * h;
+        assert!((law.get("dissipated_energy") - before - work).abs() < 1e-18, "at {external_force} N");
+        v = after;
+    }
+}
+
+/// With mass the force of a ramp is that of its end.
+#[test]
+fn with_mass_a_ramp_counts_at_its_end() {
+    let mut law = Bench::new("CoulombStiction", &[("mass", 1.0)]);
+    let external_force = law.column("external_force");
+    law.instance.put_slope(external_force, 500.0);
+    law.step(1e-3);
+    assert!((law.get("friction_force") - 0.5).abs() < 1e-15 && law.get("external_force") == 0.5);
+}
+
+/// A sliding block in a parallel exchange: the first force is that of the law, before there is a plan.
+#[test]
+fn a_parallel_exchange_begins_with_the_printed_force() {
+    let mut law = Bench::new("CoulombStiction", &[("mass", 1.0), ("exchange", 2.0), ("velocity", 0.5)]);
+    assert!((law.get("friction_force") - 0.981).abs() < 1e-15);
+    law.step(1e-3);
+    // The work of that force over the step, at the mean of 0.5 m/s and 0.5 m/s - 0.981 mm/s.
+    assert!((law.get("dissipated_energy") - 0.981 * (0.5 - 0.5 * 0.981e-3) * 1e-3).abs() < 1e-15);
+}
+
 #[test]
 fn the_cycle_is_the_same_at_10_ms() {
     for exchange in EXCHANGES {

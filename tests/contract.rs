@@ -259,6 +259,79 @@ fn everyday_inputs_are_never_refused() {
     });
 }
 
+/// States that jump from step to step; all others move continuously, at the rate that their model gives.
+const DISCRETE: &[&str] = &["step_size", "planning_step", "planned_force"];
+
+#[test]
+fn rates_are_the_derivatives_of_the_states() {
+    for model in catalogue::models() {
+        let mut random = Random(23);
+        for _ in 0..20 {
+            let mut bench = Bench::new(model.name, &[]);
+            for (column, _) in model.table.iter().enumerate().filter(|(_, variable)| variable.role == Role::Input) {
+                let value = bench.instance.row()[column] + 5e-3 * random.signed();
+                bench.instance.put(column, value);
+            }
+            bench.step(1e-3 * random.next());
+            let rates: Vec<f64> = bench.instance.time_derivative().iter().map(|dual| dual.slope).collect();
+            let before = bench.instance.row().to_vec();
+            let h = 1e-7;
+            bench.step(h);
+            for (column, variable) in model.table.iter().enumerate() {
+                let name = variable.path.to_string();
+                let is_continuous = variable.role.is_state() && matches!(variable.kind, Kind::Real(_));
+                if !is_continuous || DISCRETE.contains(&&*name) {
+                    continue;
+                }
+                let quotient = (bench.instance.row()[column] - before[column]) / h;
+                let error = (quotient - rates[column]).abs();
+                let scale = rates[column].abs().max(1e-3 * variable.nominal);
+                assert!(error < 5e-3 * scale, "{} {name}: {quotient} against {}", model.name, rates[column]);
+            }
+        }
+    }
+}
+
+/// The energy that leaves the motion is the integral of the power, so its rate is the power.
+#[test]
+fn the_rate_of_the_energy_is_the_power() {
+    for_all(|bench, what| {
+        for velocity in [-0.03, 4e-4, 1.0] {
+            bench.set("velocity", velocity);
+            bench.step(1e-3);
+            let (energy, power) = (bench.column("dissipated_energy"), bench.get("dissipated_power"));
+            let rate = bench.instance.time_derivative()[energy].slope;
+            assert!((rate - power).abs() <= 1e-12 * power.abs(), "{what}: {rate} W against {power} W");
+        }
+    });
+}
+
+/// A ramp ends, whatever it is: these three once did not, and random ones are as likely to find another.
+#[test]
+fn ramps_always_end() {
+    let ramp = |model: &str, start: [f64; 2], slope: [f64; 2], h: f64| {
+        let mut bench = Bench::new(model, &[("velocity", start[0]), ("normal_force", start[1])]);
+        let (velocity, load) = (bench.column("velocity"), bench.column("normal_force"));
+        bench.instance.put_slope(velocity, slope[0]);
+        bench.instance.put_slope(load, slope[1]);
+        bench.step(h);
+        let (end, expected) = (bench.get("velocity"), start[0] + slope[0] * h);
+        assert!((end - expected).abs() <= 1e-12 * expected.abs().max(1.0), "{model}: {end} m/s");
+    };
+    ramp("LuGre", [-12.937681463492499, 9.81], [2.019351783521585, 0.0], 6.40688014535203);
+    ramp("LuGre", [2.625636091642892, 9.81], [-3.3953052056993305, -12.685609209473386], 0.7733172162254742);
+    ramp("LuGre", [-16.620360437482436, 9.81], [103.2993424978118, -60.969405775017975], 0.1608951231989189);
+    for model in friction_models() {
+        let mut random = Random(29);
+        for _ in 0..10 {
+            let h = 10f64.powf(-4.0 * random.next());
+            let (velocity, end) = (random.signed(), random.signed());
+            let (load, end_load) = (20.0 * random.next(), 20.0 * random.next());
+            ramp(model.name, [velocity, load], [(end - velocity) / h, (end_load - load) / h], h);
+        }
+    }
+}
+
 #[test]
 fn reset_is_fresh_and_restored_is_the_same_future() {
     for model in catalogue::models() {

@@ -559,6 +559,109 @@ fn outputs_follow_a_set_at_once() {
     }
 }
 
+/// Also while stepping, whatever the standard lets masters do: an output never answers for old inputs.
+#[test]
+fn outputs_follow_a_set_while_stepping() {
+    let importer = Importer::ready("BrownMcPhee");
+    assert_eq!(importer.set("velocity", 1e-3), fmi2OK);
+    assert_eq!(importer.step(0.0, 1e-3), fmi2OK);
+    let force = importer.get("friction_force");
+    assert_eq!(importer.set("velocity", -1e-3), fmi2OK);
+    assert_eq!(importer.get("friction_force"), -force);
+}
+
+/// Each is admitted alone, but together they are no law: said when it matters, with both names.
+#[test]
+fn parameters_that_do_not_fit_together_are_refused() {
+    let why = "mu_s = 0.05: must be >= mu_k = 0.1";
+    let initial = Importer::in_state("LuGre", State::Initialization);
+    assert_eq!(initial.set("mu_s", 0.05), fmi2OK);
+    // SAFETY: an instance of this test.
+    assert_eq!(unsafe { fmi2ExitInitializationMode(initial.c) }, fmi2Error);
+    assert!(initial.one_message().2.contains(why));
+    let running = Importer::ready("LuGre");
+    assert_eq!(running.step(0.0, 1e-3), fmi2OK);
+    assert_eq!(running.set("mu_s", 0.05), fmi2OK);
+    assert_eq!(running.step(1e-3, 1e-3), fmi2Error);
+    assert!(running.one_message().2.contains(why));
+}
+
+#[test]
+fn a_ramp_out_of_a_bound_is_refused_and_one_onto_it_is_not() {
+    let importer = Importer::ready("LuGre");
+    let slope = |value: f64| {
+        // SAFETY: one reference, one value.
+        let status = unsafe { fmi2SetRealInputDerivatives(importer.c, &importer.vr("normal_force"), 1, &1, &value) };
+        assert_eq!(status, fmi2OK);
+    };
+    let (mut t, mut random) = (0.0, 1u64);
+    for _ in 0..500 {
+        random = random.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+        let (load, h) = ((random >> 40) as f64 * 1e-6 + 1e-3, (random % 1000 + 1) as f64 / 30_000.0);
+        assert_eq!(importer.set("normal_force", load), fmi2OK);
+        slope(-load / h);
+        assert_eq!(importer.step(t, h), fmi2OK, "{load} N to 0 in {h} s");
+        assert!(importer.get("normal_force") < 1e-12);
+        t += h;
+    }
+    assert_eq!(importer.set("normal_force", 1.0), fmi2OK);
+    slope(-1001.0);
+    assert_eq!(importer.step(t, 1e-3), fmi2Error);
+    assert!(importer.one_message().2.contains("at the end of its ramp normal_force = -0.001"));
+}
+
+#[test]
+fn the_clock_is_the_masters() {
+    let importer = Importer::ready("LuGre");
+    assert_eq!(importer.step(0.0, 0.1), fmi2OK);
+    let t = 0.1f64.next_up();
+    assert_eq!(importer.step(t, 0.2), fmi2OK);
+    let mut time = f64::NAN;
+    // SAFETY: an instance of this test.
+    assert_eq!(unsafe { fmi2GetRealStatus(importer.c, fmi2LastSuccessfulTime, &mut time) }, fmi2OK);
+    assert_eq!(time, t + 0.2);
+    // A step that is repeated, or left out, is noticed however small it is.
+    let tiny = Importer::ready("LuGre");
+    assert_eq!(tiny.step(0.0, 99.0), fmi2OK);
+    assert_eq!(tiny.step(99.0, 1e-6), fmi2OK);
+    assert_eq!(tiny.step(99.0, 1e-6), fmi2Error);
+}
+
+/// A saved state brings its experiment along, and can be overwritten by a later one.
+#[test]
+fn a_state_holds_the_experiment_and_can_be_overwritten() {
+    let importer = Importer::ready("LuGre");
+    let mut saved = importer.save();
+    assert_eq!(importer.set("velocity", 2e-3), fmi2OK);
+    assert_eq!(importer.step(0.0, 0.01), fmi2OK);
+    let deflection = importer.get("bristle_deflection");
+    // SAFETY: an instance and a state of this test; the state is freed once.
+    unsafe {
+        assert_eq!(fmi2GetFMUstate(importer.c, &mut saved), fmi2OK);
+        assert_eq!(fmi2Reset(importer.c), fmi2OK);
+        assert_eq!(fmi2EnterInitializationMode(importer.c), fmi2Error, "a reset forgets the experiment");
+        assert_eq!(fmi2SetFMUstate(importer.c, saved), fmi2OK);
+        assert_eq!(importer.get("bristle_deflection"), deflection);
+        assert_eq!(importer.step(0.01, 50.0), fmi2OK);
+        assert_eq!(importer.step(50.01, 50.0), fmi2Error, "the stop time 100 s came back");
+        assert_eq!(fmi2FreeFMUstate(importer.c, &mut saved), fmi2OK);
+    }
+}
+
+/// What is not finite is refused, but everything else can still be read.
+#[test]
+fn inputs_can_be_read_where_results_cannot() {
+    let importer = Importer::ready("LuGre");
+    assert_eq!(importer.set("velocity", 1e308), fmi2OK);
+    assert_eq!(importer.get("velocity"), 1e308);
+    // SAFETY: one reference, one value.
+    let status = unsafe { fmi2GetReal(importer.c, &importer.vr("friction_force"), 1, &mut 0.0) };
+    assert_eq!(status, fmi2Error);
+    assert!(importer.one_message().2.contains("the outputs would not be finite at velocity = 1"));
+    assert_eq!(importer.get("normal_force"), 9.81);
+    assert_eq!(importer.get("friction_force"), 0.0, "after the error the last result, for debugging");
+}
+
 #[test]
 fn an_error_is_left_by_reset_or_by_a_saved_state() {
     let importer = Importer::ready("LuGre");
@@ -682,6 +785,16 @@ fn slopes_of_inputs_and_outputs() {
     assert!((exact / difference - 1.0).abs() < 1e-4, "{exact} against {difference}");
     assert_eq!(derivative(2), 0.0, "higher orders are 0");
     let velocity = importer.get("velocity");
+    let mut saved = importer.save();
     assert_eq!(importer.step(t, h), fmi2OK);
     assert_eq!(importer.get("velocity"), velocity, "a slope serves one step");
+    let held = derivative(1);
+    assert!((held - exact).abs() > 0.1 * exact.abs(), "the old slope is no longer in it");
+    // SAFETY: a state of this instance, freed once.
+    unsafe {
+        assert_eq!(fmi2SetFMUstate(importer.c, saved), fmi2OK);
+        assert_eq!(fmi2FreeFMUstate(importer.c, &mut saved), fmi2OK);
+    }
+    assert_eq!(importer.step(t, h), fmi2OK);
+    assert_eq!((importer.get("velocity"), derivative(1)), (velocity, held), "nor after a restored state");
 }

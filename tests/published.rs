@@ -196,6 +196,11 @@ fn directional_derivatives_of_the_friction_force() {
         agree(slope(&mut law, "bristle_deflection"), SIGMA_0 - SIGMA_1 * SIGMA_0 * v.abs() / g);
         agree(slope(&mut law, "normal_force"), SIGMA_1 * SIGMA_0 * v.abs() * z / (g * 9.81));
 
+        // d/d delta of g: -(f_s - f_C) exp(-u^2) u^2 ln u, through the rate of z.
+        let u = v.abs() / V_S;
+        let dg = -(g - F_C) * u * u * u.ln();
+        agree(slope(&mut law, "stribeck_exponent"), SIGMA_1 * SIGMA_0 * v.abs() * z / (g * g) * dg);
+
         // Brown-McPhee: the rational term u / b^2 with b = (u^2 + 3) / 4 has the derivative (b - u^2) / b^3.
         let (mut law, u) = (Bench::new("BrownMcPhee", &[("velocity", v)]), v / 1e-3);
         let b = (u * u + 3.0) / 4.0;
