@@ -41,8 +41,10 @@ crate::model! {
     /// A stuck body then neither chatters nor creeps, at any step size: what velocity remains is the one that a change
     /// of `external_force` within a step causes. For two bodies that both move, `mass` is m_1 m_2 / (m_1 + m_2).
     /// `exchange` tells how the master works. Sequential: set the inputs, step this model, read `friction_force`, step
-    /// the host with it; or set the inputs and read `friction_force` before stepping both. Parallel: step both, then
-    /// exchange all values, as most masters do; the force then acts one step later and is planned for that.
+    /// the host with it. Parallel: step both, then exchange all values, as most masters do; the force then acts one step
+    /// later and is planned for that. The step may change from one to the next: a sequential exchange knows it, a
+    /// parallel one plans for the longest of late. A force that is read between setting the inputs and the step, which
+    /// FMI 2.0 does not allow but the C and Rust interfaces do, is that of a step as long as the last one.
     /// A force read before the first step is that of (5.1). With `mass` > 0 slopes of the inputs are not used, only
     /// their values at the end of the step.
     ///

@@ -11,7 +11,7 @@ use crate::number::{Dual, Real};
 crate::choices! {
     /// In which order the master exchanges values with the friction model.
     pub enum Exchange {
-        /// The host uses the force of the step just computed, or the force read after setting the inputs (Gauss-Seidel).
+        /// The friction model steps first, and the host uses the force of that step (Gauss-Seidel).
         Sequential,
         /// All models step at once and exchange values afterwards, so the force acts one step later (Jacobi).
         Parallel,
