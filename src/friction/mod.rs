@@ -10,8 +10,10 @@ crate::catalogue::family! {
     brown_mcphee::BrownMcPhee,
     dahl::Dahl,
     lugre::LuGre,
+    frictional_lag::FrictionalLag,
 }
 
+mod delay_line;
 mod time_stepping;
 
 use crate::model::Fault;

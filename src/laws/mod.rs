@@ -1,5 +1,8 @@
 //! Pure functions that several models share: numbers in, numbers out.
 
+pub mod motion;
+pub mod quadrature;
 pub mod relaxation;
+pub mod root;
 pub mod stopping;
 pub mod stribeck;

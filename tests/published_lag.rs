@@ -1,0 +1,143 @@
+//! Laws whose friction force depends on the past or on the acceleration: published numbers and closed forms.
+
+mod common;
+
+use std::f64::consts::TAU;
+
+use common::Bench;
+
+const F_C: f64 = 0.981;
+const F_S: f64 = 1.4715;
+const V_S: f64 = 0.001;
+
+fn gaussian(velocity: f64) -> f64 {
+    F_C + (F_S - F_C) * (-(velocity / V_S).powi(2)).exp()
+}
+
+/// v = V + A sin(2 pi t) for V = 2 mm/s and A = 1.5 mm/s.
+fn oscillation(time: f64) -> f64 {
+    2e-3 + 1.5e-3 * (TAU * time).sin()
+}
+
+/// Drives a law with the oscillation over `end`, with held velocities or with their slopes.
+fn oscillate(bench: &mut Bench, h: f64, end: f64, slopes: bool) {
+    let velocity = bench.column("velocity");
+    let steps = (end / h).round() as i32;
+    for k in 0..steps {
+        let (now, next) = (oscillation(f64::from(k) * h), oscillation(f64::from(k + 1) * h));
+        bench.instance.put(velocity, now);
+        if slopes {
+            bench.instance.put_slope(velocity, (next - now) / h);
+        }
+        bench.step(h);
+    }
+    bench.set("velocity", oscillation(f64::from(steps) * h));
+}
+
+/// Largest slope of the Gaussian curve, sqrt(2 / e) (f_s - f_C) / v_S, and derivatives of the oscillation.
+const STEEPEST: f64 = 420.8;
+const ACCELERATION: f64 = 1.5e-3 * TAU;
+const JERK: f64 = ACCELERATION * TAU;
+
+/// Friction at v = V: 1.02727822 N while accelerating (t = 1 s), 0.98213481 N while decelerating (t = 1.5 s). A velocity
+/// that is held is late by up to one step. With slopes it is a polygon, with an error of h^2 / 8 of the second derivative,
+/// and of (tau_L / 31)^2 / 8 where the delay holds more steps than it has pieces; where it holds whole steps, it has none.
+#[test]
+fn lag_makes_friction_higher_while_accelerating() {
+    for (end, expected) in [(1.0, 1.02727822), (1.5, 0.98213481)] {
+        for h in [1e-5, 1e-4, 1e-3, 1e-2] {
+            let chord = if h < 0.05 / 63.0 { JERK * ((0.05f64 / 31.0).powi(2) + h * h) / 8.0 } else { 0.0 };
+            for (slopes, error) in [(true, chord), (false, chord + ACCELERATION * h)] {
+                let mut law = Bench::new("FrictionalLag", &[("time_lag", 0.05)]);
+                oscillate(&mut law, h, end, slopes);
+                let found = law.get("friction_force");
+                assert!((found - expected).abs() < 6e-9 + STEEPEST * error, "{end} s, {h} s, {slopes}: {found}");
+            }
+        }
+    }
+}
+
+/// The filter's steady oscillation: amplitude A / sqrt(1 + (w tau)^2), late by the angle atan(w tau).
+#[test]
+fn first_order_lag_has_the_amplitude_and_the_phase_of_its_transfer_function() {
+    let values = [("time_lag", 0.05), ("variant", 2.0)];
+    let mut law = Bench::new("FrictionalLag", &values);
+    let wt = TAU * 0.05;
+    for (end, sign) in [(3.0, -1.0), (3.5, 1.0)] {
+        law.instance.reset();
+        for (name, value) in values {
+            law.set(name, value);
+        }
+        oscillate(&mut law, 1e-4, end, true);
+        let w = 2e-3 + sign * 1.5e-3 * wt.atan().sin() / (1.0 + wt * wt).sqrt();
+        assert!((law.get("lagged_velocity") - w).abs() < 1e-9, "{}", law.get("lagged_velocity"));
+        assert!((law.get("friction_force") - gaussian(w)).abs() < 1e-6);
+    }
+}
+
+/// At communication steps of 1 us to 1 s, and with 50 000 of them in the delay, the loop is the same.
+#[test]
+fn any_step_from_1_us_to_1_s_runs() {
+    let mut law = Bench::new("FrictionalLag", &[("time_lag", 0.05)]);
+    let velocity = law.column("velocity");
+    for h in [1e-6, 1e-5] {
+        law.instance.reset();
+        law.set("time_lag", 0.05);
+        oscillate(&mut law, h, 0.25, false);
+        let expected = gaussian(oscillation(0.2));
+        let error = ACCELERATION * h + JERK * (0.05f64 / 31.0).powi(2) / 8.0;
+        assert!((law.get("friction_force") - expected).abs() < STEEPEST * error, "{h}");
+    }
+    for h in [0.1, 1.0] {
+        law.instance.reset();
+        law.set("time_lag", 0.05);
+        for value in [1e-3, -4e-4, 2e-3, 0.0, 5e-4] {
+            law.instance.put(velocity, value);
+            law.step(h);
+            let sign = if value == 0.0 { 0.0 } else { value.signum() };
+            assert!((law.get("friction_force") - gaussian(value) * sign).abs() < 1e-15, "{h}: longer than the lag");
+        }
+    }
+}
+
+/// What a step of any length does is what its parts do, with slopes too.
+#[test]
+fn divisions_of_a_ramp_agree() {
+    for variant in [1.0, 2.0] {
+        let run = |n: i32| {
+            let mut law = Bench::new("FrictionalLag", &[("variant", variant), ("time_lag", 0.013)]);
+            law.set("velocity", -2e-3);
+            law.step(0.02);
+            let column = law.column("velocity");
+            for _ in 0..n {
+                law.instance.put_slope(column, 0.2);
+                law.step(0.03 / f64::from(n));
+            }
+            [law.get("friction_force"), law.get("dissipated_energy"), law.get("lagged_velocity")]
+        };
+        let one = run(1);
+        for n in [2, 7, 60, 3000] {
+            for (a, b) in one.iter().zip(run(n)) {
+                assert!((a / b - 1.0).abs() < 1e-8, "variant {variant}, {n} parts: {one:?} against {b}");
+            }
+        }
+    }
+}
+
+/// With lag the loop takes more energy than the static law with the same motion, and the power is never negative.
+#[test]
+fn the_lag_is_passive() {
+    for variant in [1.0, 2.0] {
+        let mut law = Bench::new("FrictionalLag", &[("variant", variant), ("time_lag", 0.05)]);
+        let mut energy = 0.0;
+        for k in 0..5000 {
+            law.set("velocity", 3e-3 * (f64::from(k) * 0.013).sin() + 1e-3 * (f64::from(k) * 0.17).cos());
+            law.step(2e-3);
+            assert!(law.get("dissipated_power") >= 0.0);
+            let now = law.get("dissipated_energy");
+            assert!(now >= energy);
+            energy = now;
+        }
+        assert!(energy > 0.0);
+    }
+}
