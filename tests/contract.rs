@@ -113,6 +113,9 @@ const EVEN: &[&str] = &[
     "stuck",
     "step_size",
     "has_past",
+    "slipping",
+    "dwell_time",
+    "stribeck_coefficient",
     "history.duration",
 ];
 

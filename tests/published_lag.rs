@@ -4,7 +4,7 @@ mod common;
 
 use std::f64::consts::TAU;
 
-use common::Bench;
+use common::{Bench, Exchange, belt};
 
 const F_C: f64 = 0.981;
 const F_S: f64 = 1.4715;
@@ -140,4 +140,103 @@ fn the_lag_is_passive() {
         }
         assert!(energy > 0.0);
     }
+}
+
+/// Rows of Hess and Soom's curve, which the slip branch is without lag and with an instant rise.
+#[test]
+fn armstrong_without_lag_slides_on_the_curve_of_hess_and_soom() {
+    let rows = [
+        (1e-5, 1.47145095),
+        (2e-4, 1.45263462),
+        (5e-4, 1.3734),
+        (7.5e-4, 1.29492),
+        (1e-3, 1.22625),
+        (2e-3, 1.0791),
+        (1e-2, 0.985856436),
+    ];
+    for (velocity, expected) in rows {
+        for h in [1e-3, 1.0, 100.0] {
+            let mut law = Bench::new("Armstrong", &[("time_lag", 0.0), ("gamma", 0.0), ("velocity", velocity)]);
+            for _ in 0..(10.0 / h) as i32 + 1 {
+                law.step(h);
+            }
+            let found = law.get("friction_force");
+            assert!((found / expected - 1.0).abs() < 1e-8, "{velocity} {h}: {found}");
+        }
+    }
+}
+
+/// The same motion in steps of 1 us to 1 s: the instants of breakaway and stop are the same, and so is what follows.
+#[test]
+fn armstrong_events_do_not_depend_on_the_step() {
+    let run = |h: f64| {
+        let mut law = Bench::new("Armstrong", &[("gamma", 0.3)]);
+        let mut found = Vec::new();
+        for velocity in [0.0, 2e-5, 1e-3, -3e-4, 0.0, 4e-3] {
+            law.set("velocity", velocity);
+            for _ in 0..(1.0 / h).round() as i32 {
+                law.step(h);
+            }
+            for name in ["friction_force", "dissipated_energy", "stribeck_coefficient", "sticking"] {
+                found.push(law.get(name));
+            }
+        }
+        found
+    };
+    let one = run(1.0);
+    assert!(one.iter().step_by(4).all(|force| force.abs() <= F_S));
+    for h in [0.5, 0.1, 1e-3, 1e-5, 1e-6] {
+        for (a, b) in one.iter().zip(run(h)) {
+            // A million additions of h leave a time with a relative error of 1e-11.
+            assert!((a - b).abs() <= 1e-10 * a.abs(), "{h}: {a} against {b}");
+        }
+    }
+}
+
+/// The first slip on the belt, integrated directly with an explicit scheme at 1 us and a past of 5000 samples:
+/// time at which 1 mm/s is reached, highest position with its time, time and position of the stop.
+fn first_slip() -> [f64; 5] {
+    // The spring reaches the level when k v_b t = f_C + F_Sinf t / (t + gamma): 0.2 t^2 - 1.0715 t - 1.962 = 0.
+    let begin = (1.0715 + f64::sqrt(1.0715 * 1.0715 + 0.8 * 1.962)) / 0.4;
+    let excess = 0.2 * begin - F_C;
+    let (mut past, mut x, mut v, h) = ([0.0; 5000], 0.1 * begin, 0.1, 1e-6);
+    let (mut fast, mut highest) = (0.0, (0.0, 0.0));
+    for k in 0.. {
+        let time = begin + h * k as f64;
+        if x > highest.1 {
+            highest = (time, x);
+        }
+        if fast == 0.0 && v < 0.099 {
+            fast = time;
+        }
+        let w: f64 = past[k % 5000];
+        past[k % 5000] = v - 0.1;
+        let next = v + h * (F_C + excess / (1.0 + (w / V_S).powi(2)) - 2.0 * x);
+        x += 0.5 * h * (v + next);
+        v = next;
+        if v >= 0.1 && k > 10_000 {
+            return [fast, highest.0, highest.1, time, x];
+        }
+    }
+    unreachable!("the block stops")
+}
+
+#[test]
+fn armstrong_on_the_belt_follows_a_direct_integration() {
+    let [fast, time, highest, stop, position] = first_slip();
+    let mut law = Bench::new("Armstrong", &[]);
+    let samples = belt(&mut law, 1e-4, 10.0, Exchange::Sequential);
+    let after = |from: f64| samples.iter().filter(move |s| s.time > from);
+    let found = after(1.0).find(|s| s.velocity < -1e-3).expect("slip").time;
+    assert!((found - fast).abs() < 2e-3, "1 mm/s at {found}, {fast}");
+    let top = after(1.0).max_by(|a, b| a.position.total_cmp(&b.position)).expect("samples");
+    assert!(
+        (top.position / highest - 1.0).abs() < 1e-3 && (top.time - time).abs() < 5e-3,
+        "{top:?} {highest} at {time}"
+    );
+    let end = after(stop - 0.5).find(|s| s.velocity >= 0.0).expect("a stop");
+    assert!(
+        (end.time - stop).abs() < 5e-3 && (end.position / position - 1.0).abs() < 2e-3,
+        "{end:?}: {position} at {stop}"
+    );
 }

@@ -11,6 +11,7 @@ crate::catalogue::family! {
     dahl::Dahl,
     lugre::LuGre,
     frictional_lag::FrictionalLag,
+    armstrong::Armstrong,
 }
 
 mod delay_line;
