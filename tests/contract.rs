@@ -103,6 +103,8 @@ const ODD: &[&str] = &[
     "bristle_deflection",
     "planned_force",
     "lagged_velocity",
+    "acceleration",
+    "velocity_slope",
     "history.begin",
     "history.end",
 ];
@@ -135,7 +137,9 @@ fn mirrored_motion_gives_the_mirrored_force() {
         let mut random = Random(11);
         for _ in 0..20 {
             let scale = 10f64.powf(-6.0 * random.next());
-            for (name, value) in [("velocity", scale * random.signed()), ("external_force", 2.0 * random.signed())] {
+            let velocity = ("velocity", scale * random.signed());
+            let others = ["external_force", "acceleration"].map(|name| (name, 2.0 * random.signed()));
+            for (name, value) in [velocity].into_iter().chain(others) {
                 if bench.has(name) {
                     bench.set(name, value);
                     mirror.set(name, -value);
@@ -230,7 +234,7 @@ fn finite_inputs_give_finite_results_or_a_refusal_that_changes_nothing() {
     for_all(|bench, what| {
         let mut random = Random(17);
         for _ in 0..30 {
-            for name in ["velocity", "normal_force", "external_force"] {
+            for name in ["velocity", "normal_force", "external_force", "acceleration"] {
                 if bench.has(name) {
                     let sign = if name == "normal_force" { 1.0 } else { random.pick(&[-1.0, 1.0]) };
                     bench.set(name, sign * random.pick(&extremes));

@@ -240,3 +240,66 @@ fn armstrong_on_the_belt_follows_a_direct_integration() {
         "{end:?}: {position} at {stop}"
     );
 }
+
+/// Rows of Tustin's curve, which both curves are for f_l0 = f_s and a = b = 1 / v_S.
+#[test]
+fn non_reversible_with_equal_curves_is_tustin() {
+    let rows = [
+        (1e-5, 1.46661944),
+        (2e-4, 1.38258743),
+        (5e-4, 1.27850329),
+        (7.5e-4, 1.21269579),
+        (1e-3, 1.16144487),
+        (2e-3, 1.04738196),
+        (1e-2, 0.981022269),
+    ];
+    for (velocity, expected) in rows {
+        for acceleration in [-5.0, 0.0, 5.0] {
+            let values = [("mu_stop", 0.15), ("acceleration_decay", 1e3), ("deceleration_decay", 1e3)];
+            let mut law = Bench::new("NonReversible", &values);
+            law.set("velocity", velocity);
+            law.set("acceleration", acceleration);
+            let found = law.get("friction_force");
+            assert!((found / expected - 1.0).abs() < 5e-9, "{velocity}: {found}");
+        }
+    }
+}
+
+/// A velocity that oscillates without reversing draws both curves, whether the master gives slopes or the acceleration;
+/// by hand at v = V = 2 mm/s, where a v = 1: f_C + (f_s - f_C) / e upwards and f_C (1 - 1 / e) downwards.
+#[test]
+fn non_reversible_loop_is_the_same_with_slopes_and_with_the_acceleration() {
+    let upper = F_C + (F_S - F_C) * (-1f64).exp();
+    let lower = F_C * (1.0 - (-1f64).exp());
+    for (end, expected, sign) in [(1.0, upper, 1.0), (1.5, lower, -1.0)] {
+        let mut law = Bench::new("NonReversible", &[]);
+        oscillate(&mut law, 1e-3, end, true);
+        let found = law.get("friction_force");
+        assert!((found - expected).abs() < 1e-12, "{end}: {found}");
+        let mut law = Bench::new("NonReversible", &[("acceleration", sign * 1e-9)]);
+        oscillate(&mut law, 1e-3, end, false);
+        assert!((law.get("friction_force") - expected).abs() < 1e-12, "{end}");
+    }
+}
+
+/// Energy over one period against the midpoint rule over both branches of the loop.
+#[test]
+fn non_reversible_energy_per_period() {
+    let mut law = Bench::new("NonReversible", &[]);
+    oscillate(&mut law, 1e-4, 1.0, true);
+    let level = |time: f64| {
+        let fading = (-500.0 * oscillation(time)).exp();
+        if (TAU * time).cos() > 0.0 { F_C + (F_S - F_C) * fading } else { F_C * (1.0 - fading) }
+    };
+    // A quarter of a period each, without the instants at which the acceleration is 0.
+    let n = 4000;
+    let mut energy = 0.0;
+    for quarter in 0..4 {
+        for k in 0..n {
+            let time = 0.25 * (f64::from(quarter) + (f64::from(k) + 0.5) / f64::from(n));
+            energy += level(time) * oscillation(time) * 0.25 / f64::from(n);
+        }
+    }
+    let found = law.get("dissipated_energy");
+    assert!((found / energy - 1.0).abs() < 1e-6, "{found} against {energy}");
+}

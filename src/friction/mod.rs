@@ -12,8 +12,10 @@ crate::catalogue::family! {
     lugre::LuGre,
     frictional_lag::FrictionalLag,
     armstrong::Armstrong,
+    non_reversible::NonReversible,
 }
 
+mod branching;
 mod delay_line;
 mod time_stepping;
 

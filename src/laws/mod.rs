@@ -1,5 +1,6 @@
 //! Pure functions that several models share: numbers in, numbers out.
 
+pub mod branches;
 pub mod motion;
 pub mod quadrature;
 pub mod relaxation;
