@@ -303,3 +303,92 @@ fn non_reversible_energy_per_period() {
     let found = law.get("dissipated_energy");
     assert!((found / energy - 1.0).abs() < 1e-6, "{found} against {energy}");
 }
+
+/// The first slip of Wojewoda's law on the belt, integrated directly at 1 us with the two curves: highest position with
+/// its time, time and position of the stop. A block that neither curve lets speed up or slow down keeps its velocity.
+fn first_slip_on_two_curves() -> [f64; 4] {
+    let (begin, h) = (F_S / 0.2, 1e-6);
+    let (mut x, mut v, mut highest) = (0.1 * begin, 0.1 - 1e-9, (0.0, 0.0));
+    for k in 0.. {
+        let time = begin + h * f64::from(k);
+        if x > highest.1 {
+            highest = (time, x);
+        }
+        let fading = (F_S - F_C) * (-500.0 * (v - 0.1f64).abs()).exp();
+        // Slip is backwards: the block speeds up as long as it does so against the upper curve.
+        let (upper, lower) = (F_C + fading - 2.0 * x, F_C - fading - 2.0 * x);
+        let acceleration = if upper <= 0.0 { upper } else { lower.max(0.0) };
+        let next = v + h * acceleration;
+        x += 0.5 * h * (v + next);
+        v = next;
+        if v >= 0.1 {
+            return [highest.0, highest.1, time, x];
+        }
+    }
+    unreachable!("the block stops")
+}
+
+#[test]
+fn wojewoda_on_the_belt_follows_a_direct_integration() {
+    let [time, highest, stop, position] = first_slip_on_two_curves();
+    let (mut rig, mut law, h) = (Bench::new("BeltRig", &[]), Bench::new("Wojewoda", &[]), 1e-4);
+    let (mut force, mut top, mut end) = (0.0, (0.0, 0.0), None);
+    for k in 0..120_000 {
+        let now = h * f64::from(k);
+        let (velocity, external_force) = (rig.get("velocity"), rig.get("external_force"));
+        law.set("velocity", velocity);
+        law.set("acceleration", external_force - force);
+        law.step(h);
+        force = law.get("friction_force");
+        rig.set("friction_force", force);
+        rig.step(h);
+        if rig.get("position") > top.1 && end.is_none() {
+            top = (now, rig.get("position"));
+        }
+        if now > stop - 0.5 && velocity >= 0.0 && end.is_none() {
+            end = Some((now, rig.get("position")));
+        }
+    }
+    let end = end.expect("a stop");
+    assert!((top.0 - time).abs() < 5e-3 && (top.1 / highest - 1.0).abs() < 1e-3, "{top:?}: {highest} at {time}");
+    assert!((end.0 - stop).abs() < 5e-3 && (end.1 / position - 1.0).abs() < 2e-3, "{end:?}: {position} at {stop}");
+}
+
+/// The same motion in steps of 1 us to 1 s: breakaway and stop happen at the same instants.
+#[test]
+fn wojewoda_events_do_not_depend_on_the_step() {
+    let run = |h: f64| {
+        let mut law = Bench::new("Wojewoda", &[]);
+        let mut found = Vec::new();
+        for velocity in [1.2e-5, 1e-3, -3e-4, 0.0, 4e-3] {
+            law.set("velocity", velocity);
+            for _ in 0..(1.0 / h).round() as i32 {
+                law.step(h);
+            }
+            found.extend(["friction_force", "dissipated_energy", "sticking"].map(|name| law.get(name)));
+        }
+        found
+    };
+    let one = run(1.0);
+    for h in [0.5, 0.1, 1e-3, 1e-5, 1e-6] {
+        for (a, b) in one.iter().zip(run(h)) {
+            assert!((a - b).abs() <= 1e-10 * a.abs(), "{h}: {a} against {b}");
+        }
+    }
+}
+
+/// Its curves are those of the non-reversible law with f_l0 = 2 f_C - f_s.
+#[test]
+fn wojewoda_slides_on_the_mirrored_curves_of_the_non_reversible_law() {
+    for velocity in [1e-4, -1e-3, 5e-3, -0.2] {
+        for acceleration in [-1.0, 0.0, 1.0] {
+            let values = [("velocity", velocity), ("acceleration", acceleration)];
+            let mut law = Bench::new("Wojewoda", &values);
+            law.step(1.0);
+            let mut curves = Bench::new("NonReversible", &values);
+            curves.set("mu_stop", 0.05);
+            let (a, b) = (law.get("friction_force"), curves.get("friction_force"));
+            assert!((a - b).abs() < 1e-15, "{velocity} {acceleration}: {a} against {b}");
+        }
+    }
+}

@@ -13,6 +13,7 @@ crate::catalogue::family! {
     frictional_lag::FrictionalLag,
     armstrong::Armstrong,
     non_reversible::NonReversible,
+    wojewoda::Wojewoda,
 }
 
 mod branching;
