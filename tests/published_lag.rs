@@ -392,3 +392,33 @@ fn wojewoda_slides_on_the_mirrored_curves_of_the_non_reversible_law() {
         }
     }
 }
+
+/// Time derivatives of the outputs against what a short ramp makes of them, while stuck and while sliding.
+#[test]
+fn time_derivatives_of_outputs_agree_with_a_short_ramp() {
+    let cases: [(&str, &[(&str, f64)], f64); 7] = [
+        ("FrictionalLag", &[("time_lag", 0.01)], 2e-3),
+        ("FrictionalLag", &[("time_lag", 0.01), ("variant", 2.0)], 2e-3),
+        ("Armstrong", &[("gamma", 0.1)], 2e-3),
+        ("Armstrong", &[("time_lag", 0.0)], 2e-3),
+        ("Armstrong", &[], 1e-5),
+        ("NonReversible", &[], 2e-3),
+        ("Wojewoda", &[], 1e-5),
+    ];
+    for (model, values, velocity) in cases {
+        let mut law = Bench::new(model, values);
+        let (input, force) = (law.column("velocity"), law.column("friction_force"));
+        // The slope of the step stays the slope of the input after it.
+        let ramp = |law: &mut Bench, time: f64| {
+            law.instance.put_slope(input, 20.0 * velocity);
+            law.step(time);
+        };
+        law.set("velocity", velocity);
+        law.step(0.03);
+        ramp(&mut law, 0.017);
+        let (before, slope) = (law.get("friction_force"), law.instance.time_derivative()[force].slope);
+        ramp(&mut law, 1e-7);
+        let found = (law.get("friction_force") - before) / 1e-7;
+        assert!((slope - found).abs() < 1e-3 * found.abs() && found != 0.0, "{model} {values:?}: {slope}, {found}");
+    }
+}
