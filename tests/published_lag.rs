@@ -393,10 +393,13 @@ fn wojewoda_slides_on_the_mirrored_curves_of_the_non_reversible_law() {
     }
 }
 
+/// A model, its parameters and the velocity to look at.
+type Case = (&'static str, &'static [(&'static str, f64)], f64);
+
 /// Time derivatives of the outputs against what a short ramp makes of them, while stuck and while sliding.
 #[test]
 fn time_derivatives_of_outputs_agree_with_a_short_ramp() {
-    let cases: [(&str, &[(&str, f64)], f64); 7] = [
+    let cases: [Case; 7] = [
         ("FrictionalLag", &[("time_lag", 0.01)], 2e-3),
         ("FrictionalLag", &[("time_lag", 0.01), ("variant", 2.0)], 2e-3),
         ("Armstrong", &[("gamma", 0.1)], 2e-3),
@@ -421,4 +424,51 @@ fn time_derivatives_of_outputs_agree_with_a_short_ramp() {
         let found = (law.get("friction_force") - before) / 1e-7;
         assert!((slope - found).abs() < 1e-3 * found.abs() && found != 0.0, "{model} {values:?}: {slope}, {found}");
     }
+}
+
+/// A motion that comes to rest while the load grows: the level is passed in the middle of the step, although at its end
+/// the contact could hold again. Many short steps cannot miss it.
+#[test]
+fn a_breakaway_that_the_end_of_the_step_hides_is_found() {
+    for (model, values) in [("Armstrong", [("gamma", 1.0), ("mu_s", 0.11)]), ("Wojewoda", [("mu_k", 0.1); 2])] {
+        let run = |n: i32| {
+            let mut law = Bench::new(model, &values);
+            law.set("mu_s", 0.11);
+            law.set("normal_force", 1.0);
+            law.set("velocity", 2e-5);
+            let (velocity, load) = (law.column("velocity"), law.column("normal_force"));
+            for _ in 0..n {
+                // To 1 % of the velocity, and from 1 N to 10.9 N.
+                law.instance.put_slope(velocity, -2e-5);
+                law.instance.put_slope(load, 10.0);
+                law.step(0.99 / f64::from(n));
+            }
+            [law.get("slipping"), law.get("dissipated_energy"), law.get("friction_force")]
+        };
+        let [slipping, energy, force] = run(1);
+        assert_eq!(slipping, 1.0, "{model}");
+        for n in [2, 100, 1000] {
+            let [other, b, c] = run(n);
+            assert!(other == 1.0 && (energy / b - 1.0).abs() < 1e-7 && (force / c - 1.0).abs() < 1e-7, "{model} {n}");
+        }
+    }
+}
+
+/// A step of 20 000 lags: the filter's way to the new velocity is over within a few of them, but its energy counts.
+#[test]
+fn a_step_much_longer_than_the_filter_keeps_the_energy_of_the_transient() {
+    let run = |steps: &[f64]| {
+        let mut law = Bench::new("FrictionalLag", &[("variant", 2.0), ("time_lag", 5e-6), ("velocity", -3e-3)]);
+        law.step(1e-3);
+        law.set("velocity", 4e-3);
+        for h in steps {
+            law.step(*h);
+        }
+        // What the steady state would take is 4e-3 * 0.981 * time.
+        law.get("dissipated_energy") - 4e-3 * gaussian(4e-3) * steps.iter().sum::<f64>()
+    };
+    let fine = run(&[1e-7; 2000]);
+    let coarse = run(&[0.1 - 2e-4, 2e-4]);
+    let start = 3e-3 * gaussian(3e-3) * 1e-3;
+    assert!(((coarse - start) / (fine - start) - 1.0).abs() < 1e-6, "{} against {}", coarse - start, fine - start);
 }
