@@ -39,9 +39,10 @@ const STEEPEST: f64 = 420.8;
 const ACCELERATION: f64 = 1.5e-3 * TAU;
 const JERK: f64 = ACCELERATION * TAU;
 
-/// Friction at v = V: 1.02727822 N while accelerating (t = 1 s), 0.98213481 N while decelerating (t = 1.5 s). A velocity
-/// that is held is late by up to one step. With slopes it is a polygon, with an error of h^2 / 8 of the second derivative,
-/// and of (tau_L / 31)^2 / 8 where the delay holds more steps than it has pieces; where it holds whole steps, it has none.
+/// Friction at v = V: 1.02727822 N while accelerating (t = 1 s), 0.98213481 N while decelerating (t = 1.5 s). A
+/// velocity that is held is late by up to one step. With slopes it is a polygon, with an error of h^2 / 8 of the second
+/// derivative, and of (tau_L / 31)^2 / 8 where the delay holds more steps than it has pieces; where it holds whole
+/// steps, it has none.
 #[test]
 fn lag_makes_friction_higher_while_accelerating() {
     for (end, expected) in [(1.0, 1.02727822), (1.5, 0.98213481)] {

@@ -51,42 +51,43 @@ crate::model! {
     ///
     /// # Sign
     /// `friction_force` has the sign of `velocity` while slipping and of the displacement while stuck; body 1 feels
-    /// `-friction_force`. Dissipated power is `friction_force * velocity`; it is negative while the stuck contact springs
-    /// back.
+    /// `-friction_force`. Dissipated power is `friction_force * velocity`; it is negative while the stuck contact
+    /// springs back.
     ///
     /// # Step
-    /// Exact for inputs that are held and for inputs that move linearly. Breakaway is the first zero of a cubic, located
-    /// to the last bit within the step; the return to sticking is the zero of the velocity, or the beginning of the step
-    /// if a held velocity jumps across zero. So the instants of both do not depend on how an interval is divided, up to
-    /// rounding (1e-12 of the interval). The past of the velocity is kept as in `FrictionalLag`: 64 pieces, exact up to as
-    /// many different velocities within tau_L, below a step of about tau_L / 63 thinned with an error of w of at most
-    /// |d2v/dt2| (tau_L / 31)^2 / 8, and the change over one step in addition. The dissipated energy is a closed form where
-    /// the inputs and w are constant, and else a quadrature with a relative error below 1e-10.
+    /// Exact for inputs that are held and for inputs that move linearly. Breakaway is the first zero of a cubic,
+    /// located to the last bit within the step; the return to sticking is the zero of the velocity, or the beginning of
+    /// the step if a held velocity jumps across zero. So the instants of both do not depend on how an interval is
+    /// divided, up to rounding (1e-12 of the interval). The past of the velocity is kept as in `FrictionalLag`: 64
+    /// pieces, exact up to as many different velocities within tau_L, below a step of about tau_L / 63 thinned: w is
+    /// then wrong by at most (tau_L / 31)^2 / 8 times the second derivative of v, and by its change over one step in
+    /// addition. The dissipated energy is a closed form where the inputs and w are constant, and else a quadrature with
+    /// a relative error below 1e-10.
     ///
     /// # Errors
     /// Refused: a parameter outside its bound; `mu_s` < `mu_k`.
     ///
     /// # Limits
     /// No damping while stuck: a mass on the contact oscillates. With a positive `time_lag` the force stays at the
-    /// breakaway level for that time, whatever the velocity. `time_lag` = 0 and `gamma` = 0 leave a spring and the curve of
-    /// Hess and Soom; `mu_s` = `mu_k` leaves a spring, the Coulomb level and viscous friction. A stuck contact at v = 0
-    /// holds. If the load falls, the displacement is cut to what the level carries: at the beginning of a step, at the
-    /// end of one with slopes, and in the force at once.
+    /// breakaway level for that time, whatever the velocity. `time_lag` = 0 and `gamma` = 0 leave a spring and the
+    /// curve of Hess and Soom; `mu_s` = `mu_k` leaves a spring, the Coulomb level and viscous friction. A stuck contact
+    /// at v = 0 holds. If the load falls, the displacement is cut to what the level carries: at the beginning of a
+    /// step, at the end of one with slopes, and in the force at once.
     ///
     /// Passive at constant load: the energy stored while stuck, (sigma_0 z)^2 / (2 sigma_0), was put in before. A load
     /// that rises during slip from f_n1 to f_n2 charges the contact at the next stop, so that it may give back up to
-    /// mu_s^2 (f_n2^2 - f_n1^2) / (2 sigma_0) more than it got. `normal_force` = 0 releases the contact: force 0, and the
-    /// next step sets it back to its start.
+    /// mu_s^2 (f_n2^2 - f_n1^2) / (2 sigma_0) more than it got. `normal_force` = 0 releases the contact: force 0, and
+    /// the next step sets it back to its start.
     ///
     /// # Source
     /// Armstrong-Helouvry, Dupont and Canudas de Wit (1994), doi:10.1016/0005-1098(94)90209-7, in the form of Olsson et
-    /// al. (1998), European Journal of Control 4, 176-195, who remark that an eighth parameter is probably needed: hence
-    /// the choices above, which are ours. The papers give F_Sinf, F_Sa and f_C in newtons and friction as a force on the
-    /// body; here they are coefficients, so that they follow the load, and the sign is that of the resistance. A public
-    /// transcription has the brackets of the rising static friction as F_Sa + [F_Sinf - F_Sa t_d / (t_d + gamma)], which
-    /// is wrong: at t_d = 0 it must be F_Sa. The pages of F. Novais, "A critical analysis on friction force models in
-    /// dynamical systems", MSc thesis, University of Minho (2024), on this law and its Table 6.4 were not available: v_S is
-    /// that of its Table 7.1, tau_L and gamma are chosen.
+    /// al. (1998), European Journal of Control 4, 176-195, who remark that an eighth parameter is probably needed:
+    /// hence the choices above, which are ours. The papers give F_Sinf, F_Sa and f_C in newtons and friction as a force
+    /// on the body; here they are coefficients, so that they follow the load, and the sign is that of the resistance. A
+    /// public transcription has the brackets of the rising static friction as F_Sa + [F_Sinf - F_Sa t_d / (t_d +
+    /// gamma)], which is wrong: at t_d = 0 it must be F_Sa. The pages of F. Novais, "A critical analysis on friction
+    /// force models in dynamical systems", MSc thesis, University of Minho (2024), on this law and its Table 6.4 were
+    /// not available: v_S is that of its Table 7.1, tau_L and gamma are chosen.
     ///
     /// # Example
     /// ```
@@ -124,7 +125,8 @@ crate::model! {
         bristle_deflection: state = real("m", 0.0).nominal(1e-5).shown_in("um"),
         /// Time since the contact got stuck; 0 while it slips.
         dwell_time: state = real("s", 0.0).at_least(0.0),
-        /// Stribeck magnitude per normal force: stuck, that at the end of the last slip; slipping, that of the breakaway.
+        /// Stribeck magnitude per normal force: stuck, that at the end of the last slip; slipping, that of the
+        /// breakaway.
         stribeck_coefficient: state = real("1", 0.0).at_least(0.0),
         /// Velocity that the level of friction follows: that of a time lag ago, or a filtered one.
         lagged_velocity: state = real("m/s", 0.0).nominal(1e-3).shown_in("mm/s"),
@@ -448,8 +450,8 @@ mod tests {
         assert_eq!((law.sticking, law.dwell_time), (1.0, 3.0));
     }
 
-    /// Hyperbolic rise: a half at gamma, a third at gamma / 2, three quarters at 3 gamma. A stiff contact breaks away at
-    /// once, and the force stays there for the lag.
+    /// Hyperbolic rise: a half at gamma, a third at gamma / 2, three quarters at 3 gamma. A stiff contact breaks away
+    /// at once, and the force stays there for the lag.
     #[test]
     fn breakaway_rises_with_the_dwell_time() {
         for (dwell, share) in [(2.0, 0.5), (1.0, 1.0 / 3.0), (6.0, 0.75)] {

@@ -207,7 +207,8 @@ mod tests {
         line.pieces().count()
     }
 
-    /// Five steps of 1 ms, as a master with rounding errors makes them: the value is that of the step that began 5 ms ago.
+    /// Five steps of 1 ms, as a master with rounding errors makes them: the value is that of the step that began 5 ms
+    /// ago.
     #[test]
     fn a_jump_is_met_in_spite_of_rounding() {
         for h in [1e-3, 9.999999999998899e-4, 1.000_000_000_000_1e-3] {

@@ -54,27 +54,28 @@ crate::model! {
     /// Exact for inputs that are held and for inputs that move linearly: two half steps equal one. A held velocity is
     /// taken as what it is, a staircase, and the delayed one is the same staircase later. If it stands for a smooth
     /// velocity, it is late by up to one communication step (half of one on average); slopes of the inputs
-    /// (fmi2SetRealInputDerivatives) remove that. A step may be longer than tau_L: the force at its end then follows the
-    /// velocity of the same step.
+    /// (fmi2SetRealInputDerivatives) remove that. A step may be longer than tau_L: the force at its end then follows
+    /// the velocity of the same step.
     ///
     /// The past is kept in 64 pieces with a linear velocity each, a constant one however long it lasts. If the delay
-    /// holds more different velocities, that is for a communication step below about tau_L / 63, neighbouring pieces are
-    /// joined by straight lines: the past still spans tau_L, no joined piece is longer than tau_L / 31, and the error of
-    /// w is at most |d2v/dt2| (tau_L / 31)^2 / 8, and for a held velocity its change over one step in addition.
+    /// holds more different velocities, that is for a communication step below about tau_L / 63, neighbouring pieces
+    /// are joined by straight lines: the past still spans tau_L, no joined piece is longer than tau_L / 31, and the
+    /// error of w is at most |d2v/dt2| (tau_L / 31)^2 / 8, and for a held velocity its change over one step in
+    /// addition.
     ///
-    /// Before the first step, and again after the contact was released, w is the velocity with which the contact begins.
-    /// The dissipated energy is a closed form where w and the inputs are constant, and else a quadrature with a relative
-    /// error below 1e-10. `sticking` says that the velocity is exactly zero.
+    /// Before the first step, and again after the contact was released, w is the velocity with which the contact
+    /// begins. The dissipated energy is a closed form where w and the inputs are constant, and else a quadrature with a
+    /// relative error below 1e-10. `sticking` says that the velocity is exactly zero.
     ///
     /// # Errors
     /// Refused: a parameter outside its bound; `mu_s` < `mu_k`.
     ///
     /// # Limits
-    /// No stiction: the force is zero at v = 0, so the law cannot hold a load, and a host that integrates the body itself
-    /// sees the force alternate around rest. No pre-sliding displacement. When the velocity changes its sign, the level
-    /// still follows the speed of a time lag ago, so the force need not pass the static level. `time_lag` = 0 is the
-    /// static law; `mu_s` = `mu_k` leaves only the viscous part to lag. `normal_force` = 0 releases the contact: force 0,
-    /// also of the viscous part, and the next step forgets the past.
+    /// No stiction: the force is zero at v = 0, so the law cannot hold a load, and a host that integrates the body
+    /// itself sees the force alternate around rest. No pre-sliding displacement. When the velocity changes its sign,
+    /// the level still follows the speed of a time lag ago, so the force need not pass the static level. `time_lag` = 0
+    /// is the static law; `mu_s` = `mu_k` leaves only the viscous part to lag. `normal_force` = 0 releases the contact:
+    /// force 0, also of the viscous part, and the next step forgets the past.
     ///
     /// # Source
     /// Hess and Soom (1990), Journal of Tribology 112, 147-152; Armstrong-Helouvry, Dupont and Canudas de Wit (1994),
@@ -325,8 +326,8 @@ impl Filter {
         ((self.start - self.motion.velocity) / lag).ln_1p() * self.time_lag
     }
 
-    /// Sections of the motion in which w is monotonic and changes on one scale: the exponential fades within a few lags,
-    /// which a quadrature over a long step would overlook.
+    /// Sections of the motion in which w is monotonic and changes on one scale: the exponential fades within a few
+    /// lags, which a quadrature over a long step would overlook.
     fn sections(&self) -> impl Iterator<Item = (f64, f64)> {
         let end = self.motion.duration;
         let [a, b, c] = FADING.map(|lags| lags * self.time_lag);

@@ -7,8 +7,8 @@ use crate::number::Real;
 use crate::ramp;
 
 crate::model! {
-    /// Non-reversible friction, reconstructed: one curve while the contact speeds up, another while it slows down, so that
-    /// friction differs at the same velocity.
+    /// Non-reversible friction, reconstructed: one curve while the contact speeds up, another while it slows down, so
+    /// that friction differs at the same velocity.
     ///
     /// # Equations
     ///
@@ -39,28 +39,30 @@ crate::model! {
     ///
     /// # Step
     /// The sign of the acceleration is that of the slope of `velocity` where the master gives one
-    /// (fmi2SetRealInputDerivatives), else that of the input `acceleration` at the beginning of the step; without either it
-    /// is 0 and the upper curve counts. After a step with a slope the outputs use that slope until the next step. The law has no other memory. The
-    /// dissipated energy is exact for held inputs; for inputs that move linearly it is a quadrature with a relative error
-    /// below 1e-10, divided where the velocity passes through zero. `sticking` says that the velocity is exactly zero.
+    /// (fmi2SetRealInputDerivatives), else that of the input `acceleration` at the beginning of the step; without
+    /// either it is 0 and the upper curve counts. After a step with a slope the outputs use that slope until the next
+    /// step. The law has no other memory. The dissipated energy is exact for held inputs; for inputs that move linearly
+    /// it is a quadrature with a relative error below 1e-10, divided where the velocity passes through zero. `sticking`
+    /// says that the velocity is exactly zero.
     ///
     /// # Errors
     /// Refused: a parameter outside its bound; `mu_s` < `mu_k`; `mu_stop` > `mu_s`.
     ///
     /// # Limits
-    /// No stiction: the force is zero at v = 0, so the law cannot hold a load, and a host that integrates the body itself
-    /// sees the force alternate around rest. The force jumps by f_fu - f_fl where the acceleration changes its sign: an
-    /// acceleration that is itself computed from this force closes a loop that may switch at every step. `mu_stop` =
-    /// `mu_s` with a = b is the reversible curve of Tustin with v_S = 1 / a; `mu_stop` = `mu_k` leaves the Coulomb level
-    /// while slowing down; `mu_stop` = 2 `mu_k` - `mu_s` mirrors the upper curve. `normal_force` = 0 gives force 0.
+    /// No stiction: the force is zero at v = 0, so the law cannot hold a load, and a host that integrates the body
+    /// itself sees the force alternate around rest. The force jumps by f_fu - f_fl where the acceleration changes its
+    /// sign: an acceleration that is itself computed from this force closes a loop that may switch at every step.
+    /// `mu_stop` = `mu_s` with a = b is the reversible curve of Tustin with v_S = 1 / a; `mu_stop` = `mu_k` leaves the
+    /// Coulomb level while slowing down; `mu_stop` = 2 `mu_k` - `mu_s` mirrors the upper curve. `normal_force` = 0
+    /// gives force 0.
     ///
     /// # Source
     /// Reconstructed: the pages of F. Novais, "A critical analysis on friction force models in dynamical systems", MSc
-    /// thesis, University of Minho (2024), on non-reversibility were not available; its list of symbols names f_fu, f_fl,
-    /// a and b. The curves are of the family of Powell and Wiercigroch (1992), Machine Vibration 1, and Wiercigroch, Sin
-    /// and Liew (1999), Proc. IMechE C 213, 527-534. In the literature f_l0 is 0 or 2 f_C - f_s; which one the thesis
-    /// prints is unknown, so it is a parameter, here as a coefficient, so that it follows the load. The defaults of
-    /// f_l0 = 0 and a = b = 500 s/m are chosen.
+    /// thesis, University of Minho (2024), on non-reversibility were not available; its list of symbols names f_fu,
+    /// f_fl, a and b. The curves are of the family of Powell and Wiercigroch (1992), Machine Vibration 1, and
+    /// Wiercigroch, Sin and Liew (1999), Proc. IMechE C 213, 527-534. In the literature f_l0 is 0 or 2 f_C - f_s; which
+    /// one the thesis prints is unknown, so it is a parameter, here as a coefficient, so that it follows the load. The
+    /// defaults of f_l0 = 0 and a = b = 500 s/m are chosen.
     ///
     /// # Example
     /// ```

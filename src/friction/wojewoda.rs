@@ -8,8 +8,8 @@ use crate::number::Real;
 use crate::ramp;
 
 crate::model! {
-    /// Hysteretic friction of Wojewoda and others, reconstructed: a spring while the contact sticks, and while it slides one
-    /// curve for speeding up and its mirror image for slowing down.
+    /// Hysteretic friction of Wojewoda and others, reconstructed: a spring while the contact sticks, and while it
+    /// slides one curve for speeding up and its mirror image for slowing down.
     ///
     /// # Equations
     ///
@@ -20,8 +20,8 @@ crate::model! {
     /// f_C = mu_k f_n,   f_s = mu_s f_n
     /// ```
     ///
-    /// The first line is the hysteretic spring f_rev + sigma_0 (s - s_rev) from the last reversal point (s_rev, f_rev) on.
-    /// The changes between the two states are chosen:
+    /// The first line is the hysteretic spring f_rev + sigma_0 (s - s_rev) from the last reversal point (s_rev, f_rev)
+    /// on. The changes between the two states are chosen:
     ///
     /// ```text
     /// stuck -> sliding    sigma_0 |z| reaches f_s in the direction of v
@@ -43,41 +43,41 @@ crate::model! {
     /// | f_f     | `friction_force`     | N    | friction force                                           |
     ///
     /// # Sign
-    /// `friction_force` has the sign of `velocity` while sliding and of the elastic displacement while stuck; body 1 feels
-    /// `-friction_force`. Dissipated power is `friction_force * velocity`; it is negative while the stuck contact springs
-    /// back.
+    /// `friction_force` has the sign of `velocity` while sliding and of the elastic displacement while stuck; body 1
+    /// feels `-friction_force`. Dissipated power is `friction_force * velocity`; it is negative while the stuck contact
+    /// springs back.
     ///
     /// # Step
     /// Exact for held inputs. Inputs that move linearly are followed too: breakaway is the first zero of a parabola and
     /// the stop the zero of the velocity, both located to the last bit within the step, so they do not depend on how an
     /// interval is divided. A held velocity that jumps across zero stops at the beginning of the step. The sign of the
-    /// acceleration is that of the slope of `velocity` where the master gives one (fmi2SetRealInputDerivatives), else that
-    /// of the input `acceleration` at the beginning of the step; without either it is 0 and the upper curve counts. After a
-    /// step with a slope the outputs use that slope until the next step. The dissipated energy is a closed form while stuck
-    /// and for held inputs, and else a quadrature with a relative error below 1e-10.
+    /// acceleration is that of the slope of `velocity` where the master gives one (fmi2SetRealInputDerivatives), else
+    /// that of the input `acceleration` at the beginning of the step; without either it is 0 and the upper curve
+    /// counts. After a step with a slope the outputs use that slope until the next step. The dissipated energy is a
+    /// closed form while stuck and for held inputs, and else a quadrature with a relative error below 1e-10.
     ///
     /// # Errors
     /// Refused: a parameter outside its bound; `mu_s` < `mu_k`; `mu_s` > 2 `mu_k`, for then the lower curve would push.
     ///
     /// # Limits
-    /// No damping while stuck: a mass on the contact oscillates. The force jumps where the acceleration changes its sign,
-    /// and at the stop to where the lower curve ends; an acceleration that is itself computed from this force closes a
-    /// loop that may switch at every step. A stuck contact at v = 0 holds. `mu_s` = `mu_k` is the elastic and perfectly
-    /// plastic contact. If the load falls, the displacement is cut to what the level carries: at the beginning of a step,
-    /// at the end of one with slopes, and in the force at once.
+    /// No damping while stuck: a mass on the contact oscillates. The force jumps where the acceleration changes its
+    /// sign, and at the stop to where the lower curve ends; an acceleration that is itself computed from this force
+    /// closes a loop that may switch at every step. A stuck contact at v = 0 holds. `mu_s` = `mu_k` is the elastic and
+    /// perfectly plastic contact. If the load falls, the displacement is cut to what the level carries: at the
+    /// beginning of a step, at the end of one with slopes, and in the force at once.
     ///
-    /// Passive at constant load: the curves never push, and the stop leaves (2 f_C - f_s)^2 / (2 sigma_0) in the spring,
-    /// not more than the f_s^2 / (2 sigma_0) that the breakaway left there. A load that rises from f_n1 to f_n2 while
-    /// sliding charges the contact at the next stop, so that it may give back up to
-    /// [(2 mu_k - mu_s)^2 f_n2^2 - mu_s^2 f_n1^2] / (2 sigma_0) more than it got. `normal_force` = 0 releases the contact:
-    /// force 0, and the next step makes it stuck and undeflected.
+    /// Passive at constant load: the curves never push, and the stop leaves (2 f_C - f_s)^2 / (2 sigma_0) in the
+    /// spring, not more than the f_s^2 / (2 sigma_0) that the breakaway left there. A load that rises from f_n1 to f_n2
+    /// while sliding charges the contact at the next stop, so that it may give back up to [(2 mu_k - mu_s)^2 f_n2^2 -
+    /// mu_s^2 f_n1^2] / (2 sigma_0) more than it got. `normal_force` = 0 releases the contact: force 0, and the next
+    /// step makes it stuck and undeflected.
     ///
     /// # Source
     /// Reconstructed after Wojewoda, Stefanski, Wiercigroch and Kapitaniak (2008), "Hysteretic effects of dry friction:
-    /// modelling and experimental studies", Phil. Trans. R. Soc. A 366, 747-765, which was not at hand: its function for
-    /// sticking and the argument of its exponential could not be confirmed. The page of F. Novais, "A critical analysis on
-    /// friction force models in dynamical systems", MSc thesis, University of Minho (2024), was not available either. The
-    /// defaults a = 500 s/m and sigma_0 are chosen; the latter is that of the bristle models.
+    /// modelling and experimental studies", Phil. Trans. R. Soc. A 366, 747-765, which was not at hand: its function
+    /// for sticking and the argument of its exponential could not be confirmed. The page of F. Novais, "A critical
+    /// analysis on friction force models in dynamical systems", MSc thesis, University of Minho (2024), was not
+    /// available either. The defaults a = 500 s/m and sigma_0 are chosen; the latter is that of the bristle models.
     ///
     /// # Example
     /// ```
@@ -327,9 +327,9 @@ mod tests {
         assert!(force(&mut law).abs() < 1e-15 && law.dissipated_energy.abs() < 1e-20);
     }
 
-    /// To and fro by 2 X, so slowly that the curves have not fallen from f_s: the loop of an elastic, plastic contact that
-    /// starts from 2 f_C - f_s after each stop. The elastic way to f_s on the other side is s = 2 f_C / sigma_0, so the
-    /// area is 2 [f_s (2 X - s) + (f_s^2 - (2 f_C - f_s)^2) / (2 sigma_0)].
+    /// To and fro by 2 X, so slowly that the curves have not fallen from f_s: the loop of an elastic, plastic contact
+    /// that starts from 2 f_C - f_s after each stop. The elastic way to f_s on the other side is s = 2 f_C / sigma_0,
+    /// so the area is 2 [f_s (2 X - s) + (f_s^2 - (2 f_C - f_s)^2) / (2 sigma_0)].
     #[test]
     fn a_loop_beyond_breakaway_closes_and_has_its_area() {
         let (x, stop) = (1e-4, 2.0 * F_C - F_S);

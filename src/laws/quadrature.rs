@@ -2,8 +2,8 @@
 
 use crate::laws::root::crossing;
 
-/// Difference of the two rules in a piece, relative to the whole integral, above which the piece is halved (chosen). The
-/// error of the better rule is far smaller: in the tests below 1e-13 for smooth functions, 1e-11 with a cusp.
+/// Difference of the two rules in a piece, relative to the whole integral, above which the piece is halved (chosen).
+/// The error of the better rule is far smaller: in the tests below 1e-13 for smooth functions, 1e-11 with a cusp.
 const TOLERANCE: f64 = 1e-10;
 
 /// So many halvings per integral (chosen) resolve a cusp to 1e-12 of the interval several times over. The limit is for
@@ -77,8 +77,9 @@ fn both_rules(f: &impl Fn(f64) -> f64, from: f64, to: f64) -> (f64, f64) {
     (half * fine, (half * (fine - coarse)).abs())
 }
 
-/// The integral over time of a power that depends on a quantity w(t), monotonic between `from` and `to`. Where |w| falls
-/// below `band` the power has a peak with a kink at w = 0: a long interval could overlook it, so it is looked for.
+/// The integral over time of a power that depends on a quantity w(t), monotonic between `from` and `to`. Where |w|
+/// falls below `band` the power has a peak with a kink at w = 0: a long interval could overlook it, so it is looked
+/// for.
 pub fn integral_past_peak(power: &impl Fn(f64) -> f64, w: &impl Fn(f64) -> f64, band: f64, from: f64, to: f64) -> f64 {
     let mut cuts = [-band, 0.0, band].map(|level| crossing(w, level, from, to).unwrap_or(to));
     cuts.sort_by(f64::total_cmp);
