@@ -58,11 +58,11 @@ crate::model! {
     /// Exact for inputs that are held and for inputs that move linearly. Breakaway is the first zero of a cubic,
     /// located to the last bit within the step; the return to sticking is the zero of the velocity, or the beginning of
     /// the step if a held velocity jumps across zero. So the instants of both do not depend on how an interval is
-    /// divided, up to rounding (1e-12 of the interval). The past of the velocity is kept as in `FrictionalLag`: 64
-    /// pieces, exact up to as many different velocities within tau_L, below a step of about tau_L / 63 thinned: w is
-    /// then wrong by at most (tau_L / 31)^2 / 8 times the second derivative of v, and by its change over one step in
-    /// addition. The dissipated energy is a closed form where the inputs and w are constant, and else a quadrature with
-    /// a relative error below 1e-10.
+    /// divided, up to rounding (relative 1e-10 after a million steps). The past of the velocity is kept as in
+    /// `FrictionalLag`: 64 pieces, exact up to as many different velocities within tau_L, below a step of about tau_L /
+    /// 63 thinned: w is then wrong by at most (tau_L / 31)^2 / 8 times the second derivative of v, and by its change
+    /// over one step in addition. The dissipated energy is a closed form where the inputs and w are constant, and else
+    /// a quadrature with a relative error below 1e-10.
     ///
     /// # Errors
     /// Refused: a parameter outside its bound; `mu_s` < `mu_k`.
