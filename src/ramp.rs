@@ -74,7 +74,8 @@ fn held<M: Model>(model: &mut M, begin: &M, slope: &M, from: f64, to: f64) {
     model.step(to - from);
 }
 
-fn set_inputs<M: Columns>(model: &mut M, begin: &M, slope: &M, time: f64) {
+/// Gives the inputs the values they have a time after `begin`.
+pub(crate) fn set_inputs<M: Columns>(model: &mut M, begin: &M, slope: &M, time: f64) {
     for column in inputs::<M>() {
         // By rounding, a ramp that ends on a bound may end beyond it.
         let value = row_of(begin)[column] + row_of(slope)[column] * time;

@@ -40,10 +40,11 @@ const fn unit(
 }
 
 /// Every unit that a column may have.
-pub static UNITS: [Unit; 12] = [
+pub static UNITS: [Unit; 13] = [
     unit("1", "Ratio", [0, 0, 0], &[]),
     unit("m", "Length", [0, 1, 0], &[shown("mm", 1e3), shown("um", 1e6)]),
     unit("m/s", "Velocity", [0, 1, -1], &[shown("mm/s", 1e3)]),
+    unit("m/s2", "Acceleration", [0, 1, -2], &[]),
     unit("s", "Duration", [0, 0, 1], &[shown("ms", 1e3)]),
     unit("kg", "Mass", [1, 0, 0], &[]),
     unit("N", "Force", [1, 1, -2], &[shown("kN", 1e-3)]),

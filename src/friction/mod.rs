@@ -24,8 +24,14 @@ crate::catalogue::family! {
     brown_mcphee::BrownMcPhee,
     dahl::Dahl,
     lugre::LuGre,
+    frictional_lag::FrictionalLag,
+    armstrong::Armstrong,
+    non_reversible::NonReversible,
+    wojewoda::Wojewoda,
 }
 
+mod branching;
+mod delay_line;
 mod time_stepping;
 
 use crate::model::Fault;

@@ -1,8 +1,12 @@
 //! Pure functions that several models share: numbers in, numbers out.
 
+pub mod branches;
 pub mod end_velocity;
+pub mod motion;
+pub mod quadrature;
 pub mod regularised;
 pub mod relaxation;
+pub mod root;
 pub mod stopping;
 pub mod stribeck;
 pub mod viscous;

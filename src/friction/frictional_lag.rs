@@ -1,0 +1,470 @@
+use crate::friction::delay_line::{DelayLine, Piece};
+use crate::laws::motion::Motion;
+use crate::laws::quadrature::integral_past_peak;
+use crate::laws::{relaxation, stribeck};
+use crate::model::{Fault, Law, Model, Preset, boolean, real};
+use crate::number::Real;
+use crate::ramp;
+
+crate::choices! {
+    /// How the friction force lags behind the velocity.
+    pub enum FrictionalLagVariant {
+        /// The force follows the velocity of a time lag ago.
+        Delay,
+        /// The force follows the velocity through a first-order filter.
+        FirstOrder,
+    }
+}
+
+crate::model! {
+    /// Frictional lag: the Stribeck curve with the delay that a lubricating film needs to follow the velocity, so that
+    /// friction is higher while a contact accelerates than while it decelerates.
+    ///
+    /// # Equations
+    ///
+    /// ```text
+    /// f_f = F_ss(w) sgn(v)
+    /// F_ss(w) = f_C + (f_s - f_C) exp(-(|w| / v_S)^delta) + f_v |w|
+    /// w(t) = v(t - tau_L)                        Delay
+    /// tau_L dw/dt + w = v                        FirstOrder
+    /// f_C = mu_k f_n,   f_s = mu_s f_n
+    /// ```
+    ///
+    /// | symbol | variable               | unit  | meaning                                               |
+    /// |--------|------------------------|-------|-------------------------------------------------------|
+    /// | v      | `velocity`             | m/s   | velocity of body 1 relative to body 2                 |
+    /// | f_n    | `normal_force`         | N     | force pressing the surfaces together                  |
+    /// | mu_k   | `mu_k`                 | 1     | kinetic coefficient of friction                       |
+    /// | mu_s   | `mu_s`                 | 1     | static coefficient of friction                        |
+    /// | v_S    | `stribeck_velocity`    | m/s   | speed at which the excess over f_C has fallen to 1/e  |
+    /// | delta  | `stribeck_exponent`    | 1     | shape of the falling level; 2 = Gaussian              |
+    /// | f_v    | `viscous_coefficient`  | N.s/m | viscous coefficient                                   |
+    /// | tau_L  | `time_lag`             | s     | time by which the force lags behind                   |
+    /// | w      | `lagged_velocity`      | m/s   | velocity of a time lag ago, or filtered               |
+    /// |        | `history[i].duration`  | s     | pieces of the past, the latest first: their durations |
+    /// |        | `history[i].begin`     | m/s   | velocity at the beginning of a piece                  |
+    /// |        | `history[i].end`       | m/s   | velocity at the end of a piece                        |
+    /// | f_f    | `friction_force`       | N     | friction force                                        |
+    ///
+    /// # Sign
+    /// `friction_force` has the sign of the present `velocity`; body 1 feels `-friction_force`. Dissipated power is
+    /// `friction_force * velocity`, never negative: the law is passive, whatever the lag.
+    ///
+    /// # Step
+    /// Exact for inputs that are held and for inputs that move linearly: two half steps equal one. A held velocity is
+    /// taken as what it is, a staircase, and the delayed one is the same staircase later. If it stands for a smooth
+    /// velocity, it is late by up to one communication step (half of one on average); slopes of the inputs
+    /// (fmi2SetRealInputDerivatives) remove that. A step may be longer than tau_L: the force at its end then follows
+    /// the velocity of the same step.
+    ///
+    /// The past is kept in 64 pieces with a linear velocity each, a constant one however long it lasts. If the delay
+    /// holds more different velocities, that is for a communication step below about tau_L / 63, neighbouring pieces
+    /// are joined by straight lines: the past still spans tau_L, no joined piece is longer than tau_L / 31, and the
+    /// error of w is at most |d2v/dt2| (tau_L / 31)^2 / 8, and for a held velocity its change over one step in
+    /// addition.
+    ///
+    /// Before the first step, and again after the contact was released, w is the velocity with which the contact
+    /// begins. The dissipated energy is a closed form where w and the inputs are constant, and else a quadrature with a
+    /// relative error below 1e-10. `sticking` says that the velocity is exactly zero.
+    ///
+    /// # Errors
+    /// Refused: a parameter outside its bound; `mu_s` < `mu_k`.
+    ///
+    /// # Limits
+    /// No stiction: the force is zero at v = 0, so the law cannot hold a load, and a host that integrates the body
+    /// itself sees the force alternate around rest. No pre-sliding displacement. When the velocity changes its sign,
+    /// the level still follows the speed of a time lag ago, so the force need not pass the static level. `time_lag` = 0
+    /// is the static law; `mu_s` = `mu_k` leaves only the viscous part to lag. `normal_force` = 0 releases the contact:
+    /// force 0, also of the viscous part, and the next step forgets the past.
+    ///
+    /// # Source
+    /// Hess and Soom (1990), Journal of Tribology 112, 147-152; Armstrong-Helouvry, Dupont and Canudas de Wit (1994),
+    /// doi:10.1016/0005-1098(94)90209-7, where lags of 1 to 50 ms are reported. The steady curve is that of
+    /// Armstrong-Helouvry (1991); the viscous part lags with it. The pages of F. Novais, "A critical analysis on
+    /// friction force models in dynamical systems", MSc thesis, University of Minho (2024), on frictional lag were not
+    /// available: the equations are those of the literature. The variant FirstOrder, which needs no past, is a common
+    /// substitute. The default tau_L = 5 ms is chosen.
+    ///
+    /// # Example
+    /// ```
+    /// use stribeck::friction::FrictionalLag;
+    /// use stribeck::model::{Law, Model};
+    /// let mut law = FrictionalLag { velocity: 0.001, ..Default::default() };
+    /// law.step(0.01);
+    /// law.velocity = -0.1; // the level is still that of 1 mm/s
+    /// law.step(0.004);
+    /// law.output();
+    /// let level = 0.981 + 0.4905 * (-1.0f64).exp();
+    /// assert!((law.friction_force + level).abs() < 1e-15);
+    /// ```
+    FrictionalLag: "Stribeck friction that lags behind the velocity (Hess and Soom)" {
+        /// Sliding velocity of body 1 relative to body 2.
+        velocity: input = real("m/s", 0.0).shown_in("mm/s"),
+        /// Normal force that presses the surfaces together.
+        normal_force: input = real("N", 9.81).at_least(0.0),
+        /// Kinetic coefficient of friction.
+        mu_k: tunable = real("1", 0.1).at_least(0.0),
+        /// Static coefficient of friction; not less than mu_k.
+        mu_s: tunable = real("1", 0.15).at_least(0.0),
+        /// Speed at which the excess of static over kinetic friction has fallen to 1/e.
+        stribeck_velocity: tunable = real("m/s", 0.001).positive().shown_in("mm/s"),
+        /// Exponent of the falling level.
+        stribeck_exponent: tunable = real("1", 2.0).positive(),
+        /// Viscous friction coefficient.
+        viscous_coefficient: tunable = real("N.s/m", 0.0).at_least(0.0),
+        /// Time by which the level of friction lags behind the velocity (default chosen).
+        time_lag: fixed = real("s", 0.005).at_least(0.0).nominal(1e-3).shown_in("ms"),
+        /// Variant of the law.
+        variant: fixed = FrictionalLagVariant::Delay.start(),
+        /// Has the contact a past? Without one the level follows the present velocity.
+        has_past: state = boolean(false),
+        /// Velocity that the level of friction follows: that of a time lag ago, or a filtered one.
+        lagged_velocity: state = real("m/s", 0.0).nominal(1e-3).shown_in("mm/s"),
+        /// The past of the velocity.
+        delay_line: (DelayLine),
+        /// Energy taken out of the motion since the start.
+        dissipated_energy: state_output = real("J", 0.0).nominal(1e-3),
+        /// Friction force; has the sign of the velocity when sliding. Body 1 feels its negative.
+        friction_force: output = real("N", 0.0),
+        /// Power taken out of the motion: friction force times velocity.
+        dissipated_power: output = real("W", 0.0),
+        /// Is the contact sticking?
+        sticking: output = boolean(false),
+    }
+}
+
+/// The Stribeck peak is left out of sight where it is below exp(-40), which no sum of levels can resolve.
+const NEGLIGIBLE: f64 = 40.0;
+
+impl<T: Real> FrictionalLag<T> {
+    /// w.
+    fn followed_velocity(&self) -> T {
+        if self.lags() && self.has_past.value() != 0.0 { self.lagged_velocity } else { self.velocity }
+    }
+
+    fn lags(&self) -> bool {
+        self.time_lag.value() > 0.0
+    }
+
+    fn variant(&self) -> FrictionalLagVariant {
+        FrictionalLagVariant::of(self.variant.value())
+    }
+
+    /// F_ss(w) at a normal force.
+    fn steady(&self, w: T, load: T) -> T {
+        if load.value() == 0.0 {
+            return T::zero();
+        }
+        let (coulomb, statical) = (self.mu_k * load, self.mu_s * load);
+        stribeck::level(w, coulomb, statical, self.stribeck_velocity, self.stribeck_exponent)
+            + self.viscous_coefficient * w.abs()
+    }
+}
+
+impl<T: Real> Law for FrictionalLag<T> {
+    fn output(&mut self) {
+        self.friction_force = self.steady(self.followed_velocity(), self.normal_force) * self.velocity.sign();
+        self.dissipated_power = self.friction_force * self.velocity;
+        let sticking = self.velocity.value() == 0.0 && self.normal_force.value() > 0.0;
+        self.sticking = T::from(f64::from(u8::from(sticking)));
+    }
+}
+
+impl FrictionalLag {
+    /// Advances over inputs that move linearly.
+    fn advance(&mut self, motion: Motion) {
+        for part in motion.parts() {
+            if part.is_unloaded() {
+                self.release();
+            } else {
+                self.slide(part);
+            }
+        }
+    }
+
+    fn release(&mut self) {
+        self.has_past = 0.0;
+        self.lagged_velocity = 0.0;
+        self.delay_line.clear();
+    }
+
+    fn slide(&mut self, part: Motion) {
+        if self.has_past == 0.0 {
+            self.has_past = 1.0;
+            self.lagged_velocity = part.velocity;
+        }
+        match self.variant() {
+            _ if !self.lags() => self.follow(part),
+            FrictionalLagVariant::Delay => self.delay(part),
+            FrictionalLagVariant::FirstOrder => self.filter(part),
+        }
+    }
+
+    /// No lag: w = v.
+    fn follow(&mut self, part: Motion) {
+        let present = Piece::of(&part);
+        self.dissipated_energy += self.work(&part, 0.0, present);
+        self.lagged_velocity = present.end;
+    }
+
+    /// w(t) = v(t - tau_L).
+    fn delay(&mut self, part: Motion) {
+        if self.delay_line.is_empty() {
+            self.delay_line.push(Piece::held(self.time_lag, self.lagged_velocity), self.time_lag);
+        }
+        let present = Piece::of(&part);
+        let mut work = 0.0;
+        self.delay_line.delayed(present, self.time_lag, |from, piece| work += self.work(&part, from, piece));
+        self.dissipated_energy += work;
+        self.delay_line.push(present, self.time_lag);
+        self.lagged_velocity = self.delay_line.velocity(self.time_lag);
+    }
+
+    /// tau_L dw/dt + w = v.
+    fn filter(&mut self, part: Motion) {
+        let filter = Filter { start: self.lagged_velocity, time_lag: self.time_lag, motion: part };
+        let w = |t| filter.at(t);
+        let power = |t| self.power(&part, t, w(t));
+        let work = |from, to| integral_past_peak(&power, &w, self.band(), from, to);
+        self.dissipated_energy += filter.sections().map(|(from, to)| work(from, to)).sum::<f64>();
+        self.lagged_velocity = w(part.duration);
+    }
+
+    /// f_f v at time `t` of a motion.
+    fn power(&self, motion: &Motion, t: f64, w: f64) -> f64 {
+        self.steady(w, motion.load_at(t)) * motion.velocity_at(t).abs()
+    }
+
+    /// Energy dissipated from time `from` of a motion on, while w is that of `piece`.
+    fn work(&self, motion: &Motion, from: f64, piece: Piece) -> f64 {
+        if motion.is_steady() && piece.is_constant() {
+            return self.power(motion, 0.0, piece.begin) * piece.duration;
+        }
+        let w = |t: f64| piece.at(t);
+        integral_past_peak(&|t| self.power(motion, from + t, w(t)), &w, self.band(), 0.0, piece.duration)
+    }
+
+    /// |w| up to which the Stribeck peak counts.
+    fn band(&self) -> f64 {
+        self.stribeck_velocity * NEGLIGIBLE.powf(1.0 / self.stribeck_exponent)
+    }
+}
+
+impl Model for FrictionalLag {
+    const PRESETS: &'static [Preset] = &[
+        Preset {
+            name: "lubricated_guide",
+            source: "Example of a lubricated guide: lag and Stribeck velocity in the middle of the reported ranges",
+            values: &[
+                ("mu_k", 0.05),
+                ("mu_s", 0.1),
+                ("stribeck_velocity", 0.01),
+                ("viscous_coefficient", 5.0),
+                ("time_lag", 0.01),
+            ],
+        },
+        Preset {
+            name: "slow_oscillation",
+            source: "Example for a visible loop: to be driven with (2 + 1.5 sin(2 pi t)) mm/s",
+            values: &[("time_lag", 0.05)],
+        },
+    ];
+
+    fn check(&self) -> Result<(), Fault> {
+        crate::friction::static_not_below_kinetic(self.mu_s, self.mu_k)
+    }
+
+    fn step(&mut self, dt: f64) {
+        self.advance(Motion::held(self.velocity, self.normal_force, dt));
+    }
+
+    fn step_ramp(&mut self, slope: &Self, dt: f64) {
+        let begin = *self;
+        self.advance(Motion {
+            acceleration: slope.velocity,
+            load_rate: slope.normal_force,
+            ..Motion::held(self.velocity, self.normal_force, dt)
+        });
+        ramp::set_inputs(self, &begin, slope, dt);
+    }
+
+    fn rate(&self, rate: &mut Self) {
+        if self.lags() && self.has_past != 0.0 {
+            rate.lagged_velocity = match self.variant() {
+                FrictionalLagVariant::Delay => self.delay_line.slope(self.time_lag),
+                FrictionalLagVariant::FirstOrder => (self.velocity - self.lagged_velocity) / self.time_lag,
+            };
+        }
+        rate.dissipated_energy = self.steady(self.followed_velocity(), self.normal_force) * self.velocity.abs();
+    }
+}
+
+/// The filtered velocity while the velocity moves linearly:
+///
+/// ```text
+/// w(t) = v + (w(0) - v) exp(-x) + v' tau_L (x - 1 + exp(-x)),   x = t / tau_L
+/// ```
+struct Filter {
+    /// w(0).
+    start: f64,
+    time_lag: f64,
+    motion: Motion,
+}
+
+impl Filter {
+    fn at(&self, t: f64) -> f64 {
+        let x = t / self.time_lag;
+        let lag = self.motion.acceleration * self.time_lag;
+        let relaxed = relaxation::after(self.start, self.motion.velocity, x);
+        // 0 times an infinite x would be no number.
+        if lag == 0.0 { relaxed } else { relaxed + lag * (x + (-x).exp_m1()) }
+    }
+
+    /// The instant at which dw/dt = 0, if there is one.
+    fn turn(&self) -> f64 {
+        let lag = self.motion.acceleration * self.time_lag;
+        ((self.start - self.motion.velocity) / lag).ln_1p() * self.time_lag
+    }
+
+    /// Sections of the motion in which w is monotonic and changes on one scale: the exponential fades within a few
+    /// lags, which a quadrature over a long step would overlook.
+    fn sections(&self) -> impl Iterator<Item = (f64, f64)> {
+        let end = self.motion.duration;
+        let [a, b, c] = FADING.map(|lags| lags * self.time_lag);
+        let mut cuts = [0.0, a, b, c, self.turn(), end].map(|cut| if cut < end { cut.max(0.0) } else { end });
+        cuts.sort_by(f64::total_cmp);
+        (0..5).map(move |k| (cuts[k], cuts[k + 1])).filter(|(from, to)| to > from)
+    }
+}
+
+/// Lags after which the exponential is e^-2, e^-10 and, of no account, e^-40.
+const FADING: [f64; 3] = [2.0, 10.0, 40.0];
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn law(variant: FrictionalLagVariant, time_lag: f64) -> FrictionalLag {
+        FrictionalLag { variant: f64::from(variant as i32 + 1), time_lag, ..Default::default() }
+    }
+
+    fn force(law: &mut FrictionalLag) -> f64 {
+        law.output();
+        law.friction_force
+    }
+
+    const BOTH: [FrictionalLagVariant; 2] = [FrictionalLagVariant::Delay, FrictionalLagVariant::FirstOrder];
+
+    /// The Gaussian curve, from the levels 0.981 N and 1.4715 N.
+    fn gaussian(w: f64) -> f64 {
+        0.981 + 0.4905 * (-(w / 1e-3).powi(2)).exp()
+    }
+
+    #[test]
+    fn no_lag_is_the_static_law() {
+        for variant in BOTH {
+            let mut law = law(variant, 0.0);
+            for velocity in [2e-3, -5e-4, 1e-5, -0.3] {
+                law.velocity = velocity;
+                assert!((force(&mut law) - gaussian(velocity) * velocity.signum()).abs() < 1e-15);
+                law.step(1e-3);
+                assert!((force(&mut law) - gaussian(velocity) * velocity.signum()).abs() < 1e-15);
+            }
+            law.velocity = 0.0;
+            assert_eq!((force(&mut law), law.sticking), (0.0, 1.0));
+        }
+    }
+
+    /// The sign is that of the present velocity, the level that of a lag ago, until exactly a lag after the change.
+    #[test]
+    fn a_jump_of_the_velocity_reaches_the_level_one_lag_later() {
+        let mut law = law(FrictionalLagVariant::Delay, 0.005);
+        law.velocity = 1e-3;
+        law.step(1.0);
+        law.velocity = -4e-3;
+        for k in 1..=8 {
+            law.step(1e-3);
+            let expected = if k < 5 { gaussian(1e-3) } else { gaussian(4e-3) };
+            assert!((force(&mut law) + expected).abs() < 1e-15, "after {k} ms");
+        }
+        let before = gaussian(1e-3) * 4e-3 * 5e-3 + gaussian(4e-3) * 4e-3 * 3e-3;
+        assert!((law.dissipated_energy - gaussian(1e-3) * 1e-3 - before).abs() < 1e-15);
+    }
+
+    /// After a jump from 0 to v the filter gives w = v (1 - exp(-t / tau_L)).
+    #[test]
+    fn filter_relaxes_exponentially() {
+        for pieces in [1, 3, 1000] {
+            let mut law = law(FrictionalLagVariant::FirstOrder, 0.005);
+            law.step(1e-3);
+            law.velocity = 2e-3;
+            for _ in 0..pieces {
+                law.step(4e-3 / f64::from(pieces));
+            }
+            let w = 2e-3 * (1.0 - (-0.8f64).exp());
+            assert!((law.lagged_velocity - w).abs() < 1e-17);
+            assert!((force(&mut law) - gaussian(w)).abs() < 1e-12);
+        }
+    }
+
+    /// A ramp through the filter: w = v' (t - tau_L (1 - exp(-t / tau_L))) from rest.
+    #[test]
+    fn filter_follows_a_ramp() {
+        let mut law = law(FrictionalLagVariant::FirstOrder, 0.005);
+        let slope = FrictionalLag { velocity: 0.3, normal_force: 0.0, ..law };
+        law.step_ramp(&slope, 0.02);
+        let w = 0.3 * (0.02 - 0.005 * (1.0 - (-4.0f64).exp()));
+        assert!((law.lagged_velocity - w).abs() < 1e-16, "{} against {w}", law.lagged_velocity);
+        assert!((law.velocity - 6e-3).abs() < 1e-17);
+    }
+
+    /// Energy against the midpoint rule over many short ramps, for velocity and load that both move and change sign.
+    #[test]
+    fn energy_is_the_integral_of_power() {
+        for variant in BOTH {
+            for (time_lag, exponent) in [(0.0, 2.0), (0.003, 2.0), (0.003, 0.5), (0.05, 1.0)] {
+                let mut law =
+                    FrictionalLag { stribeck_exponent: exponent, viscous_coefficient: 3.0, ..law(variant, time_lag) };
+                (law.velocity, law.normal_force) = (-2e-3, 4.0);
+                law.step(0.002);
+                let slope = FrictionalLag { velocity: 0.7, normal_force: 100.0, ..law };
+                let mut dense = law;
+                law.step_ramp(&slope, 0.02);
+                let (mut power, n) = (dense.dissipated_energy, 40_000);
+                for _ in 0..n {
+                    dense.step_ramp(&slope, 0.01 / f64::from(n));
+                    dense.output();
+                    power += dense.dissipated_power * 0.02 / f64::from(n);
+                    dense.step_ramp(&slope, 0.01 / f64::from(n));
+                }
+                let relative = law.dissipated_energy / power - 1.0;
+                assert!(relative.abs() < 1e-6, "{variant:?} {time_lag} {exponent}: {relative}");
+            }
+        }
+    }
+
+    #[test]
+    fn the_first_step_starts_in_the_steady_state() {
+        for variant in BOTH {
+            let mut law = FrictionalLag { velocity: 5e-4, ..law(variant, 0.01) };
+            for _ in 0..30 {
+                assert!((force(&mut law) - gaussian(5e-4)).abs() < 1e-15);
+                law.step(1e-3);
+            }
+        }
+    }
+
+    #[test]
+    fn release_forgets_the_past() {
+        for variant in BOTH {
+            let mut law = FrictionalLag { velocity: 5e-4, ..law(variant, 0.01) };
+            law.step(0.1);
+            law.normal_force = 0.0;
+            assert_eq!(force(&mut law), 0.0);
+            law.step(1e-6);
+            (law.normal_force, law.velocity) = (9.81, 0.02);
+            law.step(1e-3);
+            assert!((force(&mut law) - gaussian(0.02)).abs() < 1e-15);
+        }
+    }
+}

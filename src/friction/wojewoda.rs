@@ -1,0 +1,452 @@
+use crate::friction::branching::Branching;
+use crate::laws::branches;
+use crate::laws::motion::Motion;
+use crate::laws::quadrature::integral_past_peak;
+use crate::laws::root::first_rise;
+use crate::model::{Fault, Law, Model, Preset, boolean, real};
+use crate::number::Real;
+use crate::ramp;
+
+crate::model! {
+    /// Hysteretic friction of Wojewoda and others, reconstructed: a spring while the contact sticks, and while it
+    /// slides one curve for speeding up and its mirror image for slowing down.
+    ///
+    /// # Equations
+    ///
+    /// ```text
+    /// f_f = sigma_0 z,   dz/dt = v                                       stuck, |f_f| <= f_s
+    /// f_f = [f_C + (f_s - f_C) exp(-a |v|)] sgn(v)     v v' >= 0         sliding
+    /// f_f = [f_C - (f_s - f_C) exp(-a |v|)] sgn(v)     v v' <  0         sliding
+    /// f_C = mu_k f_n,   f_s = mu_s f_n
+    /// ```
+    ///
+    /// The first line is the hysteretic spring f_rev + sigma_0 (s - s_rev) from the last reversal point (s_rev, f_rev)
+    /// on. The changes between the two states are chosen:
+    ///
+    /// ```text
+    /// stuck -> sliding    sigma_0 |z| reaches f_s in the direction of v
+    /// sliding -> stuck    v reaches or passes 0; sigma_0 |z| := 2 f_C - f_s, where the lower curve ends
+    /// ```
+    ///
+    /// | symbol  | variable             | unit | meaning                                                  |
+    /// |---------|----------------------|------|----------------------------------------------------------|
+    /// | v       | `velocity`           | m/s  | velocity of body 1 relative to body 2                    |
+    /// | f_n     | `normal_force`       | N    | force pressing the surfaces together                     |
+    /// | v'      | `acceleration`       | m/s2 | acceleration of body 1 relative to body 2                |
+    /// |         | `velocity_slope`     | m/s2 | v' as it was given by a slope of the velocity            |
+    /// | mu_k    | `mu_k`               | 1    | kinetic coefficient of friction                          |
+    /// | mu_s    | `mu_s`               | 1    | static coefficient of friction                           |
+    /// | sigma_0 | `sigma_0`            | N/m  | stiffness of the stuck contact                           |
+    /// | a       | `branch_decay`       | s/m  | steepness of both curves                                 |
+    /// |         | `slipping`           |      | has the contact broken away?                             |
+    /// | z       | `bristle_deflection` | m    | elastic displacement; sliding: that of the breakaway     |
+    /// | f_f     | `friction_force`     | N    | friction force                                           |
+    ///
+    /// # Sign
+    /// `friction_force` has the sign of `velocity` while sliding and of the elastic displacement while stuck; body 1
+    /// feels `-friction_force`. Dissipated power is `friction_force * velocity`; it is negative while the stuck contact
+    /// springs back.
+    ///
+    /// # Step
+    /// Exact for held inputs. Inputs that move linearly are followed too: breakaway is the first zero of a parabola and
+    /// the stop the zero of the velocity, both located to the last bit within the step, so they do not depend on how an
+    /// interval is divided. A held velocity that jumps across zero stops at the beginning of the step. The sign of the
+    /// acceleration is that of the slope of `velocity` where the master gives one (fmi2SetRealInputDerivatives), else
+    /// that of the input `acceleration` at the beginning of the step; without either it is 0 and the upper curve
+    /// counts. After a step with a slope the outputs use that slope until the next step. The dissipated energy is a
+    /// closed form while stuck and for held inputs, and else a quadrature with a relative error below 1e-10.
+    ///
+    /// # Errors
+    /// Refused: a parameter outside its bound; `mu_s` < `mu_k`; `mu_s` > 2 `mu_k`, for then the lower curve would push.
+    ///
+    /// # Limits
+    /// No damping while stuck: a mass on the contact oscillates. The force jumps where the acceleration changes its
+    /// sign, and at the stop to where the lower curve ends; an acceleration that is itself computed from this force
+    /// closes a loop that may switch at every step. A stuck contact at v = 0 holds. `mu_s` = `mu_k` is the elastic and
+    /// perfectly plastic contact. If the load falls, the displacement is cut to what the level carries: at the
+    /// beginning of a step, at the end of one with slopes, and in the force at once.
+    ///
+    /// Passive at constant load: the curves never push, and the stop leaves (2 f_C - f_s)^2 / (2 sigma_0) in the
+    /// spring, not more than the f_s^2 / (2 sigma_0) that the breakaway left there. A load that rises from f_n1 to f_n2
+    /// while sliding charges the contact at the next stop, so that it may give back up to [(2 mu_k - mu_s)^2 f_n2^2 -
+    /// mu_s^2 f_n1^2] / (2 sigma_0) more than it got. `normal_force` = 0 releases the contact: force 0, and the next
+    /// step makes it stuck and undeflected.
+    ///
+    /// # Source
+    /// Reconstructed after Wojewoda, Stefanski, Wiercigroch and Kapitaniak (2008), "Hysteretic effects of dry friction:
+    /// modelling and experimental studies", Phil. Trans. R. Soc. A 366, 747-765, which was not at hand: its function
+    /// for sticking and the argument of its exponential could not be confirmed. The page of F. Novais, "A critical
+    /// analysis on friction force models in dynamical systems", MSc thesis, University of Minho (2024), was not
+    /// available either. The defaults a = 500 s/m and sigma_0 are chosen; the latter is that of the bristle models.
+    ///
+    /// # Example
+    /// ```
+    /// use stribeck::friction::Wojewoda;
+    /// use stribeck::model::{Law, Model};
+    /// let mut law = Wojewoda { velocity: 1e-5, ..Default::default() };
+    /// law.step(1.0); // 10 um of pre-sliding
+    /// law.output();
+    /// assert!((law.friction_force - 1.0).abs() < 1e-15);
+    /// law.velocity = 0.002;
+    /// law.step(1.0); // slides, a v = 1
+    /// law.output();
+    /// assert!((law.friction_force - (0.981 + 0.4905 * (-1.0f64).exp())).abs() < 1e-15);
+    /// ```
+    Wojewoda: "Hysteretic friction: stuck spring, two branches of sliding (reconstructed after Wojewoda)" {
+        /// Sliding velocity of body 1 relative to body 2.
+        velocity: input = real("m/s", 0.0).shown_in("mm/s"),
+        /// Normal force that presses the surfaces together.
+        normal_force: input = real("N", 9.81).at_least(0.0),
+        /// How the acceleration is known.
+        branching: (Branching),
+        /// Kinetic coefficient of friction.
+        mu_k: tunable = real("1", 0.1).at_least(0.0),
+        /// Static coefficient of friction; not less than mu_k.
+        mu_s: tunable = real("1", 0.15).at_least(0.0),
+        /// Stiffness of the bristles.
+        sigma_0: tunable = real("N/m", 1e5).positive().nominal(1e5),
+        /// Steepness of the curves for speeding up and slowing down (default chosen).
+        branch_decay: tunable = real("s/m", 500.0).positive().nominal(500.0),
+        /// Has the contact broken away?
+        slipping: state = boolean(false),
+        /// Mean elastic deflection of the bristles.
+        bristle_deflection: state = real("m", 0.0).nominal(1e-5).shown_in("um"),
+        /// Energy taken out of the motion since the start.
+        dissipated_energy: state_output = real("J", 0.0).nominal(1e-3),
+        /// Friction force; has the sign of the velocity when sliding. Body 1 feels its negative.
+        friction_force: output = real("N", 0.0),
+        /// Power taken out of the motion: friction force times velocity.
+        dissipated_power: output = real("W", 0.0),
+        /// Is the contact sticking?
+        sticking: output = boolean(false),
+    }
+}
+
+impl<T: Real> Wojewoda<T> {
+    /// Where the lower curve ends, per normal force: 2 mu_k - mu_s.
+    fn mu_stop(&self) -> T {
+        self.mu_k + self.mu_k - self.mu_s
+    }
+
+    /// Level while sliding.
+    fn sliding_level(&self, velocity: T, load: T, acceleration: T) -> T {
+        let at_rest = if branches::slows_down(velocity, acceleration) { self.mu_stop() } else { self.mu_s };
+        branches::level(velocity, self.mu_k * load, at_rest * load, self.branch_decay)
+    }
+
+    fn is_slipping(&self) -> bool {
+        self.slipping.value() != 0.0
+    }
+
+    /// Did the contact slide until now, and does a velocity of this sign bring it to rest?
+    fn arrives(&self, direction: f64) -> bool {
+        let slip = self.bristle_deflection.sign().value();
+        self.is_slipping() && (direction == 0.0 || slip == -direction)
+    }
+
+    fn force(&self) -> T {
+        let (load, direction) = (self.normal_force, self.velocity.sign());
+        if load.value() == 0.0 {
+            T::zero()
+        } else if self.arrives(direction.value()) {
+            self.mu_stop() * load * self.bristle_deflection.sign()
+        } else if self.is_slipping() {
+            self.sliding_level(self.velocity, load, self.branching.known_acceleration()) * direction
+        } else {
+            (self.sigma_0 * self.bristle_deflection).limited(self.mu_s * load)
+        }
+    }
+}
+
+impl<T: Real> Law for Wojewoda<T> {
+    fn output(&mut self) {
+        self.friction_force = self.force();
+        self.dissipated_power = self.friction_force * self.velocity;
+        let stuck = !self.is_slipping() || self.arrives(self.velocity.sign().value());
+        self.sticking = T::from(f64::from(u8::from(stuck && self.normal_force.value() > 0.0)));
+    }
+}
+
+impl Wojewoda {
+    /// Advances over inputs that move linearly.
+    fn advance(&mut self, motion: Motion) {
+        self.branching.begin(&motion);
+        for part in motion.parts() {
+            if part.is_unloaded() {
+                self.slipping = 0.0;
+                self.bristle_deflection = 0.0;
+            } else {
+                self.follow(part);
+            }
+        }
+    }
+
+    /// Advances over a motion in one direction.
+    fn follow(&mut self, part: Motion) {
+        if self.arrives(part.direction()) {
+            self.stop(part.load);
+        }
+        if self.is_slipping() {
+            self.slide(part);
+            return;
+        }
+        self.limit_deflection(part.load);
+        let Some(breakaway) = self.breakaway(&part) else {
+            self.stick(part);
+            return;
+        };
+        self.stick(part.part(0.0, breakaway));
+        self.slipping = 1.0;
+        self.slide(part.part(breakaway, part.duration));
+    }
+
+    /// Sliding -> stuck.
+    fn stop(&mut self, load: f64) {
+        self.bristle_deflection = self.bristle_deflection.sign() * self.mu_stop() * load / self.sigma_0;
+        self.slipping = 0.0;
+    }
+
+    /// The first instant of a motion at which sigma_0 z reaches f_s in the direction of motion.
+    fn breakaway(&self, part: &Motion) -> Option<f64> {
+        let direction = part.direction();
+        if direction == 0.0 {
+            return None;
+        }
+        let stiffness = direction * self.sigma_0;
+        let excess = |t: f64| stiffness * (self.bristle_deflection + part.path(t)) - self.mu_s * part.load_at(t);
+        let parabola = [
+            stiffness * self.bristle_deflection - self.mu_s * part.load,
+            stiffness * part.velocity - self.mu_s * part.load_rate,
+            stiffness * 0.5 * part.acceleration,
+            0.0,
+        ];
+        first_rise(excess, parabola, part.duration)
+    }
+
+    /// Cuts the displacement to what the level carries.
+    fn limit_deflection(&mut self, load: f64) {
+        self.bristle_deflection = self.bristle_deflection.limited(self.mu_s * load / self.sigma_0);
+    }
+
+    fn stick(&mut self, part: Motion) {
+        let (before, change) = (self.bristle_deflection, part.path(part.duration));
+        self.bristle_deflection += change;
+        self.dissipated_energy += self.sigma_0 * change * (before + 0.5 * change);
+        self.limit_deflection(part.load_at(part.duration));
+    }
+
+    fn slide(&mut self, part: Motion) {
+        self.dissipated_energy += self.work(&part);
+        self.bristle_deflection = part.direction() * self.mu_s * part.load_at(part.duration) / self.sigma_0;
+    }
+
+    /// Energy dissipated while sliding.
+    fn work(&self, part: &Motion) -> f64 {
+        let acceleration = self.branching.known_acceleration();
+        let power = |t: f64| {
+            let velocity = part.velocity_at(t);
+            self.sliding_level(velocity, part.load_at(t), acceleration) * velocity.abs()
+        };
+        if part.is_steady() {
+            return power(0.0) * part.duration;
+        }
+        let band = branches::FADED / self.branch_decay;
+        integral_past_peak(&power, &|t| part.velocity_at(t), band, 0.0, part.duration)
+    }
+}
+
+impl Model for Wojewoda {
+    const PRESETS: &'static [Preset] = &[Preset {
+        name: "rubber_pad",
+        source: "Example of a soft pad with a wide hysteresis",
+        values: &[("mu_k", 0.5), ("mu_s", 0.8), ("sigma_0", 2e4), ("branch_decay", 50.0)],
+    }];
+
+    fn check(&self) -> Result<(), Fault> {
+        crate::friction::static_not_below_kinetic(self.mu_s, self.mu_k)?;
+        if self.mu_s > 2.0 * self.mu_k {
+            return Err(Fault(format!("mu_s = {}: must be <= 2 mu_k = {}", self.mu_s, 2.0 * self.mu_k)));
+        }
+        Ok(())
+    }
+
+    fn step(&mut self, dt: f64) {
+        self.advance(Motion::held(self.velocity, self.normal_force, dt));
+    }
+
+    fn step_ramp(&mut self, slope: &Self, dt: f64) {
+        let begin = *self;
+        self.advance(Motion {
+            acceleration: slope.velocity,
+            load_rate: slope.normal_force,
+            ..Motion::held(self.velocity, self.normal_force, dt)
+        });
+        ramp::set_inputs(self, &begin, slope, dt);
+    }
+
+    fn rate(&self, rate: &mut Self) {
+        if !self.is_slipping() {
+            rate.bristle_deflection = self.velocity;
+        }
+        rate.dissipated_energy = self.force() * self.velocity;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const F_C: f64 = 0.981;
+    const F_S: f64 = 1.4715;
+
+    fn force(law: &mut Wojewoda) -> f64 {
+        law.output();
+        law.friction_force
+    }
+
+    fn go(law: &mut Wojewoda, velocity: f64, time: f64) -> f64 {
+        law.velocity = velocity;
+        law.step(time);
+        force(law)
+    }
+
+    fn ramp(law: &mut Wojewoda, slope: f64, time: f64) -> f64 {
+        let slopes = Wojewoda { velocity: slope, normal_force: 0.0, ..*law };
+        law.step_ramp(&slopes, time);
+        force(law)
+    }
+
+    /// Below f_s the way back is the way there: the loop closes without area.
+    #[test]
+    fn the_presliding_loop_closes() {
+        let mut law = Wojewoda::default();
+        for velocity in [1e-5, -1e-5, -1.4e-5, 1.4e-5, 0.0] {
+            go(&mut law, velocity, 1.0);
+            assert_eq!(law.sticking, 1.0);
+        }
+        assert!(force(&mut law).abs() < 1e-15 && law.dissipated_energy.abs() < 1e-20);
+    }
+
+    /// To and fro by 2 X, so slowly that the curves have not fallen from f_s: the loop of an elastic, plastic contact
+    /// that starts from 2 f_C - f_s after each stop. The elastic way to f_s on the other side is s = 2 f_C / sigma_0,
+    /// so the area is 2 [f_s (2 X - s) + (f_s^2 - (2 f_C - f_s)^2) / (2 sigma_0)].
+    #[test]
+    fn a_loop_beyond_breakaway_closes_and_has_its_area() {
+        let (x, stop) = (1e-4, 2.0 * F_C - F_S);
+        let mut law = Wojewoda { branch_decay: 1e-3, ..Default::default() };
+        go(&mut law, x, 1.0);
+        for _ in 0..3 {
+            let before = law.dissipated_energy;
+            let back = go(&mut law, -2.0 * x, 1.0);
+            let forth = go(&mut law, 2.0 * x, 1.0);
+            assert!((back + F_S).abs() < 1e-6 && (forth - F_S).abs() < 1e-6, "{back} {forth}");
+            let elastic = 2.0 * F_C / 1e5;
+            let area = 2.0 * (F_S * (2.0 * x - elastic) + (F_S * F_S - stop * stop) / 2e5);
+            assert!((law.dissipated_energy - before - area).abs() < 1e-6 * area);
+        }
+    }
+
+    #[test]
+    fn sliding_has_two_branches() {
+        let fading = (-500.0f64 * 0.003).exp() * (F_S - F_C);
+        for sign in [1.0, -1.0] {
+            let mut law = Wojewoda::default();
+            assert!((sign * go(&mut law, sign * 0.003, 1.0) - F_C - fading).abs() < 1e-15);
+            law.branching.acceleration = sign * -2.0;
+            assert!((sign * force(&mut law) - F_C + fading).abs() < 1e-15);
+            law.branching.acceleration = sign * 2.0;
+            assert!((sign * force(&mut law) - F_C - fading).abs() < 1e-15);
+        }
+    }
+
+    /// From rest up to 10 mm/s, down to rest and on the other way: the force follows the spring, the upper curve, the
+    /// lower curve, the spring.
+    #[test]
+    fn ramps_pass_through_all_branches() {
+        let mut law = Wojewoda::default();
+        // 1/2 v' t^2 = f_s / sigma_0 / 4 after half of the time to breakaway.
+        let breakaway = (2.0 * F_S / 1e5 / 0.1f64).sqrt();
+        assert!((ramp(&mut law, 0.1, 0.5 * breakaway) - 0.25 * F_S).abs() < 1e-15);
+        assert_eq!(law.sticking, 1.0);
+        let up = ramp(&mut law, 0.1, 0.1 - 0.5 * breakaway);
+        assert!((up - F_C - 0.4905 * (-5.0f64).exp()).abs() < 1e-14, "{up}");
+        let down = ramp(&mut law, -0.1, 0.09);
+        assert!((down - F_C + 0.4905 * (-0.5f64).exp()).abs() < 1e-12, "{down}");
+        let t = 0.5 * breakaway;
+        let back = ramp(&mut law, -0.1, 0.01 + t);
+        assert!((back - (2.0 * F_C - F_S) + 1e5 * 0.05 * t * t).abs() < 1e-11, "{back}");
+    }
+
+    /// Energy and force of a ramp through zero do not depend on its division; energy against the midpoint rule.
+    #[test]
+    fn energy_is_the_integral_of_power() {
+        let mut law = Wojewoda::default();
+        go(&mut law, -2e-3, 0.1);
+        let slope = Wojewoda { velocity: 0.3, normal_force: -150.0, ..law };
+        let (mut dense, n) = (law, 50_000);
+        law.step_ramp(&slope, 0.04);
+        let mut energy = dense.dissipated_energy;
+        for _ in 0..n {
+            dense.step_ramp(&slope, 0.02 / f64::from(n));
+            energy += { force(&mut dense) * dense.velocity } * 0.04 / f64::from(n);
+            dense.step_ramp(&slope, 0.02 / f64::from(n));
+        }
+        assert!((law.dissipated_energy / dense.dissipated_energy - 1.0).abs() < 1e-8);
+        assert!((law.dissipated_energy / energy - 1.0).abs() < 1e-4);
+        assert!((force(&mut law) - force(&mut dense)).abs() < 1e-8);
+    }
+
+    #[test]
+    fn passive_at_constant_load_and_within_the_stated_bound_else() {
+        let mut law = Wojewoda::default();
+        for k in 0..20_000 {
+            let phase = f64::from(k);
+            law.branching.acceleration = (phase * 7.1).sin();
+            go(&mut law, 3e-3 * (phase * 12.9898).sin() * (phase * 0.7).cos(), 2e-3);
+            assert!(law.dissipated_energy >= 0.0, "{k}: {}", law.dissipated_energy);
+        }
+        let mut law = Wojewoda { normal_force: 1.0, ..Default::default() };
+        go(&mut law, 1e-6, 1.500_001);
+        law.normal_force = 1000.0;
+        go(&mut law, 1e-9, 1e-6);
+        go(&mut law, -5e-4, 1.0);
+        let bound = ((0.05f64 * 1000.0).powi(2) - 0.15f64.powi(2)) / 2e5;
+        assert!(law.dissipated_energy < -0.9 * bound && law.dissipated_energy >= -bound, "{}", law.dissipated_energy);
+    }
+
+    #[test]
+    fn a_lower_curve_that_would_push_is_refused_by_name() {
+        let law = Wojewoda { mu_s: 0.25, ..Default::default() };
+        assert_eq!(law.check().unwrap_err().0, "mu_s = 0.25: must be <= 2 mu_k = 0.2");
+        // At the limit the lower curve ends at 0.
+        let mut law = Wojewoda { mu_s: 0.2, ..Default::default() };
+        assert!(law.check().is_ok());
+        go(&mut law, 0.1, 1.0);
+        assert_eq!(go(&mut law, 0.0, 1.0), 0.0);
+    }
+
+    /// Equal levels: the elastic and perfectly plastic contact, which is Dahl's law with alpha = 0.
+    #[test]
+    fn equal_levels_reduce_to_dahl_with_alpha_0() {
+        let mut law = Wojewoda { mu_s: 0.1, ..Default::default() };
+        let mut dahl = crate::friction::Dahl { alpha: 0.0, ..Default::default() };
+        for velocity in [3e-3, -2e-3, 5e-3, 0.0, -4e-3, -1e-2, 7e-3] {
+            dahl.velocity = velocity;
+            dahl.step(3e-3);
+            dahl.output();
+            assert!((go(&mut law, velocity, 3e-3) - dahl.friction_force).abs() < 1e-12, "{velocity}");
+            assert!((law.dissipated_energy - dahl.dissipated_energy).abs() < 1e-16);
+        }
+    }
+
+    #[test]
+    fn release_makes_it_stuck_and_undeflected() {
+        let mut law = Wojewoda::default();
+        go(&mut law, 0.01, 1.0);
+        law.normal_force = 0.0;
+        assert_eq!(force(&mut law), 0.0);
+        law.step(1e-3);
+        law.normal_force = 9.81;
+        assert_eq!((force(&mut law), law.sticking), (0.0, 1.0));
+    }
+}

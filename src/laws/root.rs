@@ -1,0 +1,92 @@
+//! Instants at which something happens within a step, to the last bit.
+
+/// The smallest t of an interval with `f(t) >= 0`, if f is negative at `low`, not negative at `high` and rises through
+/// zero once in between: bisection until two neighbouring numbers are left.
+pub fn bisect(f: impl Fn(f64) -> f64, mut low: f64, mut high: f64) -> f64 {
+    loop {
+        let middle = low + 0.5 * (high - low);
+        if middle <= low || middle >= high {
+            return high;
+        }
+        if f(middle) >= 0.0 {
+            high = middle;
+        } else {
+            low = middle;
+        }
+    }
+}
+
+/// The instant in (from, to) at which the monotonic function w passes `level`, if it does.
+pub fn crossing(w: impl Fn(f64) -> f64, level: f64, from: f64, to: f64) -> Option<f64> {
+    let (before, after) = (w(from) - level, w(to) - level);
+    let passes = before < 0.0 && after > 0.0 || before > 0.0 && after < 0.0;
+    // NaN passes nothing.
+    passes.then(|| bisect(|t| if after > 0.0 { w(t) - level } else { level - w(t) }, from, to))
+}
+
+/// The first t in [0, end] with `f(t) >= 0`, for an f that has the sign of the cubic polynomial
+/// `c[0] + c[1] t + c[2] t^2 + c[3] t^3`. The polynomial says where f may turn, f itself where it is zero.
+pub fn first_rise(f: impl Fn(f64) -> f64, c: [f64; 4], end: f64) -> Option<f64> {
+    if f(0.0) >= 0.0 {
+        return Some(0.0);
+    }
+    let mut from = 0.0;
+    for to in turns(c).into_iter().filter(|t| *t > 0.0 && *t < end).chain([end]) {
+        if f(to) >= 0.0 {
+            return Some(bisect(f, from, to));
+        }
+        from = to;
+    }
+    None
+}
+
+/// The zeros of the cubic's derivative in rising order; infinite or NaN where there are none.
+fn turns([_, c_1, c_2, c_3]: [f64; 4]) -> [f64; 2] {
+    // 3 c_3 t^2 + 2 c_2 t + c_1 = 0, in the form that loses no digits.
+    let root = (c_2 * c_2 - 3.0 * c_3 * c_1).sqrt();
+    let sum = -(c_2 + root.copysign(c_2));
+    let (a, b) = (sum / (3.0 * c_3), c_1 / sum);
+    if a < b { [a, b] } else { [b, a] }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn bisection_finds_the_first_number_that_is_not_below() {
+        assert_eq!(bisect(|t| t - 0.1, 0.0, 1e6), 0.1);
+        assert_eq!(bisect(|t| t - 1e-300, 0.0, 1.0), 1e-300);
+    }
+
+    #[test]
+    fn crossings_in_both_directions() {
+        assert_eq!(crossing(|t| 1.0 - t, 0.25, 0.0, 2.0), Some(0.75));
+        assert_eq!(crossing(|t| t - 1.0, -0.25, 0.0, 2.0), Some(0.75));
+        assert_eq!(crossing(|t| t, 3.0, 0.0, 2.0), None);
+        assert_eq!(crossing(|_| f64::NAN, 3.0, 0.0, 2.0), None);
+    }
+
+    /// (t - 1)(t - 2)(t - 3): negative up to 1, between 2 and 3 again.
+    #[test]
+    fn the_first_of_several_zeros_is_found() {
+        let c = [-6.0, 11.0, -6.0, 1.0];
+        let f = |t: f64| (t - 1.0) * (t - 2.0) * (t - 3.0);
+        for end in [1.5, 2.5, 10.0, 1e6] {
+            assert_eq!(first_rise(f, c, end), Some(1.0), "{end}");
+        }
+        assert_eq!(first_rise(f, c, 0.9), None);
+        // -(t + 1/2) (t - 1/2) (t - 3/2) is positive between 1/2 and 3/2 only.
+        let bump = |t: f64| -(t + 0.5) * (t - 0.5) * (t - 1.5);
+        assert_eq!(first_rise(bump, [-0.375, 0.25, 1.5, -1.0], 3.0), Some(0.5));
+    }
+
+    #[test]
+    fn parabolas_straight_lines_and_constants_are_cubics_too() {
+        assert_eq!(first_rise(|t| 1.0 - (t - 3.0) * (t - 3.0), [-8.0, 6.0, -1.0, 0.0], 10.0), Some(2.0));
+        assert_eq!(first_rise(|t| t - 0.5, [-0.5, 1.0, 0.0, 0.0], 10.0), Some(0.5));
+        assert_eq!(first_rise(|_| -1.0, [-1.0, 0.0, 0.0, 0.0], 10.0), None);
+        assert_eq!(first_rise(|_| 0.0, [0.0; 4], 10.0), Some(0.0));
+        assert_eq!(first_rise(|_| f64::NAN, [f64::NAN; 4], 10.0), None);
+    }
+}
