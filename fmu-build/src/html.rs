@@ -1,14 +1,20 @@
-//! documentation/index.html of an FMU: the model's own page and tables of its variables and capabilities.
+//! documentation/index.html of an FMU: the model's own page, its diagrams, and tables of its variables, presets and
+//! capabilities.
 //!
 //! The page stands alone: no script, no network, colours that follow the reader's choice of light or dark.
 
 use std::fmt::Write;
 
-use pulldown_cmark::{Event, HeadingLevel, Options, Parser, Tag, TagEnd, html};
-use stribeck::model::{Kind, ModelType, Variable};
+use anyhow::Result;
+use stribeck::catalogue::Family;
+use stribeck::model::{Kind, ModelType, Preset, Variable};
 
+use crate::diagrams;
+use crate::mathematics::escape;
+use crate::package::Entry;
 use crate::project::{AUTHORS, LICENSE, VERSION};
 use crate::text;
+use crate::typeset;
 use crate::xml::CAPABILITIES;
 
 const STYLE: &str = include_str!("style.css");
@@ -16,56 +22,51 @@ const STYLE: &str = include_str!("style.css");
 const ROLES: &str = "Inputs are set before each step. A fixed parameter stays constant during a run, a tunable one may \
     change between steps. States are advanced by the steps; their start values may be set before a run.";
 
-/// The page of a model; `documentation` is its Markdown text.
-pub fn page(model: &ModelType, documentation: &str) -> String {
+/// The diagrams of a page, as HTML: those of the model, and those of each preset.
+#[derive(Default)]
+struct Pictures {
+    model: String,
+    presets: Vec<String>,
+}
+
+/// The page of a model.
+pub fn page(entry: &Entry) -> Result<String> {
+    let Entry { model, family, documentation } = *entry;
+    let preset = |preset: &'static Preset| match family {
+        Family::Friction if !holds_start_values(model, preset) => diagrams::preset(model, preset),
+        _ => Ok(String::new()),
+    };
+    let presets = model.presets.iter().map(preset).collect::<Result<_>>()?;
+    document(model, documentation, &Pictures { model: diagrams::html(model, family)?, presets })
+}
+
+/// Does a preset only repeat the start values?
+fn holds_start_values(model: &ModelType, preset: &Preset) -> bool {
+    let is_start = |(name, value): &(&str, f64)| model.find(name).is_some_and(|at| model.table[at].start == *value);
+    preset.values.iter().all(is_start)
+}
+
+fn document(model: &ModelType, documentation: &str, pictures: &Pictures) -> Result<String> {
     let mut page = String::new();
     push(&mut page, format_args!("<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"));
     push(&mut page, format_args!("<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"));
     push(&mut page, format_args!("<title>{} - Stribeck</title>\n<style>\n{STYLE}</style>\n</head>\n", model.name));
     push(&mut page, format_args!("<body>\n<header>\n<img src=\"../model.png\" alt=\"\" width=\"96\" height=\"96\">\n"));
     push(&mut page, format_args!("<div>\n<h1>{}</h1>\n<p>{}</p>\n</div>\n", model.name, escape(model.summary)));
-    push(&mut page, format_args!("</header>\n<main>\n{}", markdown(documentation)));
+    let text = typeset::html(model.name, documentation, &pictures.model)?;
+    push(&mut page, format_args!("</header>\n<main>\n{text}"));
     variables(&mut page, model);
     choices(&mut page, model);
+    presets(&mut page, model, &pictures.presets);
     capabilities(&mut page, model);
     push(&mut page, format_args!("</main>\n<footer>Stribeck {VERSION}, {AUTHORS}. Licence: {LICENSE}, "));
     push(&mut page, format_args!("<a href=\"licenses/license.txt\">text</a>.</footer>\n</body>\n</html>\n"));
-    page
+    Ok(page)
 }
 
 /// Writing to a `String` cannot fail.
 fn push(page: &mut String, text: std::fmt::Arguments) {
     let _ = page.write_fmt(text);
-}
-
-fn escape(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
-}
-
-/// The model's text as HTML, one heading level down, and without the example: it is in Rust, and this reader has an FMU.
-fn markdown(documentation: &str) -> String {
-    let mut is_example = false;
-    let events: Vec<Event> = Parser::new_ext(documentation, Options::ENABLE_TABLES).collect();
-    let kept = events.iter().enumerate().filter(|(at, event)| {
-        if matches!(event, Event::Start(Tag::Heading { .. })) {
-            is_example = matches!(events.get(at + 1), Some(Event::Text(title)) if &**title == "Example");
-        }
-        !is_example
-    });
-    let mut page = String::new();
-    html::push_html(&mut page, kept.map(|(_, event)| lowered(event.clone())));
-    page
-}
-
-/// A first-level heading as a second-level one: the page's own title is the first.
-fn lowered(event: Event) -> Event {
-    match event {
-        Event::Start(Tag::Heading { level: HeadingLevel::H1, id, classes, attrs }) => {
-            Event::Start(Tag::Heading { level: HeadingLevel::H2, id, classes, attrs })
-        }
-        Event::End(TagEnd::Heading(HeadingLevel::H1)) => Event::End(TagEnd::Heading(HeadingLevel::H2)),
-        other => other,
-    }
 }
 
 fn table<R: AsRef<[String]>>(page: &mut String, head: &[&str], rows: impl Iterator<Item = R>) {
@@ -90,7 +91,7 @@ fn variable((column, variable): (usize, &Variable)) -> [String; 8] {
     let start = if variable.role.is_computed() { String::new() } else { text::start(variable) };
     [
         format!("<code>{}</code>", variable.path),
-        text::unit(variable).to_owned(),
+        text::typeset_unit(text::unit(variable)),
         start,
         escape(&text::bound(variable)),
         escape(variable.help),
@@ -117,43 +118,83 @@ fn choices(page: &mut String, model: &ModelType) {
     }
 }
 
+/// One table per preset, with the diagrams that its values give.
+fn presets(page: &mut String, model: &ModelType, pictures: &[String]) {
+    if model.presets.is_empty() {
+        return;
+    }
+    push(page, format_args!("<h2>Presets</h2>\n<p>Sets of values; what they do not name keeps its start value.</p>\n"));
+    for (at, preset) in model.presets.iter().enumerate() {
+        push(page, format_args!("<h3><code>{}</code></h3>\n<p>{}</p>\n", preset.name, escape(preset.source)));
+        let row = |(name, value): &(&str, f64)| {
+            let (shown, unit) = match model.find(name) {
+                Some(column) => (text::value(&model.table[column], *value), text::unit(&model.table[column])),
+                None => (text::number(*value), ""),
+            };
+            [format!("<code>{name}</code>"), shown, text::typeset_unit(unit)]
+        };
+        if !preset.values.is_empty() {
+            table(page, &["Variable", "Value", "Unit"], preset.values.iter().map(row));
+        }
+        page.push_str(pictures.get(at).map_or("", String::as_str));
+    }
+}
+
+/// What the capability flags of FMI 2.0 mean to a user.
+fn meaning(capability: &str) -> &'static str {
+    match capability {
+        "needsExecutionTool" => "The FMU is complete; it needs no other program.",
+        "canHandleVariableCommunicationStepSize" => "Each communication step may have another length.",
+        "canInterpolateInputs" => "Inputs may move linearly within a step: fmi2SetRealInputDerivatives, order 1.",
+        "maxOutputDerivativeOrder" => "fmi2GetRealOutputDerivatives gives exact first derivatives.",
+        "canRunAsynchronuously" => "fmi2DoStep returns when the step is done.",
+        "canBeInstantiatedOnlyOncePerProcess" => "A process may hold any number of instances.",
+        "canNotUseMemoryManagementFunctions" => "The memory callbacks of the importer are not used.",
+        "canGetAndSetFMUstate" => "The state may be saved and restored between steps.",
+        "canSerializeFMUstate" => "A saved state may be written to a file and read by another process.",
+        "providesDirectionalDerivative" => "fmi2GetDirectionalDerivative gives exact derivatives.",
+        _ => "",
+    }
+}
+
 fn capabilities(page: &mut String, model: &ModelType) {
     push(page, format_args!("<h2>This FMU</h2>\n"));
     let facts = [
-        ("Interface", "FMI 2.0 for Co-Simulation".to_owned()),
-        ("Version", VERSION.to_owned()),
-        ("Model identifier", format!("<code>{}</code>", model.name)),
-        ("Guid", format!("<code>{}</code>", model.guid())),
+        ["Interface".to_owned(), "FMI 2.0 for Co-Simulation".to_owned(), String::new()],
+        ["Version".to_owned(), VERSION.to_owned(), String::new()],
+        ["Model identifier".to_owned(), format!("<code>{}</code>", model.name), String::new()],
+        [
+            "Guid".to_owned(),
+            format!("<code>{}</code>", model.guid()),
+            "Fingerprint of the table of variables.".to_owned(),
+        ],
     ];
-    let capabilities = CAPABILITIES.map(|(name, value)| (name, value.to_owned()));
-    let rows = facts.into_iter().chain(capabilities).map(|(name, value)| [name.to_owned(), value]);
-    table(page, &["Property", "Value"], rows);
+    let capability =
+        |(name, value): (&str, &str)| [format!("<code>{name}</code>"), value.to_owned(), meaning(name).to_owned()];
+    table(page, &["Property", "Value", "Meaning"], facts.into_iter().chain(CAPABILITIES.map(capability)));
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::package::entries;
     use crate::specimen::{SPECIMEN, Specimen};
-    use stribeck::catalogue::{Family, documented};
     use stribeck::model::Described;
 
-    #[test]
-    fn every_page_is_well_formed_and_lists_every_variable() {
-        let specimen = (&SPECIMEN, <Specimen as Described>::DOCUMENTATION);
-        for (model, documentation) in documented(Family::Friction).chain(documented(Family::Host)).chain([specimen]) {
-            let page = page(model, documentation);
-            // The page closes what it opens, so that with closed void elements it is also XML.
-            let mut closed = page.clone();
-            for void in ["<meta ", "<img "] {
-                closed = close(&closed, void);
-            }
-            let body = closed.trim_start_matches("<!DOCTYPE html>\n");
-            let document = roxmltree::Document::parse(body).unwrap_or_else(|error| panic!("{}: {error}", model.name));
-            let cells: Vec<_> = document.descendants().filter_map(|node| node.text()).collect();
-            for variable in model.table {
-                assert!(cells.contains(&variable.path.to_string().as_str()), "{}", variable.path);
-            }
+    /// Every page, and that of a model that has what no shipped model has.
+    fn pages() -> impl Iterator<Item = (&'static ModelType, String)> {
+        let specimen = document(&SPECIMEN, <Specimen as Described>::DOCUMENTATION, &Pictures::default()).unwrap();
+        let of_entry = |entry: Entry| (entry.model, page(&entry).unwrap());
+        entries().into_iter().map(of_entry).chain([(&SPECIMEN, specimen)])
+    }
+
+    /// The page closes what it opens, so that with closed void elements it is also XML.
+    fn as_xml(page: &str) -> String {
+        let mut closed = page.to_owned();
+        for void in ["<meta ", "<img "] {
+            closed = close(&closed, void);
         }
+        closed.trim_start_matches("<!DOCTYPE html>\n").to_owned()
     }
 
     fn close(page: &str, void: &str) -> String {
@@ -163,16 +204,82 @@ mod tests {
     }
 
     #[test]
-    fn example_is_dropped_and_what_follows_is_kept() {
-        let page = markdown("Intro.\n\n# Example\n```\ncode\n```\n# Source\nPaper.\n");
-        assert_eq!(page, "<p>Intro.</p>\n<h2>Source</h2>\n<p>Paper.</p>\n");
+    fn every_page_is_well_formed_and_lists_every_variable() {
+        for (model, page) in pages() {
+            let xml = as_xml(&page);
+            let document = roxmltree::Document::parse(&xml).unwrap_or_else(|error| panic!("{}: {error}", model.name));
+            let cells: Vec<_> = document.descendants().filter_map(|node| node.text()).collect();
+            for variable in model.table {
+                assert!(cells.contains(&variable.path.to_string().as_str()), "{}", variable.path);
+            }
+        }
+    }
+
+    /// A reader without a network sees the same page: nothing is loaded but the icon, and nothing runs.
+    #[test]
+    fn pages_need_no_network() {
+        for (model, page) in pages() {
+            let xml = as_xml(&page);
+            let document = roxmltree::Document::parse(&xml).unwrap();
+            for node in document.descendants().filter(roxmltree::Node::is_element) {
+                assert!(!["script", "link", "iframe", "object", "embed"].contains(&node.tag_name().name()));
+                for attribute in node.attributes() {
+                    assert!(!attribute.name().starts_with("on"), "{}: {attribute:?}", model.name);
+                    let is_address = ["src", "href", "srcset", "data", "action"].contains(&attribute.name());
+                    let is_known = ["../model.png", "licenses/license.txt"].contains(&attribute.value());
+                    assert!(!is_address || is_known, "{}: {attribute:?}", model.name);
+                }
+            }
+            assert!(!page.contains("url(") && !page.contains("@import") && !page.contains("://"), "{}", model.name);
+        }
+    }
+
+    /// Every line of every block of equations is on the page as MathML, and as text beside it.
+    #[test]
+    fn every_block_of_equations_is_set() {
+        for entry in entries() {
+            let page = page(&entry).unwrap();
+            let kept = entry.documentation.split(" # Example").next().unwrap();
+            let blocks: Vec<&str> =
+                kept.split("```text\n").skip(1).map(|rest| rest.split("```").next().unwrap()).collect();
+            assert!(!blocks.is_empty(), "{}", entry.model.name);
+            assert_eq!(page.matches("<div class=\"equations\">").count(), blocks.len(), "{}", entry.model.name);
+            assert!(page.matches("<math displaystyle=\"true\">").count() >= blocks.len(), "{}", entry.model.name);
+            for line in blocks.iter().flat_map(|block| block.lines()) {
+                assert!(page.contains(&escape(line.trim())), "{}: {line}", entry.model.name);
+            }
+        }
     }
 
     #[test]
-    fn pages_need_no_network() {
-        for (model, documentation) in documented(Family::Friction).chain(documented(Family::Host)) {
-            let page = page(model, documentation);
-            assert!(!page.contains("src=\"http") && !page.contains("<script") && !page.contains("@import"));
+    fn every_page_has_a_diagram_and_is_the_same_twice() {
+        for entry in entries() {
+            let page = page(&entry).unwrap();
+            assert!(page.contains("<svg ") && page.contains("<figcaption>"), "{}", entry.model.name);
+            assert_eq!(page, super::page(&entry).unwrap(), "{}", entry.model.name);
         }
+    }
+
+    #[test]
+    fn capabilities_are_explained() {
+        for (name, _) in CAPABILITIES {
+            assert_ne!(meaning(name), "", "{name}");
+        }
+    }
+
+    #[test]
+    fn presets_are_listed_with_their_source_values_and_units() {
+        let lugre = stribeck::catalogue::by_name("LuGre").unwrap();
+        let mut text = String::new();
+        presets(&mut text, lugre, &[]);
+        for preset in lugre.presets {
+            assert!(text.contains(&format!("<h3><code>{}</code></h3>\n<p>{}</p>", preset.name, escape(preset.source))));
+            for (name, value) in preset.values {
+                let unit = text::typeset_unit(text::unit(&lugre.table[lugre.find(name).unwrap()]));
+                let row = format!("<td><code>{name}</code></td><td>{}</td><td>{unit}</td>", text::number(*value));
+                assert!(text.contains(&row), "{row}");
+            }
+        }
+        assert!(!lugre.presets.is_empty());
     }
 }

@@ -1,10 +1,13 @@
 //! model.png of an FMU, drawn from the model itself: force over velocity for a friction law, the motion of a host.
 
 use anyhow::{Context, Result, ensure};
-use stribeck::catalogue::{self, Family};
-use stribeck::instance::Instance;
-use stribeck::model::{Kind, ModelType, Role};
+#[cfg(test)]
+use stribeck::catalogue;
+use stribeck::catalogue::Family;
+use stribeck::model::ModelType;
 use tiny_skia::{Color, FillRule, LineCap, LineJoin, Paint, PathBuilder, Pixmap, Stroke, Transform};
+
+use crate::curve::{self, Curve, Law};
 
 /// Width and height in pixels.
 const SIZE: f32 = 240.0;
@@ -16,106 +19,21 @@ const BACKGROUND: [u8; 3] = [0x12, 0x2b, 0x45];
 const AXES: [u8; 3] = [0x4d, 0x6b, 0x8a];
 const CURVE: [u8; 3] = [0xff, 0xb0, 0x3b];
 
-/// Points of a curve.
-type Curve = Vec<[f64; 2]>;
-
 /// The icon as PNG.
 pub fn png(model: &'static ModelType, family: Family) -> Result<Vec<u8>> {
     let curve = match family {
         Family::Friction => force_over_velocity(model),
-        Family::Host => motion(model),
+        Family::Host => curve::motion(model).map(|motion| motion.values),
     };
-    draw(&curve.with_context(|| format!("cannot draw the icon of {}", model.name))?)
-        .with_context(|| format!("cannot draw the icon of {}", model.name))
+    curve.and_then(|curve| draw(&curve)).with_context(|| format!("cannot draw the icon of {}", model.name))
 }
 
-fn column(model: &ModelType, name: &str) -> Result<usize> {
-    model.find(name).with_context(|| format!("{} has no variable {name}", model.name))
-}
-
-fn value(instance: &mut Instance, column: usize) -> Result<f64> {
-    instance.refresh()?;
-    Ok(instance.row()[column])
-}
-
-/// Two periods of a sinusoidal velocity; the second is drawn, when a law with memory has settled.
+/// An oscillating velocity shows the memory of a law that has one.
 fn force_over_velocity(model: &'static ModelType) -> Result<Curve> {
-    const STEPS: usize = 4000;
-    let (velocity, force) = (column(model, "velocity")?, column(model, "friction_force")?);
-    let mut law = Instance::new(model);
-    let mut curve = Vec::new();
-    for step in 0..=2 * STEPS {
-        let phase = std::f64::consts::TAU * step as f64 / STEPS as f64;
-        law.put(velocity, 5.0 * typical_velocity(model) * phase.sin());
-        if step >= STEPS {
-            curve.push([value(&mut law, velocity)?, value(&mut law, force)?]);
-        }
-        law.step(1.0 / STEPS as f64)?;
-    }
-    Ok(curve)
-}
-
-/// The largest velocity among the parameters; 1 mm/s (that of the benchmark's Stribeck curve) for a law without one.
-fn typical_velocity(model: &ModelType) -> f64 {
-    let is_velocity = |kind| matches!(kind, Kind::Real(unit) if unit.name == "m/s");
-    let velocities = model.table.iter().filter(|variable| variable.role.is_parameter() && is_velocity(variable.kind));
-    let largest = velocities.map(|variable| variable.start).fold(0.0, f64::max);
-    if largest > 0.0 { largest } else { 1e-3 }
-}
-
-/// Velocity over position of a host with Coulomb friction in its contact.
-fn motion(model: &'static ModelType) -> Result<Curve> {
-    const STEP: f64 = 1e-3;
-    let states: Vec<usize> =
-        (0..model.table.len()).filter(|column| model.table[*column].role == Role::StateOutput).collect();
-    let [position, velocity] = *states.first_chunk().context("a host needs two states that are outputs")?;
-    let mut host = Instance::new(model);
-    let mut contact = Contact::of(model)?;
-    let mut curve = Vec::new();
-    for _ in 0..40_000 {
-        curve.push([value(&mut host, position)?, value(&mut host, velocity)?]);
-        contact.act(&mut host, STEP)?;
-        host.step(STEP)?;
-    }
-    Ok(curve)
-}
-
-/// A law of dry friction, and the columns of law and host that are connected by their names.
-struct Contact {
-    law: Instance,
-    to_law: Vec<[usize; 2]>,
-    to_host: Vec<[usize; 2]>,
-}
-
-impl Contact {
-    fn of(host: &'static ModelType) -> Result<Contact> {
-        let law = catalogue::by_name("CoulombStiction").context("no model CoulombStiction")?;
-        let mut contact =
-            Contact { law: Instance::new(law), to_law: connections(host, law), to_host: connections(law, host) };
-        // With the mass of the host the law can hold it at rest.
-        if let Some(mass) = host.find("mass") {
-            contact.law.put(column(law, "mass")?, host.table[mass].start);
-        }
-        Ok(contact)
-    }
-
-    fn act(&mut self, host: &mut Instance, dt: f64) -> Result<()> {
-        for [from, to] in &self.to_law {
-            self.law.put(*to, value(host, *from)?);
-        }
-        self.law.step(dt)?;
-        for [from, to] in &self.to_host {
-            host.put(*to, value(&mut self.law, *from)?);
-        }
-        Ok(())
-    }
-}
-
-/// Pairs of an output and the input of the same name.
-fn connections(from: &ModelType, to: &ModelType) -> Vec<[usize; 2]> {
-    let output = |input: usize| from.table.iter().position(|v| v.role.is_output() && v.path == to.table[input].path);
-    let inputs = (0..to.table.len()).filter(|column| to.table[*column].role == Role::Input);
-    inputs.filter_map(|input| Some([output(input)?, input])).collect()
+    let law = Law::new(model, None)?;
+    let range = law.velocity_range()?;
+    let response = law.response_time(range)?;
+    law.oscillation(range, if response > 0.0 { 15.0 * response } else { 1.0 })
 }
 
 fn draw(curve: &Curve) -> Result<Vec<u8>> {

@@ -1,12 +1,16 @@
 //! Writes the files that derive from the tables of the models, checks them, and packs FMUs.
 
 mod archive;
+mod curve;
 mod dependencies;
+mod diagrams;
+mod figure;
 mod generated;
 mod header;
 mod html;
 mod icon;
 mod library;
+mod mathematics;
 mod package;
 mod project;
 mod readme;
@@ -14,6 +18,7 @@ mod rules;
 #[cfg(test)]
 mod specimen;
 mod text;
+mod typeset;
 mod xml;
 
 use std::path::{Path, PathBuf};
@@ -36,6 +41,14 @@ enum Command {
     Generate,
     /// Write nothing; fail if one of these files is stale or a table breaks a rule.
     Check,
+    /// Write the documentation pages of the FMUs alone, to look at them.
+    Pages {
+        /// Models whose page is wanted; all if none is named.
+        models: Vec<String>,
+        /// Folder for the pages.
+        #[arg(long, default_value = "out/pages")]
+        out: PathBuf,
+    },
     /// Build the library for this machine and pack one FMU per model.
     Pack {
         /// Models to pack; all if none is named.
@@ -51,6 +64,7 @@ fn main() -> ExitCode {
     let result = match Arguments::parse().command {
         Command::Generate => generate(root),
         Command::Check => check(root),
+        Command::Pages { models, out } => pages(&models, &out),
         Command::Pack { models, out } => pack(root, &models, &out),
     };
     match result {
@@ -90,6 +104,14 @@ fn check(root: &Path) -> Result<()> {
         bail!("broken rules: {}", breaches.len());
     }
     println!("generated files are up to date, and the tables keep the rules");
+    Ok(())
+}
+
+fn pages(models: &[String], out: &Path) -> Result<()> {
+    for entry in &package::select(models)? {
+        package::write_page(entry, out)?;
+        println!("{}", out.join(entry.model.name).join("documentation/index.html").display());
+    }
     Ok(())
 }
 

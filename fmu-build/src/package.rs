@@ -16,7 +16,8 @@ use crate::{html, icon, xml};
 pub struct Entry {
     /// The model.
     pub model: &'static ModelType,
-    family: Family,
+    /// Its family.
+    pub family: Family,
     /// Its page, in Markdown.
     pub documentation: &'static str,
 }
@@ -51,12 +52,26 @@ pub fn write(entry: &Entry, library: &Library, root: &Path, date: Timestamp, fol
     Ok(bytes.len())
 }
 
+/// Writes the documentation of one FMU alone: its page and its icon, in the places they have in the FMU.
+pub fn write_page(entry: &Entry, folder: &Path) -> Result<()> {
+    let folder = folder.join(entry.model.name);
+    let pages = folder.join("documentation");
+    fs::create_dir_all(&pages).with_context(|| format!("cannot create {}", pages.display()))?;
+    for (file, bytes) in [
+        (pages.join("index.html"), html::page(entry)?.into_bytes()),
+        (folder.join("model.png"), icon::png(entry.model, entry.family)?),
+    ] {
+        fs::write(&file, bytes).with_context(|| format!("cannot write {}", file.display()))?;
+    }
+    Ok(())
+}
+
 fn contents(entry: &Entry, library: &Library, root: &Path, date: Timestamp) -> Result<Files> {
-    let Entry { model, family, documentation } = *entry;
+    let Entry { model, family, .. } = *entry;
     let binary = format!("binaries/{}/{}{}", library.platform, model.name, library.suffix);
     let files = [
         (binary, library.bytes.clone()),
-        ("documentation/index.html".into(), html::page(model, documentation).into()),
+        ("documentation/index.html".into(), html::page(entry)?.into()),
         ("documentation/licenses/license.txt".into(), license(root)?.into()),
         ("model.png".into(), icon::png(model, family)?),
         ("modelDescription.xml".into(), xml::model_description(model, date)?.into()),

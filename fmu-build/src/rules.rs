@@ -9,6 +9,7 @@ use pulldown_cmark::{Event, Options, Parser, Tag, TagEnd};
 use stribeck::model::{Enumeration, Kind, ModelType, Variable};
 
 use crate::header;
+use crate::html;
 use crate::package;
 
 /// Every breach, in words.
@@ -18,6 +19,7 @@ pub fn breaches(root: &Path) -> Result<Vec<String>> {
     let unknown = entries.iter().flat_map(|entry| unknown_symbols(entry.model, entry.documentation));
     let mut breaches: Vec<String> = unknown.collect();
     breaches.extend(models.iter().flat_map(|model| unfit_texts(model)));
+    breaches.extend(entries.iter().filter_map(|entry| html::page(entry).err()).map(|fault| format!("{fault:#}")));
     breaches.extend(differing_variables(&models));
     breaches.extend(differing_choices(&models));
     breaches.extend(header::without_comment(&header::text(root)?));

@@ -31,12 +31,17 @@ pub fn bound(variable: &Variable) -> String {
     ends.into_iter().flatten().collect::<Vec<_>>().join(", ")
 }
 
-/// The start value as a reader expects it: true or false, the name of a choice, or a number.
+/// The start value as a reader expects it.
 pub fn start(variable: &Variable) -> String {
+    value(variable, variable.start)
+}
+
+/// A value as a reader expects it: true or false, the name of a choice, or a number.
+pub fn value(variable: &Variable, value: f64) -> String {
     match variable.kind {
-        Kind::Boolean => (variable.start != 0.0).to_string(),
-        Kind::Enumeration(items) => items.items[variable.start as usize - 1].name.to_owned(),
-        Kind::Real(_) | Kind::Integer => number(variable.start),
+        Kind::Boolean => (value != 0.0).to_string(),
+        Kind::Enumeration(items) => items.items[value as usize - 1].name.to_owned(),
+        Kind::Real(_) | Kind::Integer => number(value),
     }
 }
 
@@ -56,6 +61,11 @@ pub fn unit(variable: &Variable) -> &'static str {
         Kind::Real(unit) => unit.name,
         _ => "",
     }
+}
+
+/// `um` and `N.s/m` as people write them.
+pub fn typeset_unit(unit: &str) -> String {
+    unit.replace("um", "\u{b5}m").replace('.', "\u{b7}")
 }
 
 /// The role in plain words.

@@ -18,7 +18,7 @@ struct Arguments {
 enum Task {
     /// Lists the models.
     Models,
-    /// Shows the variables of a model: column, role, unit, start value, bound, meaning.
+    /// Shows the variables of a model (column, role, start value, unit, bound, meaning) and its presets.
     Show {
         /// Name of the model, as `stribeck models` lists it.
         model: String,
@@ -56,15 +56,58 @@ fn show(model: &ModelType) {
     for (column, [name, role, value, help]) in rows.iter().enumerate() {
         println!("{column:>3} {name:<names$} {role:<roles$} {value:<values$} {help}");
     }
+    print!("{}", presets(model));
+}
+
+/// The presets, one value per line.
+fn presets(model: &ModelType) -> String {
+    let mut text = String::new();
+    for preset in model.presets {
+        text += &format!("\npreset {}: {}\n", preset.name, preset.source);
+        for (name, number) in preset.values {
+            let shown = model.find(name).map_or(number.to_string(), |column| in_unit(&model.table[column], *number));
+            text += &format!("    {name} = {shown}\n");
+        }
+    }
+    text
+}
+
+/// A value with its unit, or its name if it is a choice.
+fn in_unit(variable: &Variable, value: f64) -> String {
+    match variable.kind {
+        Kind::Real(unit) if unit.name != "1" => format!("{value} {}", unit.name),
+        Kind::Real(_) | Kind::Integer => value.to_string(),
+        Kind::Boolean => (value != 0.0).to_string(),
+        Kind::Enumeration(choices) => choices.items[value as usize - 1].name.to_string(),
+    }
 }
 
 /// Start value with unit, and the bound if there is one.
 fn value(variable: &Variable) -> String {
-    let Variable { start, bound, .. } = variable;
+    let start = in_unit(variable, variable.start);
     match variable.kind {
-        Kind::Real(unit) => format!("{start} {} ({bound})", unit.name),
-        Kind::Integer => format!("{start} ({bound})"),
-        Kind::Boolean => format!("{}", *start != 0.0),
-        Kind::Enumeration(choices) => choices.items[*start as usize - 1].name.to_string(),
+        Kind::Real(_) | Kind::Integer => format!("{start} ({})", variable.bound),
+        Kind::Boolean | Kind::Enumeration(_) => start,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn presets_are_listed_with_values_and_units() {
+        let text = presets(catalogue::by_name("LuGre").unwrap());
+        assert!(text.starts_with("\npreset thesis: Novais (2024)"), "{text}");
+        assert!(text.contains("\npreset canudas_1995: Canudas de Wit et al. (1995)"), "{text}");
+        assert!(text.contains("\n    viscous_coefficient = 0.4 N.s/m\n"), "{text}");
+        assert!(text.contains("\n    mu_s = 1.5\n"), "{text}");
+    }
+
+    #[test]
+    fn choices_are_named() {
+        let model = catalogue::by_name("CoulombStiction").unwrap();
+        let exchange = &model.table[model.find("exchange").unwrap()];
+        assert_eq!([in_unit(exchange, 1.0), in_unit(exchange, 2.0)], ["Sequential", "Parallel"]);
     }
 }

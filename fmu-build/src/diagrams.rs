@@ -1,0 +1,162 @@
+//! The diagrams of a model's page, chosen by what the model does.
+
+use anyhow::{Context, Result};
+use stribeck::catalogue::Family;
+use stribeck::model::{ModelType, Preset, Variable};
+
+use crate::curve::{self, Curve, Law, Motion, Steady};
+use crate::figure::{self, Axis, Figure, Line, Style};
+use crate::text;
+
+/// Two branches of a curve are one if they are closer than this, relative to the range of the force.
+const SAME: f64 = 0.02;
+
+/// The diagrams of a model as HTML.
+pub fn html(model: &'static ModelType, family: Family) -> Result<String> {
+    let figures = match family {
+        Family::Friction => of_law(&Law::new(model, None)?),
+        Family::Host => of_host(model),
+    };
+    let figures = figures.with_context(|| format!("cannot draw the diagrams of {}", model.name))?;
+    Ok(row(&figures))
+}
+
+/// The friction curve with the values of a preset, as HTML.
+pub fn preset(model: &'static ModelType, preset: &'static Preset) -> Result<String> {
+    let law = Law::new(model, Some(preset))?;
+    let context = || format!("cannot draw {} with the preset {}", model.name, preset.name);
+    let figures = over_velocity(&law).and_then(|(figure, range)| {
+        let mut figures = vec![figure];
+        figures.extend(over_displacement(&law, range)?);
+        Ok(figures)
+    });
+    Ok(row(&figures.with_context(context)?))
+}
+
+fn row(figures: &[Figure]) -> String {
+    format!("<div class=\"diagrams\">\n{}</div>\n", figures.iter().map(figure::html).collect::<String>())
+}
+
+fn of_law(law: &Law) -> Result<Vec<Figure>> {
+    let (figure, range) = over_velocity(law)?;
+    let mut figures = vec![figure];
+    figures.extend(over_displacement(law, range)?);
+    Ok(figures)
+}
+
+fn words(variable: &Variable) -> String {
+    variable.path.to_string().replace('_', " ")
+}
+
+fn axis(variable: &Variable, curves: &[Line], axis: usize) -> Axis {
+    let [low, high] = curve::limits(curves.iter().map(|line| &line.points), axis);
+    Axis::new(&words(variable), variable, low.abs().max(high.abs()))
+}
+
+/// Force over velocity, and the range of the velocities.
+fn over_velocity(law: &Law) -> Result<(Figure, f64)> {
+    let range = law.velocity_range()?;
+    let steady = law.steady(range, 0.0)?;
+    let mut caption = format!("Friction force at held velocities{}", conditions(law));
+    let mut lines = Vec::new();
+    if let Some((curve, period)) = oscillation(law, range, &steady)? {
+        caption += &format!("; and while the velocity oscillates with a period of {}", duration(period));
+        lines.push(line("oscillating velocity", Style::Second, curve));
+    }
+    if law.has_external_force() {
+        external(law, range, &steady, &mut lines)?;
+    } else {
+        branches(steady, &mut lines);
+    }
+    let [velocity, force] = [law.velocity, law.force].map(|column| &law.model.table[column]);
+    let axes = [axis(velocity, &lines, 0), axis(force, &lines, 1)];
+    Ok((Figure { caption: caption + ".", axes, lines }, range))
+}
+
+fn line(name: &str, style: Style, points: Curve) -> Line {
+    Line { name: name.to_owned(), style, points }
+}
+
+/// The other input of all laws, which does not change.
+fn conditions(law: &Law) -> String {
+    let Some((column, value)) = law.held("normal_force") else { return String::new() };
+    format!(", normal force {} {}", text::number(value), text::unit(&law.model.table[column]))
+}
+
+fn duration(seconds: f64) -> String {
+    if seconds < 1.0 { format!("{} ms", text::number(1e3 * seconds)) } else { format!("{} s", text::number(seconds)) }
+}
+
+/// One curve, or two if the force depends on whether the speed grows.
+fn branches(steady: Steady, lines: &mut Vec<Line>) {
+    if curve::distance(&steady.growing, &steady.fading) < SAME {
+        lines.push(line("held velocity", Style::First, steady.growing));
+    } else {
+        lines.push(line("held velocity, after lower speed", Style::First, steady.growing));
+        lines.push(line("held velocity, after higher speed", Style::Third, steady.fading));
+    }
+}
+
+/// Where a force from outside decides, the region of the friction forces that it can cause; elsewhere the curve.
+fn external(law: &Law, range: f64, steady: &Steady, lines: &mut Vec<Line>) -> Result<()> {
+    let [low, high] = curve::limits([&steady.growing], 1);
+    let large = 1e3 * low.abs().max(high.abs()).max(1e-3);
+    let [lower, upper] = [-large, large].map(|force| law.steady(range, force).map(|steady| steady.growing));
+    let (lower, upper) = (lower?, upper?);
+    let is_free = |at: &usize| (upper[*at][1] - lower[*at][1]).abs() > 1e-3 * (high - low);
+    let Some(first) = (0..upper.len()).find(is_free) else {
+        lines.push(line("held velocity", Style::First, upper));
+        return Ok(());
+    };
+    let last = (0..upper.len()).rfind(is_free).unwrap_or(first);
+    let region = upper[first..=last].iter().chain(lower[first..=last].iter().rev()).copied().collect();
+    lines.push(line("as the external force decides", Style::Region, region));
+    lines.push(line("sliding", Style::First, upper[..first].to_vec()));
+    lines.push(line("sliding", Style::First, upper[last + 1..].to_vec()));
+    Ok(())
+}
+
+/// The curve of an oscillating velocity and its period, if it differs from that of held velocities.
+fn oscillation(law: &Law, range: f64, steady: &Steady) -> Result<Option<(Curve, f64)>> {
+    let response = law.response_time(range)?;
+    if response == 0.0 {
+        return Ok(None);
+    }
+    let period = curve::round_up(15.0 * response);
+    let oscillation = law.oscillation(range, period)?;
+    let [held, moving] = [&steady.growing, &oscillation].map(|curve| curve::limits([curve], 1));
+    // A law that answers too violently to be drawn together.
+    let is_fit = moving[1] - moving[0] < 4.0 * (held[1] - held[0]);
+    Ok(is_fit.then_some((oscillation, period)))
+}
+
+/// Force over displacement, for a law with pre-sliding displacement.
+fn over_displacement(law: &Law, range: f64) -> Result<Option<Figure>> {
+    let Some(scale) = law.displacement_scale(range)? else { return Ok(None) };
+    let lines = vec![line("", Style::First, law.strokes(scale, range)?)];
+    let force = &law.model.table[law.force];
+    let [low, high] = curve::limits([&lines[0].points], 0);
+    let axes = [Axis::length("displacement", low.abs().max(high.abs())), axis(force, &lines, 1)];
+    let caption = "Pre-sliding: friction force for slow strokes to and fro that grow.".to_owned();
+    Ok(Some(Figure { caption, axes, lines }))
+}
+
+fn of_host(model: &'static ModelType) -> Result<Vec<Figure>> {
+    let Motion { states, times, values } = curve::motion(model)?;
+    let states = states.map(|column| &model.table[column]);
+    let over_time = |index: usize| {
+        let points = times.iter().zip(&values).map(|(time, value)| [*time, value[index]]).collect();
+        let lines = vec![line("", Style::First, points)];
+        let axes = [Axis::time(), axis(states[index], &lines, 1)];
+        Figure { caption: format!("{} over time.", capitalised(&words(states[index]))), axes, lines }
+    };
+    let lines = vec![line("", Style::First, values.clone())];
+    let caption = "Phase portrait, with Coulomb friction and stiction in the contact.".to_owned();
+    let portrait = Figure { caption, axes: [axis(states[0], &lines, 0), axis(states[1], &lines, 1)], lines };
+    Ok(vec![over_time(0), portrait])
+}
+
+fn capitalised(text: &str) -> String {
+    let (first, rest) = text.split_at(1);
+    first.to_uppercase() + rest
+}

@@ -1,0 +1,55 @@
+//! Equations of the documentation, which are ASCII text, as MathML.
+
+mod block;
+mod grammar;
+mod mathml;
+mod prose;
+mod token;
+
+use std::collections::BTreeSet;
+
+use token::{Token, Word};
+
+pub use block::block;
+pub use mathml::escape;
+pub use prose::{Part, prose, symbol};
+
+/// Symbols that a page defines, as written: `v`, `f_C`, `sigma_0`.
+#[derive(Clone, Debug, Default)]
+pub struct Symbols(BTreeSet<String>);
+
+impl Symbols {
+    /// Is it one of them?
+    pub fn contains(&self, name: &str) -> bool {
+        self.0.contains(name)
+    }
+
+    /// Adds the symbols in a text such as the cell of a symbol table.
+    pub fn add(&mut self, text: &str) {
+        let Ok(tokens) = token::tokens(text) else { return };
+        let mut name = String::new();
+        for Token { word, .. } in tokens {
+            match word {
+                Word::Subscript(below) if !name.is_empty() => name = format!("{name}_{below}"),
+                Word::Name(next) => self.insert(std::mem::replace(&mut name, next)),
+                Word::Derivative(derivative) => self.insert(derivative.of),
+                _ => self.insert(std::mem::take(&mut name)),
+            }
+        }
+        self.insert(name);
+    }
+
+    /// Adds the letters in an equation. Whole words are symbols only if a symbol table says so.
+    pub fn add_letters(&mut self, text: &str) {
+        let mut symbols = Symbols::default();
+        text.split_whitespace().for_each(|word| symbols.add(word));
+        let is_letter = |name: &String| token::is_letter(name.split('_').next().unwrap_or_default());
+        self.0.extend(symbols.0.into_iter().filter(is_letter));
+    }
+
+    fn insert(&mut self, name: String) {
+        if !name.is_empty() && !grammar::is_function(&name) && !grammar::is_differential(&name) {
+            self.0.insert(name);
+        }
+    }
+}
