@@ -283,8 +283,12 @@ const char *stribeck_preset_name(const stribeck_model *model, size_t index);
 /** Where the values of the preset of that index come from; NULL past the last. The text belongs to the handle. */
 const char *stribeck_preset_source(const stribeck_model *model, size_t index);
 
-/** Sets the parameters of the named preset; the other variables stay as they are. */
-stribeck_status stribeck_apply_preset(stribeck_model *model, const char *preset);
+/**
+ * Sets all parameters: those of the named preset to its values, the others to their start values. Inputs that the preset
+ * names are set too.
+ */
+stribeck_status stribeck_apply_preset(stribeck_model *model,
+                                      const char *preset);
 
 /** Sets a variable. Everything but computed results can be set at any time; outputs follow at once. */
 stribeck_status stribeck_set(stribeck_model *model, uint32_t column, double value);
@@ -476,16 +480,105 @@ fmi2Status fmi2GetDirectionalDerivative(fmi2Component c,
 }  // extern "C"
 #endif  // __cplusplus
 
+/** Choices of a variable of the type BengisuAkayVariant. */
+typedef enum stribeck_bengisu_akay_variant {
+  /** Product of two exponentials, as the thesis prints it. */
+  STRIBECK_BENGISU_AKAY_VARIANT_THESIS = 1,
+  /** Parabola up to the peak, exponential beyond it, as in Marques et al. (2016). */
+  STRIBECK_BENGISU_AKAY_VARIANT_MARQUES = 2,
+} stribeck_bengisu_akay_variant;
+
+/** Choices of a variable of the type CoulombViscousVariant. */
+typedef enum stribeck_coulomb_viscous_variant {
+  /** The viscous part is proportional to velocity. */
+  STRIBECK_COULOMB_VISCOUS_VARIANT_LINEAR = 1,
+  /** The viscous part is a power of speed. */
+  STRIBECK_COULOMB_VISCOUS_VARIANT_POWER = 2,
+} stribeck_coulomb_viscous_variant;
+
 /** Choices of a variable of the type Exchange. */
 typedef enum stribeck_exchange {
-  /** The host uses the force of the step just computed, or the force read after setting the inputs (Gauss-Seidel). */
+  /** The friction model steps first, and the host uses the force of that step (Gauss-Seidel). */
   STRIBECK_EXCHANGE_SEQUENTIAL = 1,
   /** All models step at once and exchange values afterwards, so the force acts one step later (Jacobi). */
   STRIBECK_EXCHANGE_PARALLEL = 2,
 } stribeck_exchange;
 
+/** Choices of a variable of the type FrictionalLagVariant. */
+typedef enum stribeck_frictional_lag_variant {
+  /** The force follows the velocity of a time lag ago. */
+  STRIBECK_FRICTIONAL_LAG_VARIANT_DELAY = 1,
+  /** The force follows the velocity through a first-order filter. */
+  STRIBECK_FRICTIONAL_LAG_VARIANT_FIRST_ORDER = 2,
+} stribeck_frictional_lag_variant;
+
+/** Choices of a variable of the type RooneyDeraviVariant. */
+typedef enum stribeck_rooney_deravi_variant {
+  /** Hyperbolic tangent inside the band, as the thesis prints it; jumps at the end of the band. */
+  STRIBECK_ROONEY_DERAVI_VARIANT_PRINTED = 1,
+  /** Straight line inside the band. */
+  STRIBECK_ROONEY_DERAVI_VARIANT_LINEAR = 2,
+  /** Hyperbolic tangent for all velocities. */
+  STRIBECK_ROONEY_DERAVI_VARIANT_TANH = 3,
+} stribeck_rooney_deravi_variant;
+
+/** Choices of a variable of the type StribeckCurve. */
+typedef enum stribeck_stribeck_curve {
+  /** Exponential of speed. */
+  STRIBECK_STRIBECK_CURVE_TUSTIN = 1,
+  /** Exponential of a power of speed, with stribeck_exponent. */
+  STRIBECK_STRIBECK_CURVE_BO_PAVELESCU = 2,
+  /** Lorentzian; half of the excess is left at stribeck_velocity. */
+  STRIBECK_STRIBECK_CURVE_HESS_SOOM = 3,
+  /** Hyperbola; half of the excess is left at stribeck_velocity. A quadratic part may be added. */
+  STRIBECK_STRIBECK_CURVE_POPP_STELTER = 4,
+  /** Exponential of the square of speed. */
+  STRIBECK_STRIBECK_CURVE_GAUSSIAN = 5,
+} stribeck_stribeck_curve;
+
+/** Choices of a variable of the type ThrelfallVariant. */
+typedef enum stribeck_threlfall_variant {
+  /** The exponential for all velocities, as the thesis prints it. */
+  STRIBECK_THRELFALL_VARIANT_PRINTED = 1,
+  /** The original, which stops at 95 % of the Coulomb level. */
+  STRIBECK_THRELFALL_VARIANT_CAPPED = 2,
+} stribeck_threlfall_variant;
+
+/** Guid of Coulomb for fmi2Instantiate. */
+#define STRIBECK_COULOMB_GUID "{115aa58d-503a-4303-3210-074cd6d511d0}"
+
+/** Coulomb: Coulomb friction. Columns of "Coulomb". */
+typedef enum stribeck_coulomb_variable {
+  /** in [m/s]: Sliding velocity of body 1 relative to body 2. (default 0) */
+  STRIBECK_COULOMB_VELOCITY = 0,
+  /** in [N]: Normal force that presses the surfaces together. (>= 0, default 9.81) */
+  STRIBECK_COULOMB_NORMAL_FORCE = 1,
+  /** in [N]: Resultant of all other tangential forces on body 1. (default 0) */
+  STRIBECK_COULOMB_EXTERNAL_FORCE = 2,
+  /** tunable [1]: Kinetic coefficient of friction. (>= 0, default 0.1) */
+  STRIBECK_COULOMB_MU_K = 3,
+  /** tunable [kg]: Effective mass of the host, to hold it in co-simulation; 0 = the printed law. (>= 0, default 0) */
+  STRIBECK_COULOMB_MASS = 4,
+  /** fixed [stribeck_exchange]: Order in which the master exchanges values; used with mass > 0. (default Sequential) */
+  STRIBECK_COULOMB_EXCHANGE = 5,
+  /** state [s]: Length of the last step; 0 before the first one. (>= 0, default 0) */
+  STRIBECK_COULOMB_STEP_SIZE = 6,
+  /** state [s]: Step for which a parallel exchange plans: the longest of late. (>= 0, default 0) */
+  STRIBECK_COULOMB_PLANNING_STEP = 7,
+  /** state [N]: Force planned for the coming step of a parallel exchange. (default 0) */
+  STRIBECK_COULOMB_PLANNED_FORCE = 8,
+  /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
+  STRIBECK_COULOMB_DISSIPATED_ENERGY = 9,
+  /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
+  STRIBECK_COULOMB_FRICTION_FORCE = 10,
+  /** out [W]: Power taken out of the motion: friction force times velocity. */
+  STRIBECK_COULOMB_DISSIPATED_POWER = 11,
+  /** out [Boolean]: Is the contact sticking? */
+  STRIBECK_COULOMB_STICKING = 12,
+} stribeck_coulomb_variable;
+
 /** Guid of CoulombStiction for fmi2Instantiate. */
-#define STRIBECK_COULOMB_STICTION_GUID "{a894c3d1-c9a2-7d3a-aaed-376a92f524ff}"
+#define STRIBECK_COULOMB_STICTION_GUID "{89560fc3-9e1c-3047-bf68-27a075a8e3c8}"
 
 /** CoulombStiction: Coulomb friction with stiction. Columns of "CoulombStiction". */
 typedef enum stribeck_coulomb_stiction_variable {
@@ -499,28 +592,296 @@ typedef enum stribeck_coulomb_stiction_variable {
   STRIBECK_COULOMB_STICTION_MU_K = 3,
   /** tunable [1]: Static coefficient of friction; not less than mu_k. (>= 0, default 0.15) */
   STRIBECK_COULOMB_STICTION_MU_S = 4,
-  /** tunable [kg]: Effective mass of the host, to hold it in co-simulation; 0 = the printed law. (>= 0, default 0) */
-  STRIBECK_COULOMB_STICTION_MASS = 5,
-  /** fixed [stribeck_exchange]: Order in which the master exchanges values; used with mass > 0. (default Sequential) */
-  STRIBECK_COULOMB_STICTION_EXCHANGE = 6,
   /** state [Boolean]: Is the contact stuck since the last step? Used with mass > 0. (default false) */
-  STRIBECK_COULOMB_STICTION_STUCK = 7,
+  STRIBECK_COULOMB_STICTION_STUCK = 5,
+  /** tunable [kg]: Effective mass of the host, to hold it in co-simulation; 0 = the printed law. (>= 0, default 0) */
+  STRIBECK_COULOMB_STICTION_MASS = 6,
+  /** fixed [stribeck_exchange]: Order in which the master exchanges values; used with mass > 0. (default Sequential) */
+  STRIBECK_COULOMB_STICTION_EXCHANGE = 7,
   /** state [s]: Length of the last step; 0 before the first one. (>= 0, default 0) */
   STRIBECK_COULOMB_STICTION_STEP_SIZE = 8,
+  /** state [s]: Step for which a parallel exchange plans: the longest of late. (>= 0, default 0) */
+  STRIBECK_COULOMB_STICTION_PLANNING_STEP = 9,
   /** state [N]: Force planned for the coming step of a parallel exchange. (default 0) */
-  STRIBECK_COULOMB_STICTION_PLANNED_FORCE = 9,
+  STRIBECK_COULOMB_STICTION_PLANNED_FORCE = 10,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
-  STRIBECK_COULOMB_STICTION_DISSIPATED_ENERGY = 10,
+  STRIBECK_COULOMB_STICTION_DISSIPATED_ENERGY = 11,
   /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
-  STRIBECK_COULOMB_STICTION_FRICTION_FORCE = 11,
+  STRIBECK_COULOMB_STICTION_FRICTION_FORCE = 12,
   /** out [W]: Power taken out of the motion: friction force times velocity. */
-  STRIBECK_COULOMB_STICTION_DISSIPATED_POWER = 12,
+  STRIBECK_COULOMB_STICTION_DISSIPATED_POWER = 13,
   /** out [Boolean]: Is the contact sticking? */
-  STRIBECK_COULOMB_STICTION_STICKING = 13,
+  STRIBECK_COULOMB_STICTION_STICKING = 14,
 } stribeck_coulomb_stiction_variable;
 
+/** Guid of CoulombViscous for fmi2Instantiate. */
+#define STRIBECK_COULOMB_VISCOUS_GUID "{1beb58eb-9376-47d8-f9ad-1321e0ca4a93}"
+
+/** CoulombViscous: Coulomb friction with a viscous part. Columns of "CoulombViscous". */
+typedef enum stribeck_coulomb_viscous_variable {
+  /** in [m/s]: Sliding velocity of body 1 relative to body 2. (default 0) */
+  STRIBECK_COULOMB_VISCOUS_VELOCITY = 0,
+  /** in [N]: Normal force that presses the surfaces together. (>= 0, default 9.81) */
+  STRIBECK_COULOMB_VISCOUS_NORMAL_FORCE = 1,
+  /** in [N]: Resultant of all other tangential forces on body 1. (default 0) */
+  STRIBECK_COULOMB_VISCOUS_EXTERNAL_FORCE = 2,
+  /** tunable [1]: Kinetic coefficient of friction. (>= 0, default 0.1) */
+  STRIBECK_COULOMB_VISCOUS_MU_K = 3,
+  /** fixed [stribeck_coulomb_viscous_variant]: Variant of the law. (default Linear) */
+  STRIBECK_COULOMB_VISCOUS_VARIANT = 4,
+  /** tunable [N.s/m]: Viscous friction coefficient. (>= 0, default 0.1) */
+  STRIBECK_COULOMB_VISCOUS_VISCOUS_COEFFICIENT = 5,
+  /** tunable [1]: Exponent of the viscous part. (> 0, default 1) */
+  STRIBECK_COULOMB_VISCOUS_VISCOUS_EXPONENT = 6,
+  /** tunable [kg]: Effective mass of the host, to hold it in co-simulation; 0 = the printed law. (>= 0, default 0) */
+  STRIBECK_COULOMB_VISCOUS_MASS = 7,
+  /** fixed [stribeck_exchange]: Order in which the master exchanges values; used with mass > 0. (default Sequential) */
+  STRIBECK_COULOMB_VISCOUS_EXCHANGE = 8,
+  /** state [s]: Length of the last step; 0 before the first one. (>= 0, default 0) */
+  STRIBECK_COULOMB_VISCOUS_STEP_SIZE = 9,
+  /** state [s]: Step for which a parallel exchange plans: the longest of late. (>= 0, default 0) */
+  STRIBECK_COULOMB_VISCOUS_PLANNING_STEP = 10,
+  /** state [N]: Force planned for the coming step of a parallel exchange. (default 0) */
+  STRIBECK_COULOMB_VISCOUS_PLANNED_FORCE = 11,
+  /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
+  STRIBECK_COULOMB_VISCOUS_DISSIPATED_ENERGY = 12,
+  /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
+  STRIBECK_COULOMB_VISCOUS_FRICTION_FORCE = 13,
+  /** out [W]: Power taken out of the motion: friction force times velocity. */
+  STRIBECK_COULOMB_VISCOUS_DISSIPATED_POWER = 14,
+  /** out [Boolean]: Is the contact sticking? */
+  STRIBECK_COULOMB_VISCOUS_STICKING = 15,
+} stribeck_coulomb_viscous_variable;
+
+/** Guid of Stribeck for fmi2Instantiate. */
+#define STRIBECK_STRIBECK_GUID "{8b4d1236-4d91-3b3e-fa03-f2d416620837}"
+
+/** Stribeck: Friction that falls with speed from the static to the kinetic level (Stribeck). Columns of "Stribeck". */
+typedef enum stribeck_stribeck_variable {
+  /** in [m/s]: Sliding velocity of body 1 relative to body 2. (default 0) */
+  STRIBECK_STRIBECK_VELOCITY = 0,
+  /** in [N]: Normal force that presses the surfaces together. (>= 0, default 9.81) */
+  STRIBECK_STRIBECK_NORMAL_FORCE = 1,
+  /** in [N]: Resultant of all other tangential forces on body 1. (default 0) */
+  STRIBECK_STRIBECK_EXTERNAL_FORCE = 2,
+  /** fixed [stribeck_stribeck_curve]: How the level falls with speed. (default Gaussian) */
+  STRIBECK_STRIBECK_CURVE = 3,
+  /** tunable [1]: Kinetic coefficient of friction. (>= 0, default 0.1) */
+  STRIBECK_STRIBECK_MU_K = 4,
+  /** tunable [1]: Static coefficient of friction; not less than mu_k. (>= 0, default 0.15) */
+  STRIBECK_STRIBECK_MU_S = 5,
+  /** tunable [m/s]: Speed at which the excess of static over kinetic friction has fallen to 1/e.
+   *  (> 0, default 0.001) */
+  STRIBECK_STRIBECK_STRIBECK_VELOCITY = 6,
+  /** tunable [1]: Exponent of the falling level. (> 0, default 2) */
+  STRIBECK_STRIBECK_STRIBECK_EXPONENT = 7,
+  /** tunable [N.s/m]: Viscous friction coefficient. (>= 0, default 0) */
+  STRIBECK_STRIBECK_VISCOUS_COEFFICIENT = 8,
+  /** tunable [N.s2/m2]: Quadratic friction coefficient; used by PoppStelter. (>= 0, default 0) */
+  STRIBECK_STRIBECK_QUADRATIC_COEFFICIENT = 9,
+  /** tunable [kg]: Effective mass of the host, to hold it in co-simulation; 0 = the printed law. (>= 0, default 0) */
+  STRIBECK_STRIBECK_MASS = 10,
+  /** fixed [stribeck_exchange]: Order in which the master exchanges values; used with mass > 0. (default Sequential) */
+  STRIBECK_STRIBECK_EXCHANGE = 11,
+  /** state [s]: Length of the last step; 0 before the first one. (>= 0, default 0) */
+  STRIBECK_STRIBECK_STEP_SIZE = 12,
+  /** state [s]: Step for which a parallel exchange plans: the longest of late. (>= 0, default 0) */
+  STRIBECK_STRIBECK_PLANNING_STEP = 13,
+  /** state [N]: Force planned for the coming step of a parallel exchange. (default 0) */
+  STRIBECK_STRIBECK_PLANNED_FORCE = 14,
+  /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
+  STRIBECK_STRIBECK_DISSIPATED_ENERGY = 15,
+  /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
+  STRIBECK_STRIBECK_FRICTION_FORCE = 16,
+  /** out [W]: Power taken out of the motion: friction force times velocity. */
+  STRIBECK_STRIBECK_DISSIPATED_POWER = 17,
+  /** out [Boolean]: Is the contact sticking? */
+  STRIBECK_STRIBECK_STICKING = 18,
+} stribeck_stribeck_variable;
+
+/** Guid of Bernard for fmi2Instantiate. */
+#define STRIBECK_BERNARD_GUID "{0f1beb23-4203-e434-0863-5db99371f7fc}"
+
+/** Bernard: Coulomb friction with a linear transition, by its slope (Bernard). Columns of "Bernard". */
+typedef enum stribeck_bernard_variable {
+  /** in [m/s]: Sliding velocity of body 1 relative to body 2. (default 0) */
+  STRIBECK_BERNARD_VELOCITY = 0,
+  /** in [N]: Normal force that presses the surfaces together. (>= 0, default 9.81) */
+  STRIBECK_BERNARD_NORMAL_FORCE = 1,
+  /** in [N]: Resultant of all other tangential forces on body 1. (default 0) */
+  STRIBECK_BERNARD_EXTERNAL_FORCE = 2,
+  /** tunable [1]: Kinetic coefficient of friction. (>= 0, default 0.1) */
+  STRIBECK_BERNARD_MU_K = 3,
+  /** tunable [s/m]: Slope of the force at rest, relative to the level there. (> 0, default 2000) */
+  STRIBECK_BERNARD_TRANSITION_SLOPE = 4,
+  /** tunable [kg]: Effective mass of the host, to hold it in co-simulation; 0 = the printed law. (>= 0, default 0) */
+  STRIBECK_BERNARD_MASS = 5,
+  /** fixed [stribeck_exchange]: Order in which the master exchanges values; used with mass > 0. (default Sequential) */
+  STRIBECK_BERNARD_EXCHANGE = 6,
+  /** state [s]: Length of the last step; 0 before the first one. (>= 0, default 0) */
+  STRIBECK_BERNARD_STEP_SIZE = 7,
+  /** state [s]: Step for which a parallel exchange plans: the longest of late. (>= 0, default 0) */
+  STRIBECK_BERNARD_PLANNING_STEP = 8,
+  /** state [N]: Force planned for the coming step of a parallel exchange. (default 0) */
+  STRIBECK_BERNARD_PLANNED_FORCE = 9,
+  /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
+  STRIBECK_BERNARD_DISSIPATED_ENERGY = 10,
+  /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
+  STRIBECK_BERNARD_FRICTION_FORCE = 11,
+  /** out [W]: Power taken out of the motion: friction force times velocity. */
+  STRIBECK_BERNARD_DISSIPATED_POWER = 12,
+  /** out [Boolean]: Is the contact sticking? */
+  STRIBECK_BERNARD_STICKING = 13,
+} stribeck_bernard_variable;
+
+/** Guid of Threlfall for fmi2Instantiate. */
+#define STRIBECK_THRELFALL_GUID "{37b805ff-73bf-72c2-cf40-48ec8eaab1a1}"
+
+/** Threlfall: Coulomb friction with an exponential transition (Threlfall). Columns of "Threlfall". */
+typedef enum stribeck_threlfall_variable {
+  /** in [m/s]: Sliding velocity of body 1 relative to body 2. (default 0) */
+  STRIBECK_THRELFALL_VELOCITY = 0,
+  /** in [N]: Normal force that presses the surfaces together. (>= 0, default 9.81) */
+  STRIBECK_THRELFALL_NORMAL_FORCE = 1,
+  /** in [N]: Resultant of all other tangential forces on body 1. (default 0) */
+  STRIBECK_THRELFALL_EXTERNAL_FORCE = 2,
+  /** tunable [1]: Kinetic coefficient of friction. (>= 0, default 0.1) */
+  STRIBECK_THRELFALL_MU_K = 3,
+  /** fixed [stribeck_threlfall_variant]: Variant of the law. (default Printed) */
+  STRIBECK_THRELFALL_VARIANT = 4,
+  /** tunable [m/s]: Velocity at which the regularised band around rest ends (default chosen). (> 0, default 0.001) */
+  STRIBECK_THRELFALL_TRANSITION_VELOCITY = 5,
+  /** tunable [kg]: Effective mass of the host, to hold it in co-simulation; 0 = the printed law. (>= 0, default 0) */
+  STRIBECK_THRELFALL_MASS = 6,
+  /** fixed [stribeck_exchange]: Order in which the master exchanges values; used with mass > 0. (default Sequential) */
+  STRIBECK_THRELFALL_EXCHANGE = 7,
+  /** state [s]: Length of the last step; 0 before the first one. (>= 0, default 0) */
+  STRIBECK_THRELFALL_STEP_SIZE = 8,
+  /** state [s]: Step for which a parallel exchange plans: the longest of late. (>= 0, default 0) */
+  STRIBECK_THRELFALL_PLANNING_STEP = 9,
+  /** state [N]: Force planned for the coming step of a parallel exchange. (default 0) */
+  STRIBECK_THRELFALL_PLANNED_FORCE = 10,
+  /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
+  STRIBECK_THRELFALL_DISSIPATED_ENERGY = 11,
+  /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
+  STRIBECK_THRELFALL_FRICTION_FORCE = 12,
+  /** out [W]: Power taken out of the motion: friction force times velocity. */
+  STRIBECK_THRELFALL_DISSIPATED_POWER = 13,
+  /** out [Boolean]: Is the contact sticking? */
+  STRIBECK_THRELFALL_STICKING = 14,
+} stribeck_threlfall_variable;
+
+/** Guid of ThrelfallModified for fmi2Instantiate. */
+#define STRIBECK_THRELFALL_MODIFIED_GUID "{bc48fd0a-095a-fec8-8fd9-f6253474f144}"
+
+/** ThrelfallModified: Coulomb friction with an exponential transition that ends at the Coulomb level (modified Threlfall). Columns of "ThrelfallModified". */
+typedef enum stribeck_threlfall_modified_variable {
+  /** in [m/s]: Sliding velocity of body 1 relative to body 2. (default 0) */
+  STRIBECK_THRELFALL_MODIFIED_VELOCITY = 0,
+  /** in [N]: Normal force that presses the surfaces together. (>= 0, default 9.81) */
+  STRIBECK_THRELFALL_MODIFIED_NORMAL_FORCE = 1,
+  /** in [N]: Resultant of all other tangential forces on body 1. (default 0) */
+  STRIBECK_THRELFALL_MODIFIED_EXTERNAL_FORCE = 2,
+  /** tunable [1]: Kinetic coefficient of friction. (>= 0, default 0.1) */
+  STRIBECK_THRELFALL_MODIFIED_MU_K = 3,
+  /** tunable [m/s]: Velocity at which the regularised band around rest ends (default chosen). (> 0, default 0.001) */
+  STRIBECK_THRELFALL_MODIFIED_TRANSITION_VELOCITY = 4,
+  /** tunable [kg]: Effective mass of the host, to hold it in co-simulation; 0 = the printed law. (>= 0, default 0) */
+  STRIBECK_THRELFALL_MODIFIED_MASS = 5,
+  /** fixed [stribeck_exchange]: Order in which the master exchanges values; used with mass > 0. (default Sequential) */
+  STRIBECK_THRELFALL_MODIFIED_EXCHANGE = 6,
+  /** state [s]: Length of the last step; 0 before the first one. (>= 0, default 0) */
+  STRIBECK_THRELFALL_MODIFIED_STEP_SIZE = 7,
+  /** state [s]: Step for which a parallel exchange plans: the longest of late. (>= 0, default 0) */
+  STRIBECK_THRELFALL_MODIFIED_PLANNING_STEP = 8,
+  /** state [N]: Force planned for the coming step of a parallel exchange. (default 0) */
+  STRIBECK_THRELFALL_MODIFIED_PLANNED_FORCE = 9,
+  /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
+  STRIBECK_THRELFALL_MODIFIED_DISSIPATED_ENERGY = 10,
+  /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
+  STRIBECK_THRELFALL_MODIFIED_FRICTION_FORCE = 11,
+  /** out [W]: Power taken out of the motion: friction force times velocity. */
+  STRIBECK_THRELFALL_MODIFIED_DISSIPATED_POWER = 12,
+  /** out [Boolean]: Is the contact sticking? */
+  STRIBECK_THRELFALL_MODIFIED_STICKING = 13,
+} stribeck_threlfall_modified_variable;
+
+/** Guid of RooneyDeravi for fmi2Instantiate. */
+#define STRIBECK_ROONEY_DERAVI_GUID "{d130bdbf-ecdb-fe65-5b24-31939bab10cd}"
+
+/** RooneyDeravi: Coulomb friction with a transition band (Rooney and Deravi). Columns of "RooneyDeravi". */
+typedef enum stribeck_rooney_deravi_variable {
+  /** in [m/s]: Sliding velocity of body 1 relative to body 2. (default 0) */
+  STRIBECK_ROONEY_DERAVI_VELOCITY = 0,
+  /** in [N]: Normal force that presses the surfaces together. (>= 0, default 9.81) */
+  STRIBECK_ROONEY_DERAVI_NORMAL_FORCE = 1,
+  /** in [N]: Resultant of all other tangential forces on body 1. (default 0) */
+  STRIBECK_ROONEY_DERAVI_EXTERNAL_FORCE = 2,
+  /** tunable [1]: Kinetic coefficient of friction. (>= 0, default 0.1) */
+  STRIBECK_ROONEY_DERAVI_MU_K = 3,
+  /** fixed [stribeck_rooney_deravi_variant]: Variant of the law. (default Linear) */
+  STRIBECK_ROONEY_DERAVI_VARIANT = 4,
+  /** tunable [m/s]: Velocity at which the regularised band around rest ends (default chosen). (> 0, default 0.001) */
+  STRIBECK_ROONEY_DERAVI_TRANSITION_VELOCITY = 5,
+  /** tunable [kg]: Effective mass of the host, to hold it in co-simulation; 0 = the printed law. (>= 0, default 0) */
+  STRIBECK_ROONEY_DERAVI_MASS = 6,
+  /** fixed [stribeck_exchange]: Order in which the master exchanges values; used with mass > 0. (default Sequential) */
+  STRIBECK_ROONEY_DERAVI_EXCHANGE = 7,
+  /** state [s]: Length of the last step; 0 before the first one. (>= 0, default 0) */
+  STRIBECK_ROONEY_DERAVI_STEP_SIZE = 8,
+  /** state [s]: Step for which a parallel exchange plans: the longest of late. (>= 0, default 0) */
+  STRIBECK_ROONEY_DERAVI_PLANNING_STEP = 9,
+  /** state [N]: Force planned for the coming step of a parallel exchange. (default 0) */
+  STRIBECK_ROONEY_DERAVI_PLANNED_FORCE = 10,
+  /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
+  STRIBECK_ROONEY_DERAVI_DISSIPATED_ENERGY = 11,
+  /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
+  STRIBECK_ROONEY_DERAVI_FRICTION_FORCE = 12,
+  /** out [W]: Power taken out of the motion: friction force times velocity. */
+  STRIBECK_ROONEY_DERAVI_DISSIPATED_POWER = 13,
+  /** out [Boolean]: Is the contact sticking? */
+  STRIBECK_ROONEY_DERAVI_STICKING = 14,
+} stribeck_rooney_deravi_variable;
+
+/** Guid of Ambrosio for fmi2Instantiate. */
+#define STRIBECK_AMBROSIO_GUID "{ea6382c0-f9b7-d35c-23c9-7bcf5fec9d5b}"
+
+/** Ambrosio: Coulomb friction that is ramped in with speed (Ambrosio). Columns of "Ambrosio". */
+typedef enum stribeck_ambrosio_variable {
+  /** in [m/s]: Sliding velocity of body 1 relative to body 2. (default 0) */
+  STRIBECK_AMBROSIO_VELOCITY = 0,
+  /** in [N]: Normal force that presses the surfaces together. (>= 0, default 9.81) */
+  STRIBECK_AMBROSIO_NORMAL_FORCE = 1,
+  /** in [N]: Resultant of all other tangential forces on body 1. (default 0) */
+  STRIBECK_AMBROSIO_EXTERNAL_FORCE = 2,
+  /** tunable [1]: Kinetic coefficient of friction. (>= 0, default 0.1) */
+  STRIBECK_AMBROSIO_MU_K = 3,
+  /** tunable [m/s]: Velocity at which the regularised band around rest ends (default chosen). (>= 0, default 0.0001) */
+  STRIBECK_AMBROSIO_TRANSITION_VELOCITY = 4,
+  /** tunable [m/s]: Velocity at which the kinetic level is reached. (> 0, default 0.001) */
+  STRIBECK_AMBROSIO_SLIDING_VELOCITY = 5,
+  /** tunable [kg]: Effective mass of the host, to hold it in co-simulation; 0 = the printed law. (>= 0, default 0) */
+  STRIBECK_AMBROSIO_MASS = 6,
+  /** fixed [stribeck_exchange]: Order in which the master exchanges values; used with mass > 0. (default Sequential) */
+  STRIBECK_AMBROSIO_EXCHANGE = 7,
+  /** state [s]: Length of the last step; 0 before the first one. (>= 0, default 0) */
+  STRIBECK_AMBROSIO_STEP_SIZE = 8,
+  /** state [s]: Step for which a parallel exchange plans: the longest of late. (>= 0, default 0) */
+  STRIBECK_AMBROSIO_PLANNING_STEP = 9,
+  /** state [N]: Force planned for the coming step of a parallel exchange. (default 0) */
+  STRIBECK_AMBROSIO_PLANNED_FORCE = 10,
+  /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
+  STRIBECK_AMBROSIO_DISSIPATED_ENERGY = 11,
+  /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
+  STRIBECK_AMBROSIO_FRICTION_FORCE = 12,
+  /** out [W]: Power taken out of the motion: friction force times velocity. */
+  STRIBECK_AMBROSIO_DISSIPATED_POWER = 13,
+  /** out [Boolean]: Is the contact sticking? */
+  STRIBECK_AMBROSIO_STICKING = 14,
+} stribeck_ambrosio_variable;
+
 /** Guid of Karnopp for fmi2Instantiate. */
-#define STRIBECK_KARNOPP_GUID "{6886e774-1727-1fc5-3fe0-11e98ba632ce}"
+#define STRIBECK_KARNOPP_GUID "{2f1fe997-97dc-55b3-622e-a2fcd4aa8305}"
 
 /** Karnopp: Coulomb friction with a band of stiction (Karnopp). Columns of "Karnopp". */
 typedef enum stribeck_karnopp_variable {
@@ -536,28 +897,277 @@ typedef enum stribeck_karnopp_variable {
   STRIBECK_KARNOPP_MU_S = 4,
   /** tunable [m/s]: Velocity at which the regularised band around rest ends (default chosen). (> 0, default 0.001) */
   STRIBECK_KARNOPP_TRANSITION_VELOCITY = 5,
-  /** tunable [kg]: Effective mass of the host, to hold it in co-simulation; 0 = the printed law. (>= 0, default 0) */
-  STRIBECK_KARNOPP_MASS = 6,
-  /** fixed [stribeck_exchange]: Order in which the master exchanges values; used with mass > 0. (default Sequential) */
-  STRIBECK_KARNOPP_EXCHANGE = 7,
   /** state [Boolean]: Is the contact stuck since the last step? Used with mass > 0. (default false) */
-  STRIBECK_KARNOPP_STUCK = 8,
+  STRIBECK_KARNOPP_STUCK = 6,
+  /** tunable [kg]: Effective mass of the host, to hold it in co-simulation; 0 = the printed law. (>= 0, default 0) */
+  STRIBECK_KARNOPP_MASS = 7,
+  /** fixed [stribeck_exchange]: Order in which the master exchanges values; used with mass > 0. (default Sequential) */
+  STRIBECK_KARNOPP_EXCHANGE = 8,
   /** state [s]: Length of the last step; 0 before the first one. (>= 0, default 0) */
   STRIBECK_KARNOPP_STEP_SIZE = 9,
+  /** state [s]: Step for which a parallel exchange plans: the longest of late. (>= 0, default 0) */
+  STRIBECK_KARNOPP_PLANNING_STEP = 10,
   /** state [N]: Force planned for the coming step of a parallel exchange. (default 0) */
-  STRIBECK_KARNOPP_PLANNED_FORCE = 10,
+  STRIBECK_KARNOPP_PLANNED_FORCE = 11,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
-  STRIBECK_KARNOPP_DISSIPATED_ENERGY = 11,
+  STRIBECK_KARNOPP_DISSIPATED_ENERGY = 12,
   /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
-  STRIBECK_KARNOPP_FRICTION_FORCE = 12,
+  STRIBECK_KARNOPP_FRICTION_FORCE = 13,
   /** out [W]: Power taken out of the motion: friction force times velocity. */
-  STRIBECK_KARNOPP_DISSIPATED_POWER = 13,
+  STRIBECK_KARNOPP_DISSIPATED_POWER = 14,
   /** out [Boolean]: Is the contact sticking? */
-  STRIBECK_KARNOPP_STICKING = 14,
+  STRIBECK_KARNOPP_STICKING = 15,
 } stribeck_karnopp_variable;
 
+/** Guid of BengisuAkay for fmi2Instantiate. */
+#define STRIBECK_BENGISU_AKAY_GUID "{d7aa77df-1388-e69d-5847-13a09ce7693b}"
+
+/** BengisuAkay: Continuous friction law with a stiction peak (Bengisu and Akay). Columns of "BengisuAkay". */
+typedef enum stribeck_bengisu_akay_variable {
+  /** in [m/s]: Sliding velocity of body 1 relative to body 2. (default 0) */
+  STRIBECK_BENGISU_AKAY_VELOCITY = 0,
+  /** in [N]: Normal force that presses the surfaces together. (>= 0, default 9.81) */
+  STRIBECK_BENGISU_AKAY_NORMAL_FORCE = 1,
+  /** in [N]: Resultant of all other tangential forces on body 1. (default 0) */
+  STRIBECK_BENGISU_AKAY_EXTERNAL_FORCE = 2,
+  /** tunable [1]: Kinetic coefficient of friction. (>= 0, default 0.1) */
+  STRIBECK_BENGISU_AKAY_MU_K = 3,
+  /** tunable [1]: Static coefficient of friction; not less than mu_k. (>= 0, default 0.15) */
+  STRIBECK_BENGISU_AKAY_MU_S = 4,
+  /** fixed [stribeck_bengisu_akay_variant]: Variant of the law. (default Thesis) */
+  STRIBECK_BENGISU_AKAY_VARIANT = 5,
+  /** tunable [s/m]: Slope of the force at rest, relative to the level there. (> 0, default 5000) */
+  STRIBECK_BENGISU_AKAY_TRANSITION_SLOPE = 6,
+  /** tunable [s/m]: Rate at which the excess of static over kinetic friction decays with speed (default chosen).
+   *  (> 0, default 500) */
+  STRIBECK_BENGISU_AKAY_STICTION_DECAY = 7,
+  /** tunable [m/s]: Velocity at which the regularised band around rest ends (default chosen). (> 0, default 0.001) */
+  STRIBECK_BENGISU_AKAY_TRANSITION_VELOCITY = 8,
+  /** tunable [kg]: Effective mass of the host, to hold it in co-simulation; 0 = the printed law. (>= 0, default 0) */
+  STRIBECK_BENGISU_AKAY_MASS = 9,
+  /** fixed [stribeck_exchange]: Order in which the master exchanges values; used with mass > 0. (default Sequential) */
+  STRIBECK_BENGISU_AKAY_EXCHANGE = 10,
+  /** state [s]: Length of the last step; 0 before the first one. (>= 0, default 0) */
+  STRIBECK_BENGISU_AKAY_STEP_SIZE = 11,
+  /** state [s]: Step for which a parallel exchange plans: the longest of late. (>= 0, default 0) */
+  STRIBECK_BENGISU_AKAY_PLANNING_STEP = 12,
+  /** state [N]: Force planned for the coming step of a parallel exchange. (default 0) */
+  STRIBECK_BENGISU_AKAY_PLANNED_FORCE = 13,
+  /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
+  STRIBECK_BENGISU_AKAY_DISSIPATED_ENERGY = 14,
+  /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
+  STRIBECK_BENGISU_AKAY_FRICTION_FORCE = 15,
+  /** out [W]: Power taken out of the motion: friction force times velocity. */
+  STRIBECK_BENGISU_AKAY_DISSIPATED_POWER = 16,
+  /** out [Boolean]: Is the contact sticking? */
+  STRIBECK_BENGISU_AKAY_STICKING = 17,
+} stribeck_bengisu_akay_variable;
+
+/** Guid of Hollars for fmi2Instantiate. */
+#define STRIBECK_HOLLARS_GUID "{34085c03-d34b-800f-4ebc-4a1693512507}"
+
+/** Hollars: Continuous friction law with a stiction peak, without exponentials (Hollars). Columns of "Hollars". */
+typedef enum stribeck_hollars_variable {
+  /** in [m/s]: Sliding velocity of body 1 relative to body 2. (default 0) */
+  STRIBECK_HOLLARS_VELOCITY = 0,
+  /** in [N]: Normal force that presses the surfaces together. (>= 0, default 9.81) */
+  STRIBECK_HOLLARS_NORMAL_FORCE = 1,
+  /** in [N]: Resultant of all other tangential forces on body 1. (default 0) */
+  STRIBECK_HOLLARS_EXTERNAL_FORCE = 2,
+  /** tunable [1]: Kinetic coefficient of friction. (>= 0, default 0.1) */
+  STRIBECK_HOLLARS_MU_K = 3,
+  /** tunable [1]: Static coefficient of friction; not less than mu_k. (>= 0, default 0.15) */
+  STRIBECK_HOLLARS_MU_S = 4,
+  /** tunable [m/s]: Velocity at which the regularised band around rest ends (default chosen). (> 0, default 0.001) */
+  STRIBECK_HOLLARS_TRANSITION_VELOCITY = 5,
+  /** tunable [s/m]: Viscous coefficient of friction, per normal force. (>= 0, default 0) */
+  STRIBECK_HOLLARS_MU_V = 6,
+  /** tunable [kg]: Effective mass of the host, to hold it in co-simulation; 0 = the printed law. (>= 0, default 0) */
+  STRIBECK_HOLLARS_MASS = 7,
+  /** fixed [stribeck_exchange]: Order in which the master exchanges values; used with mass > 0. (default Sequential) */
+  STRIBECK_HOLLARS_EXCHANGE = 8,
+  /** state [s]: Length of the last step; 0 before the first one. (>= 0, default 0) */
+  STRIBECK_HOLLARS_STEP_SIZE = 9,
+  /** state [s]: Step for which a parallel exchange plans: the longest of late. (>= 0, default 0) */
+  STRIBECK_HOLLARS_PLANNING_STEP = 10,
+  /** state [N]: Force planned for the coming step of a parallel exchange. (default 0) */
+  STRIBECK_HOLLARS_PLANNED_FORCE = 11,
+  /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
+  STRIBECK_HOLLARS_DISSIPATED_ENERGY = 12,
+  /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
+  STRIBECK_HOLLARS_FRICTION_FORCE = 13,
+  /** out [W]: Power taken out of the motion: friction force times velocity. */
+  STRIBECK_HOLLARS_DISSIPATED_POWER = 14,
+  /** out [Boolean]: Is the contact sticking? */
+  STRIBECK_HOLLARS_STICKING = 15,
+} stribeck_hollars_variable;
+
+/** Guid of Andersson for fmi2Instantiate. */
+#define STRIBECK_ANDERSSON_GUID "{53cd66be-60fa-383f-4ea8-74431bfb10c9}"
+
+/** Andersson: Smooth friction law with the Stribeck curve (Andersson). Columns of "Andersson". */
+typedef enum stribeck_andersson_variable {
+  /** in [m/s]: Sliding velocity of body 1 relative to body 2. (default 0) */
+  STRIBECK_ANDERSSON_VELOCITY = 0,
+  /** in [N]: Normal force that presses the surfaces together. (>= 0, default 9.81) */
+  STRIBECK_ANDERSSON_NORMAL_FORCE = 1,
+  /** in [N]: Resultant of all other tangential forces on body 1. (default 0) */
+  STRIBECK_ANDERSSON_EXTERNAL_FORCE = 2,
+  /** tunable [1]: Kinetic coefficient of friction. (>= 0, default 0.1) */
+  STRIBECK_ANDERSSON_MU_K = 3,
+  /** tunable [1]: Static coefficient of friction; not less than mu_k. (>= 0, default 0.15) */
+  STRIBECK_ANDERSSON_MU_S = 4,
+  /** tunable [m/s]: Speed at which the excess of static over kinetic friction has fallen to 1/e.
+   *  (> 0, default 0.001) */
+  STRIBECK_ANDERSSON_STRIBECK_VELOCITY = 5,
+  /** tunable [1]: Exponent of the falling level. (> 0, default 2) */
+  STRIBECK_ANDERSSON_STRIBECK_EXPONENT = 6,
+  /** tunable [s/m]: Slope of the force at rest, relative to the level there. (> 0, default 10000) */
+  STRIBECK_ANDERSSON_TRANSITION_SLOPE = 7,
+  /** tunable [N.s/m]: Viscous friction coefficient. (>= 0, default 0) */
+  STRIBECK_ANDERSSON_VISCOUS_COEFFICIENT = 8,
+  /** tunable [kg]: Effective mass of the host, to hold it in co-simulation; 0 = the printed law. (>= 0, default 0) */
+  STRIBECK_ANDERSSON_MASS = 9,
+  /** fixed [stribeck_exchange]: Order in which the master exchanges values; used with mass > 0. (default Sequential) */
+  STRIBECK_ANDERSSON_EXCHANGE = 10,
+  /** state [s]: Length of the last step; 0 before the first one. (>= 0, default 0) */
+  STRIBECK_ANDERSSON_STEP_SIZE = 11,
+  /** state [s]: Step for which a parallel exchange plans: the longest of late. (>= 0, default 0) */
+  STRIBECK_ANDERSSON_PLANNING_STEP = 12,
+  /** state [N]: Force planned for the coming step of a parallel exchange. (default 0) */
+  STRIBECK_ANDERSSON_PLANNED_FORCE = 13,
+  /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
+  STRIBECK_ANDERSSON_DISSIPATED_ENERGY = 14,
+  /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
+  STRIBECK_ANDERSSON_FRICTION_FORCE = 15,
+  /** out [W]: Power taken out of the motion: friction force times velocity. */
+  STRIBECK_ANDERSSON_DISSIPATED_POWER = 16,
+  /** out [Boolean]: Is the contact sticking? */
+  STRIBECK_ANDERSSON_STICKING = 17,
+} stribeck_andersson_variable;
+
+/** Guid of Awrejcewicz for fmi2Instantiate. */
+#define STRIBECK_AWREJCEWICZ_GUID "{638d93be-5fc0-b31e-c60e-9addd8be6a6d}"
+
+/** Awrejcewicz: Continuous friction law that holds a load at rest (Awrejcewicz, Grzelczyk and Pyryev). Columns of "Awrejcewicz". */
+typedef enum stribeck_awrejcewicz_variable {
+  /** in [m/s]: Sliding velocity of body 1 relative to body 2. (default 0) */
+  STRIBECK_AWREJCEWICZ_VELOCITY = 0,
+  /** in [N]: Normal force that presses the surfaces together. (>= 0, default 9.81) */
+  STRIBECK_AWREJCEWICZ_NORMAL_FORCE = 1,
+  /** in [N]: Resultant of all other tangential forces on body 1. (default 0) */
+  STRIBECK_AWREJCEWICZ_EXTERNAL_FORCE = 2,
+  /** tunable [1]: Kinetic coefficient of friction. (>= 0, default 0.1) */
+  STRIBECK_AWREJCEWICZ_MU_K = 3,
+  /** tunable [1]: Static coefficient of friction; not less than mu_k. (>= 0, default 0.15) */
+  STRIBECK_AWREJCEWICZ_MU_S = 4,
+  /** tunable [m/s]: Velocity at which the regularised band around rest ends (default chosen). (> 0, default 0.001) */
+  STRIBECK_AWREJCEWICZ_TRANSITION_VELOCITY = 5,
+  /** tunable [s/m]: Rate at which the excess of static over kinetic friction decays with speed (default chosen).
+   *  (> 0, default 1000) */
+  STRIBECK_AWREJCEWICZ_STICTION_DECAY = 6,
+  /** tunable [kg]: Effective mass of the host, to hold it in co-simulation; 0 = the printed law. (>= 0, default 0) */
+  STRIBECK_AWREJCEWICZ_MASS = 7,
+  /** fixed [stribeck_exchange]: Order in which the master exchanges values; used with mass > 0. (default Sequential) */
+  STRIBECK_AWREJCEWICZ_EXCHANGE = 8,
+  /** state [s]: Length of the last step; 0 before the first one. (>= 0, default 0) */
+  STRIBECK_AWREJCEWICZ_STEP_SIZE = 9,
+  /** state [s]: Step for which a parallel exchange plans: the longest of late. (>= 0, default 0) */
+  STRIBECK_AWREJCEWICZ_PLANNING_STEP = 10,
+  /** state [N]: Force planned for the coming step of a parallel exchange. (default 0) */
+  STRIBECK_AWREJCEWICZ_PLANNED_FORCE = 11,
+  /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
+  STRIBECK_AWREJCEWICZ_DISSIPATED_ENERGY = 12,
+  /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
+  STRIBECK_AWREJCEWICZ_FRICTION_FORCE = 13,
+  /** out [W]: Power taken out of the motion: friction force times velocity. */
+  STRIBECK_AWREJCEWICZ_DISSIPATED_POWER = 14,
+  /** out [Boolean]: Is the contact sticking? */
+  STRIBECK_AWREJCEWICZ_STICKING = 15,
+} stribeck_awrejcewicz_variable;
+
+/** Guid of Specker for fmi2Instantiate. */
+#define STRIBECK_SPECKER_GUID "{7b2aef4d-89dc-c500-8f4a-f18bc7ab8e4a}"
+
+/** Specker: Smooth friction law that passes through the static level (Specker). Columns of "Specker". */
+typedef enum stribeck_specker_variable {
+  /** in [m/s]: Sliding velocity of body 1 relative to body 2. (default 0) */
+  STRIBECK_SPECKER_VELOCITY = 0,
+  /** in [N]: Normal force that presses the surfaces together. (>= 0, default 9.81) */
+  STRIBECK_SPECKER_NORMAL_FORCE = 1,
+  /** in [N]: Resultant of all other tangential forces on body 1. (default 0) */
+  STRIBECK_SPECKER_EXTERNAL_FORCE = 2,
+  /** tunable [1]: Kinetic coefficient of friction. (>= 0, default 0.1) */
+  STRIBECK_SPECKER_MU_K = 3,
+  /** tunable [1]: Static coefficient of friction; not less than mu_k. (>= 0, default 0.15) */
+  STRIBECK_SPECKER_MU_S = 4,
+  /** tunable [m/s]: Velocity at which the regularised band around rest ends (default chosen). (> 0, default 0.00025) */
+  STRIBECK_SPECKER_TRANSITION_VELOCITY = 5,
+  /** tunable [m/s]: Velocity at which the static level is reached (default chosen). (> 0, default 0.0005) */
+  STRIBECK_SPECKER_PEAK_VELOCITY = 6,
+  /** tunable [N.s/m]: Viscous friction coefficient. (>= 0, default 0) */
+  STRIBECK_SPECKER_VISCOUS_COEFFICIENT = 7,
+  /** tunable [kg]: Effective mass of the host, to hold it in co-simulation; 0 = the printed law. (>= 0, default 0) */
+  STRIBECK_SPECKER_MASS = 8,
+  /** fixed [stribeck_exchange]: Order in which the master exchanges values; used with mass > 0. (default Sequential) */
+  STRIBECK_SPECKER_EXCHANGE = 9,
+  /** state [s]: Length of the last step; 0 before the first one. (>= 0, default 0) */
+  STRIBECK_SPECKER_STEP_SIZE = 10,
+  /** state [s]: Step for which a parallel exchange plans: the longest of late. (>= 0, default 0) */
+  STRIBECK_SPECKER_PLANNING_STEP = 11,
+  /** state [N]: Force planned for the coming step of a parallel exchange. (default 0) */
+  STRIBECK_SPECKER_PLANNED_FORCE = 12,
+  /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
+  STRIBECK_SPECKER_DISSIPATED_ENERGY = 13,
+  /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
+  STRIBECK_SPECKER_FRICTION_FORCE = 14,
+  /** out [W]: Power taken out of the motion: friction force times velocity. */
+  STRIBECK_SPECKER_DISSIPATED_POWER = 15,
+  /** out [Boolean]: Is the contact sticking? */
+  STRIBECK_SPECKER_STICKING = 16,
+} stribeck_specker_variable;
+
+/** Guid of LinearStiction for fmi2Instantiate. */
+#define STRIBECK_LINEAR_STICTION_GUID "{39f52cf4-bcf8-34f6-6491-c05bd855819c}"
+
+/** LinearStiction: Friction law with stiction made of three straight lines. Columns of "LinearStiction". */
+typedef enum stribeck_linear_stiction_variable {
+  /** in [m/s]: Sliding velocity of body 1 relative to body 2. (default 0) */
+  STRIBECK_LINEAR_STICTION_VELOCITY = 0,
+  /** in [N]: Normal force that presses the surfaces together. (>= 0, default 9.81) */
+  STRIBECK_LINEAR_STICTION_NORMAL_FORCE = 1,
+  /** in [N]: Resultant of all other tangential forces on body 1. (default 0) */
+  STRIBECK_LINEAR_STICTION_EXTERNAL_FORCE = 2,
+  /** tunable [1]: Kinetic coefficient of friction. (>= 0, default 0.1) */
+  STRIBECK_LINEAR_STICTION_MU_K = 3,
+  /** tunable [1]: Static coefficient of friction; not less than mu_k. (>= 0, default 0.15) */
+  STRIBECK_LINEAR_STICTION_MU_S = 4,
+  /** tunable [m/s]: Velocity at which the regularised band around rest ends (default chosen). (> 0, default 0.001) */
+  STRIBECK_LINEAR_STICTION_TRANSITION_VELOCITY = 5,
+  /** tunable [m/s]: Velocity at which the kinetic level is reached. (> 0, default 0.0015) */
+  STRIBECK_LINEAR_STICTION_SLIDING_VELOCITY = 6,
+  /** tunable [kg]: Effective mass of the host, to hold it in co-simulation; 0 = the printed law. (>= 0, default 0) */
+  STRIBECK_LINEAR_STICTION_MASS = 7,
+  /** fixed [stribeck_exchange]: Order in which the master exchanges values; used with mass > 0. (default Sequential) */
+  STRIBECK_LINEAR_STICTION_EXCHANGE = 8,
+  /** state [s]: Length of the last step; 0 before the first one. (>= 0, default 0) */
+  STRIBECK_LINEAR_STICTION_STEP_SIZE = 9,
+  /** state [s]: Step for which a parallel exchange plans: the longest of late. (>= 0, default 0) */
+  STRIBECK_LINEAR_STICTION_PLANNING_STEP = 10,
+  /** state [N]: Force planned for the coming step of a parallel exchange. (default 0) */
+  STRIBECK_LINEAR_STICTION_PLANNED_FORCE = 11,
+  /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
+  STRIBECK_LINEAR_STICTION_DISSIPATED_ENERGY = 12,
+  /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
+  STRIBECK_LINEAR_STICTION_FRICTION_FORCE = 13,
+  /** out [W]: Power taken out of the motion: friction force times velocity. */
+  STRIBECK_LINEAR_STICTION_DISSIPATED_POWER = 14,
+  /** out [Boolean]: Is the contact sticking? */
+  STRIBECK_LINEAR_STICTION_STICKING = 15,
+} stribeck_linear_stiction_variable;
+
 /** Guid of BrownMcPhee for fmi2Instantiate. */
-#define STRIBECK_BROWN_MCPHEE_GUID "{131b5338-0d04-2af5-b0d2-5cda54db0a05}"
+#define STRIBECK_BROWN_MCPHEE_GUID "{142339eb-6d29-ad57-1831-913e5dfdfb9b}"
 
 /** BrownMcPhee: Smooth friction law with a stiction peak (Brown and McPhee). Columns of "BrownMcPhee". */
 typedef enum stribeck_brown_mcphee_variable {
@@ -565,28 +1175,40 @@ typedef enum stribeck_brown_mcphee_variable {
   STRIBECK_BROWN_MCPHEE_VELOCITY = 0,
   /** in [N]: Normal force that presses the surfaces together. (>= 0, default 9.81) */
   STRIBECK_BROWN_MCPHEE_NORMAL_FORCE = 1,
+  /** in [N]: Resultant of all other tangential forces on body 1. (default 0) */
+  STRIBECK_BROWN_MCPHEE_EXTERNAL_FORCE = 2,
   /** tunable [1]: Kinetic coefficient of friction. (>= 0, default 0.1) */
-  STRIBECK_BROWN_MCPHEE_MU_K = 2,
+  STRIBECK_BROWN_MCPHEE_MU_K = 3,
   /** tunable [1]: Static coefficient of friction; not less than mu_k. (>= 0, default 0.15) */
-  STRIBECK_BROWN_MCPHEE_MU_S = 3,
+  STRIBECK_BROWN_MCPHEE_MU_S = 4,
   /** tunable [m/s]: Velocity at which the regularised band around rest ends (default chosen). (> 0, default 0.001) */
-  STRIBECK_BROWN_MCPHEE_TRANSITION_VELOCITY = 4,
+  STRIBECK_BROWN_MCPHEE_TRANSITION_VELOCITY = 5,
   /** tunable [N.s/m]: Viscous friction coefficient. (>= 0, default 0) */
-  STRIBECK_BROWN_MCPHEE_VISCOUS_COEFFICIENT = 5,
+  STRIBECK_BROWN_MCPHEE_VISCOUS_COEFFICIENT = 6,
   /** tunable [N]: Normal force at which the viscous part is fully active (default chosen). (> 0, default 1) */
-  STRIBECK_BROWN_MCPHEE_TRANSITION_NORMAL_FORCE = 6,
+  STRIBECK_BROWN_MCPHEE_TRANSITION_NORMAL_FORCE = 7,
+  /** tunable [kg]: Effective mass of the host, to hold it in co-simulation; 0 = the printed law. (>= 0, default 0) */
+  STRIBECK_BROWN_MCPHEE_MASS = 8,
+  /** fixed [stribeck_exchange]: Order in which the master exchanges values; used with mass > 0. (default Sequential) */
+  STRIBECK_BROWN_MCPHEE_EXCHANGE = 9,
+  /** state [s]: Length of the last step; 0 before the first one. (>= 0, default 0) */
+  STRIBECK_BROWN_MCPHEE_STEP_SIZE = 10,
+  /** state [s]: Step for which a parallel exchange plans: the longest of late. (>= 0, default 0) */
+  STRIBECK_BROWN_MCPHEE_PLANNING_STEP = 11,
+  /** state [N]: Force planned for the coming step of a parallel exchange. (default 0) */
+  STRIBECK_BROWN_MCPHEE_PLANNED_FORCE = 12,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
-  STRIBECK_BROWN_MCPHEE_DISSIPATED_ENERGY = 7,
+  STRIBECK_BROWN_MCPHEE_DISSIPATED_ENERGY = 13,
   /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
-  STRIBECK_BROWN_MCPHEE_FRICTION_FORCE = 8,
+  STRIBECK_BROWN_MCPHEE_FRICTION_FORCE = 14,
   /** out [W]: Power taken out of the motion: friction force times velocity. */
-  STRIBECK_BROWN_MCPHEE_DISSIPATED_POWER = 9,
+  STRIBECK_BROWN_MCPHEE_DISSIPATED_POWER = 15,
   /** out [Boolean]: Is the contact sticking? */
-  STRIBECK_BROWN_MCPHEE_STICKING = 10,
+  STRIBECK_BROWN_MCPHEE_STICKING = 16,
 } stribeck_brown_mcphee_variable;
 
 /** Guid of Dahl for fmi2Instantiate. */
-#define STRIBECK_DAHL_GUID "{726647ac-36e8-da69-ca74-7db2edc41a45}"
+#define STRIBECK_DAHL_GUID "{a3069d23-b82a-0e4a-5f2c-eb4ac2f5c460}"
 
 /** Dahl: Pre-sliding displacement with hysteresis (Dahl). Columns of "Dahl". */
 typedef enum stribeck_dahl_variable {
@@ -613,7 +1235,7 @@ typedef enum stribeck_dahl_variable {
 } stribeck_dahl_variable;
 
 /** Guid of LuGre for fmi2Instantiate. */
-#define STRIBECK_LUGRE_GUID "{2d67c578-f05b-b8b2-b3d5-920434cde30c}"
+#define STRIBECK_LUGRE_GUID "{27975fcc-6902-362c-2648-f1f7ce4d5af0}"
 
 /** LuGre: Bristle friction with Stribeck effect (LuGre). Columns of "LuGre". */
 typedef enum stribeck_lugre_variable {
@@ -621,7 +1243,7 @@ typedef enum stribeck_lugre_variable {
   STRIBECK_LUGRE_VELOCITY = 0,
   /** in [N]: Normal force that presses the surfaces together. (>= 0, default 9.81) */
   STRIBECK_LUGRE_NORMAL_FORCE = 1,
-  /** tunable [1]: Kinetic coefficient of friction. (>= 0, default 0.1) */
+  /** tunable [1]: Kinetic coefficient of friction. (> 0, default 0.1) */
   STRIBECK_LUGRE_MU_K = 2,
   /** tunable [1]: Static coefficient of friction; not less than mu_k. (>= 0, default 0.15) */
   STRIBECK_LUGRE_MU_S = 3,
@@ -650,8 +1272,931 @@ typedef enum stribeck_lugre_variable {
   STRIBECK_LUGRE_STICKING = 14,
 } stribeck_lugre_variable;
 
+/** Guid of FrictionalLag for fmi2Instantiate. */
+#define STRIBECK_FRICTIONAL_LAG_GUID "{fa15950a-96e8-9419-4d8d-294e152b8779}"
+
+/** FrictionalLag: Stribeck friction that lags behind the velocity (Hess and Soom). Columns of "FrictionalLag". */
+typedef enum stribeck_frictional_lag_variable {
+  /** in [m/s]: Sliding velocity of body 1 relative to body 2. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_VELOCITY = 0,
+  /** in [N]: Normal force that presses the surfaces together. (>= 0, default 9.81) */
+  STRIBECK_FRICTIONAL_LAG_NORMAL_FORCE = 1,
+  /** tunable [1]: Kinetic coefficient of friction. (>= 0, default 0.1) */
+  STRIBECK_FRICTIONAL_LAG_MU_K = 2,
+  /** tunable [1]: Static coefficient of friction; not less than mu_k. (>= 0, default 0.15) */
+  STRIBECK_FRICTIONAL_LAG_MU_S = 3,
+  /** tunable [m/s]: Speed at which the excess of static over kinetic friction has fallen to 1/e.
+   *  (> 0, default 0.001) */
+  STRIBECK_FRICTIONAL_LAG_STRIBECK_VELOCITY = 4,
+  /** tunable [1]: Exponent of the falling level. (> 0, default 2) */
+  STRIBECK_FRICTIONAL_LAG_STRIBECK_EXPONENT = 5,
+  /** tunable [N.s/m]: Viscous friction coefficient. (>= 0, default 0) */
+  STRIBECK_FRICTIONAL_LAG_VISCOUS_COEFFICIENT = 6,
+  /** fixed [s]: Time by which the level of friction lags behind the velocity (default chosen). (>= 0, default 0.005) */
+  STRIBECK_FRICTIONAL_LAG_TIME_LAG = 7,
+  /** fixed [stribeck_frictional_lag_variant]: Variant of the law. (default Delay) */
+  STRIBECK_FRICTIONAL_LAG_VARIANT = 8,
+  /** state [Boolean]: Has the contact a past? Without one the level follows the present velocity. (default false) */
+  STRIBECK_FRICTIONAL_LAG_HAS_PAST = 9,
+  /** state [m/s]: Velocity that the level of friction follows: that of a time lag ago, or a filtered one.
+   *  (default 0) */
+  STRIBECK_FRICTIONAL_LAG_LAGGED_VELOCITY = 10,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_1_DURATION = 11,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_1_BEGIN = 12,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_1_END = 13,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_2_DURATION = 14,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_2_BEGIN = 15,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_2_END = 16,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_3_DURATION = 17,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_3_BEGIN = 18,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_3_END = 19,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_4_DURATION = 20,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_4_BEGIN = 21,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_4_END = 22,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_5_DURATION = 23,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_5_BEGIN = 24,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_5_END = 25,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_6_DURATION = 26,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_6_BEGIN = 27,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_6_END = 28,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_7_DURATION = 29,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_7_BEGIN = 30,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_7_END = 31,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_8_DURATION = 32,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_8_BEGIN = 33,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_8_END = 34,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_9_DURATION = 35,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_9_BEGIN = 36,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_9_END = 37,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_10_DURATION = 38,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_10_BEGIN = 39,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_10_END = 40,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_11_DURATION = 41,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_11_BEGIN = 42,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_11_END = 43,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_12_DURATION = 44,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_12_BEGIN = 45,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_12_END = 46,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_13_DURATION = 47,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_13_BEGIN = 48,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_13_END = 49,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_14_DURATION = 50,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_14_BEGIN = 51,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_14_END = 52,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_15_DURATION = 53,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_15_BEGIN = 54,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_15_END = 55,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_16_DURATION = 56,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_16_BEGIN = 57,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_16_END = 58,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_17_DURATION = 59,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_17_BEGIN = 60,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_17_END = 61,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_18_DURATION = 62,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_18_BEGIN = 63,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_18_END = 64,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_19_DURATION = 65,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_19_BEGIN = 66,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_19_END = 67,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_20_DURATION = 68,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_20_BEGIN = 69,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_20_END = 70,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_21_DURATION = 71,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_21_BEGIN = 72,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_21_END = 73,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_22_DURATION = 74,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_22_BEGIN = 75,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_22_END = 76,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_23_DURATION = 77,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_23_BEGIN = 78,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_23_END = 79,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_24_DURATION = 80,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_24_BEGIN = 81,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_24_END = 82,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_25_DURATION = 83,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_25_BEGIN = 84,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_25_END = 85,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_26_DURATION = 86,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_26_BEGIN = 87,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_26_END = 88,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_27_DURATION = 89,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_27_BEGIN = 90,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_27_END = 91,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_28_DURATION = 92,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_28_BEGIN = 93,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_28_END = 94,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_29_DURATION = 95,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_29_BEGIN = 96,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_29_END = 97,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_30_DURATION = 98,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_30_BEGIN = 99,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_30_END = 100,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_31_DURATION = 101,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_31_BEGIN = 102,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_31_END = 103,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_32_DURATION = 104,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_32_BEGIN = 105,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_32_END = 106,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_33_DURATION = 107,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_33_BEGIN = 108,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_33_END = 109,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_34_DURATION = 110,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_34_BEGIN = 111,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_34_END = 112,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_35_DURATION = 113,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_35_BEGIN = 114,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_35_END = 115,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_36_DURATION = 116,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_36_BEGIN = 117,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_36_END = 118,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_37_DURATION = 119,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_37_BEGIN = 120,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_37_END = 121,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_38_DURATION = 122,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_38_BEGIN = 123,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_38_END = 124,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_39_DURATION = 125,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_39_BEGIN = 126,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_39_END = 127,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_40_DURATION = 128,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_40_BEGIN = 129,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_40_END = 130,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_41_DURATION = 131,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_41_BEGIN = 132,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_41_END = 133,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_42_DURATION = 134,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_42_BEGIN = 135,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_42_END = 136,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_43_DURATION = 137,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_43_BEGIN = 138,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_43_END = 139,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_44_DURATION = 140,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_44_BEGIN = 141,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_44_END = 142,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_45_DURATION = 143,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_45_BEGIN = 144,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_45_END = 145,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_46_DURATION = 146,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_46_BEGIN = 147,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_46_END = 148,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_47_DURATION = 149,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_47_BEGIN = 150,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_47_END = 151,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_48_DURATION = 152,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_48_BEGIN = 153,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_48_END = 154,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_49_DURATION = 155,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_49_BEGIN = 156,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_49_END = 157,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_50_DURATION = 158,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_50_BEGIN = 159,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_50_END = 160,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_51_DURATION = 161,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_51_BEGIN = 162,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_51_END = 163,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_52_DURATION = 164,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_52_BEGIN = 165,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_52_END = 166,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_53_DURATION = 167,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_53_BEGIN = 168,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_53_END = 169,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_54_DURATION = 170,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_54_BEGIN = 171,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_54_END = 172,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_55_DURATION = 173,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_55_BEGIN = 174,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_55_END = 175,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_56_DURATION = 176,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_56_BEGIN = 177,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_56_END = 178,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_57_DURATION = 179,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_57_BEGIN = 180,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_57_END = 181,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_58_DURATION = 182,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_58_BEGIN = 183,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_58_END = 184,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_59_DURATION = 185,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_59_BEGIN = 186,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_59_END = 187,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_60_DURATION = 188,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_60_BEGIN = 189,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_60_END = 190,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_61_DURATION = 191,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_61_BEGIN = 192,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_61_END = 193,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_62_DURATION = 194,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_62_BEGIN = 195,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_62_END = 196,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_63_DURATION = 197,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_63_BEGIN = 198,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_63_END = 199,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_64_DURATION = 200,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_64_BEGIN = 201,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_HISTORY_64_END = 202,
+  /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
+  STRIBECK_FRICTIONAL_LAG_DISSIPATED_ENERGY = 203,
+  /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
+  STRIBECK_FRICTIONAL_LAG_FRICTION_FORCE = 204,
+  /** out [W]: Power taken out of the motion: friction force times velocity. */
+  STRIBECK_FRICTIONAL_LAG_DISSIPATED_POWER = 205,
+  /** out [Boolean]: Is the contact sticking? */
+  STRIBECK_FRICTIONAL_LAG_STICKING = 206,
+} stribeck_frictional_lag_variable;
+
+/** Guid of Armstrong for fmi2Instantiate. */
+#define STRIBECK_ARMSTRONG_GUID "{23394dee-158d-3dcb-de9d-2589f2cf6c26}"
+
+/** Armstrong: Stick, slip, lag and rising static friction with seven parameters (Armstrong-Helouvry). Columns of "Armstrong". */
+typedef enum stribeck_armstrong_variable {
+  /** in [m/s]: Sliding velocity of body 1 relative to body 2. (default 0) */
+  STRIBECK_ARMSTRONG_VELOCITY = 0,
+  /** in [N]: Normal force that presses the surfaces together. (>= 0, default 9.81) */
+  STRIBECK_ARMSTRONG_NORMAL_FORCE = 1,
+  /** tunable [1]: Kinetic coefficient of friction. (>= 0, default 0.1) */
+  STRIBECK_ARMSTRONG_MU_K = 2,
+  /** tunable [1]: Static coefficient of friction; not less than mu_k. (>= 0, default 0.15) */
+  STRIBECK_ARMSTRONG_MU_S = 3,
+  /** tunable [N/m]: Stiffness of the bristles. (> 0, default 100000) */
+  STRIBECK_ARMSTRONG_SIGMA_0 = 4,
+  /** tunable [m/s]: Speed at which the excess of static over kinetic friction has fallen to 1/e.
+   *  (> 0, default 0.001) */
+  STRIBECK_ARMSTRONG_STRIBECK_VELOCITY = 5,
+  /** tunable [N.s/m]: Viscous friction coefficient. (>= 0, default 0) */
+  STRIBECK_ARMSTRONG_VISCOUS_COEFFICIENT = 6,
+  /** fixed [s]: Time by which the level of friction lags behind the velocity (default chosen). (>= 0, default 0.005) */
+  STRIBECK_ARMSTRONG_TIME_LAG = 7,
+  /** tunable [s]: Dwell time after which half of the rise of the static friction has come (default chosen).
+   *  (>= 0, default 2) */
+  STRIBECK_ARMSTRONG_GAMMA = 8,
+  /** state [Boolean]: Has the contact broken away? (default false) */
+  STRIBECK_ARMSTRONG_SLIPPING = 9,
+  /** state [m]: Mean elastic deflection of the bristles. (default 0) */
+  STRIBECK_ARMSTRONG_BRISTLE_DEFLECTION = 10,
+  /** state [s]: Time since the contact got stuck; 0 while it slips. (>= 0, default 0) */
+  STRIBECK_ARMSTRONG_DWELL_TIME = 11,
+  /** state [1]: Stribeck magnitude per normal force: stuck, that at the end of the last slip; slipping, that of the breakaway.
+   *  (>= 0, default 0) */
+  STRIBECK_ARMSTRONG_STRIBECK_COEFFICIENT = 12,
+  /** state [m/s]: Velocity that the level of friction follows: that of a time lag ago, or a filtered one.
+   *  (default 0) */
+  STRIBECK_ARMSTRONG_LAGGED_VELOCITY = 13,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_1_DURATION = 14,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_1_BEGIN = 15,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_1_END = 16,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_2_DURATION = 17,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_2_BEGIN = 18,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_2_END = 19,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_3_DURATION = 20,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_3_BEGIN = 21,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_3_END = 22,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_4_DURATION = 23,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_4_BEGIN = 24,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_4_END = 25,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_5_DURATION = 26,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_5_BEGIN = 27,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_5_END = 28,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_6_DURATION = 29,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_6_BEGIN = 30,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_6_END = 31,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_7_DURATION = 32,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_7_BEGIN = 33,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_7_END = 34,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_8_DURATION = 35,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_8_BEGIN = 36,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_8_END = 37,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_9_DURATION = 38,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_9_BEGIN = 39,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_9_END = 40,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_10_DURATION = 41,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_10_BEGIN = 42,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_10_END = 43,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_11_DURATION = 44,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_11_BEGIN = 45,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_11_END = 46,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_12_DURATION = 47,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_12_BEGIN = 48,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_12_END = 49,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_13_DURATION = 50,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_13_BEGIN = 51,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_13_END = 52,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_14_DURATION = 53,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_14_BEGIN = 54,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_14_END = 55,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_15_DURATION = 56,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_15_BEGIN = 57,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_15_END = 58,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_16_DURATION = 59,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_16_BEGIN = 60,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_16_END = 61,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_17_DURATION = 62,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_17_BEGIN = 63,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_17_END = 64,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_18_DURATION = 65,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_18_BEGIN = 66,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_18_END = 67,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_19_DURATION = 68,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_19_BEGIN = 69,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_19_END = 70,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_20_DURATION = 71,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_20_BEGIN = 72,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_20_END = 73,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_21_DURATION = 74,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_21_BEGIN = 75,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_21_END = 76,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_22_DURATION = 77,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_22_BEGIN = 78,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_22_END = 79,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_23_DURATION = 80,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_23_BEGIN = 81,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_23_END = 82,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_24_DURATION = 83,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_24_BEGIN = 84,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_24_END = 85,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_25_DURATION = 86,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_25_BEGIN = 87,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_25_END = 88,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_26_DURATION = 89,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_26_BEGIN = 90,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_26_END = 91,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_27_DURATION = 92,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_27_BEGIN = 93,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_27_END = 94,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_28_DURATION = 95,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_28_BEGIN = 96,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_28_END = 97,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_29_DURATION = 98,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_29_BEGIN = 99,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_29_END = 100,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_30_DURATION = 101,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_30_BEGIN = 102,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_30_END = 103,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_31_DURATION = 104,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_31_BEGIN = 105,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_31_END = 106,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_32_DURATION = 107,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_32_BEGIN = 108,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_32_END = 109,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_33_DURATION = 110,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_33_BEGIN = 111,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_33_END = 112,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_34_DURATION = 113,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_34_BEGIN = 114,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_34_END = 115,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_35_DURATION = 116,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_35_BEGIN = 117,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_35_END = 118,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_36_DURATION = 119,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_36_BEGIN = 120,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_36_END = 121,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_37_DURATION = 122,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_37_BEGIN = 123,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_37_END = 124,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_38_DURATION = 125,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_38_BEGIN = 126,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_38_END = 127,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_39_DURATION = 128,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_39_BEGIN = 129,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_39_END = 130,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_40_DURATION = 131,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_40_BEGIN = 132,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_40_END = 133,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_41_DURATION = 134,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_41_BEGIN = 135,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_41_END = 136,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_42_DURATION = 137,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_42_BEGIN = 138,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_42_END = 139,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_43_DURATION = 140,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_43_BEGIN = 141,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_43_END = 142,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_44_DURATION = 143,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_44_BEGIN = 144,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_44_END = 145,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_45_DURATION = 146,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_45_BEGIN = 147,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_45_END = 148,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_46_DURATION = 149,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_46_BEGIN = 150,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_46_END = 151,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_47_DURATION = 152,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_47_BEGIN = 153,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_47_END = 154,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_48_DURATION = 155,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_48_BEGIN = 156,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_48_END = 157,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_49_DURATION = 158,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_49_BEGIN = 159,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_49_END = 160,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_50_DURATION = 161,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_50_BEGIN = 162,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_50_END = 163,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_51_DURATION = 164,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_51_BEGIN = 165,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_51_END = 166,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_52_DURATION = 167,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_52_BEGIN = 168,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_52_END = 169,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_53_DURATION = 170,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_53_BEGIN = 171,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_53_END = 172,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_54_DURATION = 173,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_54_BEGIN = 174,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_54_END = 175,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_55_DURATION = 176,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_55_BEGIN = 177,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_55_END = 178,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_56_DURATION = 179,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_56_BEGIN = 180,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_56_END = 181,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_57_DURATION = 182,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_57_BEGIN = 183,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_57_END = 184,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_58_DURATION = 185,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_58_BEGIN = 186,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_58_END = 187,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_59_DURATION = 188,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_59_BEGIN = 189,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_59_END = 190,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_60_DURATION = 191,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_60_BEGIN = 192,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_60_END = 193,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_61_DURATION = 194,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_61_BEGIN = 195,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_61_END = 196,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_62_DURATION = 197,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_62_BEGIN = 198,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_62_END = 199,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_63_DURATION = 200,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_63_BEGIN = 201,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_63_END = 202,
+  /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_64_DURATION = 203,
+  /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_64_BEGIN = 204,
+  /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
+  STRIBECK_ARMSTRONG_HISTORY_64_END = 205,
+  /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
+  STRIBECK_ARMSTRONG_DISSIPATED_ENERGY = 206,
+  /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
+  STRIBECK_ARMSTRONG_FRICTION_FORCE = 207,
+  /** out [W]: Power taken out of the motion: friction force times velocity. */
+  STRIBECK_ARMSTRONG_DISSIPATED_POWER = 208,
+  /** out [Boolean]: Is the contact sticking? */
+  STRIBECK_ARMSTRONG_STICKING = 209,
+} stribeck_armstrong_variable;
+
+/** Guid of NonReversible for fmi2Instantiate. */
+#define STRIBECK_NON_REVERSIBLE_GUID "{04925d4d-be28-ecef-420a-714c9624990f}"
+
+/** NonReversible: Different friction while speeding up and slowing down (reconstructed). Columns of "NonReversible". */
+typedef enum stribeck_non_reversible_variable {
+  /** in [m/s]: Sliding velocity of body 1 relative to body 2. (default 0) */
+  STRIBECK_NON_REVERSIBLE_VELOCITY = 0,
+  /** in [N]: Normal force that presses the surfaces together. (>= 0, default 9.81) */
+  STRIBECK_NON_REVERSIBLE_NORMAL_FORCE = 1,
+  /** in [m/s2]: Acceleration of body 1 relative to body 2; used where the velocity has no slope. (default 0) */
+  STRIBECK_NON_REVERSIBLE_ACCELERATION = 2,
+  /** state [m/s2]: Slope of the velocity over the last step; 0 if it was held. (default 0) */
+  STRIBECK_NON_REVERSIBLE_VELOCITY_SLOPE = 3,
+  /** tunable [1]: Kinetic coefficient of friction. (>= 0, default 0.1) */
+  STRIBECK_NON_REVERSIBLE_MU_K = 4,
+  /** tunable [1]: Static coefficient of friction; not less than mu_k. (>= 0, default 0.15) */
+  STRIBECK_NON_REVERSIBLE_MU_S = 5,
+  /** tunable [1]: Coefficient of friction that a contact reaches when it comes to rest; not more than mu_s (default chosen).
+   *  (>= 0, default 0) */
+  STRIBECK_NON_REVERSIBLE_MU_STOP = 6,
+  /** tunable [s/m]: Steepness of the curve while speeding up (default chosen). (> 0, default 500) */
+  STRIBECK_NON_REVERSIBLE_ACCELERATION_DECAY = 7,
+  /** tunable [s/m]: Steepness of the curve while slowing down (default chosen). (> 0, default 500) */
+  STRIBECK_NON_REVERSIBLE_DECELERATION_DECAY = 8,
+  /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
+  STRIBECK_NON_REVERSIBLE_DISSIPATED_ENERGY = 9,
+  /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
+  STRIBECK_NON_REVERSIBLE_FRICTION_FORCE = 10,
+  /** out [W]: Power taken out of the motion: friction force times velocity. */
+  STRIBECK_NON_REVERSIBLE_DISSIPATED_POWER = 11,
+  /** out [Boolean]: Is the contact sticking? */
+  STRIBECK_NON_REVERSIBLE_STICKING = 12,
+} stribeck_non_reversible_variable;
+
+/** Guid of Wojewoda for fmi2Instantiate. */
+#define STRIBECK_WOJEWODA_GUID "{247eea3f-f4ab-7bdd-5a43-8c7afbc60e72}"
+
+/** Wojewoda: Hysteretic friction: stuck spring, two branches of sliding (reconstructed after Wojewoda). Columns of "Wojewoda". */
+typedef enum stribeck_wojewoda_variable {
+  /** in [m/s]: Sliding velocity of body 1 relative to body 2. (default 0) */
+  STRIBECK_WOJEWODA_VELOCITY = 0,
+  /** in [N]: Normal force that presses the surfaces together. (>= 0, default 9.81) */
+  STRIBECK_WOJEWODA_NORMAL_FORCE = 1,
+  /** in [m/s2]: Acceleration of body 1 relative to body 2; used where the velocity has no slope. (default 0) */
+  STRIBECK_WOJEWODA_ACCELERATION = 2,
+  /** state [m/s2]: Slope of the velocity over the last step; 0 if it was held. (default 0) */
+  STRIBECK_WOJEWODA_VELOCITY_SLOPE = 3,
+  /** tunable [1]: Kinetic coefficient of friction. (>= 0, default 0.1) */
+  STRIBECK_WOJEWODA_MU_K = 4,
+  /** tunable [1]: Static coefficient of friction; not less than mu_k. (>= 0, default 0.15) */
+  STRIBECK_WOJEWODA_MU_S = 5,
+  /** tunable [N/m]: Stiffness of the bristles. (> 0, default 100000) */
+  STRIBECK_WOJEWODA_SIGMA_0 = 6,
+  /** tunable [s/m]: Steepness of the curves for speeding up and slowing down (default chosen). (> 0, default 500) */
+  STRIBECK_WOJEWODA_BRANCH_DECAY = 7,
+  /** state [Boolean]: Has the contact broken away? (default false) */
+  STRIBECK_WOJEWODA_SLIPPING = 8,
+  /** state [m]: Mean elastic deflection of the bristles. (default 0) */
+  STRIBECK_WOJEWODA_BRISTLE_DEFLECTION = 9,
+  /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
+  STRIBECK_WOJEWODA_DISSIPATED_ENERGY = 10,
+  /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
+  STRIBECK_WOJEWODA_FRICTION_FORCE = 11,
+  /** out [W]: Power taken out of the motion: friction force times velocity. */
+  STRIBECK_WOJEWODA_DISSIPATED_POWER = 12,
+  /** out [Boolean]: Is the contact sticking? */
+  STRIBECK_WOJEWODA_STICKING = 13,
+} stribeck_wojewoda_variable;
+
 /** Guid of BeltRig for fmi2Instantiate. */
-#define STRIBECK_BELT_RIG_GUID "{3fdb7835-ec55-d861-bfa1-1465b7cdf0a3}"
+#define STRIBECK_BELT_RIG_GUID "{3dabeb13-1982-d2f0-f079-ea700753fb2e}"
 
 /** BeltRig: Block on a moving belt, held by a spring. Columns of "BeltRig". */
 typedef enum stribeck_belt_rig_variable {
