@@ -1,6 +1,7 @@
 """Every packed FMU through fmpy, as an importer uses it: alone, side by side, saved, differentiated, and misused."""
 
 import os
+import re
 import subprocess
 import sys
 from contextlib import ExitStack
@@ -57,7 +58,7 @@ def test_simulates_with_default_settings(model):
     assert all(numpy.isfinite(result[name]).all() for name in outputs)
 
 
-@pytest.mark.parametrize("velocity", [0.1, -0.1])
+@pytest.mark.parametrize("velocity", [1.0, -1.0])
 @pytest.mark.parametrize("model", FRICTION_MODELS)
 def test_steady_sliding_resists_with_the_kinetic_level(model, velocity):
     signals = numpy.array(
@@ -251,10 +252,11 @@ def test_output_derivative_of_dahl():
 
 @pytest.mark.parametrize("model", FRICTION_MODELS)
 def test_a_parameter_outside_its_bound_is_refused_with_name_value_and_limit(model, capfd):
-    with pytest.raises(CouplingError, match=f"{model}: fmi2SetReal: mu_k = NaN: must be >= 0 and finite"):
+    refusal = f"{model}: fmi2SetReal: mu_k = NaN: must be >=? 0 and finite"
+    with pytest.raises(CouplingError, match=refusal):
         with open_fmu(path_of(model), {"mu_k": "nan"}):
             pass
-    assert f"{model}: fmi2SetReal: mu_k = NaN: must be >= 0 and finite [logStatusDiscard]" in capfd.readouterr().err
+    assert re.search(refusal + r" \[logStatusDiscard\]", capfd.readouterr().err)
 
 
 @pytest.mark.parametrize("model", FRICTION_MODELS)
