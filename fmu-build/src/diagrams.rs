@@ -89,7 +89,9 @@ fn duration(seconds: f64) -> String {
 
 /// One curve, or two if the force depends on whether the speed grows.
 fn branches(steady: Steady, lines: &mut Vec<Line>) {
-    if curve::distance(&steady.growing, &steady.fading) < SAME {
+    let [low, high] = curve::limits([&steady.growing, &steady.fading], 1);
+    let same = f64::max(SAME, 6.0 * steady.noise / (high - low));
+    if curve::distance(&steady.growing, &steady.fading) < same {
         lines.push(line("held velocity", Style::First, steady.growing));
     } else {
         lines.push(line("held velocity, after lower speed", Style::First, steady.growing));
@@ -116,13 +118,14 @@ fn external(law: &Law, range: f64, steady: &Steady, lines: &mut Vec<Line>) -> Re
     Ok(())
 }
 
-/// The curve of an oscillating velocity and its period, if it differs from that of held velocities.
+/// The curve of an oscillating velocity and its period, for a law that has a memory.
 fn oscillation(law: &Law, range: f64, steady: &Steady) -> Result<Option<(Curve, f64)>> {
     let response = law.response_time(range)?;
-    if response == 0.0 {
-        return Ok(None);
-    }
-    let period = curve::round_up(15.0 * response);
+    let period = match response {
+        0.0 if law.has_acceleration() => 1.0,
+        0.0 => return Ok(None),
+        response => curve::round_up(15.0 * response),
+    };
     let oscillation = law.oscillation(range, period)?;
     let [held, moving] = [&steady.growing, &oscillation].map(|curve| curve::limits([curve], 1));
     // A law that answers too violently to be drawn together.

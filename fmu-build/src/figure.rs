@@ -350,7 +350,7 @@ mod tests {
 
     #[test]
     fn ticks_are_round_and_inside() {
-        for [low, high] in [[-3.0, 3.0], [0.0, 0.74], [-1.6e-5, 1.1e-5], [1e3, 9e4]] {
+        for [low, high] in [[-3.0, 3.0], [-0.004, 0.004], [-4.0, 4.0], [0.0, 0.74], [-1.6e-5, 1.1e-5], [1e3, 9e4]] {
             for scale in [Scale::new([low, high], [0.0, 300.0], 6.0), Scale::tight([low, high], [0.0, 300.0], 8.0)] {
                 let ticks: Vec<f64> = scale.ticks().collect();
                 assert!((3..=12).contains(&ticks.len()), "{ticks:?}");
