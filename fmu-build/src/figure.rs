@@ -213,7 +213,8 @@ fn labels(axes: &[Axis; 2]) -> String {
     let [right, up] = axes.each_ref().map(|axis| escape(&axis.label()));
     let (x, y) = (0.5 * (LEFT + WIDTH - RIGHT), HEIGHT - 8.0);
     format!(
-        "<text class=\"x name\" x=\"{x:.2}\" y=\"{y:.2}\">{right}</text>\n<text class=\"name\" x=\"8\" y=\"16\">{up}</text>\n"
+        "<text class=\"x name\" x=\"{x:.2}\" y=\"{y:.2}\">{right}</text>\n\
+         <text class=\"name\" x=\"8\" y=\"16\">{up}</text>\n"
     )
 }
 
