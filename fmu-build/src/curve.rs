@@ -41,6 +41,15 @@ pub struct Steady {
     pub growing: Curve,
     /// While it falls.
     pub fading: Curve,
+    /// How far a force may be off, because it fluctuates.
+    pub noise: f64,
+}
+
+/// The force that a held velocity leads to.
+struct Settled {
+    force: f64,
+    /// Standard error, if the force goes on fluctuating and this is its mean.
+    noise: f64,
 }
 
 impl Law {
@@ -76,21 +85,24 @@ impl Law {
         Some((column, self.run(0.0).instance.row()[column]))
     }
 
+    /// Must it be told the acceleration, because speeding up differs from slowing down?
+    pub fn has_acceleration(&self) -> bool {
+        self.acceleration.is_some()
+    }
+
     /// Does a force from outside decide about the force at rest?
     pub fn has_external_force(&self) -> bool {
         self.external_force.is_some()
     }
 
-    /// The force after a long time at the velocity.
-    fn settled(&self, velocity: f64) -> Result<f64> {
-        self.run(0.0).settle(velocity)
-    }
-
     /// A velocity with a round number, up to which the curve shows what there is to see.
     pub fn velocity_range(&self) -> Result<f64> {
-        let points = (0..=60).map(|k| 1e-6 * 10f64.powf(f64::from(k) / 10.0));
-        let curve = points.map(|v| Ok([v, self.settled(v)?])).collect::<Result<Curve>>()?;
-        Ok(round_up(last_bend(&curve).map_or_else(|| velocity_without_bend(&curve), |bend| 1.5 * bend)))
+        let mut run = self.run(0.0);
+        let points = (0..=50).map(|k| 1e-5 * 10f64.powf(f64::from(k) / 10.0));
+        let settled = points.map(|v| Ok((v, run.settle(v)?))).collect::<Result<Vec<_>>>()?;
+        let noise = settled.iter().map(|(_, settled)| settled.noise).fold(0.0, f64::max);
+        let curve: Curve = settled.into_iter().map(|(v, settled)| [v, settled.force]).collect();
+        Ok(round_up(last_bend(&curve, noise).map_or_else(|| velocity_without_bend(&curve, noise), |bend| 1.5 * bend)))
     }
 
     /// The settled force over velocities from -`range` to `range`, which stand closer where they are small.
@@ -100,6 +112,7 @@ impl Law {
         Ok(Steady {
             growing: joined(&backwards.growing, &forwards.growing),
             fading: joined(&backwards.fading, &forwards.fading),
+            noise: backwards.noise.max(forwards.noise),
         })
     }
 
@@ -108,14 +121,17 @@ impl Law {
         let mut run = self.run(external_force);
         // At rest only a force from outside says what the friction force is.
         let first = i32::from(!self.has_external_force());
+        let mut noise = 0f64;
         let mut settled = |k: i32| {
             let velocity = range * (f64::from(k) / f64::from(POINTS)).powf(1.5);
-            Ok([velocity, run.settle(velocity)?])
+            let settled = run.settle(velocity)?;
+            noise = noise.max(settled.noise);
+            Ok([velocity, settled.force])
         };
         let growing = (first..=POINTS).map(&mut settled).collect::<Result<Curve>>()?;
         let mut fading = (first..=POINTS).rev().map(settled).collect::<Result<Curve>>()?;
         fading.reverse();
-        Ok(Steady { growing, fading })
+        Ok(Steady { growing, fading, noise })
     }
 
     /// The time that the force needs after the velocity has changed from -`velocity` / 4 to `velocity`; 0 for a law
@@ -259,12 +275,20 @@ impl Run<'_> {
     }
 
     /// The force that a held velocity leads to; the mean of a force that goes on fluctuating.
-    fn settle(&mut self, velocity: f64) -> Result<f64> {
+    fn settle(&mut self, velocity: f64) -> Result<Settled> {
         let history = self.history(velocity)?;
-        let rest = if is_settled(&history) { history.len() - 1 } else { history.len() / 2 };
-        let late = &history[rest..];
-        Ok(late.iter().map(|point| point[1]).sum::<f64>() / late.len() as f64)
+        match history.last() {
+            Some([_, force]) if is_settled(&history) => Ok(Settled { force: *force, noise: 0.0 }),
+            _ => Ok(mean(&history[history.len() / 2..])),
+        }
     }
+}
+
+fn mean(history: &[[f64; 2]]) -> Settled {
+    let count = history.len().max(1) as f64;
+    let force = history.iter().map(|point| point[1]).sum::<f64>() / count;
+    let variance = history.iter().map(|point| (point[1] - force).powi(2)).sum::<f64>() / count;
+    Settled { force, noise: (variance / count).sqrt() }
 }
 
 /// Four equal values, each after a step that is half as long again as the one before.
@@ -275,14 +299,14 @@ fn is_settled(history: &[[f64; 2]]) -> bool {
 
 /// Where the curve bends for the last time: up to there, nine tenths of the changes have happened of what its tangent
 /// cuts off from the force axis. A straight line, such as viscous friction, cuts off the same everywhere.
-fn last_bend(curve: &[[f64; 2]]) -> Option<f64> {
+fn last_bend(curve: &[[f64; 2]], noise: f64) -> Option<f64> {
     let intercepts: Curve = curve.windows(3).map(|three| [three[1][0], intercept(three)]).collect();
     let largest = intercepts.iter().map(|point| point[1].abs()).fold(0.0, f64::max);
     let mut anchor = intercepts.first()?[1];
     let mut changes = Vec::new();
     for [velocity, value] in &intercepts {
-        // What is smaller is noise, or not to be seen.
-        if (value - anchor).abs() > 0.05 * largest {
+        // What is smaller is noise, of which the slope makes more, or not to be seen.
+        if (value - anchor).abs() > f64::max(0.05 * largest, 15.0 * noise) {
             changes.push([*velocity, (value - anchor).abs()]);
             anchor = *value;
         }
@@ -306,13 +330,13 @@ fn intercept(three: &[[f64; 2]]) -> f64 {
 
 /// The velocity at which the viscous part is half as large as the rest, or the end of the curve if the force grows at
 /// all; for a law without any scale one that is usual.
-fn velocity_without_bend(curve: &[[f64; 2]]) -> f64 {
+fn velocity_without_bend(curve: &[[f64; 2]], noise: f64) -> f64 {
     const USUAL: f64 = 0.01;
     let (Some(first), Some(last)) = (curve.first(), curve.last()) else { return USUAL };
     let is_larger = |point: &&[f64; 2]| first[1] != 0.0 && point[1].abs() > 1.5 * first[1].abs();
     match curve.iter().find(is_larger) {
         Some(point) => point[0],
-        None if (last[1] - first[1]).abs() > 0.03 * first[1].abs() => last[0],
+        None if (last[1] - first[1]).abs() > f64::max(0.03 * first[1].abs(), 6.0 * noise) => last[0],
         None => USUAL,
     }
 }
@@ -505,11 +529,11 @@ mod tests {
                     .map(|v| [v, f(v / scale)])
                     .collect::<Curve>()
             };
-            let bend = last_bend(&points(f64::tanh)).unwrap();
+            let bend = last_bend(&points(f64::tanh), 0.0).unwrap();
             assert!((2.0..3.2).contains(&(bend / scale)), "{bend}");
-            assert_eq!(last_bend(&points(|u| 1.0 + 0.3 * u)), None);
+            assert_eq!(last_bend(&points(|u| 1.0 + 0.3 * u), 0.0), None);
             // Viscous friction beside it does not matter.
-            let viscous = last_bend(&points(|u| u.tanh() + 0.01 * u)).unwrap();
+            let viscous = last_bend(&points(|u| u.tanh() + 0.01 * u), 0.0).unwrap();
             assert!((2.0..3.2).contains(&(viscous / scale)), "{viscous}");
         }
     }
@@ -570,12 +594,31 @@ mod tests {
         assert!(upper.iter().filter(|[v, _]| *v > 0.0).all(|[_, force]| (force - 0.981).abs() < 1e-12));
     }
 
+    /// A force that fluctuates about a constant has no bend.
+    #[test]
+    fn noise_is_no_bend() {
+        let mut random = fastrand::Rng::with_seed(7);
+        let curve: Curve =
+            (0..=50).map(|k| [1e-5 * 10f64.powf(f64::from(k) / 10.0), 1.0 + 0.04 * (random.f64() - 0.5)]).collect();
+        let noise = 0.04 / 12f64.sqrt();
+        assert_eq!(last_bend(&curve, noise), None);
+        assert_eq!(velocity_without_bend(&curve, noise), 0.01);
+    }
+
+    #[test]
+    fn a_fluctuating_force_has_a_mean_with_its_error() {
+        let history: Curve = (0..100).map(|k| [f64::from(k), if k % 2 == 0 { 1.0 } else { 2.0 }]).collect();
+        let Settled { force, noise } = mean(&history);
+        assert!((force - 1.5).abs() < 1e-12 && (noise - 0.05).abs() < 1e-12);
+    }
+
     #[test]
     fn presets_change_the_curve() {
         static PRESET: Preset = Preset { name: "thesis", source: "", values: &[] };
         let model = by_name("LuGre").unwrap();
         let known = model.presets.iter().find(|preset| preset.name != PRESET.name).expect("another preset than thesis");
-        let [plain, preset] = [None, Some(known)].map(|preset| Law::new(model, preset).unwrap().settled(0.01).unwrap());
+        let [plain, preset] =
+            [None, Some(known)].map(|preset| Law::new(model, preset).unwrap().run(0.0).settle(0.01).unwrap().force);
         assert_ne!(plain, preset);
     }
 

@@ -84,12 +84,16 @@ fn conditions(law: &Law) -> String {
 }
 
 fn duration(seconds: f64) -> String {
-    if seconds < 1.0 { format!("{} ms", text::number(1e3 * seconds)) } else { format!("{} s", text::number(seconds)) }
+    // The period is round, its product need not be.
+    let milliseconds = (1e6 * seconds).round() / 1e3;
+    if seconds < 1.0 { format!("{} ms", text::number(milliseconds)) } else { format!("{} s", text::number(seconds)) }
 }
 
 /// One curve, or two if the force depends on whether the speed grows.
 fn branches(steady: Steady, lines: &mut Vec<Line>) {
-    if curve::distance(&steady.growing, &steady.fading) < SAME {
+    let [low, high] = curve::limits([&steady.growing, &steady.fading], 1);
+    let same = f64::max(SAME, 6.0 * steady.noise / (high - low));
+    if curve::distance(&steady.growing, &steady.fading) < same {
         lines.push(line("held velocity", Style::First, steady.growing));
     } else {
         lines.push(line("held velocity, after lower speed", Style::First, steady.growing));
@@ -116,13 +120,14 @@ fn external(law: &Law, range: f64, steady: &Steady, lines: &mut Vec<Line>) -> Re
     Ok(())
 }
 
-/// The curve of an oscillating velocity and its period, if it differs from that of held velocities.
+/// The curve of an oscillating velocity and its period, for a law that has a memory.
 fn oscillation(law: &Law, range: f64, steady: &Steady) -> Result<Option<(Curve, f64)>> {
     let response = law.response_time(range)?;
-    if response == 0.0 {
-        return Ok(None);
-    }
-    let period = curve::round_up(15.0 * response);
+    let period = match response {
+        0.0 if law.has_acceleration() => 1.0,
+        0.0 => return Ok(None),
+        response => curve::round_up(15.0 * response),
+    };
     let oscillation = law.oscillation(range, period)?;
     let [held, moving] = [&steady.growing, &oscillation].map(|curve| curve::limits([curve], 1));
     // A law that answers too violently to be drawn together.
@@ -159,4 +164,63 @@ fn of_host(model: &'static ModelType) -> Result<Vec<Figure>> {
 fn capitalised(text: &str) -> String {
     let (first, rest) = text.split_at(1);
     first.to_uppercase() + rest
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use stribeck::catalogue::{by_name, documented};
+
+    fn names(model: &str) -> Vec<String> {
+        let law = Law::new(by_name(model).unwrap(), None).unwrap();
+        over_velocity(&law).unwrap().0.lines.into_iter().map(|line| line.name).collect()
+    }
+
+    #[test]
+    fn lines_follow_from_the_behaviour() {
+        assert_eq!(names("BrownMcPhee"), ["held velocity"]);
+        assert_eq!(names("LuGre"), ["oscillating velocity", "held velocity"]);
+        assert_eq!(names("Karnopp"), ["as the external force decides", "sliding", "sliding"]);
+    }
+
+    #[test]
+    fn laws_with_bristles_have_a_second_diagram() {
+        let count = |model: &str| html(by_name(model).unwrap(), Family::Friction).unwrap().matches("<svg").count();
+        assert_eq!(["LuGre", "Dahl"].map(count), [2, 2]);
+        assert_eq!(["BrownMcPhee", "Karnopp", "CoulombStiction"].map(count), [1, 1, 1]);
+    }
+
+    /// The region of Karnopp's law is the band |v| <= v_0 between -f_s and f_s.
+    #[test]
+    fn region_is_what_the_external_force_can_cause() {
+        let law = Law::new(by_name("Karnopp").unwrap(), None).unwrap();
+        let (figure, range) = over_velocity(&law).unwrap();
+        let region = &figure.lines[0].points;
+        let ([left, right], [low, high]) = (curve::limits([region], 0), curve::limits([region], 1));
+        assert!((right - 1e-3).abs() < 0.01 * range && (left + 1e-3).abs() < 0.01 * range, "{left} {right}");
+        assert!((high - 1.4715).abs() < 1e-12 && (low + 1.4715).abs() < 1e-12, "{low} {high}");
+    }
+
+    /// Every model with every preset: what a curve is drawn from is finite and moves.
+    #[test]
+    fn all_models_with_all_presets_can_be_drawn() {
+        for (model, _) in documented(Family::Friction) {
+            for preset in model.presets.iter().map(Some).chain([None]) {
+                let (figure, range) = over_velocity(&Law::new(model, preset).unwrap()).unwrap();
+                assert!(range > 0.0 && range <= 1.5, "{}: {range}", model.name);
+                let points = || figure.lines.iter().flat_map(|line| &line.points);
+                assert!(points().flatten().all(|value| value.is_finite()), "{}", model.name);
+                let [low, high] = curve::limits(figure.lines.iter().map(|line| &line.points), 1);
+                assert!(high > low, "{}", model.name);
+            }
+        }
+        for (model, _) in documented(Family::Host) {
+            assert_eq!(of_host(model).unwrap().len(), 2, "{}", model.name);
+        }
+    }
+
+    #[test]
+    fn durations_are_readable() {
+        assert_eq!([duration(0.08), duration(0.0015), duration(3.0)], ["80 ms", "1.5 ms", "3 s"]);
+    }
 }

@@ -213,7 +213,8 @@ fn labels(axes: &[Axis; 2]) -> String {
     let [right, up] = axes.each_ref().map(|axis| escape(&axis.label()));
     let (x, y) = (0.5 * (LEFT + WIDTH - RIGHT), HEIGHT - 8.0);
     format!(
-        "<text class=\"x name\" x=\"{x:.2}\" y=\"{y:.2}\">{right}</text>\n<text class=\"name\" x=\"8\" y=\"16\">{up}</text>\n"
+        "<text class=\"x name\" x=\"{x:.2}\" y=\"{y:.2}\">{right}</text>\n\
+         <text class=\"name\" x=\"8\" y=\"16\">{up}</text>\n"
     )
 }
 
@@ -350,7 +351,7 @@ mod tests {
 
     #[test]
     fn ticks_are_round_and_inside() {
-        for [low, high] in [[-3.0, 3.0], [0.0, 0.74], [-1.6e-5, 1.1e-5], [1e3, 9e4]] {
+        for [low, high] in [[-3.0, 3.0], [-0.004, 0.004], [-4.0, 4.0], [0.0, 0.74], [-1.6e-5, 1.1e-5], [1e3, 9e4]] {
             for scale in [Scale::new([low, high], [0.0, 300.0], 6.0), Scale::tight([low, high], [0.0, 300.0], 8.0)] {
                 let ticks: Vec<f64> = scale.ticks().collect();
                 assert!((3..=12).contains(&ticks.len()), "{ticks:?}");

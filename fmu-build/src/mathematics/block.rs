@@ -187,9 +187,13 @@ impl Row {
             elements => format!("<math displaystyle=\"true\">{elements}</math>"),
         };
         let Row { left, right, condition, number } = self;
-        let cells = [("left", math(left)), ("right", math(right)), ("condition", math(condition))];
-        let cells = cells.map(|(class, inner)| format!("<td class=\"{class}\">{inner}</td>")).concat();
-        format!("<tr>{cells}<td class=\"number\">{number}</td></tr>\n")
+        let (left, right) = (math(left), math(right));
+        let right = match condition.as_str() {
+            // What has no condition has more room.
+            "" => format!("<td class=\"right\" colspan=\"2\">{right}</td>"),
+            condition => format!("<td class=\"right\">{right}</td><td class=\"condition\">{}</td>", math(condition)),
+        };
+        format!("<tr><td class=\"left\">{left}</td>{right}<td class=\"number\">{number}</td></tr>\n")
     }
 }
 
@@ -379,10 +383,12 @@ mod tests {
         let document = roxmltree::Document::parse(&html).unwrap();
         let rows = document.descendants().filter(|node| node.has_tag_name("tr"));
         rows.map(|row| {
-            let mut cells = row.children().map(|cell| {
+            let mut cells = row.children().flat_map(|cell| {
                 let text: String =
                     cell.descendants().filter_map(|node| node.text().filter(|_| node.is_text())).collect();
-                text.replace(['\u{2061}', '\n'], "").replace('\u{a0}', " ").trim().to_owned()
+                let text = text.replace(['\u{2061}', '\n'], "").replace('\u{a0}', " ").trim().to_owned();
+                let empty = cell.has_attribute("colspan").then(String::new);
+                [Some(text), empty].into_iter().flatten()
             });
             [(); 4].map(|()| cells.next().unwrap())
         })
