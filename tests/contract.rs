@@ -102,6 +102,8 @@ const ODD: &[&str] = &[
     "external_force",
     "bristle_deflection",
     "planned_force",
+    "y_1",
+    "y_2",
 ];
 #[rustfmt::skip]
 const EVEN: &[&str] = &[

@@ -10,6 +10,7 @@ crate::catalogue::family! {
     brown_mcphee::BrownMcPhee,
     dahl::Dahl,
     lugre::LuGre,
+    bliman_sorine::BlimanSorine,
 }
 
 mod time_stepping;
