@@ -11,6 +11,7 @@ crate::catalogue::family! {
     dahl::Dahl,
     lugre::LuGre,
     bliman_sorine::BlimanSorine,
+    reset_integrator::ResetIntegrator,
 }
 
 mod time_stepping;
