@@ -12,6 +12,7 @@ crate::catalogue::family! {
     lugre::LuGre,
     bliman_sorine::BlimanSorine,
     reset_integrator::ResetIntegrator,
+    dankowicz::Dankowicz,
 }
 
 mod time_stepping;
