@@ -105,7 +105,7 @@ crate::model! {
         velocity: input = real("m/s", 0.0).shown_in("mm/s"),
         /// Normal force that presses the surfaces together.
         normal_force: input = real("N", 9.81).at_least(0.0),
-        /// Which variant of the law.
+        /// Variant of the law.
         variant: fixed = BlimanSorineOrder::Second.start(),
         /// Kinetic coefficient of friction.
         mu_k: tunable = real("1", 0.1).at_least(0.0),

@@ -13,6 +13,7 @@ crate::catalogue::family! {
     bliman_sorine::BlimanSorine,
     reset_integrator::ResetIntegrator,
     dankowicz::Dankowicz,
+    elasto_plastic::ElastoPlastic,
 }
 
 mod time_stepping;
