@@ -14,6 +14,7 @@ crate::catalogue::family! {
     reset_integrator::ResetIntegrator,
     dankowicz::Dankowicz,
     elasto_plastic::ElastoPlastic,
+    bristle::Bristle,
 }
 
 mod time_stepping;
