@@ -91,7 +91,9 @@ fn for_all(check: impl Fn(&mut Bench, &str)) {
 /// Upper limit of the force in steady sliding: the static level and the viscous part.
 fn limit(bench: &mut Bench, velocity: f64) -> f64 {
     let value = |bench: &mut Bench, name: &str| if bench.has(name) { bench.get(name) } else { 0.0 };
-    let mu = f64::max(value(bench, "mu_s"), value(bench, "mu_k"));
+    // The maximum of a curve that is made to pass through f_s at a given velocity lies beyond, and up to 11 % higher.
+    let rise = if bench.has("peak_velocity") { 1.11 } else { 1.0 };
+    let mu = rise * f64::max(value(bench, "mu_s"), value(bench, "mu_k"));
     mu * bench.get("normal_force") + value(bench, "viscous_coefficient") * velocity.abs()
 }
 
@@ -105,6 +107,7 @@ const ODD: &[&str] = &[
     "y_1",
     "y_2",
     "bristle.strain",
+    "lagging_force",
 ];
 #[rustfmt::skip]
 const EVEN: &[&str] = &[

@@ -15,6 +15,7 @@ crate::catalogue::family! {
     dankowicz::Dankowicz,
     elasto_plastic::ElastoPlastic,
     bristle::Bristle,
+    specker_dynamic::SpeckerDynamic,
 }
 
 mod time_stepping;
