@@ -113,6 +113,10 @@ const ODD: &[&str] = &[
     "velocity_slope",
     "history.begin",
     "history.end",
+    "y_1",
+    "y_2",
+    "bristle.strain",
+    "lagging_force",
 ];
 #[rustfmt::skip]
 const EVEN: &[&str] = &[
@@ -126,7 +130,14 @@ const EVEN: &[&str] = &[
     "dwell_time",
     "stribeck_coefficient",
     "history.duration",
+    "bristle.draws",
 ];
+
+/// Do the bonds of a random law reach so far that single ones push forwards? Its force is then a resistance on average
+/// only.
+fn is_resisting_on_average(bench: &mut Bench) -> bool {
+    bench.has("bristle_count") && 3.0 * (1.0 - bench.get("mu_k") / bench.get("mu_s")) > 1.0
+}
 
 #[test]
 fn mirrored_motion_gives_the_mirrored_force() {
@@ -177,7 +188,7 @@ fn steady_sliding_dissipates_within_the_static_level() {
                 bench.step(h);
             }
             let force = bench.get("friction_force");
-            assert!(force * velocity >= 0.0, "{what}: {force} N at {velocity} m/s");
+            assert!(force * velocity >= 0.0 || is_resisting_on_average(bench), "{what}: {force} N at {velocity} m/s");
             let limit = limit(bench, velocity);
             assert!(force.abs() <= limit * (1.0 + 1e-12), "{what}: {force} N at {velocity} m/s, limit {limit} N");
             assert!((bench.get("dissipated_power") - force * velocity).abs() <= 1e-12 * (force * velocity).abs());
@@ -218,7 +229,12 @@ fn two_half_steps_are_one_step() {
         let mut random = Random(13);
         for _ in 0..20 {
             let velocity = 10f64.powf(-6.0 * random.next()) * random.signed();
-            let h = 10f64.powf(-5.0 * random.next());
+            let mut h = 10f64.powf(-5.0 * random.next());
+            if bench.has("bristle_count") && bench.get("mu_s") > bench.get("mu_k") {
+                // A law of random numbers follows its bonds one by one over short slides; long ones are drawn.
+                let span = 3.0 * bench.get("delta") * (1.0 - bench.get("mu_k") / bench.get("mu_s"));
+                h = h.min(20.0 * span / velocity.abs());
+            }
             bench.set("velocity", velocity);
             halves.set("velocity", velocity);
             bench.step(h);

@@ -28,6 +28,12 @@ crate::catalogue::family! {
     armstrong::Armstrong,
     non_reversible::NonReversible,
     wojewoda::Wojewoda,
+    bliman_sorine::BlimanSorine,
+    reset_integrator::ResetIntegrator,
+    dankowicz::Dankowicz,
+    elasto_plastic::ElastoPlastic,
+    bristle::Bristle,
+    specker_dynamic::SpeckerDynamic,
 }
 
 mod branching;

@@ -1,5 +1,5 @@
 use crate::friction::time_stepping::{Curve, TimeStepping, memoryless};
-use crate::laws::viscous;
+use crate::laws::specker;
 use crate::model::{Fault, Model, Preset, boolean, real};
 use crate::number::Real;
 
@@ -105,11 +105,15 @@ crate::model! {
 }
 
 impl<T: Real> Specker<T> {
-    /// f_p: what the other parts leave to the static level at v_p.
-    fn peak(&self) -> T {
-        let coulomb = self.mu_k * self.normal_force * (self.peak_velocity / self.transition_velocity).tanh();
-        let missing = self.level() - coulomb - self.viscous_coefficient * self.peak_velocity;
-        if missing > T::zero() { missing } else { T::zero() }
+    fn shape(&self) -> specker::Specker<T> {
+        specker::Specker {
+            coulomb: self.mu_k * self.normal_force,
+            statical: self.mu_s * self.normal_force,
+            transition_velocity: self.transition_velocity,
+            peak_velocity: self.peak_velocity,
+            // Without load there is no contact, and no viscous part either.
+            viscous_coefficient: if self.normal_force.value() > 0.0 { self.viscous_coefficient } else { T::zero() },
+        }
     }
 }
 
@@ -117,11 +121,7 @@ impl<T: Real> Curve<T> for Specker<T> {
     /// Eq. (6.24).
     #[inline]
     fn curve(&self, velocity: T) -> T {
-        let [half, one] = [0.5, 1.0].map(T::from);
-        let u = velocity / self.peak_velocity;
-        let sliding = self.mu_k * self.normal_force * (velocity / self.transition_velocity).tanh();
-        let stiction = self.peak() * u * (half * (one - u * u)).exp();
-        sliding + stiction + viscous::force(velocity, self.viscous_coefficient, self.normal_force)
+        self.shape().force(velocity)
     }
 
     fn level(&self) -> T {

@@ -7,6 +7,7 @@ pub mod quadrature;
 pub mod regularised;
 pub mod relaxation;
 pub mod root;
+pub mod specker;
 pub mod stopping;
 pub mod stribeck;
 pub mod viscous;

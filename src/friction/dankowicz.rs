@@ -1,0 +1,168 @@
+use crate::friction::ELASTIC_SHARE;
+use crate::laws::relaxation;
+use crate::model::{Law, Model, Preset, boolean, real};
+use crate::number::Real;
+
+crate::model! {
+    /// Dankowicz friction, reconstructed: asperities yield by a given shear deflection before gross sliding; Dahl's law
+    /// with a length in place of a stiffness, so that the force follows the load.
+    ///
+    /// # Equations
+    ///
+    /// ```text
+    /// dz/dt = v (1 - (z / delta_t) sgn(v))
+    /// f_f   = f_C z / delta_t
+    /// f_C   = mu_k f_n
+    /// ```
+    ///
+    /// | symbol  | variable             | unit | meaning                                         |
+    /// |---------|----------------------|------|-------------------------------------------------|
+    /// | v       | `velocity`           | m/s  | velocity of body 1 relative to body 2           |
+    /// | f_n     | `normal_force`       | N    | force pressing the surfaces together            |
+    /// | mu_k    | `mu_k`               | 1    | kinetic coefficient of friction                 |
+    /// | delta_t | `delta_t`            | m    | shear deflection of the asperities when sliding |
+    /// | z       | `bristle_deflection` | m    | shear deflection of the asperities              |
+    /// | f_f     | `friction_force`     | N    | friction force                                  |
+    ///
+    /// # Sign
+    /// `friction_force` has the sign of `velocity` in steady sliding; body 1 feels `-friction_force`. Dissipated power
+    /// is `friction_force * velocity`; it is negative while the asperities spring back.
+    ///
+    /// # Step
+    /// With held inputs the equation of z is linear and solved exactly, so the result does not depend on how an
+    /// interval is divided; the energy is its closed form. No events. `sticking` says that more than 1 % (chosen) of
+    /// the motion is still elastic.
+    ///
+    /// # Errors
+    /// Refused: a parameter outside its bound.
+    ///
+    /// # Limits
+    /// At constant load this is Dahl's law with alpha = 1 and sigma_0 = f_C / delta_t: no stiction, no Stribeck effect,
+    /// drift under a load that cycles below f_C. The normal motion and the second time scale of the original paper are
+    /// not part of it. `normal_force` = 0 releases the contact (force 0, deflection 0). Passive at constant load: from
+    /// the start values `dissipated_energy` never becomes negative.
+    ///
+    /// # Source
+    /// Reconstructed after the summary of Dankowicz (1999), "On the modeling of dynamic friction phenomena", ZAMM 79,
+    /// 399-409, in Andersson, Soderberg and Bjorklund (2007), doi:10.1016/j.triboint.2005.11.014, where the law is one
+    /// of friction as a function of displacement; the paper itself was not at hand. F. Novais, "A critical analysis on
+    /// friction force models in dynamical systems", MSc thesis, University of Minho (2024), Table 7.1 has no value of
+    /// its own for delta_t; the default is f_C / sigma_0 with the sigma_0 = 1e5 N/m that the table gives for all
+    /// models.
+    ///
+    /// # Example
+    /// ```
+    /// use stribeck::friction::Dankowicz;
+    /// use stribeck::model::{Law, Model};
+    /// let mut law = Dankowicz { velocity: 1e-4, ..Default::default() };
+    /// law.step(0.0981); // one delta_t
+    /// law.output();
+    /// assert!((law.friction_force - 0.981 * (1.0 - (-1.0f64).exp())).abs() < 1e-15);
+    /// ```
+    Dankowicz: "Pre-sliding displacement of sheared asperities (Dankowicz, reconstructed)" {
+        /// Sliding velocity of body 1 relative to body 2.
+        velocity: input = real("m/s", 0.0).shown_in("mm/s"),
+        /// Normal force that presses the surfaces together.
+        normal_force: input = real("N", 9.81).at_least(0.0),
+        /// Kinetic coefficient of friction.
+        mu_k: tunable = real("1", 0.1).at_least(0.0),
+        /// Shear deflection of the asperities in steady sliding (default f_C / sigma_0 of the thesis).
+        delta_t: tunable = real("m", 9.81e-6).positive().nominal(1e-5).shown_in("um"),
+        /// Mean elastic deflection of the bristles.
+        bristle_deflection: state = real("m", 0.0).nominal(1e-5).shown_in("um"),
+        /// Energy taken out of the motion since the start.
+        dissipated_energy: state_output = real("J", 0.0).nominal(1e-3),
+        /// Friction force; has the sign of the velocity when sliding. Body 1 feels its negative.
+        friction_force: output = real("N", 0.0),
+        /// Power taken out of the motion: friction force times velocity.
+        dissipated_power: output = real("W", 0.0),
+        /// Is the contact sticking?
+        sticking: output = boolean(false),
+    }
+}
+
+impl<T: Real> Dankowicz<T> {
+    /// f_C.
+    fn coulomb(&self) -> T {
+        self.mu_k * self.normal_force
+    }
+
+    fn force(&self) -> T {
+        self.coulomb() * (self.bristle_deflection / self.delta_t)
+    }
+
+    /// dz/dt / v.
+    fn elastic_share(&self) -> T {
+        T::from(1.0) - self.bristle_deflection / self.delta_t * self.velocity.sign()
+    }
+}
+
+impl<T: Real> Law for Dankowicz<T> {
+    fn output(&mut self) {
+        self.friction_force = self.force();
+        self.dissipated_power = self.friction_force * self.velocity;
+        let elastic = self.velocity.value() == 0.0 || self.elastic_share().value() > ELASTIC_SHARE;
+        self.sticking = T::from(f64::from(u8::from(elastic && self.coulomb().value() > 0.0)));
+    }
+}
+
+impl Model for Dankowicz {
+    const PRESETS: &'static [Preset] = &[Preset {
+        name: "thesis",
+        source: "Novais (2024), Table 6.1, and delta_t = f_C / sigma_0 with Table 7.1: the start values",
+        values: &[],
+    }];
+
+    fn step(&mut self, dt: f64) {
+        if self.normal_force <= 0.0 {
+            self.bristle_deflection = 0.0;
+            return;
+        }
+        let direction = self.velocity.sign();
+        let distance = self.velocity.abs() * dt;
+        let before = self.bristle_deflection;
+        self.bristle_deflection = relaxation::after(before, direction * self.delta_t, distance / self.delta_t);
+        // The integral of z over the distance: dz = ds - (z / delta_t) ds, forwards.
+        self.dissipated_energy += self.coulomb() * (distance - direction * (self.bristle_deflection - before));
+    }
+
+    fn rate(&self, rate: &mut Self) {
+        if self.normal_force > 0.0 {
+            rate.bristle_deflection = self.velocity * self.elastic_share();
+        }
+        rate.dissipated_energy = self.force() * self.velocity;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::friction::Dahl;
+
+    /// At constant load the two laws are one, on any path.
+    #[test]
+    fn is_dahl_with_the_stiffness_of_the_asperities() {
+        let mut law = Dankowicz { delta_t: 2e-5, mu_k: 0.3, ..Default::default() };
+        let mut dahl = Dahl { mu_k: 0.3, sigma_0: 0.3 * 9.81 / 2e-5, ..Default::default() };
+        for velocity in [1e-3, -2e-3, 5e-4, 3e-2, -1e-5, 0.0, -4.0] {
+            (law.velocity, dahl.velocity) = (velocity, velocity);
+            law.step(3e-3);
+            dahl.step(3e-3);
+            law.output();
+            dahl.output();
+            assert!((law.friction_force - dahl.friction_force).abs() < 1e-14);
+            assert!((law.dissipated_energy / dahl.dissipated_energy - 1.0).abs() < 1e-12);
+            assert_eq!(law.sticking, dahl.sticking);
+        }
+    }
+
+    /// What Dahl's law does not do: the force follows the load at rest.
+    #[test]
+    fn force_follows_the_load() {
+        let mut law = Dankowicz { velocity: 1e-3, ..Default::default() };
+        law.step(1.0);
+        (law.velocity, law.normal_force) = (0.0, 2.0);
+        law.output();
+        assert!((law.friction_force - 0.2).abs() < 1e-15);
+    }
+}

@@ -1,0 +1,500 @@
+use crate::friction::ELASTIC_SHARE;
+use crate::laws::stribeck;
+use crate::model::{Fault, Law, Model, Preset, boolean, integer, real};
+use crate::number::Real;
+
+crate::model! {
+    /// Elasto-plastic friction (Dupont): LuGre with a range of purely elastic deflection, so that a contact loaded
+    /// below breakaway does not drift.
+    ///
+    /// # Equations
+    ///
+    /// ```text
+    /// f_f   = sigma_0 z + sigma_1(v) dz/dt + sigma_2 v                                  (7.30)
+    /// dz/dt = v [1 - alpha(z, v) sgn(v) z / z_ss(v)]^i                                  (7.32)
+    /// z_ss  = g(v) / sigma_0,   g(v) = f_C + (f_s - f_C) exp(-(|v| / v_S)^delta)        (7.33)
+    /// alpha = 0                                                        sgn v != sgn z   (7.34)
+    ///       = 0                                                        |z| <= z_ba
+    ///       = 1/2 + 1/2 sin(pi (|z| - (z_ss + z_ba) / 2) / (z_ss - z_ba))   z_ba < |z| < z_ss
+    ///       = 1                                                        |z| >= z_ss
+    /// z_ba  = kappa z_ss(v)
+    /// f_C   = mu_k f_n,   f_s = mu_s f_n
+    /// sigma_1(v) = sigma_1 exp(-(v / v_d)^2)     if v_d > 0, else sigma_1
+    /// ```
+    ///
+    /// | symbol  | variable              | unit  | meaning                                         |
+    /// |---------|-----------------------|-------|-------------------------------------------------|
+    /// | v       | `velocity`            | m/s   | velocity of body 1 relative to body 2           |
+    /// | f_n     | `normal_force`        | N     | force pressing the surfaces together            |
+    /// | mu_k    | `mu_k`                | 1     | kinetic coefficient of friction                 |
+    /// | mu_s    | `mu_s`                | 1     | static coefficient of friction                  |
+    /// | v_S     | `stribeck_velocity`   | m/s   | speed at which the level has fallen             |
+    /// | delta   | `stribeck_exponent`   | 1     | shape of the falling level                      |
+    /// | kappa   | `breakaway_ratio`     | 1     | z_ba / z_ss: part that is purely elastic        |
+    /// | i       | `plastic_exponent`    | -     | shape of the transition, odd                    |
+    /// | sigma_0 | `sigma_0`             | N/m   | stiffness of the bristles                       |
+    /// | sigma_1 | `sigma_1`             | N.s/m | damping of the bristles                         |
+    /// | sigma_2 | `viscous_coefficient` | N.s/m | viscous coefficient                             |
+    /// | v_d     | `damping_velocity`    | m/s   | speed at which the bristle damping fades        |
+    /// | z       | `bristle_deflection`  | m     | mean deflection of the bristles                 |
+    /// | f_f     | `friction_force`      | N     | friction force                                  |
+    ///
+    /// # Sign
+    /// `friction_force` has the sign of `velocity` in steady sliding; body 1 feels `-friction_force`. Dissipated power
+    /// is `friction_force * velocity`; it is negative while the bristles spring back.
+    ///
+    /// # Step
+    /// With held inputs the deflection depends on the sliding distance only. Where alpha is 0 (elastic) or 1 (level
+    /// exceeded) the step is exact, and the distance at which z_ba is reached is located. Between them, with y = 1 -
+    /// |z| / z_ss and q the distance in units of z_ss, the law is integrated in a variable in which it is not stiff:
+    ///
+    /// ```text
+    /// p     = -ln(y)   if i = 1, else   y^(1 - i) / (i - 1)
+    /// dp/dq = ((1 - alpha |z| / z_ss) / y)^i                 falls from (1 - kappa)^-i to 1
+    /// ```
+    ///
+    /// The approach to steady sliding, p = q, is therefore followed exactly over any distance, and an explicit method
+    /// of order 5 (Dormand and Prince) with error control does for the rest what an implicit one would do for z itself.
+    /// Its error per step is below 1e-12 z_ss (chosen), and two half steps equal one to 1e-10 of the level. `sticking`
+    /// says that more than 1 % (chosen) of the motion still goes into the bristles.
+    ///
+    /// A master that integrates a mass m with the force it reads finds at rest a spring sigma_0 and a damper sigma_1 +
+    /// sigma_2, as with `LuGre`: step the friction first and read the force then.
+    ///
+    /// # Errors
+    /// Refused: a parameter outside its bound; `mu_s` < `mu_k`; an even `plastic_exponent`, for which the bracket
+    /// cannot become negative and z could not come back when z_ss(v) falls below |z|.
+    ///
+    /// # Limits
+    /// No drift as long as |z| stays below z_ba = kappa z_ss. The damping has the weakness of LuGre: with the bracket r
+    /// = 1 - |z| / z_ss(v) >= 1 - f_s / f_C the power is above -sigma_1 (f_s / f_C - 1)^i v^2, so that the law is
+    /// passive for every motion at constant load only if sigma_2 >= sigma_1 (f_s / f_C - 1)^i, or if `mu_s` = `mu_k`,
+    /// or `sigma_1` = 0. A velocity that jumps from full stiction to 0.1 m/s gives -14.3 N; `damping_velocity` (of the
+    /// size of v_S) removes that, and the default 0 keeps the law of the paper. For i > 1 steady sliding is approached
+    /// as q^(-1 / (i - 1)) only. `breakaway_ratio` = 1 is elastic and perfectly plastic; small values come near to
+    /// LuGre, but do not reach it, because alpha still rises with |z|. `normal_force` = 0 releases the contact (force
+    /// 0, deflection 0).
+    ///
+    /// # Source
+    /// Dupont, Hayward, Armstrong, Altpeter (2002), "Single state elastoplastic friction models",
+    /// doi:10.1109/TAC.2002.1000274; equations (7.30) to (7.34) of F. Novais, "A critical analysis on friction force
+    /// models in dynamical systems", MSc thesis, University of Minho (2024), whose Table 7.1 gives sigma_0, sigma_1,
+    /// sigma_2, v_S and i, and whose text gives kappa = 0.7. Differences: (7.34) is printed with z, which is right for
+    /// z > 0 only; here it has |z|. i is any integer there and odd here. `damping_velocity`: Olsson (1996), PhD thesis,
+    /// Lund University.
+    ///
+    /// # Example
+    /// ```
+    /// use stribeck::friction::ElastoPlastic;
+    /// use stribeck::model::{Law, Model};
+    /// let mut law = ElastoPlastic { velocity: 1e-4, ..Default::default() };
+    /// law.step(0.1); // 10 um, just below z_ba = 0.7 * 14.67 um: a spring and two dampers
+    /// law.output();
+    /// let by_hand = 1e5 * 1e-5 + (1e5f64.sqrt() + 0.1) * 1e-4;
+    /// assert!((law.friction_force - by_hand).abs() < 1e-12);
+    /// ```
+    ElastoPlastic: "Bristle friction without drift below breakaway (elasto-plastic)" {
+        /// Sliding velocity of body 1 relative to body 2.
+        velocity: input = real("m/s", 0.0).shown_in("mm/s"),
+        /// Normal force that presses the surfaces together.
+        normal_force: input = real("N", 9.81).at_least(0.0),
+        /// Kinetic coefficient of friction.
+        mu_k: tunable = real("1", 0.1).at_least(0.0),
+        /// Static coefficient of friction; not less than mu_k.
+        mu_s: tunable = real("1", 0.15).at_least(0.0),
+        /// Speed at which the excess of static over kinetic friction has fallen to 1/e.
+        stribeck_velocity: tunable = real("m/s", 0.001).positive().shown_in("mm/s"),
+        /// Exponent of the falling level.
+        stribeck_exponent: tunable = real("1", 2.0).positive(),
+        /// Part of the deflection of steady sliding up to which the contact is purely elastic.
+        breakaway_ratio: tunable = real("1", 0.7).positive().at_most(1.0),
+        /// Exponent of the transition from elastic deflection to sliding; odd.
+        plastic_exponent: tunable = integer(1).at_least(1.0).at_most(9.0),
+        /// Stiffness of the bristles.
+        sigma_0: tunable = real("N/m", 1e5).positive().nominal(1e5),
+        /// Damping of the bristles.
+        sigma_1: tunable = real("N.s/m", 316.227_766_016_837_94).at_least(0.0).nominal(300.0),
+        /// Viscous friction coefficient.
+        viscous_coefficient: tunable = real("N.s/m", 0.1).at_least(0.0),
+        /// Speed at which the damping of the bristles fades; 0 = constant damping.
+        damping_velocity: tunable = real("m/s", 0.0).at_least(0.0).shown_in("mm/s"),
+        /// Mean elastic deflection of the bristles.
+        bristle_deflection: state = real("m", 0.0).nominal(1e-5).shown_in("um"),
+        /// Energy taken out of the motion since the start.
+        dissipated_energy: state_output = real("J", 0.0).nominal(1e-3),
+        /// Friction force; has the sign of the velocity when sliding. Body 1 feels its negative.
+        friction_force: output = real("N", 0.0),
+        /// Power taken out of the motion: friction force times velocity.
+        dissipated_power: output = real("W", 0.0),
+        /// Is the contact sticking?
+        sticking: output = boolean(false),
+    }
+}
+
+impl<T: Real> ElastoPlastic<T> {
+    /// g(v).
+    fn level(&self) -> T {
+        let coulomb = self.mu_k * self.normal_force;
+        let statical = self.mu_s * self.normal_force;
+        stribeck::level(self.velocity, coulomb, statical, self.stribeck_velocity, self.stribeck_exponent)
+    }
+
+    /// sigma_1(v).
+    fn damping(&self) -> T {
+        if self.damping_velocity.is(0.0) {
+            return self.sigma_1;
+        }
+        let u = self.velocity / self.damping_velocity;
+        self.sigma_1 * (-(u * u)).exp()
+    }
+
+    /// Eq. (7.34), in terms of u = sgn(v) z / z_ss.
+    fn alpha(&self, u: T) -> T {
+        let [half, one] = [0.5, 1.0].map(T::from);
+        let kappa = self.breakaway_ratio;
+        if u <= kappa {
+            T::zero()
+        } else if u < one {
+            let angle = T::from(std::f64::consts::PI) * (u - half * (one + kappa)) / (one - kappa);
+            half + half * angle.sin()
+        } else {
+            one
+        }
+    }
+
+    /// Eq. (7.32).
+    fn deflection_rate(&self) -> T {
+        let level = self.level();
+        if level.value() == 0.0 {
+            return T::zero();
+        }
+        let u = self.velocity.sign() * self.bristle_deflection * self.sigma_0 / level;
+        let bracket = T::from(1.0) - self.alpha(u) * u;
+        let power = (1..self.plastic_exponent.value() as u32).fold(bracket, |power, _| power * bracket);
+        self.velocity * power
+    }
+
+    fn force(&self, deflection_rate: T) -> T {
+        if self.normal_force.value() == 0.0 {
+            return T::zero();
+        }
+        self.sigma_0 * self.bristle_deflection
+            + self.damping() * deflection_rate
+            + self.viscous_coefficient * self.velocity
+    }
+}
+
+impl<T: Real> Law for ElastoPlastic<T> {
+    fn output(&mut self) {
+        let rate = self.deflection_rate();
+        self.friction_force = self.force(rate);
+        self.dissipated_power = self.friction_force * self.velocity;
+        let [rate, velocity] = [rate.value(), self.velocity.value()];
+        let elastic = velocity == 0.0 || rate * velocity.sign() > ELASTIC_SHARE * velocity.abs();
+        self.sticking = T::from(f64::from(u8::from(elastic && self.normal_force.value() > 0.0)));
+    }
+}
+
+impl Model for ElastoPlastic {
+    const PRESETS: &'static [Preset] = &[
+        Preset {
+            name: "thesis",
+            source: "Novais (2024), Tables 6.1 and 7.1, and kappa = 0.7 from its text: the start values",
+            values: &[],
+        },
+        Preset {
+            name: "sampled",
+            source: "Example: the thesis' values with a bristle damping that fades at 1 mm/s, for sampled velocities",
+            values: &[("damping_velocity", 0.001)],
+        },
+    ];
+
+    fn check(&self) -> Result<(), Fault> {
+        if self.plastic_exponent % 2.0 == 0.0 {
+            return Err(Fault(format!("plastic_exponent = {}: must be odd", self.plastic_exponent)));
+        }
+        crate::friction::static_not_below_kinetic(self.mu_s, self.mu_k)
+    }
+
+    fn step(&mut self, dt: f64) {
+        let level = self.level();
+        let distance = self.velocity.abs() * dt;
+        if level == 0.0 {
+            self.bristle_deflection = 0.0;
+            if self.normal_force > 0.0 {
+                self.dissipated_energy += self.viscous_coefficient * self.velocity.abs() * distance;
+            }
+            return;
+        }
+        let direction = self.velocity.sign();
+        let (begin, z_ss) = (self.bristle_deflection, level / self.sigma_0);
+        // alpha = 0: a spring, up to z_ba.
+        let elastic = distance.min((self.breakaway_ratio * z_ss - direction * begin).max(0.0));
+        self.bristle_deflection += direction * elastic;
+        self.dissipated_energy += self.sigma_0 * elastic * (direction * begin + 0.5 * elastic);
+        if elastic < distance {
+            let u = (direction * self.bristle_deflection / z_ss).clamp(self.breakaway_ratio, f64::MAX);
+            let mut slide = Slide { u, left: ((distance - elastic) / z_ss).min(f64::MAX), area: 0.0 };
+            slide.finish(self.breakaway_ratio, self.plastic_exponent);
+            self.bristle_deflection = direction * slide.u * z_ss;
+            self.dissipated_energy += level * (z_ss * slide.area);
+        }
+        self.dissipated_energy += self.damping() * self.velocity * (self.bristle_deflection - begin)
+            + self.viscous_coefficient * self.velocity.abs() * distance;
+    }
+
+    fn rate(&self, rate: &mut Self) {
+        rate.bristle_deflection = self.deflection_rate();
+        rate.dissipated_energy = self.force(rate.bristle_deflection) * self.velocity;
+    }
+}
+
+/// A slide from u >= kappa on at constant speed, in units of z_ss: du/dq = (1 - alpha(u) u)^i.
+struct Slide {
+    /// sgn(v) z / z_ss.
+    u: f64,
+    /// Distance still to go.
+    left: f64,
+    /// Integral of u over the distance.
+    area: f64,
+}
+
+/// Error allowed in u and in the integral of u, per step of the integration (chosen: two orders below what the two
+/// halves of a step may differ by).
+const TOLERANCE: f64 = 1e-12;
+
+/// From here on u is 1 to rounding.
+const NOTHING: f64 = 1e-17;
+
+impl Slide {
+    fn finish(&mut self, kappa: f64, exponent: f64) {
+        if self.u < 1.0 { self.yield_gradually(kappa, exponent) } else { self.shrink(exponent) }
+    }
+
+    /// alpha = 1: w = u - 1 follows dw/dq = -w^i.
+    fn shrink(&mut self, i: f64) {
+        let (w, q) = (self.u - 1.0, self.left);
+        let x = (i - 1.0) * q * w.powf(i - 1.0);
+        let (w_end, area) = if i == 1.0 {
+            (w * (-q).exp(), -w * (-q).exp_m1())
+        } else if w == 0.0 {
+            (0.0, 0.0)
+        } else if x < 1.0 {
+            let log = x.ln_1p() / (i - 1.0);
+            (w * (-log).exp(), w.powf(2.0 - i) * ((i - 2.0) * log).exp_m1() / (i - 2.0))
+        } else {
+            let w_end = (w.powf(1.0 - i) + (i - 1.0) * q).powf(-1.0 / (i - 1.0));
+            (w_end, (w_end.powf(2.0 - i) - w.powf(2.0 - i)) / (i - 2.0))
+        };
+        self.u = 1.0 + w_end;
+        self.area += q + area;
+        self.left = 0.0;
+    }
+
+    /// kappa <= u < 1.
+    fn yield_gradually(&mut self, kappa: f64, exponent: f64) {
+        let transition = Transition { width: 1.0 - kappa, exponent };
+        // p, and the integral of y = 1 - u over the distance.
+        let mut at = [transition.variable(1.0 - self.u), 0.0];
+        let mut piece = 0.1 * at[0].max(1.0) / transition.rates(at)[0];
+        let distance = self.left;
+        while self.left > 0.0 && transition.missing(at[0]) > NOTHING {
+            let q = piece.min(self.left);
+            let (next, error) = dormand_prince(|at| transition.rates(at), at, q);
+            let error = transition.error(next, error) / TOLERANCE;
+            if error <= 1.0 {
+                at = next;
+                self.left = if q < self.left { self.left - q } else { 0.0 };
+            } else if q < f64::MIN_POSITIVE {
+                // Numbers out of range: the caller refuses the step.
+                at = [f64::NAN; 2];
+            }
+            let factor = 0.9 * error.powf(-0.2);
+            piece = q * if factor.is_nan() { 0.2 } else { factor.clamp(0.2, 5.0) };
+        }
+        self.u = 1.0 - transition.missing(at[0]);
+        self.area += distance - at[1];
+        self.left = 0.0;
+    }
+}
+
+/// The range in which alpha rises from 0 to 1, in the variable p in which it is not stiff.
+struct Transition {
+    /// 1 - kappa.
+    width: f64,
+    /// i.
+    exponent: f64,
+}
+
+impl Transition {
+    /// p for y = 1 - u.
+    fn variable(&self, y: f64) -> f64 {
+        if self.exponent == 1.0 { -y.ln() } else { y.powf(1.0 - self.exponent) / (self.exponent - 1.0) }
+    }
+
+    /// y for p.
+    fn missing(&self, p: f64) -> f64 {
+        if self.exponent == 1.0 { (-p).exp() } else { ((self.exponent - 1.0) * p).powf(-1.0 / (self.exponent - 1.0)) }
+    }
+
+    /// dp/dq = ((1 - alpha u) / y)^i with 1 - alpha = sin^2(pi y / (2 - 2 kappa)), and y.
+    fn rates(&self, [p, _]: [f64; 2]) -> [f64; 2] {
+        let y = self.missing(p);
+        let sine = (std::f64::consts::FRAC_PI_2 * (y / self.width).min(1.0)).sin();
+        [(1.0 + (1.0 - y) * sine * sine / y).powf(self.exponent), y]
+    }
+
+    /// Error of u, with dy = -y^i dp, and of the integral, relative to it where it is large.
+    fn error(&self, [p, area]: [f64; 2], [error, area_error]: [f64; 2]) -> f64 {
+        (self.missing(p).powf(self.exponent) * error).abs() + area_error.abs() / area.max(1.0)
+    }
+}
+
+/// One step of the method of Dormand and Prince (1980), doi:10.1016/0771-050X(80)90013-3: the result of order 5 and its
+/// difference to that of order 4.
+fn dormand_prince(rates: impl Fn([f64; 2]) -> [f64; 2], at: [f64; 2], h: f64) -> ([f64; 2], [f64; 2]) {
+    const A: [&[f64]; 6] = [
+        &[1.0 / 5.0],
+        &[3.0 / 40.0, 9.0 / 40.0],
+        &[44.0 / 45.0, -56.0 / 15.0, 32.0 / 9.0],
+        &[19372.0 / 6561.0, -25360.0 / 2187.0, 64448.0 / 6561.0, -212.0 / 729.0],
+        &[9017.0 / 3168.0, -355.0 / 33.0, 46732.0 / 5247.0, 49.0 / 176.0, -5103.0 / 18656.0],
+        &[35.0 / 384.0, 0.0, 500.0 / 1113.0, 125.0 / 192.0, -2187.0 / 6784.0, 11.0 / 84.0],
+    ];
+    const E: [f64; 7] =
+        [71.0 / 57600.0, 0.0, -71.0 / 16695.0, 71.0 / 1920.0, -17253.0 / 339200.0, 22.0 / 525.0, -1.0 / 40.0];
+    let mut k = [[0.0; 2]; 7];
+    k[0] = rates(at);
+    let combined = |k: &[[f64; 2]; 7], weights: &[f64]| {
+        [0, 1].map(|i| h * weights.iter().zip(k).map(|(weight, rates)| weight * rates[i]).sum::<f64>())
+    };
+    let mut next = at;
+    for (stage, weights) in A.iter().enumerate() {
+        let change = combined(&k, weights);
+        next = [at[0] + change[0], at[1] + change[1]];
+        k[stage + 1] = rates(next);
+    }
+    (next, combined(&k, &E))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// u and the integral of u after a slide of q.
+    fn slide(u: f64, q: f64, kappa: f64, exponent: f64) -> Slide {
+        let elastic = q.min((kappa - u).max(0.0));
+        let mut slide = Slide { u: u + elastic, left: q - elastic, area: elastic * (u + 0.5 * elastic) };
+        if slide.left > 0.0 {
+            slide.finish(kappa, exponent);
+        }
+        slide
+    }
+
+    /// alpha as it stands in (7.34), with u = |z| / z_ss.
+    fn alpha(u: f64, kappa: f64) -> f64 {
+        ElastoPlastic { breakaway_ratio: kappa, ..Default::default() }.alpha(u)
+    }
+
+    /// Limits 0, 1/2 and 1 of alpha, on both sides; nothing yields when z and v have different signs.
+    #[test]
+    fn alpha_rises_from_zero_to_one_between_breakaway_and_sliding() {
+        for (u, expected) in [(-0.9, 0.0), (0.0, 0.0), (0.7, 0.0), (0.85, 0.5), (1.0, 1.0), (1.4, 1.0)] {
+            assert!((alpha(u, 0.7) - expected).abs() < 1e-15, "{u}");
+        }
+        assert!(alpha(0.7 + 1e-6, 0.7) < 1e-10 && alpha(1.0 - 1e-6, 0.7) > 1.0 - 1e-10);
+        let force = |velocity: f64, z: f64| {
+            let mut law = ElastoPlastic { velocity, bristle_deflection: z, ..Default::default() };
+            law.output();
+            law.friction_force
+        };
+        for z in [4e-6, 1.1e-5, 1.25e-5, 1.5e-5, 2e-5] {
+            assert_eq!(force(1e-3, z), -force(-1e-3, -z));
+            assert!((force(-1e-5, z) - (1e5 * z - 316.327_766e-5)).abs() < 1e-9, "against the deflection: a spring");
+        }
+    }
+
+    /// u and its integral against a fine integration of du/dq = (1 - alpha u)^i as it stands.
+    #[test]
+    fn slides_follow_the_differential_equation() {
+        for (kappa, exponent) in [(0.7, 1.0), (0.2, 1.0), (0.95, 1.0), (0.7, 3.0), (0.5, 5.0)] {
+            let rate = |u: f64| (1.0 - alpha(u, kappa) * u).powf(exponent);
+            for start in [-1.5, -0.3, 0.0, 0.9, 0.99] {
+                let (mut u, mut area, n, q) = (start, 0.0, 40_000, 4.0);
+                let h = q / f64::from(n);
+                for step in 0..n {
+                    let k_1 = rate(u);
+                    let k_2 = rate(u + 0.5 * h * k_1);
+                    let k_3 = rate(u + 0.5 * h * k_2);
+                    let k_4 = rate(u + h * k_3);
+                    let next = u + h / 6.0 * (k_1 + 2.0 * k_2 + 2.0 * k_3 + k_4);
+                    // Hermite's cubic: its integral over the step.
+                    area += h * (0.5 * (u + next) + h / 12.0 * (k_1 - rate(next)));
+                    u = next;
+                    if step % 10_000 == 9_999 {
+                        let found = slide(start, h * f64::from(step + 1), kappa, exponent);
+                        assert!((found.u - u).abs() < 1e-9, "{kappa} {exponent} {start}: {} {u}", found.u);
+                        assert!((found.area - area).abs() < 1e-9, "{kappa} {exponent} {start}: {}", found.area);
+                    }
+                }
+            }
+        }
+    }
+
+    /// Above the level (it has fallen): w = u - 1 decays as exp(-q), or as (w^(1 - i) + (i - 1) q)^(-1 / (i - 1)).
+    #[test]
+    fn exceeded_level_is_left_by_the_closed_forms() {
+        assert!((slide(1.5, 0.7, 0.7, 1.0).u - (1.0 + 0.5 * f64::exp(-0.7))).abs() < 1e-15);
+        let cube = slide(1.5, 0.7, 0.7, 3.0);
+        let w: f64 = (4.0f64 + 1.4).powf(-0.5);
+        assert!((cube.u - 1.0 - w).abs() < 1e-15);
+        // For i = 3 the integral of w is 1 / w(end) - 1 / w(0).
+        assert!((cube.area - 0.7 - (1.0 / w - 2.0)).abs() < 1e-14);
+    }
+
+    /// Any distance, at any kappa and i, in one piece and in two.
+    #[test]
+    fn two_halves_are_one_slide() {
+        for exponent in [1.0, 3.0, 9.0] {
+            for kappa in [1e-3, 0.3, 0.7, 0.99, 1.0 - 1e-9, 1.0] {
+                for q in [1e-9, 1e-3, 0.3, 2.0, 40.0, 1e6, 1e15] {
+                    for start in [-1.0, 0.2, 0.8, 0.995, 1.3] {
+                        let whole = slide(start, q, kappa, exponent);
+                        let half = slide(start, 0.5 * q, kappa, exponent);
+                        let rest = slide(half.u, 0.5 * q, kappa, exponent);
+                        let what = format!("{exponent} {kappa} {q} {start}");
+                        assert!((whole.u - rest.u).abs() < 1e-11, "{what}: {} {}", whole.u, rest.u);
+                        let area = half.area + rest.area;
+                        assert!((whole.area - area).abs() < 1e-11 * area.abs().max(1.0), "{what}");
+                    }
+                }
+            }
+        }
+    }
+
+    /// kappa = 1: elastic up to z_ss, then sliding at the level.
+    #[test]
+    fn without_transition_the_contact_is_elastic_and_perfectly_plastic() {
+        for (q, u) in [(0.4, 0.4), (0.999, 0.999), (1.0, 1.0), (5.0, 1.0)] {
+            assert_eq!(slide(0.0, q, 1.0, 1.0).u, u);
+        }
+        assert_eq!(slide(0.0, 5.0, 1.0, 1.0).area, 4.5);
+    }
+
+    #[test]
+    fn even_exponents_are_refused() {
+        let law = ElastoPlastic { plastic_exponent: 2.0, ..Default::default() };
+        assert_eq!(law.check().unwrap_err().0, "plastic_exponent = 2: must be odd");
+    }
+
+    /// From full stiction a jump to 0.1 m/s: as LuGre, f_s + sigma_1 v (1 - f_s / f_C) + sigma_2 v.
+    #[test]
+    fn velocity_dependent_damping_removes_the_spike() {
+        let mut printed = ElastoPlastic { velocity: 0.1, bristle_deflection: 1.4715e-5, ..Default::default() };
+        let mut faded = ElastoPlastic { damping_velocity: 0.001, ..printed };
+        printed.output();
+        assert!((printed.friction_force + 14.33).abs() < 0.01, "{}", printed.friction_force);
+        faded.output();
+        assert!((faded.friction_force - 1.4815).abs() < 1e-9, "{}", faded.friction_force);
+    }
+}

@@ -1,0 +1,226 @@
+use crate::laws::relaxation;
+use crate::laws::specker::Specker;
+use crate::model::{Fault, Law, Model, Preset, boolean, real};
+use crate::number::Real;
+
+crate::model! {
+    /// Dynamic Specker friction, reconstructed: the smooth curve of Specker behind a first-order low-pass whose time
+    /// constant depends on the velocity, so that small motions meet a spring instead of a damper.
+    ///
+    /// # Equations
+    ///
+    /// ```text
+    /// T(v) df_f/dt + f_f = f_stat(v)
+    /// T(v)      = T_slip + (T_stick - T_slip) exp(-(v / v_Sp)^2),   T_stick = K_0 / sigma_0
+    /// f_stat(v) = f_C tanh(v / v_0) + f_p (v / v_Sp) exp(1/2 (1 - (v / v_Sp)^2)) + c_v v    (6.24)
+    /// f_p       = f_s - f_C tanh(v_Sp / v_0) - c_v v_Sp,  not below 0
+    /// K_0       = f_C / v_0 + f_p exp(1/2) / v_Sp + c_v          slope of f_stat at rest
+    /// f_C = mu_k f_n,   f_s = mu_s f_n
+    /// ```
+    ///
+    /// | symbol  | variable              | unit  | meaning                                              |
+    /// |---------|-----------------------|-------|------------------------------------------------------|
+    /// | v       | `velocity`            | m/s   | velocity of body 1 relative to body 2                |
+    /// | f_n     | `normal_force`        | N     | force pressing the surfaces together                 |
+    /// | mu_k    | `mu_k`                | 1     | kinetic coefficient of friction                      |
+    /// | mu_s    | `mu_s`                | 1     | static coefficient of friction                       |
+    /// | v_0     | `transition_velocity` | m/s   | velocity scale of the transition                     |
+    /// | v_Sp    | `peak_velocity`       | m/s   | velocity at which f_stat is f_s                      |
+    /// | c_v     | `viscous_coefficient` | N.s/m | viscous coefficient                                  |
+    /// | sigma_0 | `sigma_0`             | N/m   | stiffness met by small and short motions             |
+    /// | T_slip  | `slip_time`           | s     | lag of the force while sliding                       |
+    /// | f_f     | `friction_force`      | N     | friction force; its state is `lagging_force`         |
+    ///
+    /// # Sign
+    /// `friction_force` has the sign of `velocity` in steady sliding; body 1 feels `-friction_force`. Dissipated power
+    /// is `friction_force * velocity`; it is negative while the force lags behind a reversal.
+    ///
+    /// # Step
+    /// With held inputs the equation of f_f is linear and solved exactly, so the result does not depend on how an
+    /// interval is divided, from 1 us to 1 s; the energy is its closed form. No events. `sticking` says |v| < v_Sp.
+    ///
+    /// # Errors
+    /// Refused: a parameter outside its bound; `mu_s` < `mu_k`.
+    ///
+    /// # Limits
+    /// Cannot hold a load: under a constant load below f_s the body creeps with the speed at which f_stat is the load,
+    /// and after a stop the force is lost within T_stick (57 ms for the defaults). A step of the velocity to v << v_Sp
+    /// gives f_f = K_0 v (1 - exp(-t / T_stick)), which is sigma_0 x for t << T_stick. |f_f| never exceeds the maximum
+    /// of
+    /// |f_stat| (1.0044 f_s for the defaults) and the viscous part.
+    ///
+    /// Not passive: after a reversal from a force f_0 to a speed V well above v_Sp the contact gives back V T_slip (f_0
+    /// - f_C ln(1 + f_0 / f_C)), and fast cycles with slow parts in between gain energy. What it gives back is never
+    /// more than |f_f v|, and nothing for T_slip = 0 and T_stick = 0, which is the static curve. `normal_force` = 0
+    /// releases the contact (force 0, also of the viscous part and of the memory). `mu_s` = `mu_k` leaves f_C tanh(v /
+    /// v_0) and a rest of 3.6 % of f_C in f_p for the defaults.
+    ///
+    /// # Source
+    /// Reconstructed: F. Novais, "A critical analysis on friction force models in dynamical systems", MSc thesis,
+    /// University of Minho (2024), says that the curve of Specker, Buchholz, Dietmayer (2014), IFAC Proceedings Volumes
+    /// 47(3), 4523-4528, (6.24) to (6.28), is extended to a linear parameter-varying system in the form of a
+    /// first-order low-pass filter; the law of its time constant is ours. v_0 = 0.25 mm/s and v_Sp = 0.5 mm/s follow
+    /// (6.28), v_S = 4 v_0 = 2 v_Sp, for v_S = 1 mm/s, which is chosen, and so is T_slip. sigma_0 is that of Table 7.1.
+    /// f_p is kept from becoming negative, which would drive the motion.
+    ///
+    /// # Example
+    /// ```
+    /// use stribeck::friction::SpeckerDynamic;
+    /// use stribeck::model::{Law, Model};
+    /// let mut law = SpeckerDynamic { velocity: 1e-6, ..Default::default() };
+    /// law.step(1e-4); // 0.1 nm: sigma_0 x = 10 uN
+    /// law.output();
+    /// assert!((law.friction_force / 1e-5 - 1.0).abs() < 1e-3);
+    /// law.velocity = 5e-4;
+    /// law.step(10.0); // steady sliding at the peak velocity
+    /// law.output();
+    /// assert!((law.friction_force - 1.4715).abs() < 1e-12);
+    /// ```
+    SpeckerDynamic: "Smooth friction law with a velocity-dependent lag (Specker, reconstructed)" {
+        /// Sliding velocity of body 1 relative to body 2.
+        velocity: input = real("m/s", 0.0).shown_in("mm/s"),
+        /// Normal force that presses the surfaces together.
+        normal_force: input = real("N", 9.81).at_least(0.0),
+        /// Kinetic coefficient of friction.
+        mu_k: tunable = real("1", 0.1).at_least(0.0),
+        /// Static coefficient of friction; not less than mu_k.
+        mu_s: tunable = real("1", 0.15).at_least(0.0),
+        /// Velocity at which the regularised band around rest ends (default chosen).
+        transition_velocity: tunable = real("m/s", 0.00025).positive().shown_in("mm/s"),
+        /// Velocity at which the static level is reached (default chosen).
+        peak_velocity: tunable = real("m/s", 0.0005).positive().shown_in("mm/s"),
+        /// Viscous friction coefficient.
+        viscous_coefficient: tunable = real("N.s/m", 0.0).at_least(0.0),
+        /// Stiffness of the bristles.
+        sigma_0: tunable = real("N/m", 1e5).positive().nominal(1e5),
+        /// Time constant of the force while sliding (default chosen).
+        slip_time: tunable = real("s", 0.001).positive().nominal(1e-3).shown_in("ms"),
+        /// Friction force behind the low-pass.
+        lagging_force: state = real("N", 0.0),
+        /// Energy taken out of the motion since the start.
+        dissipated_energy: state_output = real("J", 0.0).nominal(1e-3),
+        /// Friction force; has the sign of the velocity when sliding. Body 1 feels its negative.
+        friction_force: output = real("N", 0.0),
+        /// Power taken out of the motion: friction force times velocity.
+        dissipated_power: output = real("W", 0.0),
+        /// Is the contact sticking?
+        sticking: output = boolean(false),
+    }
+}
+
+impl<T: Real> SpeckerDynamic<T> {
+    fn curve(&self) -> Specker<T> {
+        Specker {
+            coulomb: self.mu_k * self.normal_force,
+            statical: self.mu_s * self.normal_force,
+            transition_velocity: self.transition_velocity,
+            peak_velocity: self.peak_velocity,
+            viscous_coefficient: self.viscous_coefficient,
+        }
+    }
+
+    fn force(&self) -> T {
+        if self.normal_force.value() > 0.0 { self.lagging_force } else { T::zero() }
+    }
+}
+
+impl<T: Real> Law for SpeckerDynamic<T> {
+    fn output(&mut self) {
+        self.friction_force = self.force();
+        self.dissipated_power = self.friction_force * self.velocity;
+        let is_slow = self.velocity.abs() < self.peak_velocity;
+        self.sticking = T::from(f64::from(u8::from(is_slow && self.normal_force.value() > 0.0)));
+    }
+}
+
+impl SpeckerDynamic {
+    /// T(v).
+    fn time_constant(&self, curve: &Specker<f64>) -> f64 {
+        let u = self.velocity / self.peak_velocity;
+        let share = (-u * u).exp();
+        self.slip_time * (1.0 - share) + curve.slope_at_rest() / self.sigma_0 * share
+    }
+}
+
+impl Model for SpeckerDynamic {
+    const PRESETS: &'static [Preset] = &[Preset {
+        name: "thesis",
+        source: "Novais (2024), Tables 6.1 and 7.1, and (6.28) for v_S = 1 mm/s: the start values; T_slip is chosen",
+        values: &[],
+    }];
+
+    fn check(&self) -> Result<(), Fault> {
+        crate::friction::static_not_below_kinetic(self.mu_s, self.mu_k)
+    }
+
+    fn step(&mut self, dt: f64) {
+        if self.normal_force <= 0.0 {
+            self.lagging_force = 0.0;
+            return;
+        }
+        let curve = self.curve();
+        let (steady, time_constant) = (curve.force(self.velocity), self.time_constant(&curve));
+        let before = self.lagging_force;
+        self.lagging_force = relaxation::after(before, steady, dt / time_constant);
+        // The integral of f_f over time: f_f = f_stat - T df_f/dt.
+        self.dissipated_energy += self.velocity * (steady * dt - time_constant * (self.lagging_force - before));
+    }
+
+    fn rate(&self, rate: &mut Self) {
+        if self.normal_force > 0.0 {
+            let curve = self.curve();
+            let time_constant = self.time_constant(&curve);
+            if time_constant > 0.0 {
+                rate.lagging_force = (curve.force(self.velocity) - self.lagging_force) / time_constant;
+            }
+        }
+        rate.dissipated_energy = self.force() * self.velocity;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn moved(law: SpeckerDynamic, velocity: f64, dt: f64) -> SpeckerDynamic {
+        let mut law = SpeckerDynamic { velocity, ..law };
+        law.step(dt);
+        law.output();
+        law
+    }
+
+    /// A step to v << v_Sp: K_0 v (1 - exp(-t / T_stick)) with K_0 = 5657.7588 N.s/m, T_stick = K_0 / sigma_0.
+    #[test]
+    fn small_motions_meet_a_spring_that_creeps() {
+        for time in [1e-4, 1e-2, 0.1, 1.0] {
+            let law = moved(SpeckerDynamic::default(), 1e-8, time);
+            let expected = 5657.7588e-8 * (1.0 - f64::exp(-time / 0.056577588));
+            assert!((law.friction_force / expected - 1.0).abs() < 1e-6, "{time}: {}", law.friction_force);
+        }
+    }
+
+    /// The energy against a fine sum of the power.
+    #[test]
+    fn energy_is_the_integral_of_power() {
+        let mut law = moved(SpeckerDynamic::default(), 6e-4, 0.02);
+        let whole = moved(law, -2e-3, 5e-3).dissipated_energy - law.dissipated_energy;
+        let (mut integral, n) = (0.0, 50_000);
+        for _ in 0..n {
+            law = moved(law, -2e-3, 2.5e-3 / f64::from(n));
+            integral += law.dissipated_power * 5e-3 / f64::from(n);
+            law = moved(law, -2e-3, 2.5e-3 / f64::from(n));
+        }
+        assert!((whole / integral - 1.0).abs() < 1e-8, "{whole} {integral}");
+    }
+
+    /// A reversal from f_0 to the speed V >> v_Sp gives back V T_slip (f_0 - f_C ln(1 + f_0 / f_C)) until f_f is 0.
+    #[test]
+    fn a_fast_reversal_gives_back_energy() {
+        let (f_0, v) = (1.4715, 1.0);
+        let held = moved(SpeckerDynamic::default(), 5e-4, 10.0);
+        let back = moved(held, -v, 1e-3 * f64::ln(1.0 + f_0 / 0.981));
+        assert!(back.friction_force.abs() < 1e-12);
+        let expected = v * 1e-3 * (f_0 - 0.981 * f64::ln(1.0 + f_0 / 0.981));
+        assert!(((held.dissipated_energy - back.dissipated_energy) / expected - 1.0).abs() < 1e-9);
+    }
+}

@@ -1,0 +1,79 @@
+//! The smooth curve of Specker, which passes through the static level at a given velocity.
+
+use crate::number::Real;
+
+/// Levels and velocities of the curve.
+#[derive(Clone, Copy)]
+pub struct Specker<T> {
+    /// f_C.
+    pub coulomb: T,
+    /// f_s.
+    pub statical: T,
+    /// v_0.
+    pub transition_velocity: T,
+    /// v_Sp.
+    pub peak_velocity: T,
+    /// c_v.
+    pub viscous_coefficient: T,
+}
+
+impl<T: Real> Specker<T> {
+    /// f_p: what the other parts leave to the static level at v_Sp; not negative, because it would drive the motion.
+    fn excess(&self) -> T {
+        let sliding = self.coulomb * (self.peak_velocity / self.transition_velocity).tanh();
+        let excess = self.statical - sliding - self.viscous_coefficient * self.peak_velocity;
+        if excess > T::zero() { excess } else { T::zero() }
+    }
+
+    /// The friction force:
+    ///
+    /// ```text
+    /// f = f_C tanh(v / v_0) + f_p (v / v_Sp) exp(1/2 (1 - (v / v_Sp)^2)) + c_v v
+    /// f_p = f_s - f_C tanh(v_Sp / v_0) - c_v v_Sp
+    /// ```
+    #[inline]
+    pub fn force(&self, velocity: T) -> T {
+        let [half, one] = [0.5, 1.0].map(T::from);
+        let u = velocity / self.peak_velocity;
+        self.coulomb * (velocity / self.transition_velocity).tanh()
+            + self.excess() * u * (half * (one - u * u)).exp()
+            + self.viscous_coefficient * velocity
+    }
+
+    /// Its slope at v = 0: K_0 = f_C / v_0 + f_p exp(1/2) / v_Sp + c_v.
+    #[inline]
+    pub fn slope_at_rest(&self) -> T {
+        self.coulomb / self.transition_velocity
+            + self.excess() * T::from(0.5).exp() / self.peak_velocity
+            + self.viscous_coefficient
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const DEFAULT: Specker<f64> = Specker {
+        coulomb: 0.981,
+        statical: 1.4715,
+        transition_velocity: 2.5e-4,
+        peak_velocity: 5e-4,
+        viscous_coefficient: 0.0,
+    };
+
+    #[test]
+    fn passes_through_the_static_level_for_any_velocities_and_viscosity() {
+        for (transition_velocity, peak_velocity, viscous_coefficient) in
+            [(1e-4, 1e-3, 0.0), (2e-3, 1e-3, 5.0), (2.5e-4, 5e-4, 100.0)]
+        {
+            let curve = Specker { transition_velocity, peak_velocity, viscous_coefficient, ..DEFAULT };
+            assert!((curve.force(-peak_velocity) + 1.4715).abs() < 1e-14);
+        }
+    }
+
+    #[test]
+    fn slope_at_rest_is_that_of_the_curve() {
+        assert!((DEFAULT.slope_at_rest() - 5657.7588).abs() < 1e-4);
+        assert!((DEFAULT.force(1e-9) / 1e-9 / DEFAULT.slope_at_rest() - 1.0).abs() < 1e-9);
+    }
+}
