@@ -110,7 +110,7 @@ crate::model! {
         /// Kinetic coefficient of friction.
         mu_k: tunable = real("1", 0.1).at_least(0.0),
         /// Level of the slow relaxation, as a coefficient of friction; second order (default calibrated).
-        mu_2: tunable = real("1", 0.273_205_080_756_887_73).at_least(0.0),
+        mu_2: tunable = real("1", 0.273_205_080_756_887_7).at_least(0.0),
         /// Length of the fast relaxation as a part of that of the slow one; second order (default chosen).
         eta: tunable = real("1", 0.5).positive().at_most(1.0),
         /// Sliding distance in which the slow relaxation settles to 1/e (default calibrated).
