@@ -117,6 +117,7 @@ const ODD: &[&str] = &[
     "y_2",
     "bristle.strain",
     "lagging_force",
+    "slip_direction",
 ];
 #[rustfmt::skip]
 const EVEN: &[&str] = &[

@@ -311,9 +311,9 @@ fn bliman_sorine_of_second_order_has_one_stick_slip_cycle_on_the_belt() {
     assert_bounded_at_coarse_steps("BlimanSorine", &[], |_| 2.0 * F_S - F_C + 1e-9);
 }
 
-/// A reversal out of steady sliding doubles the response from rest, f_C - (f_1 a - f_2 b): the next peak is not f_peak but
-/// 1.962 N, twice that less f_C. No path gives more: this is the integral of the magnitude of the impulse response
-/// C exp(A s) B, which changes its sign once, at s_p.
+/// A reversal out of steady sliding doubles the response from rest, f_C - (f_1 a - f_2 b), so the next peak is
+/// 2 f_peak - f_C = 1.962 N and not f_peak. No path gives more: this is the integral of the magnitude of the impulse
+/// response C exp(A s) B, which changes its sign once, at s_p.
 #[test]
 fn bliman_sorine_of_second_order_peaks_higher_after_a_reversal_but_never_above_that() {
     let mut bench = after("BlimanSorine", &[], -1.0, 1.0);
@@ -790,7 +790,8 @@ fn stationary_bristles_give_back_no_more_than_their_strain_energy() {
     assert!((-0.5 * F_S * 1.4715e-5..-1e-7).contains(&least), "{least}");
 }
 
-/// Steady force of the dynamic law: the static curve of Specker at its default parameters (v_0 = v_S / 4, v_Sp = v_S / 2).
+/// Steady force of the dynamic law: the static curve of Specker at its default parameters (v_0 = v_S / 4,
+/// v_Sp = v_S / 2).
 #[test]
 fn dynamic_specker_settles_on_the_static_curve() {
     let points = [
@@ -825,8 +826,8 @@ fn dynamic_specker_never_exceeds_the_maximum_of_its_curve() {
     assert!((1.0..=1.0043724).contains(&(highest / F_S)), "{highest}");
 }
 
-/// It is not passive: a closed cycle that reverses fast from f_s, returns as fast, and recovers slowly, gains energy. At
-/// 1 m/s and T_slip = 1 ms the two fast legs give V T_slip (f_s - f_C L) - V T_slip f_C (L - f_s / (f_s + f_C)) with
+/// It is not passive: a closed cycle that reverses fast from f_s, returns as fast, and recovers slowly, gains energy.
+/// At 1 m/s and T_slip = 1 ms the two fast legs give V T_slip (f_s - f_C L) - V T_slip f_C (L - f_s / (f_s + f_C)) with
 /// L = ln(1 + f_s / f_C), 2.62e-4 J; the recovery over 50 um takes less than f_s times that, 0.74e-4 J.
 #[test]
 fn dynamic_specker_gains_energy_in_a_closed_cycle() {
@@ -857,4 +858,56 @@ fn dynamic_specker_on_the_belt() {
     });
     Row::simulated("SpeckerDynamic", &[]).assert_close("co-simulation", &expected, 1e-2);
     assert_bounded_at_coarse_steps("SpeckerDynamic", &[], |_| 1.0043724 * F_S);
+}
+
+/// Velocity and load that move linearly, through a reversal: a dense sequence of short held steps is the other road.
+#[test]
+fn ramped_inputs_agree_with_many_short_steps() {
+    for model in ["BlimanSorine", "ResetIntegrator", "Dankowicz", "ElastoPlastic", "SpeckerDynamic"] {
+        let [mut ramp, mut dense] = [0; 2].map(|_| after(model, &[], -2e-3, 0.01));
+        for (name, slope) in [("velocity", 0.5), ("normal_force", 100.0)] {
+            ramp.instance.put_slope(ramp.column(name), slope);
+        }
+        ramp.step(0.02);
+        let n = 100_000;
+        for k in 0..n {
+            let time = 0.02 * (f64::from(k) + 0.5) / f64::from(n);
+            dense.set("velocity", -2e-3 + 0.5 * time);
+            dense.set("normal_force", 9.81 + 100.0 * time);
+            dense.step(0.02 / f64::from(n));
+        }
+        dense.set("velocity", 8e-3);
+        dense.set("normal_force", 11.81);
+        for name in ["friction_force", "dissipated_energy"] {
+            assert_close(&format!("{model} {name}"), ramp.get(name), dense.get(name), 2e-6);
+        }
+    }
+}
+
+/// Exact derivatives of the force against central differences, away from the kinks.
+#[test]
+fn derivatives_of_the_force_agree_with_differences() {
+    for model in ["BlimanSorine", "ResetIntegrator", "Dankowicz", "ElastoPlastic", "Bristle", "SpeckerDynamic"] {
+        for (velocity, time) in [(1e-4, 0.06), (3e-4, 0.03), (-8e-4, 0.013), (2e-3, 0.004), (-5e-3, 0.005)] {
+            let mut bench = after(model, &[("normal_force", 12.0)], velocity, time);
+            let force = bench.column("friction_force");
+            for name in ["velocity", "normal_force", "bristle_deflection", "sigma_0", "breakaway_ratio", "mu_s", "y_1"]
+            {
+                if !bench.has(name) {
+                    continue;
+                }
+                let (column, value) = (bench.column(name), bench.get(name));
+                let exact = bench.instance.derivative([(column, 1.0)].into_iter())[force].slope;
+                let h = 1e-5 * value.abs();
+                let [below, above] = [value - h, value + h].map(|x| {
+                    bench.set(name, x);
+                    bench.get("friction_force")
+                });
+                bench.set(name, value);
+                let scale = bench.get("friction_force").abs() / value.abs();
+                let difference = (above - below) / (2.0 * h);
+                assert!((exact - difference).abs() <= 1e-5 * scale, "{model} {name}: {exact} against {difference}");
+            }
+        }
+    }
 }

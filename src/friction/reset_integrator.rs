@@ -24,6 +24,7 @@ crate::model! {
     /// | sigma_0 | `sigma_0`            | N/m   | stiffness while sliding; (1 + a) sigma_0 at rest    |
     /// | sigma_1 | `sigma_1`            | N.s/m | damping of the bond                                 |
     /// | z       | `bristle_deflection` | m     | deflection of the bond, at most z_m                 |
+    /// | -       | `slip_direction`     | 1     | sign of z once z_m was reached, until v reverses    |
     /// | f_f     | `friction_force`     | N     | friction force                                      |
     ///
     /// # Sign
@@ -34,7 +35,8 @@ crate::model! {
     /// With held inputs the step is exact: the instant at which the deflection reaches z_m is located inside the step,
     /// and the energy is that of the two parts. A motion against the deflection bonds the contact again at once, so the
     /// force then belongs to the first line of (7.10), also at |z| = z_m. At rest (v = 0) with |z| = z_m the last
-    /// sliding force sigma_0 z stays. `sticking` says that the contact is bonded or at rest.
+    /// sliding force sigma_0 z stays. That z_m was reached is remembered in `slip_direction`. `sticking` says that the
+    /// contact is bonded or at rest.
     ///
     /// A master that steps the friction first and reads the force then gets at most f_s + 2 sigma_1 z_m / h, because a
     /// contact that is still bonded after a step h has moved by 2 z_m at most.
@@ -44,11 +46,12 @@ crate::model! {
     ///
     /// # Limits
     /// The force drops from f_s + sigma_1 v to f_C at breakaway, and jumps up at every reversal. The level does not
-    /// depend on the speed. A load that rises while the contact slides bonds it again until the new z_m is reached; a
-    /// load that falls takes the deflection down to the new z_m at once. `normal_force` = 0 releases the contact (force
-    /// 0, deflection 0), and so does `mu_k` = 0, because then z_m = 0. `mu_s` = `mu_k` with `sigma_1` = 0 is an
-    /// elastic, perfectly plastic bond, Dahl's law with alpha = 0. Passive at constant load: the stored energy (1 + a)
-    /// sigma_0 z^2 / 2 is that of a spring, so from the start values `dissipated_energy` never becomes negative.
+    /// depend on the speed. A load that changes takes a sliding contact to the new z_m (`bristle_deflection` keeps its
+    /// value at breakaway), so that it goes on sliding, and limits that of a bonded one. `normal_force` = 0 releases
+    /// the contact (force 0, deflection 0), and so does `mu_k` = 0, because then z_m = 0. `mu_s` = `mu_k` with
+    /// `sigma_1` = 0 is an elastic, perfectly plastic bond, Dahl's law with alpha = 0. Passive at constant load: the
+    /// stored energy (1 + a) sigma_0 z^2 / 2 is that of a spring, so from the start values `dissipated_energy` never
+    /// becomes negative.
     ///
     /// # Source
     /// Haessig and Friedland (1991), doi:10.1115/1.2896418; equations (7.9) to (7.11) of F. Novais, "A critical
@@ -87,6 +90,8 @@ crate::model! {
         sigma_1: tunable = real("N.s/m", 316.227_766_016_837_94).at_least(0.0).nominal(300.0),
         /// Mean elastic deflection of the bristles.
         bristle_deflection: state = real("m", 0.0).nominal(1e-5).shown_in("um"),
+        /// Direction in which the contact has broken away; 0 = bonded.
+        slip_direction: state = real("1", 0.0).at_least(-1.0).at_most(1.0),
         /// Energy taken out of the motion since the start.
         dissipated_energy: state_output = real("J", 0.0).nominal(1e-3),
         /// Friction force; has the sign of the velocity when sliding. Body 1 feels its negative.
@@ -114,17 +119,25 @@ impl<T: Real> ResetIntegrator<T> {
         self.sigma_0 * self.mu_s / self.mu_k
     }
 
-    /// The deflection, taken down to z_m if the load has fallen.
+    /// The deflection at the present load: z_m once the contact has broken away, and not more before.
     fn deflection(&self) -> T {
-        self.bristle_deflection.limited(self.limit())
+        if self.slip_direction.value() == 0.0 {
+            self.bristle_deflection.limited(self.limit())
+        } else {
+            self.slip_direction.sign() * self.limit()
+        }
     }
 
+    /// Has the contact broken away in the direction of the motion?
     fn is_sliding(&self) -> bool {
-        (self.bristle_deflection * self.velocity.sign()) >= self.limit() && self.velocity.value() != 0.0
+        let direction = self.velocity.sign();
+        direction.value() != 0.0
+            && (self.slip_direction * direction > T::zero() || self.bristle_deflection * direction >= self.limit())
     }
 
     fn is_at_rest_after_sliding(&self) -> bool {
-        self.velocity.value() == 0.0 && self.bristle_deflection.abs() >= self.limit()
+        let has_slid = self.slip_direction.value() != 0.0 || self.bristle_deflection.abs() >= self.limit();
+        self.velocity.value() == 0.0 && has_slid
     }
 
     /// Eq. (7.10).
@@ -146,6 +159,29 @@ impl<T: Real> Law for ResetIntegrator<T> {
         self.friction_force = self.force();
         self.dissipated_power = self.friction_force * self.velocity;
         self.sticking = T::from(f64::from(u8::from(!self.is_sliding() && self.coulomb().value() > 0.0)));
+    }
+}
+
+impl ResetIntegrator {
+    /// Moves the bond, up to z_m; what is left of the distance is sliding.
+    fn stretch(&mut self, direction: f64, distance: f64) {
+        let before = self.deflection();
+        let bonded = distance.min(self.limit() - direction * before);
+        self.bristle_deflection = before + direction * bonded;
+        self.slip_direction = 0.0;
+        self.dissipated_energy += self.stiffness() * direction * bonded * (before + 0.5 * direction * bonded)
+            + self.sigma_1 * self.velocity.abs() * bonded;
+        if bonded < distance {
+            self.slide(direction, distance - bonded);
+        }
+    }
+
+    fn slide(&mut self, direction: f64, distance: f64) {
+        if self.slip_direction != direction {
+            self.bristle_deflection = direction * self.limit();
+            self.slip_direction = direction;
+        }
+        self.dissipated_energy += self.coulomb() * distance;
     }
 }
 
@@ -173,21 +209,15 @@ impl Model for ResetIntegrator {
     }
 
     fn step(&mut self, dt: f64) {
-        if self.coulomb() <= 0.0 {
-            self.bristle_deflection = 0.0;
-            return;
-        }
-        let limit = self.limit();
         let direction = self.velocity.sign();
         let distance = self.velocity.abs() * dt;
-        let before = self.deflection();
-        // Up to here the contact is bonded; it slides for the rest of the step.
-        let bonded = distance.min(limit - direction * before);
-        self.bristle_deflection = if bonded < distance { direction * limit } else { before + direction * bonded };
-        let stretch = self.bristle_deflection - before;
-        self.dissipated_energy += self.stiffness() * stretch * (before + 0.5 * stretch)
-            + self.sigma_1 * self.velocity.abs() * bonded
-            + self.coulomb() * (distance - bonded);
+        if self.coulomb() <= 0.0 {
+            (self.bristle_deflection, self.slip_direction) = (0.0, 0.0);
+        } else if self.is_sliding() {
+            self.slide(direction, distance);
+        } else if direction != 0.0 {
+            self.stretch(direction, distance);
+        }
     }
 
     fn rate(&self, rate: &mut Self) {
@@ -260,6 +290,22 @@ mod tests {
         assert_eq!(law.friction_force, 0.1 * 4.905);
         let law = moved(law, -1e-9, 1e-3);
         assert!((law.friction_force - 0.5 * 1.4715).abs() < 1e-6 && law.bristle_deflection < 4.905e-6);
+    }
+
+    /// A load that rises lets a sliding contact slide on; without the memory it would bond again with f_s + sigma_1 v.
+    #[test]
+    fn rising_load_does_not_bond_a_sliding_contact() {
+        let sliding = moved(ResetIntegrator::default(), 0.3, 1e-3);
+        let mut law = ResetIntegrator { normal_force: 12.0, ..sliding };
+        law.output();
+        assert_eq!((law.friction_force, law.sticking), (0.1 * 12.0, 0.0));
+        let law = moved(law, 0.3, 1e-6);
+        assert_eq!(law.friction_force, 0.1 * 12.0);
+        assert!((law.dissipated_energy - sliding.dissipated_energy - 1.2 * 0.3e-6).abs() < 1e-18);
+        // A reversal finds the bond at the z_m of the present load.
+        let mut law = ResetIntegrator { velocity: -1e-9, ..law };
+        law.output();
+        assert!((law.friction_force - 0.15 * 12.0).abs() < 1e-6);
     }
 
     #[test]

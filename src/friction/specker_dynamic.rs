@@ -49,11 +49,11 @@ crate::model! {
     /// of
     /// |f_stat| (1.0044 f_s for the defaults) and the viscous part.
     ///
-    /// Not passive: after a reversal from a force f_0 to a speed V well above v_Sp the contact gives back V T_slip (f_0
-    /// - f_C ln(1 + f_0 / f_C)), and fast cycles with slow parts in between gain energy. What it gives back is never
-    /// more than |f_f v|, and nothing for T_slip = 0 and T_stick = 0, which is the static curve. `normal_force` = 0
-    /// releases the contact (force 0, also of the viscous part and of the memory). `mu_s` = `mu_k` leaves f_C tanh(v /
-    /// v_0) and a rest of 3.6 % of f_C in f_p for the defaults.
+    /// Not passive: after a reversal from a force f_0 to a speed V well above v_Sp the contact gives back the energy
+    /// V T_slip (f_0 - f_C ln(1 + f_0 / f_C)), and fast cycles with slow parts in between gain energy. The power that
+    /// it gives back is below |f_f v|, and vanishes with T_slip and T_stick, for which the law is the static curve.
+    /// `normal_force` = 0 releases the contact (force 0, also of the viscous part and of the memory). `mu_s` = `mu_k`
+    /// leaves f_C tanh(v / v_0) and a rest of 3.6 % of f_C in f_p for the defaults.
     ///
     /// # Source
     /// Reconstructed: F. Novais, "A critical analysis on friction force models in dynamical systems", MSc thesis,
