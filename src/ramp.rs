@@ -55,7 +55,8 @@ fn smooth<M: Model>(model: &mut M, begin: &M, slope: &M, from: f64, to: f64) {
         held(&mut halves, begin, slope, middle, end);
         let error = difference(&whole, &halves) / TOLERANCE;
         let length = end - at;
-        if error <= 1.0 || length <= shortest {
+        // Of `piece`, not of `length`: the sum at + shortest may be rounded up, and the loop would never end.
+        if error <= 1.0 || piece <= shortest {
             *model = halves;
             at = end;
         }
