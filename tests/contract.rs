@@ -101,12 +101,14 @@ const ODD: &[&str] = &[
     "velocity",
     "external_force",
     "bristle_deflection",
+    "element.force",
     "planned_force",
 ];
 #[rustfmt::skip]
 const EVEN: &[&str] = &[
     "normal_force",
     "dissipated_energy",
+    "element.slipping",
     "stuck",
     "step_size",
 ];
@@ -115,7 +117,8 @@ const EVEN: &[&str] = &[
 fn mirrored_motion_gives_the_mirrored_force() {
     for model in friction_models() {
         for variable in model.table.iter().filter(|variable| variable.role.is_state() || variable.role == Role::Input) {
-            let name = variable.path.to_string();
+            // Elements of an array behave alike: their index does not count.
+            let name = variable.path.segments().iter().map(|segment| segment.name).collect::<Vec<_>>().join(".");
             assert!(ODD.contains(&&*name) != EVEN.contains(&&*name), "{}: put {name} on one list", model.name);
         }
     }
@@ -151,7 +154,8 @@ fn steady_sliding_dissipates_within_the_static_level() {
         for velocity in [-10.0, -0.1, -2e-3, 5e-4, 1e-2, 1.0] {
             bench.set("velocity", velocity);
             // With mass the force would stop the body in a long step.
-            let h = if bench.has("mass") && bench.get("mass") > 0.0 { 1e-9 } else { 1e6 };
+            // Else it is long enough for the softest contact to yield.
+            let h = if bench.has("mass") && bench.get("mass") > 0.0 { 1e-9 } else { 1e9 };
             for _ in 0..3 {
                 bench.step(h);
             }

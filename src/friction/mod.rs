@@ -10,8 +10,10 @@ crate::catalogue::family! {
     brown_mcphee::BrownMcPhee,
     dahl::Dahl,
     lugre::LuGre,
+    maxwell_slip::MaxwellSlip,
 }
 
+mod elements;
 mod time_stepping;
 
 use crate::model::Fault;

@@ -1,0 +1,283 @@
+//! Numbers and closed forms of the laws whose pre-sliding has hysteresis, dwell time or two dimensions.
+
+mod common;
+
+use common::{Bench, Exchange, belt};
+
+/// f_C, f_s, v_S, sigma_0, sigma_1 = sqrt(sigma_0), sigma_2 of the thesis' Tables 6.1 and 7.1.
+const F_C: f64 = 0.981;
+const F_S: f64 = 1.4715;
+const V_S: f64 = 0.001;
+const SIGMA_0: f64 = 1e5;
+const SIGMA_1: f64 = 316.227_766_016_837_94;
+const SIGMA_2: f64 = 0.1;
+
+fn level(velocity: f64) -> f64 {
+    F_C + (F_S - F_C) * (-(velocity / V_S).powi(2)).exp()
+}
+
+/// A small generator (Knuth's MMIX constants), so that a failure can be repeated.
+struct Random(u64);
+
+impl Random {
+    fn next(&mut self) -> f64 {
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (self.0 >> 11) as f64 / (1u64 << 53) as f64
+    }
+
+    fn signed(&mut self) -> f64 {
+        2.0 * self.next() - 1.0
+    }
+}
+
+/// Moves by `distance` at the speed `speed`.
+fn travel(bench: &mut Bench, distance: f64, speed: f64) {
+    bench.set("velocity", speed * distance.signum());
+    bench.step(distance.abs() / speed);
+}
+
+fn after(model: &str, values: &[(&str, f64)], velocity: f64, time: f64) -> Bench {
+    let mut bench = Bench::new(model, values);
+    bench.set("velocity", velocity);
+    bench.step(time);
+    bench
+}
+
+/// The first maximum of the position with its time, and the lowest position after it.
+fn first_slip(samples: impl Iterator<Item = (f64, f64)>) -> [f64; 3] {
+    let after_start = samples.skip_while(|(time, _)| *time < 1.0);
+    let (mut highest, mut lowest) = ((0.0, f64::MIN), f64::MAX);
+    for (time, position) in after_start.take_while(|(time, _)| *time < 12.0) {
+        if position > highest.1 {
+            (highest, lowest) = ((time, position), f64::MAX);
+        }
+        lowest = lowest.min(position);
+    }
+    [highest.0, highest.1, lowest]
+}
+
+/// The belt benchmark (Table 6.1) with a law written anew, by Euler's method at 1 us: `law(v, h)` advances the states of
+/// the law and returns its force.
+fn euler_belt(mut law: impl FnMut(f64, f64) -> f64) -> [f64; 3] {
+    let (h, mut x, mut dx) = (1e-6, 0.0, 0.1);
+    let samples = (0..12_000_000).map(|k| {
+        dx += h * (-2.0 * x - law(dx - 0.1, h));
+        x += h * dx;
+        (f64::from(k) * h, x)
+    });
+    first_slip(samples)
+}
+
+fn assert_belt(model: &str, values: &[(&str, f64)], expected: [f64; 3]) {
+    for h in [1e-4, 1e-3] {
+        let samples = belt(&mut Bench::new(model, values), h, 12.0, Exchange::Sequential);
+        let found = first_slip(samples.iter().map(|sample| (sample.time, sample.position)));
+        for (found, expected) in found.into_iter().zip(expected) {
+            assert!((found / expected - 1.0).abs() < 0.01, "{model} {h}: {found} against {expected}");
+        }
+    }
+}
+
+/// The block stays where the closed form has it, and the force within what law and damping can give.
+fn assert_bounded(model: &str, values: &[(&str, f64)]) {
+    for exchange in [Exchange::Sequential, Exchange::Parallel] {
+        for h in [1e-3, 5e-3, 1e-2] {
+            let samples = belt(&mut Bench::new(model, values), h, 40.0, exchange);
+            let highest = samples.iter().map(|s| s.position.abs()).fold(0.0, f64::max);
+            let force = samples.iter().map(|s| s.friction_force.abs()).fold(0.0, f64::max);
+            assert!(highest < 0.78, "{model} {h} {exchange:?}: {highest} m");
+            assert!(force <= 1.3 * F_S, "{model} {h} {exchange:?}: {force} N");
+        }
+    }
+}
+
+/// Random strokes, after which the law can have given back no more than it got: its elastic energy is not negative.
+fn assert_passive(model: &str, values: &[(&str, f64)], speed: f64) {
+    let mut random = Random(23);
+    for history in 0..1000 {
+        let mut bench = Bench::new(model, values);
+        for _ in 0..30 {
+            bench.set("velocity", speed * 10f64.powf(-3.0 * random.next()) * random.signed());
+            bench.step(10f64.powf(-2.0 - 2.0 * random.next()));
+            let energy = bench.get("dissipated_energy");
+            assert!(energy >= -1e-18, "{model}, history {history}: {energy} J");
+        }
+    }
+}
+
+/// Inputs that move linearly: a dense sequence of short held steps is the other road.
+fn assert_ramp(model: &str, values: &[(&str, f64)], tolerance: f64) {
+    let mut ramp = Bench::new(model, values);
+    ramp.set("velocity", -2e-3);
+    ramp.step(0.01);
+    let mut dense = Bench::new(model, values);
+    dense.instance.restore(&ramp.instance.save());
+    let (velocity, load) = (ramp.column("velocity"), ramp.column("normal_force"));
+    ramp.instance.put_slope(velocity, 0.5);
+    ramp.instance.put_slope(load, 100.0);
+    ramp.step(0.02);
+    let n = 100_000;
+    for k in 0..n {
+        let time = 0.02 * (f64::from(k) + 0.5) / f64::from(n);
+        dense.set("velocity", -2e-3 + 0.5 * time);
+        dense.set("normal_force", 9.81 + 100.0 * time);
+        dense.step(0.02 / f64::from(n));
+    }
+    dense.set("velocity", 8e-3);
+    dense.set("normal_force", 9.81 + 2.0);
+    for name in ["friction_force", "dissipated_energy"] {
+        let (a, b) = (ramp.get(name), dense.get(name));
+        assert!((a / b - 1.0).abs() < tolerance, "{model} {name}: {a} against {b}");
+    }
+}
+
+// ---- MaxwellSlip
+
+/// Speed at which the level is f_s to 1e-12.
+const CREEP: f64 = 1e-9;
+
+/// y(x) = sum_i min(k_i x, alpha_i f_s), of the four default elements.
+fn virgin_curve(x: f64) -> f64 {
+    let elements = [(0.5, 0.1), (0.25, 0.2), (0.15, 0.3), (0.1, 0.4)];
+    elements.iter().map(|(k, alpha)| f64::min(k * SIGMA_0 * x, alpha * F_S)).sum()
+}
+
+#[test]
+fn maxwell_slip_virgin_curve() {
+    for (x, force) in [(1e-5, 0.64715), (2e-5, 0.94145), (3e-5, 1.1829), (6e-5, 1.4715)] {
+        let mut law = Bench::new("MaxwellSlip", &[]);
+        travel(&mut law, x, CREEP);
+        assert!((law.get("friction_force") - force).abs() < 1e-11, "{x}: {}", law.get("friction_force"));
+        assert!((virgin_curve(x) - force).abs() < 1e-14);
+    }
+}
+
+/// Masing's rules: branches are the virgin curve, doubled; inner loops close and are wiped out by the outer branch.
+#[test]
+fn maxwell_slip_branches_follow_masing() {
+    let mut law = Bench::new("MaxwellSlip", &[]);
+    let top = 3e-5;
+    travel(&mut law, top, CREEP);
+    let mut x = top;
+    for _ in 0..24 {
+        travel(&mut law, -2.5e-6, CREEP);
+        x -= 2.5e-6;
+        let branch = virgin_curve(top) - 2.0 * virgin_curve(0.5 * (top - x));
+        assert!((law.get("friction_force") - branch).abs() < 1e-12, "{x}");
+        // An inner loop leaves no trace.
+        if x < 0.0 {
+            travel(&mut law, 1.3e-6, CREEP);
+            travel(&mut law, -1.3e-6, CREEP);
+            assert!((law.get("friction_force") - branch).abs() < 1e-12, "{x}, after an inner loop");
+        }
+    }
+    travel(&mut law, 2.0 * top, CREEP);
+    assert!((law.get("friction_force") - virgin_curve(top)).abs() < 1e-12);
+}
+
+/// Energy of the loop between -X and X: 8 int_0^X y dx - 4 X y(X).
+#[test]
+fn maxwell_slip_loop_energy() {
+    let mut law = Bench::new("MaxwellSlip", &[]);
+    travel(&mut law, 3e-5, CREEP);
+    let mut before = law.get("dissipated_energy");
+    for _ in 0..3 {
+        travel(&mut law, -6e-5, CREEP);
+        travel(&mut law, 6e-5, CREEP);
+        let energy = law.get("dissipated_energy") - before;
+        assert!((energy / 3.839025780e-5 - 1.0).abs() < 1e-9, "{energy}");
+        before += energy;
+    }
+}
+
+/// Steady sliding: s(v) sgn v + f_v v, whatever the distribution.
+#[test]
+fn maxwell_slip_steady_force() {
+    for distribution in [1.0, 2.0] {
+        for velocity in [1e-4, 5e-4, -1e-3, 2e-3, -0.1] {
+            let values = [("distribution", distribution), ("element_count", 20.0), ("viscous_coefficient", SIGMA_2)];
+            let force = after("MaxwellSlip", &values, velocity, 10.0).get("friction_force");
+            let expected = level(velocity) * f64::signum(velocity) + SIGMA_2 * velocity;
+            assert!((force - expected).abs() < 1e-12, "{velocity}: {force}");
+        }
+    }
+}
+
+/// With one element, equal levels and instant attraction: Dahl's law with alpha = 0.
+#[test]
+fn maxwell_slip_of_one_element_is_elastic_and_perfectly_plastic() {
+    let values = [("element_count", 1.0), ("mu_s", 0.1), ("attraction", 1e12)];
+    let (mut law, mut dahl) = (Bench::new("MaxwellSlip", &values), Bench::new("Dahl", &[("alpha", 0.0)]));
+    let mut random = Random(3);
+    for _ in 0..2000 {
+        let distance = 1e-5 * random.signed();
+        travel(&mut law, distance, 1e-2);
+        travel(&mut dahl, distance, 1e-2);
+        assert!((law.get("friction_force") - dahl.get("friction_force")).abs() < 1e-12);
+    }
+    assert!((law.get("dissipated_energy") / dahl.get("dissipated_energy") - 1.0).abs() < 1e-12);
+}
+
+#[test]
+fn maxwell_slip_with_equal_levels_is_passive() {
+    for sigma_1 in [0.0, 300.0] {
+        assert_passive("MaxwellSlip", &[("mu_s", 0.1), ("sigma_1", sigma_1)], 1e-2);
+        let uniform = [("mu_s", 0.1), ("sigma_1", sigma_1), ("distribution", 2.0), ("element_count", 64.0)];
+        assert_passive("MaxwellSlip", &uniform, 1e-2);
+    }
+}
+
+#[test]
+fn maxwell_slip_with_ramped_inputs() {
+    assert_ramp("MaxwellSlip", &[], 1e-6);
+    assert_ramp("MaxwellSlip", &[("sigma_1", SIGMA_1), ("viscous_coefficient", SIGMA_2)], 1e-6);
+}
+
+/// The benchmark against the equations integrated together by Euler's method, with and without damping.
+#[test]
+fn maxwell_slip_on_the_belt() {
+    for (sigma_1, sigma_2) in [(SIGMA_1, SIGMA_2), (0.0, 0.0)] {
+        let mut elements =
+            [(0.5, 0.1), (0.25, 0.2), (0.15, 0.3), (0.1, 0.4)].map(|(k, a)| (k * SIGMA_0, a, 0.0, false));
+        let mut last = 0.0;
+        let expected = euler_belt(|v, h| {
+            let s = level(v);
+            let mut force = sigma_2 * v;
+            for (k, alpha, f, slips) in &mut elements {
+                *slips &= v * last > 0.0;
+                *slips |= *f * v.signum() >= *alpha * s;
+                let rate = if *slips { 1000.0 * (*alpha * v.signum() - *f / s) } else { *k * v };
+                *f += h * rate;
+                force += *f + sigma_1 / SIGMA_0 * rate;
+            }
+            last = v;
+            force
+        });
+        assert_belt("MaxwellSlip", &[("sigma_1", sigma_1), ("viscous_coefficient", sigma_2)], expected);
+        assert_bounded("MaxwellSlip", &[("sigma_1", sigma_1), ("viscous_coefficient", sigma_2)]);
+    }
+}
+
+/// A stuck block on elements without damping vibrates with sqrt((k + sigma_0) / m) and keeps its amplitude; with the
+/// damping of 2003 it comes to rest.
+#[test]
+fn maxwell_slip_needs_damping_to_bring_a_stuck_block_to_rest() {
+    for (sigma_1, remains) in [(0.0, true), (SIGMA_1, false)] {
+        let mut law = Bench::new("MaxwellSlip", &[("sigma_1", sigma_1), ("viscous_coefficient", 0.0)]);
+        let (h, mut x, mut v) = (1e-5, 0.0, 1e-4);
+        let mut late = 0.0f64;
+        for k in 0..100_000 {
+            law.set("velocity", v);
+            law.step(h);
+            v -= h * law.get("friction_force");
+            x += h * v;
+            if k > 90_000 {
+                late = late.max(f64::abs(v));
+            }
+        }
+        let amplitude = 1e-4 / SIGMA_0.sqrt();
+        assert!(x.abs() < 1.01 * amplitude);
+        assert_eq!(late > 0.99e-4, remains, "{late}");
+        assert_eq!(late < 1e-9, !remains, "{late}");
+    }
+}
