@@ -11,6 +11,7 @@ crate::catalogue::family! {
     dahl::Dahl,
     lugre::LuGre,
     maxwell_slip::MaxwellSlip,
+    leuven::Leuven,
 }
 
 mod elements;
