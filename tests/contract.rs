@@ -108,6 +108,7 @@ const ODD: &[&str] = &[
 const EVEN: &[&str] = &[
     "normal_force",
     "dissipated_energy",
+    "dwell",
     "element.slipping",
     "stuck",
     "step_size",

@@ -12,6 +12,7 @@ crate::catalogue::family! {
     lugre::LuGre,
     maxwell_slip::MaxwellSlip,
     leuven::Leuven,
+    gonthier::Gonthier,
 }
 
 mod elements;
