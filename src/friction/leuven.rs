@@ -90,7 +90,7 @@ crate::model! {
     /// use stribeck::friction::Leuven;
     /// use stribeck::model::{Law, Model};
     /// let mut law = Leuven { velocity: 0.001, ..Default::default() };
-    /// law.step(1.0);
+    /// law.step(10.0);
     /// law.output();
     /// let steady = 0.981 + 0.4905 * (-1.0f64).exp() + 0.1 * 0.001; // s(v_S) + sigma_2 v_S
     /// assert!((law.friction_force - steady).abs() < 1e-12);
