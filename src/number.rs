@@ -23,6 +23,8 @@ pub trait Real:
     fn exp(self) -> Self;
     /// Hyperbolic tangent.
     fn tanh(self) -> Self;
+    /// Sine.
+    fn sin(self) -> Self;
     /// `self` to a constant power; `self` must not be negative.
     fn powf(self, exponent: Self) -> Self;
 
@@ -66,6 +68,9 @@ impl Real for f64 {
     }
     fn tanh(self) -> f64 {
         f64::tanh(self)
+    }
+    fn sin(self) -> f64 {
+        f64::sin(self)
     }
     fn powf(self, exponent: f64) -> f64 {
         f64::powf(self, exponent)
@@ -162,6 +167,9 @@ impl Real for Dual {
         let value = self.value.tanh();
         self.chain(value, 1.0 - value * value)
     }
+    fn sin(self) -> Dual {
+        self.chain(self.value.sin(), self.value.cos())
+    }
     fn powf(self, exponent: Dual) -> Dual {
         let value = self.value.powf(exponent.value);
         let by_base = self.chain(value, exponent.value * self.value.powf(exponent.value - 1.0));
@@ -181,7 +189,7 @@ mod tests {
     fn derivatives_agree_with_central_differences() {
         fn expression<T: Real>(x: T) -> T {
             let two = T::from(2.0);
-            (-x.abs() / two).exp() * (x * two).tanh()
+            (-x.abs() / two).exp() * (x * two).tanh() * (x + two).sin()
                 - x.abs().powf(T::from(1.5) + x / T::from(10.0)) / (x + T::from(5.0))
                 + x.limited(T::from(0.25))
         }

@@ -1,4 +1,7 @@
 //! What every friction model promises, asked of all models of the catalogue over a grid of their parameters.
+//!
+//! Models in a plane or in space promise the same of their vectors: the mirrored motion has all odd components negated,
+//! the force is measured along the motion, and the dissipated power is the scalar product of force and velocity.
 
 mod common;
 
@@ -88,6 +91,30 @@ fn for_all(check: impl Fn(&mut Bench, &str)) {
     assert!(cases > 60 * friction_models().count(), "only {cases} cases");
 }
 
+/// Velocity and force of a model, by components, and the direction of its motion in tests along a line.
+const AXES: [(&str, &str, f64); 4] = [
+    ("velocity", "friction_force", 1.0),
+    ("velocity_x", "friction_force_x", 0.6),
+    ("velocity_y", "friction_force_y", -0.8),
+    ("velocity_z", "friction_force_z", 0.0),
+];
+
+fn axes(bench: &Bench) -> Vec<(&'static str, &'static str, f64)> {
+    AXES.into_iter().filter(|(velocity, ..)| bench.has(velocity)).collect()
+}
+
+/// Lets the model move along a line.
+fn set_velocity(bench: &mut Bench, velocity: f64) {
+    for (name, _, share) in axes(bench) {
+        bench.set(name, share * velocity);
+    }
+}
+
+/// The force along that line.
+fn force(bench: &mut Bench) -> f64 {
+    axes(bench).into_iter().map(|(_, name, share)| share * bench.get(name)).sum()
+}
+
 /// Upper limit of the force in steady sliding: the static level and the viscous part.
 fn limit(bench: &mut Bench, velocity: f64) -> f64 {
     let value = |bench: &mut Bench, name: &str| if bench.has(name) { bench.get(name) } else { 0.0 };
@@ -100,13 +127,22 @@ fn limit(bench: &mut Bench, velocity: f64) -> f64 {
 const ODD: &[&str] = &[
     "velocity",
     "external_force",
+    "velocity_x",
+    "velocity_y",
+    "velocity_z",
     "bristle_deflection",
+    "bristle_deflection_x",
+    "bristle_deflection_y",
+    "bristle_deflection_z",
     "element.force",
     "planned_force",
 ];
 #[rustfmt::skip]
 const EVEN: &[&str] = &[
     "normal_force",
+    "normal_x",
+    "normal_y",
+    "normal_z",
     "dissipated_energy",
     "dwell",
     "element.slipping",
@@ -129,7 +165,9 @@ fn mirrored_motion_gives_the_mirrored_force() {
         let mut random = Random(11);
         for _ in 0..20 {
             let scale = 10f64.powf(-6.0 * random.next());
-            for (name, value) in [("velocity", scale * random.signed()), ("external_force", 2.0 * random.signed())] {
+            let odd = axes(bench).into_iter().map(|(name, ..)| (name, scale)).chain([("external_force", 2.0)]);
+            for (name, scale) in odd {
+                let value = scale * random.signed();
                 if bench.has(name) {
                     bench.set(name, value);
                     mirror.set(name, -value);
@@ -138,8 +176,10 @@ fn mirrored_motion_gives_the_mirrored_force() {
             let h = 10f64.powf(-4.0 * random.next());
             bench.step(h);
             mirror.step(h);
-            let (force, mirrored) = (bench.get("friction_force"), mirror.get("friction_force"));
-            assert_eq!(force, -mirrored, "{what}");
+            for (_, name, _) in axes(bench) {
+                let (force, mirrored) = (bench.get(name), mirror.get(name));
+                assert_eq!(force, -mirrored, "{what}");
+            }
             assert_eq!(bench.get("dissipated_energy"), mirror.get("dissipated_energy"), "{what}");
         }
     });
@@ -153,14 +193,14 @@ fn steady_sliding_dissipates_within_the_static_level() {
             return;
         }
         for velocity in [-10.0, -0.1, -2e-3, 5e-4, 1e-2, 1.0] {
-            bench.set("velocity", velocity);
+            set_velocity(bench, velocity);
             // With mass the force would stop the body in a long step.
             // Else it is long enough for the softest contact to yield.
             let h = if bench.has("mass") && bench.get("mass") > 0.0 { 1e-9 } else { 1e9 };
             for _ in 0..3 {
                 bench.step(h);
             }
-            let force = bench.get("friction_force");
+            let force = force(bench);
             assert!(force * velocity >= 0.0, "{what}: {force} N at {velocity} m/s");
             let limit = limit(bench, velocity);
             assert!(force.abs() <= limit * (1.0 + 1e-12), "{what}: {force} N at {velocity} m/s, limit {limit} N");
@@ -172,19 +212,25 @@ fn steady_sliding_dissipates_within_the_static_level() {
 #[test]
 fn no_load_releases_the_contact() {
     for_all(|bench, what| {
-        bench.set("velocity", 0.02);
+        set_velocity(bench, 0.02);
         bench.step(0.01);
         bench.set("normal_force", 0.0);
         if bench.has("external_force") {
             bench.set("external_force", 3.0);
         }
         for velocity in [0.0, 0.02, -1.0] {
-            bench.set("velocity", velocity);
-            assert_eq!((bench.get("friction_force"), bench.get("sticking")), (0.0, 0.0), "{what} before a step");
+            set_velocity(bench, velocity);
+            for (_, force, _) in axes(bench) {
+                assert_eq!((bench.get(force), bench.get("sticking")), (0.0, 0.0), "{what} before a step");
+            }
             bench.step(0.01);
-            assert_eq!((bench.get("friction_force"), bench.get("sticking")), (0.0, 0.0), "{what} after a step");
-            if bench.has("bristle_deflection") {
-                assert_eq!(bench.get("bristle_deflection"), 0.0, "{what}");
+            for (_, force, _) in axes(bench) {
+                assert_eq!((bench.get(force), bench.get("sticking")), (0.0, 0.0), "{what} after a step");
+            }
+            for state in ["", "_x", "_y", "_z"].map(|axis| format!("bristle_deflection{axis}")) {
+                if bench.has(&state) {
+                    assert_eq!(bench.get(&state), 0.0, "{what}");
+                }
             }
         }
     });
@@ -201,16 +247,20 @@ fn two_half_steps_are_one_step() {
         halves.instance.restore(&bench.instance.save());
         let mut random = Random(13);
         for _ in 0..20 {
-            let velocity = 10f64.powf(-6.0 * random.next()) * random.signed();
+            let (velocity, mut speed) = (10f64.powf(-6.0 * random.next()) * random.signed(), 0.0);
             let h = 10f64.powf(-5.0 * random.next());
-            bench.set("velocity", velocity);
-            halves.set("velocity", velocity);
+            for (name, ..) in axes(bench) {
+                let velocity = if name == "velocity" { velocity } else { velocity * random.signed() };
+                bench.set(name, velocity);
+                halves.set(name, velocity);
+                speed += velocity.abs();
+            }
             bench.step(h);
             halves.step(0.5 * h);
             halves.step(0.5 * h);
             // A force at constant speed is not larger than this, so differences are measured against it.
-            let scale = 1e-3 + limit(bench, velocity) + 1e4 * velocity.abs();
-            for name in ["friction_force", "dissipated_energy"] {
+            let scale = 1e-3 + limit(bench, speed) + 1e4 * speed;
+            for name in axes(bench).into_iter().map(|(_, force, _)| force).chain(["dissipated_energy"]) {
                 let (one, two) = (bench.get(name), halves.get(name));
                 assert!((one - two).abs() <= 1e-10 * scale.max(one.abs()), "{what}: {name} {one} against {two}");
             }
@@ -225,7 +275,8 @@ fn finite_inputs_give_finite_results_or_a_refusal_that_changes_nothing() {
     for_all(|bench, what| {
         let mut random = Random(17);
         for _ in 0..30 {
-            for name in ["velocity", "normal_force", "external_force"] {
+            let vectors = ["velocity_x", "velocity_y", "velocity_z", "normal_x", "normal_y", "normal_z"];
+            for name in ["velocity", "normal_force", "external_force"].into_iter().chain(vectors) {
                 if bench.has(name) {
                     let sign = if name == "normal_force" { 1.0 } else { random.pick(&[-1.0, 1.0]) };
                     bench.set(name, sign * random.pick(&extremes));
@@ -249,7 +300,7 @@ fn everyday_inputs_are_never_refused() {
     for_all(|bench, what| {
         let mut random = Random(19);
         for _ in 0..50 {
-            bench.set("velocity", random.pick(&[0.0, 1e-9, 1e-4, 0.1, 2.0, 20.0]) * random.pick(&[-1.0, 1.0]));
+            set_velocity(bench, random.pick(&[0.0, 1e-9, 1e-4, 0.1, 2.0, 20.0]) * random.pick(&[-1.0, 1.0]));
             bench.set("normal_force", random.pick(&[0.0, 1e-9, 1e-3, 10.0, 2e4]));
             let h = random.pick(&[2e-13, 1e-6, 1e-4, 1e-3, 0.1, 1.0]);
             bench.instance.step(h).unwrap_or_else(|fault| panic!("{what}: {fault}"));
@@ -299,7 +350,10 @@ fn equal_names_mean_equal_things() {
         for variable in model.table {
             let name = variable.path.to_string();
             let (other, first) = *seen.entry(name.clone()).or_insert((model.name, variable));
-            assert_eq!(first.kind, variable.kind, "{name} in {other} and {}", model.name);
+            // Which choices a variant offers may differ.
+            if name != "variant" {
+                assert_eq!(first.kind, variable.kind, "{name} in {other} and {}", model.name);
+            }
             assert_eq!(first.help, variable.help, "{name} in {other} and {}", model.name);
             assert_eq!(first.role, variable.role, "{name} in {other} and {}", model.name);
         }
@@ -311,9 +365,12 @@ fn equal_names_mean_equal_things() {
 fn every_friction_model_has_the_common_columns() {
     for model in friction_models() {
         let role = |name: &str| model.find(name).map(|column| model.table[column].role);
-        assert_eq!(role("velocity"), Some(Role::Input), "{}", model.name);
-        assert_eq!(role("normal_force"), Some(Role::Input), "{}", model.name);
-        for output in ["friction_force", "dissipated_power", "sticking"] {
+        let axes = axes(&Bench::new(model.name, &[]));
+        assert!([1, 2, 3].contains(&axes.len()), "{}", model.name);
+        for input in axes.iter().map(|(velocity, ..)| *velocity).chain(["normal_force"]) {
+            assert_eq!(role(input), Some(Role::Input), "{} {input}", model.name);
+        }
+        for output in axes.iter().map(|(_, force, _)| *force).chain(["dissipated_power", "sticking"]) {
             assert_eq!(role(output), Some(Role::Output), "{} {output}", model.name);
         }
         assert_eq!(role("dissipated_energy"), Some(Role::StateOutput), "{}", model.name);

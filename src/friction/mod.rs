@@ -13,6 +13,7 @@ crate::catalogue::family! {
     maxwell_slip::MaxwellSlip,
     leuven::Leuven,
     gonthier::Gonthier,
+    liang::Liang,
 }
 
 mod elements;

@@ -4,3 +4,4 @@ pub mod approach;
 pub mod relaxation;
 pub mod stopping;
 pub mod stribeck;
+pub mod vector;
