@@ -528,7 +528,9 @@ impl ModelType {
 
     /// The column of that name.
     pub fn find(&self, name: &str) -> Option<usize> {
-        self.table.iter().position(|variable| variable.path.to_string() == name)
+        // Names are put together only where they begin alike: a table can have hundreds of rows.
+        let alike = |variable: &Variable| name.starts_with(variable.path.segments()[0].name);
+        self.table.iter().position(|variable| alike(variable) && variable.path.to_string() == name)
     }
 
     /// Refuses parameters that are admitted one by one but not together.
@@ -703,6 +705,40 @@ pub const fn ports<const COLUMNS: usize>(table: &[Variable]) -> [Port; COLUMNS] 
     ports
 }
 
+/// Start values by the name of a column: those of the first parts of an array, one after the other.
+pub type Starts<'a> = &'a [(&'a str, &'a [f64])];
+
+/// As [`graft`]; then the first parts get start values of their own. A name that the part does not have, more values
+/// than parts, or a value outside its bound does not compile.
+pub const fn graft_with(
+    table: &mut [Variable],
+    at: usize,
+    name: &'static str,
+    count: usize,
+    part: &[Variable],
+    starts: Starts,
+) -> usize {
+    let end = graft_all(table, at, name, count, part);
+    let mut entry = 0;
+    while entry < starts.len() {
+        let (column, values) = starts[entry];
+        let mut offset = 0;
+        while !unit::same(part[offset].path.segments()[0].name, column) {
+            offset += 1;
+        }
+        assert!(values.len() <= count, "more start values than parts");
+        let mut index = 0;
+        while index < values.len() {
+            let variable = &mut table[at + index * part.len() + offset];
+            assert!(variable.bound.admits(values[index]), "the start value is outside its bound");
+            variable.start = values[index];
+            index += 1;
+        }
+        entry += 1;
+    }
+    end
+}
+
 /// A table entry to be overwritten by [`place`] or [`graft`].
 pub const BLANK: Variable = real("1", 0.0).named(Path::root(""), Role::Output, "");
 
@@ -754,7 +790,8 @@ macro_rules! choices {
 }
 
 /// Declares a part: columns that a model contains once (`stop: BumpStop`), several times (`element: [Element; 4]`), or
-/// once and under the names of the part itself (`time_stepping: (TimeStepping)`).
+/// once and under the names of the part itself (`time_stepping: (TimeStepping)`). The first parts of an array may have
+/// start values of their own: `element: [Element; 4] = &[("stiffness", &[3.0, 2.0])]`.
 /// The syntax of the fields is that of [`model!`](crate::model!).
 #[macro_export]
 macro_rules! part {
@@ -831,6 +868,10 @@ macro_rules! part {
 
     (@place $table:ident $at:ident $field:ident [$Part:ident; $n:expr], $help:expr) => {
         $crate::model::graft_all(&mut $table, $at, stringify!($field), $n, <$Part as $crate::model::Columns>::TABLE)
+    };
+    (@place $table:ident $at:ident $field:ident [$Part:ident; $n:expr] = $starts:expr, $help:expr) => {
+        $crate::model::graft_with(
+            &mut $table, $at, stringify!($field), $n, <$Part as $crate::model::Columns>::TABLE, $starts)
     };
     (@place $table:ident $at:ident $field:ident ($Part:ident), $help:expr) => {
         $crate::model::inline(&mut $table, $at, <$Part as $crate::model::Columns>::TABLE)

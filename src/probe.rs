@@ -47,7 +47,7 @@ crate::model! {
         /// A switch.
         enabled: tunable = boolean(true),
         /// Elements.
-        element: [Element; 3],
+        element: [Element; 3] = &[("stiffness", &[5.0])],
         /// A part that contains parts.
         stack: Stack,
         /// The integral.
@@ -89,5 +89,6 @@ fn parts_are_flattened_in_the_order_of_the_struct() {
     let row = crate::model::row_of(&probe);
     assert_eq!(row[14], probe.stack.gap);
     assert_eq!(row[8], probe.element[2].stiffness);
+    assert_eq!([row[4], row[6], row[8]], [5.0, 2.0, 2.0]);
     assert_eq!(row.len(), MODELS[0].table.len());
 }

@@ -40,7 +40,7 @@ const fn unit(
 }
 
 /// Every unit that a column may have.
-pub static UNITS: [Unit; 13] = [
+pub static UNITS: [Unit; 14] = [
     unit("1", "Ratio", [0, 0, 0], &[]),
     unit("m", "Length", [0, 1, 0], &[shown("mm", 1e3), shown("um", 1e6)]),
     unit("m/s", "Velocity", [0, 1, -1], &[shown("mm/s", 1e3)]),
@@ -48,6 +48,7 @@ pub static UNITS: [Unit; 13] = [
     unit("s", "Duration", [0, 0, 1], &[shown("ms", 1e3)]),
     unit("kg", "Mass", [1, 0, 0], &[]),
     unit("N", "Force", [1, 1, -2], &[shown("kN", 1e-3)]),
+    unit("N/s", "ForceRate", [1, 1, -3], &[]),
     unit("N/m", "Stiffness", [1, 0, -2], &[shown("N/mm", 1e-3)]),
     unit("N.s/m", "ViscousCoefficient", [1, 0, -1], &[shown("N.s/mm", 1e-3)]),
     unit("s/m", "InverseVelocity", [0, -1, 1], &[]),
@@ -69,7 +70,7 @@ pub(crate) const fn named(name: &str) -> &'static Unit {
 }
 
 /// Text equality in a `const fn`, where `==` on `str` is not available.
-const fn same(a: &str, b: &str) -> bool {
+pub(crate) const fn same(a: &str, b: &str) -> bool {
     let (a, b) = (a.as_bytes(), b.as_bytes());
     if a.len() != b.len() {
         return false;

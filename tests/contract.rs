@@ -1,4 +1,7 @@
 //! What every friction model promises, asked of all models of the catalogue over a grid of their parameters.
+//!
+//! Models in a plane or in space promise the same of their vectors: the mirrored motion has all odd components negated,
+//! the force is measured along the motion, and the dissipated power is the scalar product of force and velocity.
 
 mod common;
 
@@ -88,6 +91,30 @@ fn for_all(check: impl Fn(&mut Bench, &str)) {
     assert!(cases > 60 * friction_models().count(), "only {cases} cases");
 }
 
+/// Velocity and force of a model, by components, and the direction of its motion in tests along a line.
+const AXES: [(&str, &str, f64); 4] = [
+    ("velocity", "friction_force", 1.0),
+    ("velocity_x", "friction_force_x", 0.6),
+    ("velocity_y", "friction_force_y", -0.8),
+    ("velocity_z", "friction_force_z", 0.0),
+];
+
+fn axes(bench: &Bench) -> Vec<(&'static str, &'static str, f64)> {
+    AXES.into_iter().filter(|(velocity, ..)| bench.has(velocity)).collect()
+}
+
+/// Lets the model move along a line.
+fn set_velocity(bench: &mut Bench, velocity: f64) {
+    for (name, _, share) in axes(bench) {
+        bench.set(name, share * velocity);
+    }
+}
+
+/// The force along that line.
+fn force(bench: &mut Bench) -> f64 {
+    axes(bench).into_iter().map(|(_, name, share)| share * bench.get(name)).sum()
+}
+
 /// Upper limit of the force in steady sliding: the static level and the parts that grow with speed.
 fn limit(bench: &mut Bench, velocity: f64) -> f64 {
     let value = |bench: &mut Bench, name: &str| if bench.has(name) { bench.get(name) } else { 0.0 };
@@ -106,7 +133,14 @@ fn limit(bench: &mut Bench, velocity: f64) -> f64 {
 const ODD: &[&str] = &[
     "velocity",
     "external_force",
+    "velocity_x",
+    "velocity_y",
+    "velocity_z",
     "bristle_deflection",
+    "bristle_deflection_x",
+    "bristle_deflection_y",
+    "bristle_deflection_z",
+    "element.force",
     "planned_force",
     "lagged_velocity",
     "acceleration",
@@ -122,7 +156,12 @@ const ODD: &[&str] = &[
 #[rustfmt::skip]
 const EVEN: &[&str] = &[
     "normal_force",
+    "normal_x",
+    "normal_y",
+    "normal_z",
     "dissipated_energy",
+    "dwell",
+    "element.slipping",
     "stuck",
     "step_size",
     "planning_step",
@@ -156,9 +195,10 @@ fn mirrored_motion_gives_the_mirrored_force() {
         let mut random = Random(11);
         for _ in 0..20 {
             let scale = 10f64.powf(-6.0 * random.next());
-            let velocity = ("velocity", scale * random.signed());
-            let others = ["external_force", "acceleration"].map(|name| (name, 2.0 * random.signed()));
-            for (name, value) in [velocity].into_iter().chain(others) {
+            let moving = axes(bench).into_iter().map(|(name, ..)| (name, scale));
+            let odd: Vec<_> = moving.chain([("external_force", 2.0), ("acceleration", 2.0)]).collect();
+            for (name, scale) in odd {
+                let value = scale * random.signed();
                 if bench.has(name) {
                     bench.set(name, value);
                     mirror.set(name, -value);
@@ -167,8 +207,10 @@ fn mirrored_motion_gives_the_mirrored_force() {
             let h = 10f64.powf(-4.0 * random.next());
             bench.step(h);
             mirror.step(h);
-            let (force, mirrored) = (bench.get("friction_force"), mirror.get("friction_force"));
-            assert_eq!(force, -mirrored, "{what}");
+            for (_, name, _) in axes(bench) {
+                let (force, mirrored) = (bench.get(name), mirror.get(name));
+                assert_eq!(force, -mirrored, "{what}");
+            }
             assert_eq!(bench.get("dissipated_energy"), mirror.get("dissipated_energy"), "{what}");
         }
     });
@@ -182,13 +224,14 @@ fn steady_sliding_dissipates_within_the_static_level() {
             return;
         }
         for velocity in [-10.0, -0.1, -2e-3, 5e-4, 1e-2, 1.0] {
-            bench.set("velocity", velocity);
+            set_velocity(bench, velocity);
             // With mass the force would stop the body in a long step.
-            let h = if bench.has("mass") && bench.get("mass") > 0.0 { 1e-9 } else { 1e6 };
+            // Else it is long enough for the softest contact to yield.
+            let h = if bench.has("mass") && bench.get("mass") > 0.0 { 1e-9 } else { 1e9 };
             for _ in 0..3 {
                 bench.step(h);
             }
-            let force = bench.get("friction_force");
+            let force = force(bench);
             assert!(force * velocity >= 0.0 || is_resisting_on_average(bench), "{what}: {force} N at {velocity} m/s");
             let limit = limit(bench, velocity);
             assert!(force.abs() <= limit * (1.0 + 1e-12), "{what}: {force} N at {velocity} m/s, limit {limit} N");
@@ -200,19 +243,25 @@ fn steady_sliding_dissipates_within_the_static_level() {
 #[test]
 fn no_load_releases_the_contact() {
     for_all(|bench, what| {
-        bench.set("velocity", 0.02);
+        set_velocity(bench, 0.02);
         bench.step(0.01);
         bench.set("normal_force", 0.0);
         if bench.has("external_force") {
             bench.set("external_force", 3.0);
         }
         for velocity in [0.0, 0.02, -1.0] {
-            bench.set("velocity", velocity);
-            assert_eq!((bench.get("friction_force"), bench.get("sticking")), (0.0, 0.0), "{what} before a step");
+            set_velocity(bench, velocity);
+            for (_, force, _) in axes(bench) {
+                assert_eq!((bench.get(force), bench.get("sticking")), (0.0, 0.0), "{what} before a step");
+            }
             bench.step(0.01);
-            assert_eq!((bench.get("friction_force"), bench.get("sticking")), (0.0, 0.0), "{what} after a step");
-            if bench.has("bristle_deflection") {
-                assert_eq!(bench.get("bristle_deflection"), 0.0, "{what}");
+            for (_, force, _) in axes(bench) {
+                assert_eq!((bench.get(force), bench.get("sticking")), (0.0, 0.0), "{what} after a step");
+            }
+            for state in ["", "_x", "_y", "_z"].map(|axis| format!("bristle_deflection{axis}")) {
+                if bench.has(&state) {
+                    assert_eq!(bench.get(&state), 0.0, "{what}");
+                }
             }
         }
     });
@@ -229,21 +278,25 @@ fn two_half_steps_are_one_step() {
         halves.instance.restore(&bench.instance.save());
         let mut random = Random(13);
         for _ in 0..20 {
-            let velocity = 10f64.powf(-6.0 * random.next()) * random.signed();
+            let (velocity, mut speed) = (10f64.powf(-6.0 * random.next()) * random.signed(), 0.0);
             let mut h = 10f64.powf(-5.0 * random.next());
             if bench.has("bristle_count") && bench.get("mu_s") > bench.get("mu_k") {
                 // A law of random numbers follows its bonds one by one over short slides; long ones are drawn.
                 let span = 3.0 * bench.get("delta") * (1.0 - bench.get("mu_k") / bench.get("mu_s"));
                 h = h.min(20.0 * span / velocity.abs());
             }
-            bench.set("velocity", velocity);
-            halves.set("velocity", velocity);
+            for (name, ..) in axes(bench) {
+                let velocity = if name == "velocity" { velocity } else { velocity * random.signed() };
+                bench.set(name, velocity);
+                halves.set(name, velocity);
+                speed += velocity.abs();
+            }
             bench.step(h);
             halves.step(0.5 * h);
             halves.step(0.5 * h);
             // A force at constant speed is not larger than this, so differences are measured against it.
-            let scale = 1e-3 + limit(bench, velocity) + 1e4 * velocity.abs();
-            for name in ["friction_force", "dissipated_energy"] {
+            let scale = 1e-3 + limit(bench, speed) + 1e4 * speed;
+            for name in axes(bench).into_iter().map(|(_, force, _)| force).chain(["dissipated_energy"]) {
                 let (one, two) = (bench.get(name), halves.get(name));
                 assert!((one - two).abs() <= 1e-10 * scale.max(one.abs()), "{what}: {name} {one} against {two}");
             }
@@ -258,7 +311,9 @@ fn finite_inputs_give_finite_results_or_a_refusal_that_changes_nothing() {
     for_all(|bench, what| {
         let mut random = Random(17);
         for _ in 0..30 {
-            for name in ["velocity", "normal_force", "external_force", "acceleration"] {
+            let scalars = ["velocity", "normal_force", "external_force", "acceleration"];
+            let vectors = ["velocity_x", "velocity_y", "velocity_z", "normal_x", "normal_y", "normal_z"];
+            for name in scalars.into_iter().chain(vectors) {
                 if bench.has(name) {
                     let sign = if name == "normal_force" { 1.0 } else { random.pick(&[-1.0, 1.0]) };
                     bench.set(name, sign * random.pick(&extremes));
@@ -282,7 +337,7 @@ fn everyday_inputs_are_never_refused() {
     for_all(|bench, what| {
         let mut random = Random(19);
         for _ in 0..50 {
-            bench.set("velocity", random.pick(&[0.0, 1e-9, 1e-4, 0.1, 2.0, 20.0]) * random.pick(&[-1.0, 1.0]));
+            set_velocity(bench, random.pick(&[0.0, 1e-9, 1e-4, 0.1, 2.0, 20.0]) * random.pick(&[-1.0, 1.0]));
             bench.set("normal_force", random.pick(&[0.0, 1e-9, 1e-3, 10.0, 2e4]));
             let h = random.pick(&[2e-13, 1e-6, 1e-4, 1e-3, 0.1, 1.0]);
             bench.instance.step(h).unwrap_or_else(|fault| panic!("{what}: {fault}"));
@@ -329,7 +384,7 @@ fn rates_are_the_derivatives_of_the_states() {
 fn the_rate_of_the_energy_is_the_power() {
     for_all(|bench, what| {
         for velocity in [-0.03, 4e-4, 1.0] {
-            bench.set("velocity", velocity);
+            set_velocity(bench, velocity);
             bench.step(1e-3);
             let (energy, power) = (bench.column("dissipated_energy"), bench.get("dissipated_power"));
             let rate = bench.instance.time_derivative()[energy].slope;
@@ -342,12 +397,14 @@ fn the_rate_of_the_energy_is_the_power() {
 #[test]
 fn ramps_always_end() {
     let ramp = |model: &str, start: [f64; 2], slope: [f64; 2], h: f64| {
-        let mut bench = Bench::new(model, &[("velocity", start[0]), ("normal_force", start[1])]);
-        let (velocity, load) = (bench.column("velocity"), bench.column("normal_force"));
+        let mut bench = Bench::new(model, &[("normal_force", start[1])]);
+        let moving = axes(&bench)[0].0;
+        bench.set(moving, start[0]);
+        let (velocity, load) = (bench.column(moving), bench.column("normal_force"));
         bench.instance.put_slope(velocity, slope[0]);
         bench.instance.put_slope(load, slope[1]);
         bench.step(h);
-        let (end, expected) = (bench.get("velocity"), start[0] + slope[0] * h);
+        let (end, expected) = (bench.get(moving), start[0] + slope[0] * h);
         assert!((end - expected).abs() <= 1e-12 * expected.abs().max(1.0), "{model}: {end} m/s");
     };
     ramp("LuGre", [-12.937681463492499, 9.81], [2.019351783521585, 0.0], 6.40688014535203);
@@ -421,9 +478,12 @@ fn equal_names_mean_equal_things() {
 fn every_friction_model_has_the_common_columns() {
     for model in friction_models() {
         let role = |name: &str| model.find(name).map(|column| model.table[column].role);
-        assert_eq!(role("velocity"), Some(Role::Input), "{}", model.name);
-        assert_eq!(role("normal_force"), Some(Role::Input), "{}", model.name);
-        for output in ["friction_force", "dissipated_power", "sticking"] {
+        let axes = axes(&Bench::new(model.name, &[]));
+        assert!([1, 2, 3].contains(&axes.len()), "{}", model.name);
+        for input in axes.iter().map(|(velocity, ..)| *velocity).chain(["normal_force"]) {
+            assert_eq!(role(input), Some(Role::Input), "{} {input}", model.name);
+        }
+        for output in axes.iter().map(|(_, force, _)| *force).chain(["dissipated_power", "sticking"]) {
             assert_eq!(role(output), Some(Role::Output), "{} {output}", model.name);
         }
         assert_eq!(role("dissipated_energy"), Some(Role::StateOutput), "{}", model.name);

@@ -34,10 +34,15 @@ crate::catalogue::family! {
     elasto_plastic::ElastoPlastic,
     bristle::Bristle,
     specker_dynamic::SpeckerDynamic,
+    maxwell_slip::MaxwellSlip,
+    leuven::Leuven,
+    gonthier::Gonthier,
+    liang::Liang,
 }
 
 mod branching;
 mod delay_line;
+mod elements;
 mod time_stepping;
 
 use crate::model::Fault;

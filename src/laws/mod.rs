@@ -1,5 +1,6 @@
 //! Pure functions that several models share: numbers in, numbers out.
 
+pub mod approach;
 pub mod branches;
 pub mod end_velocity;
 pub mod motion;
@@ -10,4 +11,5 @@ pub mod root;
 pub mod specker;
 pub mod stopping;
 pub mod stribeck;
+pub mod vector;
 pub mod viscous;

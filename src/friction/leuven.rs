@@ -1,0 +1,417 @@
+use crate::friction::elements::{self, Division, ElementDistribution, Share};
+use crate::laws::{approach, stribeck};
+use crate::model::{Fault, Law, Model, Preset, boolean, integer, real};
+use crate::number::Real;
+
+crate::part! {
+    /// A Maxwell-slip element of the hysteresis force.
+    Element {
+        /// What the element has of the whole.
+        share: (Share),
+        /// Force of the element.
+        force: state = real("N", 0.0),
+    }
+}
+
+crate::model! {
+    /// Leuven friction in the form of Lampaert: LuGre whose bristle spring is replaced by Maxwell-slip elements, so that
+    /// pre-sliding has hysteresis with non-local memory.
+    ///
+    /// # Equations
+    ///
+    /// ```text
+    /// dz/dt = v (1 - sgn(F_h / s(v)) |F_h / s(v)|^n)
+    /// f_f   = F_h(z) + sigma_1 dz/dt + sigma_2 v
+    /// F_h   = sum_i F_i,   dF_i/dz = k_i if |F_i| < W_i or F_i falls, else 0
+    /// s(v)  = sgn(v) (f_C + (f_s - f_C) exp(-(|v| / v_S)^delta))
+    /// f_C = mu_k f_n,   f_s = mu_s f_n,   sum_i k_i = sigma_0,   sum_i W_i = w f_s
+    /// ```
+    ///
+    /// | symbol        | variable                     | unit  | meaning                                            |
+    /// |---------------|------------------------------|-------|----------------------------------------------------|
+    /// | v             | `velocity`                   | m/s   | velocity of body 1 relative to body 2              |
+    /// | f_n           | `normal_force`               | N     | force pressing the surfaces together               |
+    /// | mu_k          | `mu_k`                       | 1     | kinetic coefficient of friction                    |
+    /// | mu_s          | `mu_s`                       | 1     | static coefficient of friction                     |
+    /// | v_S           | `stribeck_velocity`          | m/s   | speed at which the level has fallen                |
+    /// | delta         | `stribeck_exponent`          | 1     | shape of the falling level                         |
+    /// | sigma_0       | `sigma_0`                    | N/m   | stiffness of all elements together                 |
+    /// | sigma_1       | `sigma_1`                    | N.s/m | damping of the bristles                            |
+    /// | sigma_2       | `viscous_coefficient`        | N.s/m | viscous coefficient                                |
+    /// | n             | `approach_exponent`          | 1     | shape of the transition to sliding                 |
+    /// | w             | `hysteresis_strength`        | 1     | strength of the elements, as a multiple of f_s     |
+    /// |               | `distribution`               |       | where the shares come from                         |
+    /// |               | `element_count`              |       | number of elements in use                          |
+    /// | k_i / sigma_0 | `element[i].stiffness_share` | 1     | share of an element in the stiffness               |
+    /// | W_i / (w f_s) | `element[i].strength_share`  | 1     | share of an element in the strength                |
+    /// | F_i           | `element[i].force`           | N     | force of an element                                |
+    /// | z             | `bristle_deflection`         | m     | mean deflection                                    |
+    /// | f_f           | `friction_force`             | N     | friction force                                     |
+    ///
+    /// # Sign
+    /// `friction_force` has the sign of `velocity` in steady sliding; body 1 feels `-friction_force`. Dissipated power
+    /// is `friction_force * velocity`; it is negative while the bristles spring back.
+    ///
+    /// # Step
+    /// Between two slips of elements F_h is linear in z. With held inputs and r = F_h / |s| such a piece is
+    ///
+    /// ```text
+    /// dr/dt = (K |v| / |s|) (1 - sgn(r) |r|^n),   K = stiffness of the elements that do not slip
+    /// ```
+    ///
+    /// (for motion forwards), and a deflection that grows or falls throughout the step. For n = 1 the pieces are solved
+    /// in closed form, otherwise by quadrature of time over force to 1e-13; each slip is located inside the step. So the
+    /// result does not depend on how an interval is divided. `sticking` says that more than 1 % (chosen) of the motion
+    /// still goes into the bristles.
+    ///
+    /// # Errors
+    /// Refused: a parameter outside its bound; `mu_s` < `mu_k`; `hysteresis_strength` < 1, because elements that are
+    /// together weaker than f_s all slip before the level is reached, and z runs away; `approach_exponent` < 0.1 (chosen),
+    /// where nearly all motion would be sliding from the start.
+    ///
+    /// # Limits
+    /// Not passive for sampled velocities if sigma_1 > 0 and f_s > f_C, for the same reason as LuGre and by the same
+    /// bound: sigma_2 >= sigma_1 (f_s - f_C) / f_C for n = 1; for n > 1 the spike grows as (f_s / f_C)^n. Without
+    /// damping (sigma_1 = 0) it is passive at constant load. One element with n = 1 is LuGre exactly. If the load falls,
+    /// an element above its new strength keeps its force until it moves back. `normal_force` = 0 releases the contact (force 0, deflections 0). The force at v = 0 is held.
+    ///
+    /// # Source
+    /// Lampaert, Swevers, Al-Bender (2002), "Modification of the Leuven integrated friction model structure", IEEE
+    /// Transactions on Automatic Control 47, 683-687, after Swevers, Al-Bender, Ganseman, Prajogo (2000), "An integrated
+    /// friction model structure with improved presliding behavior for accurate friction compensation", the same journal
+    /// 45, 675-686. Deviations: s(v) and the strengths carry the normal force; the deflections of the slipping ends of
+    /// the elements are replaced by the forces F_i. The hysteresis of 2000, with a stack of reversal points, is not
+    /// offered. Levels, sigma_0, sigma_1, sigma_2: Tables 6.1 and 7.1 of F. Novais, "A critical analysis on friction
+    /// force models in dynamical systems", MSc thesis, University of Minho (2024), for its other bristle models; n, the
+    /// elements and their strength are chosen.
+    ///
+    /// # Example
+    /// ```
+    /// use stribeck::friction::Leuven;
+    /// use stribeck::model::{Law, Model};
+    /// let mut law = Leuven { velocity: 0.001, ..Default::default() };
+    /// law.step(10.0);
+    /// law.output();
+    /// let steady = 0.981 + 0.4905 * (-1.0f64).exp() + 0.1 * 0.001; // s(v_S) + sigma_2 v_S
+    /// assert!((law.friction_force - steady).abs() < 1e-12);
+    /// ```
+    Leuven: "Bristle friction with hysteresis of pre-sliding (Leuven, in the form of Lampaert)" {
+        /// Sliding velocity of body 1 relative to body 2.
+        velocity: input = real("m/s", 0.0).shown_in("mm/s"),
+        /// Normal force that presses the surfaces together.
+        normal_force: input = real("N", 9.81).at_least(0.0),
+        /// Kinetic coefficient of friction.
+        mu_k: tunable = real("1", 0.1).at_least(0.0),
+        /// Static coefficient of friction; not less than mu_k.
+        mu_s: tunable = real("1", 0.15).at_least(0.0),
+        /// Speed at which the excess of static over kinetic friction has fallen to 1/e.
+        stribeck_velocity: tunable = real("m/s", 0.001).positive().shown_in("mm/s"),
+        /// Exponent of the falling level.
+        stribeck_exponent: tunable = real("1", 2.0).positive(),
+        /// Stiffness of the bristles.
+        sigma_0: tunable = real("N/m", 1e5).positive().nominal(1e5),
+        /// Damping of the bristles.
+        sigma_1: tunable = real("N.s/m", 316.227_766_016_837_94).at_least(0.0).nominal(300.0),
+        /// Viscous friction coefficient.
+        viscous_coefficient: tunable = real("N.s/m", 0.1).at_least(0.0),
+        /// Exponent of the approach to the steady level (default chosen).
+        approach_exponent: tunable = real("1", 1.0).at_least(0.1),
+        /// Strength of all elements together, as a multiple of the static level; not less than 1 (default chosen).
+        hysteresis_strength: tunable = real("1", 1.2).positive(),
+        /// Where the shares of the elements come from.
+        distribution: fixed = ElementDistribution::Explicit.start(),
+        /// Number of elements in use (default chosen).
+        element_count: fixed = integer(4).at_least(1.0).at_most(elements::MOST as f64),
+        /// Elements; those beyond element_count are not used.
+        element: [Element; 64] = elements::FOUR,
+        /// Mean elastic deflection of the bristles.
+        bristle_deflection: state = real("m", 0.0).nominal(1e-5).shown_in("um"),
+        /// Energy taken out of the motion since the start.
+        dissipated_energy: state_output = real("J", 0.0).nominal(1e-3),
+        /// Friction force; has the sign of the velocity when sliding. Body 1 feels its negative.
+        friction_force: output = real("N", 0.0),
+        /// Power taken out of the motion: friction force times velocity.
+        dissipated_power: output = real("W", 0.0),
+        /// Is the contact sticking?
+        sticking: output = boolean(false),
+    }
+}
+
+/// Share of the motion that is elastic above which the contact counts as sticking (chosen).
+const ELASTIC_SHARE: f64 = 0.01;
+
+/// Rounding of F_h, relative to the forces that its parts can have (chosen: the most that 64 elements can add up).
+const ROUNDING: f64 = 1e-14;
+
+impl<T: Real> Leuven<T> {
+    /// |s(v)|; 0 if it has all but vanished, as it does at high speed for f_C = 0.
+    fn level(&self) -> T {
+        let coulomb = self.mu_k * self.normal_force;
+        let statical = self.mu_s * self.normal_force;
+        let level = stribeck::level(self.velocity, coulomb, statical, self.stribeck_velocity, self.stribeck_exponent);
+        if level.value() > 1e-100 * statical.value() { level } else { T::zero() }
+    }
+
+    /// w f_s.
+    fn strength(&self) -> T {
+        self.hysteresis_strength * self.mu_s * self.normal_force
+    }
+
+    fn count(&self) -> usize {
+        self.element_count.value() as usize
+    }
+
+    /// F_h.
+    fn hysteresis(&self) -> T {
+        self.element[..self.count()].iter().fold(T::zero(), |sum, element| sum + element.force)
+    }
+
+    /// Is F_h at that level, as far as a sum of forces of both signs can tell?
+    fn is_at(&self, level: T) -> bool {
+        let forces = self.element[..self.count()].iter().map(|element| element.force.value().abs());
+        let scale = forces.fold(self.strength().value(), |sum, force| sum + force);
+        (self.velocity.sign() * self.hysteresis() - level).value().abs() <= ROUNDING * scale
+    }
+
+    /// dz/dt.
+    fn deflection_rate(&self, level: T) -> T {
+        if level.value() == 0.0 || self.is_at(level) {
+            return T::zero();
+        }
+        let r = self.velocity.sign() * self.hysteresis() / level;
+        let power = if self.approach_exponent.is(1.0) { r.abs() } else { r.abs().powf(self.approach_exponent) };
+        // A level far below the force must not make the rate infinite.
+        self.velocity * (T::from(1.0) - r.sign() * power.limited(T::from(1e100)))
+    }
+
+    fn force(&self, deflection_rate: T) -> T {
+        if self.normal_force.value() == 0.0 {
+            return T::zero();
+        }
+        self.hysteresis() + self.sigma_1 * deflection_rate + self.viscous_coefficient * self.velocity
+    }
+}
+
+impl<T: Real> Law for Leuven<T> {
+    fn output(&mut self) {
+        let rate = self.deflection_rate(self.level());
+        self.friction_force = self.force(rate);
+        self.dissipated_power = self.friction_force * self.velocity;
+        let [rate, velocity] = [rate.value(), self.velocity.value()];
+        let elastic = velocity == 0.0 || rate * velocity.sign() > ELASTIC_SHARE * velocity.abs();
+        self.sticking = T::from(f64::from(u8::from(elastic && self.normal_force.value() > 0.0)));
+    }
+}
+
+impl Leuven {
+    /// k_i and W_i.
+    fn spring(&self, division: &Division<f64>, index: usize) -> (f64, f64) {
+        let share = division.of(index, &self.element[index].share);
+        (share.stiffness_share * self.sigma_0, share.strength_share * self.strength())
+    }
+
+    fn release(&mut self) {
+        self.bristle_deflection = 0.0;
+        for element in &mut self.element {
+            element.force = 0.0;
+        }
+    }
+
+    /// One piece of a step, at most until an element begins to slip. Advances the deflection and returns the distance
+    /// travelled and the work of F_h.
+    fn piece(&mut self, division: &Division<f64>, level: f64, distance: f64) -> (f64, f64) {
+        let direction = self.velocity.sign();
+        let force = direction * self.hysteresis();
+        // The deflection grows up to the level, or falls to it from above.
+        let outward = if force <= level { direction } else { -direction };
+        let (stiffness, room) = self.yielding(division, outward);
+        if stiffness == 0.0 || self.is_at(level) {
+            return (distance, force * distance);
+        }
+        // In terms of r = F_h / |s| and the distance in units of |s| / K.
+        let unit = level / stiffness;
+        let slip = (force + direction * outward * stiffness * room) / level;
+        let travelled = approach::advance(force / level, slip, distance / unit, self.approach_exponent);
+        // Exactly up to the slip, so that rounding does not leave the element short of it.
+        let change = if travelled.arrived { room } else { travelled.change.abs() * unit };
+        self.deflect(division, outward, change, room);
+        let done = if travelled.arrived { travelled.distance * unit } else { distance };
+        (done, travelled.area * unit * level)
+    }
+
+    /// Stiffness of the elements that follow a motion in that direction, and the deflection at which the next one slips.
+    fn yielding(&self, division: &Division<f64>, direction: f64) -> (f64, f64) {
+        let (mut sum, mut room) = (0.0, f64::INFINITY);
+        for index in 0..self.count() {
+            let (stiffness, strength) = self.spring(division, index);
+            let left = strength - direction * self.element[index].force;
+            if left > 0.0 {
+                sum += stiffness;
+                room = room.min(left / stiffness);
+            }
+        }
+        (sum, room)
+    }
+
+    fn deflect(&mut self, division: &Division<f64>, direction: f64, change: f64, room: f64) {
+        self.bristle_deflection += direction * change;
+        for index in 0..self.count() {
+            let (stiffness, strength) = self.spring(division, index);
+            let force = &mut self.element[index].force;
+            let left = strength - direction * *force;
+            if left > 0.0 {
+                let slips = change >= room && left / stiffness <= room || stiffness * change >= left;
+                *force = if slips { direction * strength } else { *force + direction * stiffness * change };
+            }
+        }
+    }
+}
+
+impl Model for Leuven {
+    const PRESETS: &'static [Preset] = &[
+        Preset { name: "thesis", source: "Novais (2024), Tables 6.1 and 7.1: the start values", values: &[] },
+        Preset {
+            name: "smooth",
+            source: "Example of a smooth virgin curve: 64 elements with evenly spread displacements up to slip",
+            values: &[("distribution", 2.0), ("element_count", 64.0)],
+        },
+    ];
+
+    fn check(&self) -> Result<(), Fault> {
+        crate::friction::static_not_below_kinetic(self.mu_s, self.mu_k)?;
+        let strength = self.hysteresis_strength;
+        if strength < 1.0 {
+            let rule = "the elements together must carry the static level";
+            return Err(Fault(format!("hysteresis_strength = {strength}: must be >= 1, because {rule}")));
+        }
+        Ok(())
+    }
+
+    fn step(&mut self, dt: f64) {
+        let level = self.level();
+        let distance = self.velocity.abs() * dt;
+        let before = self.bristle_deflection;
+        let mut work = 0.0;
+        if level == 0.0 {
+            self.release();
+        } else if distance > 0.0 {
+            let division = Division::new(self.distribution, self.element[..self.count()].iter().map(|e| e.share));
+            let mut left = distance;
+            // Each piece but the last ends with an element that begins to slip, and in one direction each does so once.
+            for _ in 0..=self.count() {
+                let (done, area) = self.piece(&division, level, left);
+                work += area;
+                left -= done;
+                if left <= 0.0 {
+                    break;
+                }
+            }
+        }
+        if self.normal_force > 0.0 {
+            let change = if level == 0.0 { 0.0 } else { self.bristle_deflection - before };
+            self.dissipated_energy += work
+                + self.sigma_1 * self.velocity * change
+                + self.viscous_coefficient * self.velocity.abs() * distance;
+        }
+    }
+
+    fn rate(&self, rate: &mut Self) {
+        let level = self.level();
+        rate.bristle_deflection = self.deflection_rate(level);
+        rate.dissipated_energy = self.force(rate.bristle_deflection) * self.velocity;
+        let division = Division::new(self.distribution, self.element[..self.count()].iter().map(|e| e.share));
+        let direction = rate.bristle_deflection.sign();
+        for index in 0..self.count() {
+            let (stiffness, strength) = self.spring(&division, index);
+            if direction * self.element[index].force < strength {
+                rate.element[index].force = stiffness * rate.bristle_deflection;
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::friction::LuGre;
+
+    /// One element, n = 1: LuGre, to rounding, through reversals, rest and sliding.
+    #[test]
+    fn one_element_is_lugre() {
+        for hysteresis_strength in [1.0, 1.2, 1e3] {
+            let mut law = Leuven { element_count: 1.0, hysteresis_strength, ..Default::default() };
+            let mut lugre = LuGre::default();
+            for k in 0..2000 {
+                let velocity = 2e-3 * (f64::from(k) * 0.7).sin().powi(3);
+                (law.velocity, lugre.velocity) = (velocity, velocity);
+                law.step(3e-3);
+                lugre.step(3e-3);
+                law.output();
+                lugre.output();
+                assert!((law.friction_force - lugre.friction_force).abs() < 1e-12, "{k}");
+                assert!((law.bristle_deflection - lugre.bristle_deflection).abs() < 1e-17, "{k}");
+                assert_eq!(law.sticking, lugre.sticking);
+            }
+            assert!((law.dissipated_energy / lugre.dissipated_energy - 1.0).abs() < 1e-12);
+        }
+    }
+
+    /// Far below the level nothing slides (n large): the elements alone, which follow Masing's rules.
+    #[test]
+    fn large_exponent_leaves_the_elements_alone() {
+        let mut law = Leuven { approach_exponent: 200.0, sigma_1: 0.0, viscous_coefficient: 0.0, ..Default::default() };
+        let virgin = |x: f64| {
+            let elements = [(0.5, 0.1), (0.25, 0.2), (0.15, 0.3), (0.1, 0.4)];
+            elements.iter().map(|(k, w)| f64::min(k * 1e5 * x, w * 1.2 * 1.4715)).sum::<f64>()
+        };
+        law.velocity = 1e-6;
+        law.step(20.0);
+        law.velocity = -1e-6;
+        for k in 1..=30 {
+            law.step(1.0);
+            law.output();
+            let branch = virgin(2e-5) - 2.0 * virgin(0.5e-6 * f64::from(k));
+            assert!((law.friction_force - branch).abs() < 1e-9, "{k}: {} {branch}", law.friction_force);
+        }
+    }
+
+    #[test]
+    fn weak_elements_are_refused() {
+        let fault = Leuven { hysteresis_strength: 0.8, ..Default::default() }.check().unwrap_err();
+        assert!(fault.0.starts_with("hysteresis_strength = 0.8: must be >= 1"), "{fault}");
+    }
+
+    /// A long step, and the same motion by Heun's method in small steps.
+    #[test]
+    fn agrees_with_small_explicit_steps_for_any_exponent() {
+        for approach_exponent in [0.5, 1.0, 2.0] {
+            let mut law = Leuven { approach_exponent, ..Default::default() };
+            let mut fine = law;
+            for (velocity, time) in [(1e-3, 0.03), (-4e-4, 0.02), (-0.02, 0.01), (1e-4, 0.1)] {
+                law.velocity = velocity;
+                law.step(time);
+                fine.velocity = velocity;
+                let (n, mut zero) = (200_000, Leuven::default());
+                crate::model::row_of_mut(&mut zero).fill(0.0);
+                let h = time / f64::from(n);
+                for _ in 0..n {
+                    let mut first = zero;
+                    fine.rate(&mut first);
+                    let mut ahead = fine;
+                    for (e, r) in ahead.element.iter_mut().zip(&first.element) {
+                        e.force += h * r.force;
+                    }
+                    let mut second = zero;
+                    ahead.rate(&mut second);
+                    for (e, (r, s)) in fine.element.iter_mut().zip(first.element.iter().zip(&second.element)) {
+                        e.force += 0.5 * h * (r.force + s.force);
+                    }
+                    fine.dissipated_energy += 0.5 * h * (first.dissipated_energy + second.dissipated_energy);
+                }
+                assert!((law.hysteresis() - fine.hysteresis()).abs() < 2e-6, "{approach_exponent} {velocity}");
+                let energies = law.dissipated_energy / fine.dissipated_energy;
+                assert!((energies - 1.0).abs() < 1e-5, "{approach_exponent} {velocity}: {energies}");
+            }
+        }
+    }
+}

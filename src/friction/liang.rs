@@ -1,0 +1,398 @@
+use nalgebra::Vector3;
+
+use crate::laws::vector::{Component, direction, in_plane, length, turned_into};
+use crate::model::{Fault, Law, Model, Preset, boolean, real};
+
+crate::choices! {
+    /// What happens to the bristle at its largest deflection.
+    pub enum LiangVariant {
+        /// The deflection keeps its direction and is shortened: the force is continuous.
+        RadialReturn,
+        /// The deflection takes the direction of the velocity, as printed: the force can jump.
+        Printed,
+    }
+}
+
+crate::model! {
+    /// Liang friction: one bristle in the tangent plane of a contact in space, with a static and a kinetic limit; for
+    /// multibody models where two surfaces slide in any direction.
+    ///
+    /// # Equations
+    ///
+    /// ```text
+    /// f_f   = sigma_0 z + sigma_1 dz/dt                        (7.48)
+    /// dz/dt = v_t                    while |z| <= z_max        (7.49)
+    /// z     = z_max z / |z|          beyond, RadialReturn
+    /// z     = z_max v_t / |v_t|      beyond, Printed
+    /// z_max = f_s / sigma_0          |v_t| <= v_0              (7.50)
+    ///       = f_C / sigma_0          |v_t| >  v_0
+    /// v_t   = v - (v . n) n,   f_C = mu_k f_n,   f_s = mu_s f_n
+    /// ```
+    ///
+    /// z, v_t and f_f are vectors in the plane with the normal n. While z slides along the circle |z| = z_max,
+    /// RadialReturn leaves it only the motion across z: dz/dt = v_t - (v_t . z) z / |z|^2.
+    ///
+    /// | symbol  | variable                 | unit  | meaning                                            |
+    /// |---------|--------------------------|-------|----------------------------------------------------|
+    /// | v       | `velocity_x`             | m/s   | velocity of body 1 relative to body 2              |
+    /// |         | `velocity_y`             |       |                                                    |
+    /// |         | `velocity_z`             |       |                                                    |
+    /// | n       | `normal_x`               | 1     | normal of the contact, of any length               |
+    /// |         | `normal_y`               |       |                                                    |
+    /// |         | `normal_z`               |       |                                                    |
+    /// | f_n     | `normal_force`           | N     | force pressing the surfaces together               |
+    /// | mu_k    | `mu_k`                   | 1     | kinetic coefficient of friction                    |
+    /// | mu_s    | `mu_s`                   | 1     | static coefficient of friction                     |
+    /// | v_0     | `transition_velocity`    | m/s   | speed up to which the static limit holds           |
+    /// | sigma_0 | `sigma_0`                | N/m   | stiffness of the bristle                           |
+    /// | sigma_1 | `sigma_1`                | N.s/m | damping of the bristle                             |
+    /// |         | `variant`                |       | what happens at the limit                          |
+    /// | z       | `bristle_deflection_x`   | m     | deflection of the bristle                          |
+    /// |         | `bristle_deflection_y`   |       |                                                    |
+    /// |         | `bristle_deflection_z`   |       |                                                    |
+    /// | f_f     | `friction_force_x`       | N     | friction force                                     |
+    /// |         | `friction_force_y`       |       |                                                    |
+    /// |         | `friction_force_z`       |       |                                                    |
+    ///
+    /// # Sign
+    /// The friction force has the direction of the velocity when sliding; body 1 feels its negative. (7.48) is printed
+    /// with minus signs: there it is the force on the body. Dissipated power is the scalar product of friction force and
+    /// velocity; it is negative while the bristle springs back.
+    ///
+    /// # Step
+    /// Exact for held inputs in both variants, so the result does not depend on how an interval is divided: the bristle
+    /// moves with v_t until it meets the circle at a located instant, and then turns towards v_t by
+    ///
+    /// ```text
+    /// tan(phi / 2) = tan(phi_0 / 2) exp(-|v_t| t / z_max),   phi = angle between z and v_t
+    /// ```
+    ///
+    /// At the start of a step z is turned into the plane of the present normal: projected, with its length kept.
+    /// `sticking` says that the bristle is not at its limit.
+    ///
+    /// # Errors
+    /// Refused: a parameter outside its bound; `mu_s` < `mu_k`; a normal of length 0.
+    ///
+    /// # Limits
+    /// No Stribeck curve: the limit falls at once by f_s - f_C when the speed passes v_0, and the damping force ends where
+    /// the bristle reaches its limit, so the force jumps. A contact that creeps below v_0 stays at the static level.
+    /// Passive in both variants, also while load or limit change. Printed: if the limit shrinks below a deflection that
+    /// opposes the velocity, the force flips by up to 2 f_C; at v_t = 0, where the printed rule says nothing, z keeps its
+    /// direction. `normal_force` = 0 releases the contact (force 0, deflection 0). In one dimension this is the reset
+    /// integrator without its stiction gain (a = 0) and with a limit that switches with the speed. sigma_0 should be ten
+    /// times the largest stiffness of the system that the contact is in (Liang et al.).
+    ///
+    /// # Source
+    /// Liang, Fillmore, Ma (2012), "An extended bristle friction force model with experimental validation", Mechanism and
+    /// Machine Theory 56, 123-137; equations (7.48) to (7.51) and Tables 6.1 and 7.1 of F. Novais, "A
+    /// critical analysis on friction force models in dynamical systems", MSc thesis, University of Minho (2024).
+    /// Deviations: the sign (above); RadialReturn, which equals the printed rule as long as the motion keeps its
+    /// direction, and is continuous where the printed rule flips z or is undefined.
+    ///
+    /// # Example
+    /// ```
+    /// use stribeck::friction::Liang;
+    /// use stribeck::model::{Law, Model};
+    /// let mut law = Liang { velocity_x: 0.03, velocity_y: -0.04, ..Default::default() };
+    /// law.step(1.0);
+    /// law.output();
+    /// // f_C in the direction of the velocity: 0.981 N times (0.6, -0.8, 0).
+    /// assert!((law.friction_force_x - 0.5886).abs() < 1e-15 && (law.friction_force_y + 0.7848).abs() < 1e-15);
+    /// ```
+    Liang: "Bristle friction in space (Liang)" {
+        /// Velocity of body 1 relative to body 2, component x.
+        velocity_x: input = real("m/s", 0.0).shown_in("mm/s"),
+        /// Velocity of body 1 relative to body 2, component y.
+        velocity_y: input = real("m/s", 0.0).shown_in("mm/s"),
+        /// Velocity of body 1 relative to body 2, component z.
+        velocity_z: input = real("m/s", 0.0).shown_in("mm/s"),
+        /// Normal of the contact, component x; the length does not matter.
+        normal_x: input = real("1", 0.0),
+        /// Normal of the contact, component y; the length does not matter.
+        normal_y: input = real("1", 0.0),
+        /// Normal of the contact, component z; the length does not matter.
+        normal_z: input = real("1", 1.0),
+        /// Normal force that presses the surfaces together.
+        normal_force: input = real("N", 9.81).at_least(0.0),
+        /// Kinetic coefficient of friction.
+        mu_k: tunable = real("1", 0.1).at_least(0.0),
+        /// Static coefficient of friction; not less than mu_k.
+        mu_s: tunable = real("1", 0.15).at_least(0.0),
+        /// Velocity at which the regularised band around rest ends (default chosen).
+        transition_velocity: tunable = real("m/s", 0.001).positive().shown_in("mm/s"),
+        /// Stiffness of the bristles.
+        sigma_0: tunable = real("N/m", 1e5).positive().nominal(1e5),
+        /// Damping of the bristles.
+        sigma_1: tunable = real("N.s/m", 316.227_766_016_837_94).at_least(0.0).nominal(300.0),
+        /// Variant of the law.
+        variant: fixed = LiangVariant::RadialReturn.start(),
+        /// Elastic deflection of the bristles, component x.
+        bristle_deflection_x: state = real("m", 0.0).nominal(1e-5).shown_in("um"),
+        /// Elastic deflection of the bristles, component y.
+        bristle_deflection_y: state = real("m", 0.0).nominal(1e-5).shown_in("um"),
+        /// Elastic deflection of the bristles, component z.
+        bristle_deflection_z: state = real("m", 0.0).nominal(1e-5).shown_in("um"),
+        /// Energy taken out of the motion since the start.
+        dissipated_energy: state_output = real("J", 0.0).nominal(1e-3),
+        /// Friction force, component x; has the direction of the velocity when sliding. Body 1 feels its negative.
+        friction_force_x: output = real("N", 0.0),
+        /// Friction force, component y; has the direction of the velocity when sliding. Body 1 feels its negative.
+        friction_force_y: output = real("N", 0.0),
+        /// Friction force, component z; has the direction of the velocity when sliding. Body 1 feels its negative.
+        friction_force_z: output = real("N", 0.0),
+        /// Power taken out of the motion: friction force times velocity.
+        dissipated_power: output = real("W", 0.0),
+        /// Is the contact sticking?
+        sticking: output = boolean(false),
+    }
+}
+
+/// A deflection counts as at its limit from this part of it on (chosen): a sum of squares does not tell more.
+const AT_LIMIT: f64 = 1.0 - 1e-12;
+
+/// What is left of a velocity by rounding after the part along the bristle has been taken out (chosen).
+const ROUNDING: f64 = 1e-15;
+
+impl<T: Component> Liang<T> {
+    fn normal(&self) -> Vector3<T> {
+        direction(&Vector3::new(self.normal_x, self.normal_y, self.normal_z))
+    }
+
+    fn velocity(&self) -> Vector3<T> {
+        Vector3::new(self.velocity_x, self.velocity_y, self.velocity_z)
+    }
+
+    /// v_t.
+    fn tangential_velocity(&self) -> Vector3<T> {
+        in_plane(&self.velocity(), &self.normal())
+    }
+
+    /// z_max.
+    fn limit(&self) -> T {
+        let sticks = length(&self.tangential_velocity()) <= self.transition_velocity;
+        let mu = if sticks { self.mu_s } else { self.mu_k };
+        mu * self.normal_force / self.sigma_0
+    }
+
+    /// z in the present plane and within its present limit.
+    fn deflection(&self) -> Vector3<T> {
+        let z = Vector3::new(self.bristle_deflection_x, self.bristle_deflection_y, self.bristle_deflection_z);
+        let z = turned_into(&z, &self.normal());
+        let (limit, velocity) = (self.limit(), self.tangential_velocity());
+        // A deflection that was left at its limit must not count as beyond it by rounding.
+        if (length(&z) * T::from(AT_LIMIT)) > limit {
+            direction(if self.is_printed() && length(&velocity).value() > 0.0 { &velocity } else { &z }) * limit
+        } else if self.is_printed() && self.slides(&z) {
+            direction(&velocity) * limit
+        } else {
+            z
+        }
+    }
+
+    fn is_printed(&self) -> bool {
+        LiangVariant::of(self.variant.value()) == LiangVariant::Printed
+    }
+
+    /// Is z at its limit, and moved outwards? Without a limit there is nothing but sliding.
+    fn slides(&self, z: &Vector3<T>) -> bool {
+        let limit = self.limit().value();
+        let outward = z.dot(&self.tangential_velocity()).value() > 0.0;
+        limit == 0.0 || outward && length(z).value() >= AT_LIMIT * limit
+    }
+
+    /// dz/dt.
+    fn deflection_rate(&self, z: &Vector3<T>) -> Vector3<T> {
+        let velocity = self.tangential_velocity();
+        if !self.slides(z) {
+            return velocity;
+        }
+        let across = in_plane(&velocity, &direction(z));
+        let is_rounding = length(&across).value() <= ROUNDING * length(&velocity).value();
+        if self.is_printed() || is_rounding || self.limit().value() == 0.0 {
+            velocity.map(|_| T::from(0.0))
+        } else {
+            across
+        }
+    }
+
+    /// f_f, and whether the bristle is at its limit.
+    fn force(&self) -> (Vector3<T>, bool) {
+        let z = self.deflection();
+        (z * self.sigma_0 + self.deflection_rate(&z) * self.sigma_1, self.slides(&z))
+    }
+}
+
+impl<T: Component> Law for Liang<T> {
+    fn output(&mut self) {
+        let (force, slides) =
+            if self.normal_force.value() > 0.0 { self.force() } else { (Vector3::repeat(T::from(0.0)), true) };
+        [self.friction_force_x, self.friction_force_y, self.friction_force_z] = force.into();
+        self.dissipated_power = force.dot(&self.velocity());
+        self.sticking = T::from(f64::from(u8::from(!slides)));
+    }
+}
+
+impl Model for Liang {
+    const PRESETS: &'static [Preset] = &[
+        Preset { name: "thesis", source: "Novais (2024), Tables 6.1 and 7.1: the start values", values: &[] },
+        Preset {
+            name: "printed",
+            source: "Novais (2024), Tables 6.1 and 7.1, with the clamp of (7.49) as printed",
+            values: &[("variant", 2.0)],
+        },
+    ];
+
+    fn check(&self) -> Result<(), Fault> {
+        if length(&Vector3::new(self.normal_x, self.normal_y, self.normal_z)) == 0.0 {
+            return Err(Fault("normal_x, normal_y, normal_z = 0, 0, 0: the normal must have a length > 0".to_owned()));
+        }
+        crate::friction::static_not_below_kinetic(self.mu_s, self.mu_k)
+    }
+
+    fn step(&mut self, dt: f64) {
+        let (velocity, limit) = (self.tangential_velocity(), self.limit());
+        let mut z = self.deflection();
+        if limit > 0.0 {
+            let mut left = dt;
+            if !self.slides(&z) {
+                let free = left.min(time_to_limit(&z, &velocity, limit));
+                self.dissipated_energy += free
+                    * (self.sigma_0 * (z + velocity * (0.5 * free)).dot(&velocity)
+                        + self.sigma_1 * velocity.dot(&velocity));
+                z += velocity * free;
+                left -= free;
+            }
+            if left > 0.0 {
+                if self.is_printed() {
+                    z = direction(&velocity) * limit;
+                }
+                let slide = Slide::new(&z, &velocity, limit, left);
+                let speed = length(&velocity);
+                self.dissipated_energy +=
+                    limit * (self.sigma_0 * limit * slide.along + self.sigma_1 * speed * slide.across);
+                z = slide.deflection;
+            }
+        }
+        [self.bristle_deflection_x, self.bristle_deflection_y, self.bristle_deflection_z] = z.into();
+    }
+
+    fn rate(&self, rate: &mut Self) {
+        if self.normal_force > 0.0 {
+            let [x, y, z] = self.deflection_rate(&self.deflection()).into();
+            (rate.bristle_deflection_x, rate.bristle_deflection_y, rate.bristle_deflection_z) = (x, y, z);
+            rate.dissipated_energy = self.force().0.dot(&self.velocity());
+        }
+    }
+}
+
+/// The time until |z + v t| = limit for a z within it; infinite at rest.
+fn time_to_limit(z: &Vector3<f64>, velocity: &Vector3<f64>, limit: f64) -> f64 {
+    let speed = length(velocity);
+    if speed == 0.0 {
+        return f64::INFINITY;
+    }
+    // In lengths of the limit: distance d with d^2 + 2 b d - c = 0.
+    let z = z / limit;
+    let b = z.dot(&direction(velocity));
+    let c = (1.0 - length(&z)) * (1.0 + length(&z));
+    let root = (b * b + c).max(0.0).sqrt();
+    let distance = if b > 0.0 { c / (b + root) } else { root - b };
+    distance.max(0.0) * (limit / speed)
+}
+
+/// A bristle that slides along the circle |z| = limit and turns towards the velocity.
+struct Slide {
+    /// z at the end.
+    deflection: Vector3<f64>,
+    /// Integral of cos(phi) over the distance, in lengths of the limit.
+    along: f64,
+    /// Integral of sin(phi)^2 over the distance, in lengths of the limit.
+    across: f64,
+}
+
+impl Slide {
+    fn new(z: &Vector3<f64>, velocity: &Vector3<f64>, limit: f64, time: f64) -> Slide {
+        let (forward, start) = (direction(velocity), direction(z));
+        let side = in_plane(&start, &forward);
+        let distance = length(velocity) * (time / limit);
+        // tan(phi / 2) = sin / (1 + cos)
+        let half = length(&side) / (1.0 + start.dot(&forward));
+        let (half_end, shrink) = (half * (-distance).exp(), (-2.0 * distance).exp_m1());
+        let cos = |half: f64| (1.0 - half * half) / (1.0 + half * half);
+        let sin_end = 2.0 * half_end / (1.0 + half_end * half_end);
+        Slide {
+            deflection: (forward * cos(half_end) + direction(&side) * sin_end) * limit,
+            // The integral of d(phi) cos / sin, which is the logarithm of the ratio of the two sines.
+            along: distance + (half * half * shrink / (1.0 + half * half)).ln_1p(),
+            across: cos(half_end) - cos(half),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn forces(law: &Liang) -> Vector3<f64> {
+        let mut law = *law;
+        law.output();
+        Vector3::new(law.friction_force_x, law.friction_force_y, law.friction_force_z)
+    }
+
+    fn moving(law: &mut Liang, velocity: Vector3<f64>) {
+        [law.velocity_x, law.velocity_y, law.velocity_z] = velocity.into();
+    }
+
+    /// A change of direction while sliding, against small steps of the clamp itself (z + v h, then back to the circle).
+    #[test]
+    fn turning_bristle_agrees_with_many_small_returns() {
+        let mut law = Liang { velocity_x: 0.01, ..Default::default() };
+        law.step(1.0);
+        moving(&mut law, Vector3::new(-0.003, 0.004, 0.0));
+        let (mut z, limit, n) = (Vector3::new(9.81e-6, 0.0, 0.0), 9.81e-6, 1_000_000);
+        let (time, mut work) = (8e-3, 0.0);
+        let before = law.dissipated_energy;
+        for _ in 0..n {
+            let h = time / f64::from(n);
+            let old = z;
+            z += law.velocity() * h;
+            if z.norm() > limit {
+                z *= limit / z.norm();
+            }
+            work += (0.5 * 1e5 * (old + z) * h + law.sigma_1 * (z - old)).dot(&law.velocity());
+        }
+        law.step(time);
+        assert!((law.deflection() - z).norm() < 1e-6 * limit, "{} {z}", law.deflection());
+        assert!(((law.dissipated_energy - before) / work - 1.0).abs() < 1e-6, "{}", law.dissipated_energy - before);
+    }
+
+    /// A tilted plane: only the tangential velocity counts, and the force lies in the plane.
+    #[test]
+    fn force_lies_in_the_plane_and_turns_with_it() {
+        let mut law = Liang { normal_x: 3.0, normal_z: 4.0, velocity_x: 0.5, ..Default::default() };
+        law.step(1.0);
+        let expected = Vector3::new(0.8, 0.0, -0.6) * 0.981;
+        assert!((forces(&law) - expected).norm() < 1e-15, "{}", forces(&law));
+        // The plane turns, the bristle keeps its length.
+        (law.velocity_x, law.normal_x, law.normal_z) = (0.0, 0.0, 1.0);
+        assert!((forces(&law) - Vector3::new(0.981, 0.0, 0.0)).norm() < 1e-15);
+        (law.normal_x, law.normal_z) = (1.0, 0.0);
+        law.step(1e-3);
+        assert!((forces(&law) - Vector3::new(0.0, 0.0, -0.981)).norm() < 1e-15);
+    }
+
+    #[test]
+    fn zero_normal_is_refused() {
+        let fault = Liang { normal_z: 0.0, ..Default::default() }.check().unwrap_err();
+        assert!(fault.0.ends_with("the normal must have a length > 0"), "{fault}");
+    }
+
+    /// The trap of the printed rule: loaded forwards to 0.98 f_s, then fast backwards, so that the limit shrinks below z.
+    #[test]
+    fn printed_rule_flips_the_force_where_radial_return_does_not() {
+        let loaded = Liang { bristle_deflection_x: 1.44e-5, velocity_x: -0.01, sigma_1: 0.0, ..Default::default() };
+        assert!((forces(&loaded).x - 0.981).abs() < 1e-15);
+        let printed = Liang { variant: 2.0, ..loaded };
+        assert!((forces(&printed).x + 0.981).abs() < 1e-15);
+    }
+}

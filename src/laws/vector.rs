@@ -1,0 +1,107 @@
+//! Vectors of nalgebra with the number types of the laws as components.
+
+use std::ops::{AddAssign, MulAssign, SubAssign};
+
+use nalgebra::{SVector, Scalar, Vector3};
+use num_traits::{One, Zero};
+
+use crate::number::{Dual, Real};
+
+/// A number that a vector can be made of.
+pub trait Component: Real + Scalar + Zero + One + AddAssign + SubAssign + MulAssign {}
+
+impl Component for f64 {}
+impl Component for Dual {}
+
+impl Zero for Dual {
+    fn zero() -> Dual {
+        Dual::from(0.0)
+    }
+    fn is_zero(&self) -> bool {
+        self.is(0.0)
+    }
+}
+
+impl One for Dual {
+    fn one() -> Dual {
+        Dual::from(1.0)
+    }
+}
+
+impl AddAssign for Dual {
+    fn add_assign(&mut self, other: Dual) {
+        *self = *self + other;
+    }
+}
+
+impl SubAssign for Dual {
+    fn sub_assign(&mut self, other: Dual) {
+        *self = *self - other;
+    }
+}
+
+impl MulAssign for Dual {
+    fn mul_assign(&mut self, other: Dual) {
+        *self = *self * other;
+    }
+}
+
+/// Length of a vector, for components of any size. At 0 its derivative is taken as 0, as that of a magnitude.
+pub fn length<T: Component, const N: usize>(vector: &SVector<T, N>) -> T {
+    let largest = vector.iter().fold(0.0, |largest, component| component.value().abs().max(largest));
+    if largest == 0.0 {
+        return T::from(0.0);
+    }
+    let squares = vector.iter().map(|component| *component / T::from(largest));
+    T::from(largest) * squares.fold(T::from(0.0), |sum, part| sum + part * part).powf(T::from(0.5))
+}
+
+/// Direction of a vector; zero for a vector of no length.
+pub fn direction<T: Component, const N: usize>(vector: &SVector<T, N>) -> SVector<T, N> {
+    let length = length(vector);
+    if length.value() == 0.0 { vector.map(|_| T::from(0.0)) } else { vector.map(|component| component / length) }
+}
+
+/// The part of a vector that lies in the plane with the unit normal `normal`.
+pub fn in_plane<T: Component>(vector: &Vector3<T>, normal: &Vector3<T>) -> Vector3<T> {
+    *vector - *normal * vector.dot(normal)
+}
+
+/// A vector turned into the plane with the unit normal `normal`: projected, and given its old length.
+pub fn turned_into<T: Component>(vector: &Vector3<T>, normal: &Vector3<T>) -> Vector3<T> {
+    direction(&in_plane(vector, normal)) * length(vector)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn length_of_small_and_large_vectors() {
+        for scale in [1e-300, 1.0, 1e300] {
+            assert!(
+                (length(&Vector3::new(2.0 * scale, -3.0 * scale, 6.0 * scale)) / (7.0 * scale) - 1.0).abs() < 1e-15
+            );
+        }
+        assert_eq!(length(&Vector3::new(0.0, -0.1, 0.0)), 0.1);
+    }
+
+    /// The derivative of a length is the component along the direction.
+    #[test]
+    fn length_has_its_derivative() {
+        let slopes = [0.3, -0.2, 0.9];
+        let vector = Vector3::new(2.0, -3.0, 6.0);
+        let dual = Vector3::from_fn(|i, _| Dual { value: vector[i], slope: slopes[i] });
+        let along = (2.0 * 0.3 + 3.0 * 0.2 + 6.0 * 0.9) / 7.0;
+        assert!((length(&dual).slope - along).abs() < 1e-15);
+    }
+
+    #[test]
+    fn turning_keeps_the_length_and_ends_in_the_plane() {
+        let normal = direction(&Vector3::new(1.0, 2.0, -0.5));
+        let turned = turned_into(&Vector3::new(0.4, -0.1, 0.7), &normal);
+        assert!(turned.dot(&normal).abs() < 1e-16);
+        assert!((length(&turned) - 0.66f64.sqrt()).abs() < 1e-15);
+        assert_eq!(turned_into(&(normal * 2.0), &normal).map(|x| x.abs() < 1.0), Vector3::new(true, true, true));
+    }
+}
