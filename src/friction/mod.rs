@@ -14,6 +14,7 @@ crate::catalogue::family! {
     leuven::Leuven,
     gonthier::Gonthier,
     liang::Liang,
+    lugre_planar::LuGrePlanar,
 }
 
 mod elements;
