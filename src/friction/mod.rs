@@ -15,6 +15,7 @@ crate::catalogue::family! {
     gonthier::Gonthier,
     liang::Liang,
     lugre_planar::LuGrePlanar,
+    elasto_plastic_planar::ElastoPlasticPlanar,
 }
 
 mod elements;
