@@ -1,6 +1,6 @@
 use nalgebra::Vector3;
 
-use crate::laws::vector::{Component, direction, in_plane, length, turned_into};
+use crate::laws::vector::{Component, direction, in_plane, length, remainder, turned_into};
 use crate::model::{Fault, Law, Model, Preset, boolean, real};
 
 crate::choices! {
@@ -150,9 +150,6 @@ crate::model! {
 /// A deflection counts as at its limit from this part of it on (chosen): a sum of squares does not tell more.
 const AT_LIMIT: f64 = 1.0 - 1e-12;
 
-/// What is left of a velocity by rounding after the part along the bristle has been taken out (chosen).
-const ROUNDING: f64 = 1e-15;
-
 impl<T: Component> Liang<T> {
     fn normal(&self) -> Vector3<T> {
         direction(&Vector3::new(self.normal_x, self.normal_y, self.normal_z))
@@ -206,13 +203,10 @@ impl<T: Component> Liang<T> {
         if !self.slides(z) {
             return velocity;
         }
-        let across = in_plane(&velocity, &direction(z));
-        let is_rounding = length(&across).value() <= ROUNDING * length(&velocity).value();
-        if self.is_printed() || is_rounding || self.limit().value() == 0.0 {
-            velocity.map(|_| T::from(0.0))
-        } else {
-            across
+        if self.is_printed() || self.limit().value() == 0.0 {
+            return Vector3::repeat(T::from(0.0));
         }
+        remainder(in_plane(&velocity, &direction(z)), &velocity)
     }
 
     /// f_f, and whether the bristle is at its limit.

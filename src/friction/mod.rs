@@ -38,6 +38,8 @@ crate::catalogue::family! {
     leuven::Leuven,
     gonthier::Gonthier,
     liang::Liang,
+    lugre_planar::LuGrePlanar,
+    elasto_plastic_planar::ElastoPlasticPlanar,
 }
 
 mod branching;

@@ -72,6 +72,15 @@ pub fn turned_into<T: Component>(vector: &Vector3<T>, normal: &Vector3<T>) -> Ve
     direction(&in_plane(vector, normal)) * length(vector)
 }
 
+/// What rounding leaves of a velocity after the part that it should have lost has been taken out (chosen).
+const ROUNDING: f64 = 1e-15;
+
+/// A remainder of the vector `whole`; zero if it is nothing but rounding.
+pub fn remainder<T: Component, const N: usize>(rest: SVector<T, N>, whole: &SVector<T, N>) -> SVector<T, N> {
+    let is_rounding = length(&rest).value() <= ROUNDING * length(whole).value();
+    if is_rounding { rest.map(|_| T::from(0.0)) } else { rest }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

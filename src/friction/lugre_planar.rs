@@ -1,0 +1,250 @@
+use nalgebra::Vector2;
+
+use crate::laws::vector::{Component, direction, length, remainder};
+use crate::laws::{relaxation, stribeck};
+use crate::model::{Fault, Law, Model, Preset, boolean, real};
+
+crate::model! {
+    /// LuGre friction in a plane: the bristle is a vector, so that a body that slides in one direction and is pushed in
+    /// another has the coupled, isotropic friction of a real contact instead of two independent ones.
+    ///
+    /// # Equations
+    ///
+    /// ```text
+    /// dz/dt  = v - sigma_0 |v| z / g(|v|)
+    /// g(|v|) = f_C + (f_s - f_C) exp(-(|v| / v_S)^delta)
+    /// f_f    = sigma_0 z + sigma_1(v) dz/dt + sigma_2 v
+    /// f_C    = mu_k f_n,   f_s = mu_s f_n
+    /// sigma_1(v) = sigma_1 exp(-(|v| / v_d)^2)     if v_d > 0, else sigma_1
+    /// ```
+    ///
+    /// v, z and f_f are vectors in the plane.
+    ///
+    /// | symbol  | variable                 | unit  | meaning                                         |
+    /// |---------|--------------------------|-------|-------------------------------------------------|
+    /// | v       | `velocity_x`             | m/s   | velocity of body 1 relative to body 2           |
+    /// |         | `velocity_y`             |       |                                                 |
+    /// | f_n     | `normal_force`           | N     | force pressing the surfaces together            |
+    /// | mu_k    | `mu_k`                   | 1     | kinetic coefficient of friction                 |
+    /// | mu_s    | `mu_s`                   | 1     | static coefficient of friction                  |
+    /// | v_S     | `stribeck_velocity`      | m/s   | speed at which the level has fallen             |
+    /// | delta   | `stribeck_exponent`      | 1     | shape of the falling level                      |
+    /// | sigma_0 | `sigma_0`                | N/m   | stiffness of the bristles                       |
+    /// | sigma_1 | `sigma_1`                | N.s/m | damping of the bristles                         |
+    /// | sigma_2 | `viscous_coefficient`    | N.s/m | viscous coefficient                             |
+    /// | v_d     | `damping_velocity`       | m/s   | speed at which the bristle damping fades        |
+    /// | z       | `bristle_deflection_x`   | m     | mean deflection of the bristles                 |
+    /// |         | `bristle_deflection_y`   |       |                                                 |
+    /// | f_f     | `friction_force_x`       | N     | friction force                                  |
+    /// |         | `friction_force_y`       |       |                                                 |
+    ///
+    /// # Sign
+    /// The friction force has the direction of the velocity in steady sliding; body 1 feels its negative. Dissipated
+    /// power is the scalar product of friction force and velocity; it is negative while the bristles spring back.
+    ///
+    /// # Step
+    /// With held inputs the equation of z is linear and solved exactly, so the result does not depend on how an interval
+    /// is divided. `sticking` says that more than 1 % (chosen) of the motion still goes into the bristles.
+    ///
+    /// # Errors
+    /// Refused: a parameter outside its bound; `mu_s` < `mu_k`.
+    ///
+    /// # Limits
+    /// Along a line it is `LuGre`, with all its limits: drift below breakaway; not passive for sampled velocities unless
+    /// sigma_2 >= sigma_1 (f_s - f_C) / f_C or `damping_velocity` > 0. Without damping (sigma_1 = 0) it is passive at
+    /// constant load. Isotropic: no preferred direction. No spin about the normal. `normal_force` = 0 releases the
+    /// contact (force 0, deflection 0).
+    ///
+    /// # Source
+    /// The law along a line: Canudas de Wit, Olsson, Astrom, Lischinsky (1995), doi:10.1109/9.376053. The step to the
+    /// plane, |v| for the magnitude and vectors for the rest, is the usual one for an isotropic contact; here it is
+    /// written down without a source of its own. Defaults: Tables 6.1 and 7.1 of F. Novais, "A critical analysis on
+    /// friction force models in dynamical systems", MSc thesis, University of Minho (2024).
+    ///
+    /// # Example
+    /// ```
+    /// use stribeck::friction::LuGrePlanar;
+    /// use stribeck::model::{Law, Model};
+    /// let mut law = LuGrePlanar { velocity_x: 0.03, velocity_y: -0.04, ..Default::default() };
+    /// law.step(1.0);
+    /// law.output();
+    /// let size = 0.981 + 0.1 * 0.05; // f_C + sigma_2 |v| in the direction (0.6, -0.8)
+    /// assert!((law.friction_force_x - 0.6 * size).abs() < 1e-12 && (law.friction_force_y + 0.8 * size).abs() < 1e-12);
+    /// ```
+    LuGrePlanar: "Bristle friction with Stribeck effect in a plane (LuGre)" {
+        /// Velocity of body 1 relative to body 2, component x.
+        velocity_x: input = real("m/s", 0.0).shown_in("mm/s"),
+        /// Velocity of body 1 relative to body 2, component y.
+        velocity_y: input = real("m/s", 0.0).shown_in("mm/s"),
+        /// Normal force that presses the surfaces together.
+        normal_force: input = real("N", 9.81).at_least(0.0),
+        /// Kinetic coefficient of friction.
+        mu_k: tunable = real("1", 0.1).at_least(0.0),
+        /// Static coefficient of friction; not less than mu_k.
+        mu_s: tunable = real("1", 0.15).at_least(0.0),
+        /// Speed at which the excess of static over kinetic friction has fallen to 1/e.
+        stribeck_velocity: tunable = real("m/s", 0.001).positive().shown_in("mm/s"),
+        /// Exponent of the falling level.
+        stribeck_exponent: tunable = real("1", 2.0).positive(),
+        /// Stiffness of the bristles.
+        sigma_0: tunable = real("N/m", 1e5).positive().nominal(1e5),
+        /// Damping of the bristles.
+        sigma_1: tunable = real("N.s/m", 316.227_766_016_837_94).at_least(0.0).nominal(300.0),
+        /// Viscous friction coefficient.
+        viscous_coefficient: tunable = real("N.s/m", 0.1).at_least(0.0),
+        /// Speed at which the damping of the bristles fades; 0 = constant damping.
+        damping_velocity: tunable = real("m/s", 0.0).at_least(0.0).shown_in("mm/s"),
+        /// Elastic deflection of the bristles, component x.
+        bristle_deflection_x: state = real("m", 0.0).nominal(1e-5).shown_in("um"),
+        /// Elastic deflection of the bristles, component y.
+        bristle_deflection_y: state = real("m", 0.0).nominal(1e-5).shown_in("um"),
+        /// Energy taken out of the motion since the start.
+        dissipated_energy: state_output = real("J", 0.0).nominal(1e-3),
+        /// Friction force, component x; has the direction of the velocity when sliding. Body 1 feels its negative.
+        friction_force_x: output = real("N", 0.0),
+        /// Friction force, component y; has the direction of the velocity when sliding. Body 1 feels its negative.
+        friction_force_y: output = real("N", 0.0),
+        /// Power taken out of the motion: friction force times velocity.
+        dissipated_power: output = real("W", 0.0),
+        /// Is the contact sticking?
+        sticking: output = boolean(false),
+    }
+}
+
+/// Share of the motion that is elastic above which the contact counts as sticking (chosen).
+const ELASTIC_SHARE: f64 = 0.01;
+
+impl<T: Component> LuGrePlanar<T> {
+    fn velocity(&self) -> Vector2<T> {
+        Vector2::new(self.velocity_x, self.velocity_y)
+    }
+
+    fn deflection(&self) -> Vector2<T> {
+        Vector2::new(self.bristle_deflection_x, self.bristle_deflection_y)
+    }
+
+    /// g(|v|).
+    fn level(&self) -> T {
+        let coulomb = self.mu_k * self.normal_force;
+        let statical = self.mu_s * self.normal_force;
+        let speed = length(&self.velocity());
+        stribeck::level(speed, coulomb, statical, self.stribeck_velocity, self.stribeck_exponent)
+    }
+
+    /// sigma_1(v).
+    fn damping(&self) -> T {
+        if self.damping_velocity.is(0.0) {
+            return self.sigma_1;
+        }
+        let u = length(&self.velocity()) / self.damping_velocity;
+        self.sigma_1 * (-(u * u)).exp()
+    }
+
+    /// dz/dt.
+    fn deflection_rate(&self, level: T) -> Vector2<T> {
+        // Without Coulomb level (f_C = 0) g vanishes at high speed, and with it the deflection.
+        if level.value() == 0.0 {
+            return Vector2::repeat(T::from(0.0));
+        }
+        let velocity = self.velocity();
+        remainder(velocity - self.deflection() * (self.sigma_0 * length(&velocity) / level), &velocity)
+    }
+
+    fn force(&self, deflection_rate: Vector2<T>) -> Vector2<T> {
+        if self.normal_force.value() == 0.0 {
+            return Vector2::repeat(T::from(0.0));
+        }
+        self.deflection() * self.sigma_0 + deflection_rate * self.damping() + self.velocity() * self.viscous_coefficient
+    }
+}
+
+impl<T: Component> Law for LuGrePlanar<T> {
+    fn output(&mut self) {
+        let rate = self.deflection_rate(self.level());
+        let force = self.force(rate);
+        [self.friction_force_x, self.friction_force_y] = force.into();
+        self.dissipated_power = force.dot(&self.velocity());
+        let speed = length(&self.velocity()).value();
+        let elastic = speed == 0.0 || rate.dot(&direction(&self.velocity())).value() > ELASTIC_SHARE * speed;
+        self.sticking = T::from(f64::from(u8::from(elastic && self.normal_force.value() > 0.0)));
+    }
+}
+
+impl Model for LuGrePlanar {
+    const PRESETS: &'static [Preset] =
+        &[Preset { name: "thesis", source: "Novais (2024), Tables 6.1 and 7.1: the start values", values: &[] }];
+
+    fn check(&self) -> Result<(), Fault> {
+        crate::friction::static_not_below_kinetic(self.mu_s, self.mu_k)
+    }
+
+    fn step(&mut self, dt: f64) {
+        let (level, velocity) = (self.level(), self.velocity());
+        let distance = length(&velocity) * dt;
+        let forward = direction(&velocity);
+        let before = self.deflection();
+        let viscous = self.viscous_coefficient * length(&velocity) * distance;
+        if level == 0.0 {
+            (self.bristle_deflection_x, self.bristle_deflection_y) = (0.0, 0.0);
+            if self.normal_force > 0.0 {
+                self.dissipated_energy += viscous;
+            }
+            return;
+        }
+        let decay = self.sigma_0 * distance / level;
+        let steady = forward * (level / self.sigma_0);
+        let after = before.zip_map(&steady, |z, steady| relaxation::after(z, steady, decay));
+        [self.bristle_deflection_x, self.bristle_deflection_y] = after.into();
+        // The integral of the force along the way: sigma_0 |v| z / g = v - dz/dt gives the first term.
+        self.dissipated_energy += level * (distance - (after - before).dot(&forward))
+            + self.damping() * (after - before).dot(&velocity)
+            + viscous;
+    }
+
+    fn rate(&self, rate: &mut Self) {
+        let change = self.deflection_rate(self.level());
+        [rate.bristle_deflection_x, rate.bristle_deflection_y] = change.into();
+        rate.dissipated_energy = self.force(change).dot(&self.velocity());
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::friction::LuGre;
+
+    /// Along any line it is LuGre.
+    #[test]
+    fn along_a_line_it_is_the_scalar_law() {
+        for [x, y] in [[1.0, 0.0], [0.6, -0.8], [-5.0 / 13.0, 12.0 / 13.0]] {
+            for damping_velocity in [0.0, 1e-3] {
+                let mut plane = LuGrePlanar { damping_velocity, ..Default::default() };
+                let mut line = LuGre { damping_velocity, ..Default::default() };
+                for k in 0..2000 {
+                    line.velocity = 2e-3 * (f64::from(k) * 0.7).sin().powi(3);
+                    (plane.velocity_x, plane.velocity_y) = (x * line.velocity, y * line.velocity);
+                    plane.step(3e-3);
+                    line.step(3e-3);
+                    plane.output();
+                    line.output();
+                    assert!((plane.friction_force_x - x * line.friction_force).abs() < 1e-12, "{k}");
+                    assert!((plane.friction_force_y - y * line.friction_force).abs() < 1e-12, "{k}");
+                    assert_eq!(plane.sticking, line.sticking, "{k}");
+                }
+                assert!((plane.dissipated_energy / line.dissipated_energy - 1.0).abs() < 1e-12);
+            }
+        }
+    }
+
+    /// A turn by a right angle in steady sliding: the old component decays as exp(-sigma_0 |v| t / g), the new one grows.
+    #[test]
+    fn a_turn_exchanges_the_components() {
+        let mut law = LuGrePlanar { velocity_x: 0.1, ..Default::default() };
+        law.step(1.0);
+        (law.velocity_x, law.velocity_y) = (0.0, 0.1);
+        law.step(1e-4);
+        let left = (-1e5 * 1e-5 / 0.981f64).exp();
+        assert!((law.bristle_deflection_x / (9.81e-6 * left) - 1.0).abs() < 1e-12);
+        assert!((law.bristle_deflection_y / (9.81e-6 * (1.0 - left)) - 1.0).abs() < 1e-12);
+    }
+}
