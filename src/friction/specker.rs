@@ -1,5 +1,5 @@
 use crate::friction::time_stepping::{Curve, TimeStepping, memoryless};
-use crate::laws::specker;
+use crate::laws::specker::SpeckerCurve;
 use crate::model::{Fault, Model, Preset, boolean, real};
 use crate::number::Real;
 
@@ -104,24 +104,21 @@ crate::model! {
     }
 }
 
-impl<T: Real> Specker<T> {
-    fn shape(&self) -> specker::Specker<T> {
-        specker::Specker {
-            coulomb: self.mu_k * self.normal_force,
-            statical: self.mu_s * self.normal_force,
-            transition_velocity: self.transition_velocity,
-            peak_velocity: self.peak_velocity,
-            // Without load there is no contact, and no viscous part either.
-            viscous_coefficient: if self.normal_force.value() > 0.0 { self.viscous_coefficient } else { T::zero() },
-        }
-    }
-}
-
 impl<T: Real> Curve<T> for Specker<T> {
     /// Eq. (6.24).
     #[inline]
     fn curve(&self, velocity: T) -> T {
-        self.shape().force(velocity)
+        if self.normal_force.value() <= 0.0 {
+            return T::zero();
+        }
+        SpeckerCurve {
+            coulomb: self.mu_k * self.normal_force,
+            statical: self.level(),
+            transition_velocity: self.transition_velocity,
+            peak_velocity: self.peak_velocity,
+            viscous_coefficient: self.viscous_coefficient,
+        }
+        .force(velocity)
     }
 
     fn level(&self) -> T {

@@ -1,5 +1,5 @@
 use crate::laws::relaxation;
-use crate::laws::specker::Specker;
+use crate::laws::specker::SpeckerCurve;
 use crate::model::{Fault, Law, Model, Preset, boolean, real};
 use crate::number::Real;
 
@@ -109,8 +109,8 @@ crate::model! {
 }
 
 impl<T: Real> SpeckerDynamic<T> {
-    fn curve(&self) -> Specker<T> {
-        Specker {
+    fn curve(&self) -> SpeckerCurve<T> {
+        SpeckerCurve {
             coulomb: self.mu_k * self.normal_force,
             statical: self.mu_s * self.normal_force,
             transition_velocity: self.transition_velocity,
@@ -135,7 +135,7 @@ impl<T: Real> Law for SpeckerDynamic<T> {
 
 impl SpeckerDynamic {
     /// T(v).
-    fn time_constant(&self, curve: &Specker<f64>) -> f64 {
+    fn time_constant(&self, curve: &SpeckerCurve<f64>) -> f64 {
         let u = self.velocity / self.peak_velocity;
         let share = (-u * u).exp();
         self.slip_time * (1.0 - share) + curve.slope_at_rest() / self.sigma_0 * share

@@ -4,7 +4,7 @@ use crate::number::Real;
 
 /// Levels and velocities of the curve.
 #[derive(Clone, Copy)]
-pub struct Specker<T> {
+pub struct SpeckerCurve<T> {
     /// f_C.
     pub coulomb: T,
     /// f_s.
@@ -17,7 +17,7 @@ pub struct Specker<T> {
     pub viscous_coefficient: T,
 }
 
-impl<T: Real> Specker<T> {
+impl<T: Real> SpeckerCurve<T> {
     /// f_p: what the other parts leave to the static level at v_Sp; not negative, because it would drive the motion.
     fn excess(&self) -> T {
         let sliding = self.coulomb * (self.peak_velocity / self.transition_velocity).tanh();
@@ -53,7 +53,7 @@ impl<T: Real> Specker<T> {
 mod tests {
     use super::*;
 
-    const DEFAULT: Specker<f64> = Specker {
+    const DEFAULT: SpeckerCurve<f64> = SpeckerCurve {
         coulomb: 0.981,
         statical: 1.4715,
         transition_velocity: 2.5e-4,
@@ -66,7 +66,7 @@ mod tests {
         for (transition_velocity, peak_velocity, viscous_coefficient) in
             [(1e-4, 1e-3, 0.0), (2e-3, 1e-3, 5.0), (2.5e-4, 5e-4, 100.0)]
         {
-            let curve = Specker { transition_velocity, peak_velocity, viscous_coefficient, ..DEFAULT };
+            let curve = SpeckerCurve { transition_velocity, peak_velocity, viscous_coefficient, ..DEFAULT };
             assert!((curve.force(-peak_velocity) + 1.4715).abs() < 1e-14);
         }
     }
