@@ -488,6 +488,22 @@ typedef enum stribeck_bengisu_akay_variant {
   STRIBECK_BENGISU_AKAY_VARIANT_MARQUES = 2,
 } stribeck_bengisu_akay_variant;
 
+/** Choices of a variable of the type BlimanSorineOrder. */
+typedef enum stribeck_bliman_sorine_order {
+  /** One relaxation: Coulomb friction with pre-sliding displacement. */
+  STRIBECK_BLIMAN_SORINE_ORDER_FIRST = 1,
+  /** Two relaxations: a peak of the force before steady sliding. */
+  STRIBECK_BLIMAN_SORINE_ORDER_SECOND = 2,
+} stribeck_bliman_sorine_order;
+
+/** Choices of a variable of the type BristleStart. */
+typedef enum stribeck_bristle_start {
+  /** All are bonded where they stand, so they snap together at the first breakaway. */
+  STRIBECK_BRISTLE_START_BONDED = 1,
+  /** As after a long slide in the direction of the first motion. */
+  STRIBECK_BRISTLE_START_STATIONARY = 2,
+} stribeck_bristle_start;
+
 /** Choices of a variable of the type CoulombViscousVariant. */
 typedef enum stribeck_coulomb_viscous_variant {
   /** The viscous part is proportional to velocity. */
@@ -495,6 +511,14 @@ typedef enum stribeck_coulomb_viscous_variant {
   /** The viscous part is a power of speed. */
   STRIBECK_COULOMB_VISCOUS_VARIANT_POWER = 2,
 } stribeck_coulomb_viscous_variant;
+
+/** Choices of a variable of the type ElementDistribution. */
+typedef enum stribeck_element_distribution {
+  /** The shares of each element are given. */
+  STRIBECK_ELEMENT_DISTRIBUTION_EXPLICIT = 1,
+  /** Equal stiffness, and displacements up to slip that are spread evenly: the virgin curve is nearly a parabola. */
+  STRIBECK_ELEMENT_DISTRIBUTION_UNIFORM = 2,
+} stribeck_element_distribution;
 
 /** Choices of a variable of the type Exchange. */
 typedef enum stribeck_exchange {
@@ -511,6 +535,14 @@ typedef enum stribeck_frictional_lag_variant {
   /** The force follows the velocity through a first-order filter. */
   STRIBECK_FRICTIONAL_LAG_VARIANT_FIRST_ORDER = 2,
 } stribeck_frictional_lag_variant;
+
+/** Choices of a variable of the type LiangVariant. */
+typedef enum stribeck_liang_variant {
+  /** The deflection keeps its direction and is shortened: the force is continuous. */
+  STRIBECK_LIANG_VARIANT_RADIAL_RETURN = 1,
+  /** The deflection takes the direction of the velocity, as printed: the force can jump. */
+  STRIBECK_LIANG_VARIANT_PRINTED = 2,
+} stribeck_liang_variant;
 
 /** Choices of a variable of the type RooneyDeraviVariant. */
 typedef enum stribeck_rooney_deravi_variant {
@@ -2194,6 +2226,1628 @@ typedef enum stribeck_wojewoda_variable {
   /** out [Boolean]: Is the contact sticking? */
   STRIBECK_WOJEWODA_STICKING = 13,
 } stribeck_wojewoda_variable;
+
+/** Guid of BlimanSorine for fmi2Instantiate. */
+#define STRIBECK_BLIMAN_SORINE_GUID "{669053a7-680d-9c26-a317-714905022fca}"
+
+/** BlimanSorine: Pre-sliding displacement and breakaway peak in the sliding distance (Bliman-Sorine). Columns of "BlimanSorine". */
+typedef enum stribeck_bliman_sorine_variable {
+  /** in [m/s]: Sliding velocity of body 1 relative to body 2. (default 0) */
+  STRIBECK_BLIMAN_SORINE_VELOCITY = 0,
+  /** in [N]: Normal force that presses the surfaces together. (>= 0, default 9.81) */
+  STRIBECK_BLIMAN_SORINE_NORMAL_FORCE = 1,
+  /** fixed [stribeck_bliman_sorine_order]: Variant of the law. (default Second) */
+  STRIBECK_BLIMAN_SORINE_VARIANT = 2,
+  /** tunable [1]: Kinetic coefficient of friction. (>= 0, default 0.1) */
+  STRIBECK_BLIMAN_SORINE_MU_K = 3,
+  /** tunable [1]: Level of the slow relaxation, as a coefficient of friction; second order (default calibrated).
+   *  (>= 0, default 0.2732050807568877) */
+  STRIBECK_BLIMAN_SORINE_MU_2 = 4,
+  /** tunable [1]: Length of the fast relaxation as a part of that of the slow one; second order (default chosen).
+   *  (> 0, <= 1, default 0.5) */
+  STRIBECK_BLIMAN_SORINE_ETA = 5,
+  /** tunable [m]: Sliding distance in which the slow relaxation settles to 1/e (default calibrated).
+   *  (> 0, default 4.642141842225068e-5) */
+  STRIBECK_BLIMAN_SORINE_EPS_F = 6,
+  /** state [1]: Fast relaxation, in units of its level. (default 0) */
+  STRIBECK_BLIMAN_SORINE_Y_1 = 7,
+  /** state [1]: Slow relaxation, in units of its level; second order. (default 0) */
+  STRIBECK_BLIMAN_SORINE_Y_2 = 8,
+  /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
+  STRIBECK_BLIMAN_SORINE_DISSIPATED_ENERGY = 9,
+  /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
+  STRIBECK_BLIMAN_SORINE_FRICTION_FORCE = 10,
+  /** out [W]: Power taken out of the motion: friction force times velocity. */
+  STRIBECK_BLIMAN_SORINE_DISSIPATED_POWER = 11,
+  /** out [Boolean]: Is the contact sticking? */
+  STRIBECK_BLIMAN_SORINE_STICKING = 12,
+} stribeck_bliman_sorine_variable;
+
+/** Guid of ResetIntegrator for fmi2Instantiate. */
+#define STRIBECK_RESET_INTEGRATOR_GUID "{f1fe37fd-a425-bd9c-5248-98a2cca18c72}"
+
+/** ResetIntegrator: Bond that breaks at the static level (reset integrator). Columns of "ResetIntegrator". */
+typedef enum stribeck_reset_integrator_variable {
+  /** in [m/s]: Sliding velocity of body 1 relative to body 2. (default 0) */
+  STRIBECK_RESET_INTEGRATOR_VELOCITY = 0,
+  /** in [N]: Normal force that presses the surfaces together. (>= 0, default 9.81) */
+  STRIBECK_RESET_INTEGRATOR_NORMAL_FORCE = 1,
+  /** tunable [1]: Kinetic coefficient of friction. (>= 0, default 0.1) */
+  STRIBECK_RESET_INTEGRATOR_MU_K = 2,
+  /** tunable [1]: Static coefficient of friction; not less than mu_k. (>= 0, default 0.15) */
+  STRIBECK_RESET_INTEGRATOR_MU_S = 3,
+  /** tunable [N/m]: Stiffness of the bristles. (> 0, default 100000) */
+  STRIBECK_RESET_INTEGRATOR_SIGMA_0 = 4,
+  /** tunable [N.s/m]: Damping of the bristles. (>= 0, default 316.22776601683796) */
+  STRIBECK_RESET_INTEGRATOR_SIGMA_1 = 5,
+  /** state [m]: Mean elastic deflection of the bristles. (default 0) */
+  STRIBECK_RESET_INTEGRATOR_BRISTLE_DEFLECTION = 6,
+  /** state [1]: Direction in which the contact has broken away; 0 = bonded. (>= -1, <= 1, default 0) */
+  STRIBECK_RESET_INTEGRATOR_SLIP_DIRECTION = 7,
+  /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
+  STRIBECK_RESET_INTEGRATOR_DISSIPATED_ENERGY = 8,
+  /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
+  STRIBECK_RESET_INTEGRATOR_FRICTION_FORCE = 9,
+  /** out [W]: Power taken out of the motion: friction force times velocity. */
+  STRIBECK_RESET_INTEGRATOR_DISSIPATED_POWER = 10,
+  /** out [Boolean]: Is the contact sticking? */
+  STRIBECK_RESET_INTEGRATOR_STICKING = 11,
+} stribeck_reset_integrator_variable;
+
+/** Guid of Dankowicz for fmi2Instantiate. */
+#define STRIBECK_DANKOWICZ_GUID "{066f97b8-316e-0628-712d-20d525d1a296}"
+
+/** Dankowicz: Pre-sliding displacement of sheared asperities (Dankowicz, reconstructed). Columns of "Dankowicz". */
+typedef enum stribeck_dankowicz_variable {
+  /** in [m/s]: Sliding velocity of body 1 relative to body 2. (default 0) */
+  STRIBECK_DANKOWICZ_VELOCITY = 0,
+  /** in [N]: Normal force that presses the surfaces together. (>= 0, default 9.81) */
+  STRIBECK_DANKOWICZ_NORMAL_FORCE = 1,
+  /** tunable [1]: Kinetic coefficient of friction. (>= 0, default 0.1) */
+  STRIBECK_DANKOWICZ_MU_K = 2,
+  /** tunable [m]: Shear deflection of the asperities in steady sliding (default f_C / sigma_0 of the thesis).
+   *  (> 0, default 9.81e-6) */
+  STRIBECK_DANKOWICZ_DELTA_T = 3,
+  /** state [m]: Mean elastic deflection of the bristles. (default 0) */
+  STRIBECK_DANKOWICZ_BRISTLE_DEFLECTION = 4,
+  /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
+  STRIBECK_DANKOWICZ_DISSIPATED_ENERGY = 5,
+  /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
+  STRIBECK_DANKOWICZ_FRICTION_FORCE = 6,
+  /** out [W]: Power taken out of the motion: friction force times velocity. */
+  STRIBECK_DANKOWICZ_DISSIPATED_POWER = 7,
+  /** out [Boolean]: Is the contact sticking? */
+  STRIBECK_DANKOWICZ_STICKING = 8,
+} stribeck_dankowicz_variable;
+
+/** Guid of ElastoPlastic for fmi2Instantiate. */
+#define STRIBECK_ELASTO_PLASTIC_GUID "{a5509116-f201-a60d-4dd1-fd7d5c83548a}"
+
+/** ElastoPlastic: Bristle friction without drift below breakaway (elasto-plastic). Columns of "ElastoPlastic". */
+typedef enum stribeck_elasto_plastic_variable {
+  /** in [m/s]: Sliding velocity of body 1 relative to body 2. (default 0) */
+  STRIBECK_ELASTO_PLASTIC_VELOCITY = 0,
+  /** in [N]: Normal force that presses the surfaces together. (>= 0, default 9.81) */
+  STRIBECK_ELASTO_PLASTIC_NORMAL_FORCE = 1,
+  /** tunable [1]: Kinetic coefficient of friction. (>= 0, default 0.1) */
+  STRIBECK_ELASTO_PLASTIC_MU_K = 2,
+  /** tunable [1]: Static coefficient of friction; not less than mu_k. (>= 0, default 0.15) */
+  STRIBECK_ELASTO_PLASTIC_MU_S = 3,
+  /** tunable [m/s]: Speed at which the excess of static over kinetic friction has fallen to 1/e.
+   *  (> 0, default 0.001) */
+  STRIBECK_ELASTO_PLASTIC_STRIBECK_VELOCITY = 4,
+  /** tunable [1]: Exponent of the falling level. (> 0, default 2) */
+  STRIBECK_ELASTO_PLASTIC_STRIBECK_EXPONENT = 5,
+  /** tunable [1]: Part of the deflection of steady sliding up to which the contact is purely elastic.
+   *  (> 0, <= 1, default 0.7) */
+  STRIBECK_ELASTO_PLASTIC_BREAKAWAY_RATIO = 6,
+  /** tunable [Integer]: Exponent of the transition from elastic deflection to sliding; odd. (>= 1, <= 9, default 1) */
+  STRIBECK_ELASTO_PLASTIC_PLASTIC_EXPONENT = 7,
+  /** tunable [N/m]: Stiffness of the bristles. (> 0, default 100000) */
+  STRIBECK_ELASTO_PLASTIC_SIGMA_0 = 8,
+  /** tunable [N.s/m]: Damping of the bristles. (>= 0, default 316.22776601683796) */
+  STRIBECK_ELASTO_PLASTIC_SIGMA_1 = 9,
+  /** tunable [N.s/m]: Viscous friction coefficient. (>= 0, default 0.1) */
+  STRIBECK_ELASTO_PLASTIC_VISCOUS_COEFFICIENT = 10,
+  /** tunable [m/s]: Speed at which the damping of the bristles fades; 0 = constant damping. (>= 0, default 0) */
+  STRIBECK_ELASTO_PLASTIC_DAMPING_VELOCITY = 11,
+  /** state [m]: Mean elastic deflection of the bristles. (default 0) */
+  STRIBECK_ELASTO_PLASTIC_BRISTLE_DEFLECTION = 12,
+  /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
+  STRIBECK_ELASTO_PLASTIC_DISSIPATED_ENERGY = 13,
+  /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
+  STRIBECK_ELASTO_PLASTIC_FRICTION_FORCE = 14,
+  /** out [W]: Power taken out of the motion: friction force times velocity. */
+  STRIBECK_ELASTO_PLASTIC_DISSIPATED_POWER = 15,
+  /** out [Boolean]: Is the contact sticking? */
+  STRIBECK_ELASTO_PLASTIC_STICKING = 16,
+} stribeck_elasto_plastic_variable;
+
+/** Guid of Bristle for fmi2Instantiate. */
+#define STRIBECK_BRISTLE_GUID "{dae2f272-94bf-e010-62b0-41a8a012c373}"
+
+/** Bristle: Bonds that snap and form again at random (bristle model). Columns of "Bristle". */
+typedef enum stribeck_bristle_variable {
+  /** in [m/s]: Sliding velocity of body 1 relative to body 2. (default 0) */
+  STRIBECK_BRISTLE_VELOCITY = 0,
+  /** in [N]: Normal force that presses the surfaces together. (>= 0, default 9.81) */
+  STRIBECK_BRISTLE_NORMAL_FORCE = 1,
+  /** tunable [1]: Kinetic coefficient of friction. (>= 0, default 0.1) */
+  STRIBECK_BRISTLE_MU_K = 2,
+  /** tunable [1]: Static coefficient of friction; not less than mu_k. (>= 0, default 0.15) */
+  STRIBECK_BRISTLE_MU_S = 3,
+  /** tunable [m]: Strain at which a bristle snaps (default f_s / sigma_0 of the thesis). (> 0, default 1.4715e-5) */
+  STRIBECK_BRISTLE_DELTA = 4,
+  /** fixed [Integer]: Number of bristles (default chosen). (>= 1, <= 64, default 25) */
+  STRIBECK_BRISTLE_BRISTLE_COUNT = 5,
+  /** fixed [Integer]: Seed of the random numbers. (>= 0, default 0) */
+  STRIBECK_BRISTLE_SEED = 6,
+  /** fixed [stribeck_bristle_start]: State of the bristles when the motion starts. (default Bonded) */
+  STRIBECK_BRISTLE_START = 7,
+  /** state [m]: Strain of the bristle, x - b_i. (default 0) */
+  STRIBECK_BRISTLE_BRISTLE_1_STRAIN = 8,
+  /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
+  STRIBECK_BRISTLE_BRISTLE_1_DRAWS = 9,
+  /** state [m]: Strain of the bristle, x - b_i. (default 0) */
+  STRIBECK_BRISTLE_BRISTLE_2_STRAIN = 10,
+  /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
+  STRIBECK_BRISTLE_BRISTLE_2_DRAWS = 11,
+  /** state [m]: Strain of the bristle, x - b_i. (default 0) */
+  STRIBECK_BRISTLE_BRISTLE_3_STRAIN = 12,
+  /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
+  STRIBECK_BRISTLE_BRISTLE_3_DRAWS = 13,
+  /** state [m]: Strain of the bristle, x - b_i. (default 0) */
+  STRIBECK_BRISTLE_BRISTLE_4_STRAIN = 14,
+  /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
+  STRIBECK_BRISTLE_BRISTLE_4_DRAWS = 15,
+  /** state [m]: Strain of the bristle, x - b_i. (default 0) */
+  STRIBECK_BRISTLE_BRISTLE_5_STRAIN = 16,
+  /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
+  STRIBECK_BRISTLE_BRISTLE_5_DRAWS = 17,
+  /** state [m]: Strain of the bristle, x - b_i. (default 0) */
+  STRIBECK_BRISTLE_BRISTLE_6_STRAIN = 18,
+  /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
+  STRIBECK_BRISTLE_BRISTLE_6_DRAWS = 19,
+  /** state [m]: Strain of the bristle, x - b_i. (default 0) */
+  STRIBECK_BRISTLE_BRISTLE_7_STRAIN = 20,
+  /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
+  STRIBECK_BRISTLE_BRISTLE_7_DRAWS = 21,
+  /** state [m]: Strain of the bristle, x - b_i. (default 0) */
+  STRIBECK_BRISTLE_BRISTLE_8_STRAIN = 22,
+  /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
+  STRIBECK_BRISTLE_BRISTLE_8_DRAWS = 23,
+  /** state [m]: Strain of the bristle, x - b_i. (default 0) */
+  STRIBECK_BRISTLE_BRISTLE_9_STRAIN = 24,
+  /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
+  STRIBECK_BRISTLE_BRISTLE_9_DRAWS = 25,
+  /** state [m]: Strain of the bristle, x - b_i. (default 0) */
+  STRIBECK_BRISTLE_BRISTLE_10_STRAIN = 26,
+  /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
+  STRIBECK_BRISTLE_BRISTLE_10_DRAWS = 27,
+  /** state [m]: Strain of the bristle, x - b_i. (default 0) */
+  STRIBECK_BRISTLE_BRISTLE_11_STRAIN = 28,
+  /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
+  STRIBECK_BRISTLE_BRISTLE_11_DRAWS = 29,
+  /** state [m]: Strain of the bristle, x - b_i. (default 0) */
+  STRIBECK_BRISTLE_BRISTLE_12_STRAIN = 30,
+  /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
+  STRIBECK_BRISTLE_BRISTLE_12_DRAWS = 31,
+  /** state [m]: Strain of the bristle, x - b_i. (default 0) */
+  STRIBECK_BRISTLE_BRISTLE_13_STRAIN = 32,
+  /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
+  STRIBECK_BRISTLE_BRISTLE_13_DRAWS = 33,
+  /** state [m]: Strain of the bristle, x - b_i. (default 0) */
+  STRIBECK_BRISTLE_BRISTLE_14_STRAIN = 34,
+  /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
+  STRIBECK_BRISTLE_BRISTLE_14_DRAWS = 35,
+  /** state [m]: Strain of the bristle, x - b_i. (default 0) */
+  STRIBECK_BRISTLE_BRISTLE_15_STRAIN = 36,
+  /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
+  STRIBECK_BRISTLE_BRISTLE_15_DRAWS = 37,
+  /** state [m]: Strain of the bristle, x - b_i. (default 0) */
+  STRIBECK_BRISTLE_BRISTLE_16_STRAIN = 38,
+  /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
+  STRIBECK_BRISTLE_BRISTLE_16_DRAWS = 39,
+  /** state [m]: Strain of the bristle, x - b_i. (default 0) */
+  STRIBECK_BRISTLE_BRISTLE_17_STRAIN = 40,
+  /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
+  STRIBECK_BRISTLE_BRISTLE_17_DRAWS = 41,
+  /** state [m]: Strain of the bristle, x - b_i. (default 0) */
+  STRIBECK_BRISTLE_BRISTLE_18_STRAIN = 42,
+  /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
+  STRIBECK_BRISTLE_BRISTLE_18_DRAWS = 43,
+  /** state [m]: Strain of the bristle, x - b_i. (default 0) */
+  STRIBECK_BRISTLE_BRISTLE_19_STRAIN = 44,
+  /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
+  STRIBECK_BRISTLE_BRISTLE_19_DRAWS = 45,
+  /** state [m]: Strain of the bristle, x - b_i. (default 0) */
+  STRIBECK_BRISTLE_BRISTLE_20_STRAIN = 46,
+  /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
+  STRIBECK_BRISTLE_BRISTLE_20_DRAWS = 47,
+  /** state [m]: Strain of the bristle, x - b_i. (default 0) */
+  STRIBECK_BRISTLE_BRISTLE_21_STRAIN = 48,
+  /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
+  STRIBECK_BRISTLE_BRISTLE_21_DRAWS = 49,
+  /** state [m]: Strain of the bristle, x - b_i. (default 0) */
+  STRIBECK_BRISTLE_BRISTLE_22_STRAIN = 50,
+  /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
+  STRIBECK_BRISTLE_BRISTLE_22_DRAWS = 51,
+  /** state [m]: Strain of the bristle, x - b_i. (default 0) */
+  STRIBECK_BRISTLE_BRISTLE_23_STRAIN = 52,
+  /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
+  STRIBECK_BRISTLE_BRISTLE_23_DRAWS = 53,
+  /** state [m]: Strain of the bristle, x - b_i. (default 0) */
+  STRIBECK_BRISTLE_BRISTLE_24_STRAIN = 54,
+  /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
+  STRIBECK_BRISTLE_BRISTLE_24_DRAWS = 55,
+  /** state [m]: Strain of the bristle, x - b_i. (default 0) */
+  STRIBECK_BRISTLE_BRISTLE_25_STRAIN = 56,
+  /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
+  STRIBECK_BRISTLE_BRISTLE_25_DRAWS = 57,
+  /** state [m]: Strain of the bristle, x - b_i. (default 0) */
+  STRIBECK_BRISTLE_BRISTLE_26_STRAIN = 58,
+  /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
+  STRIBECK_BRISTLE_BRISTLE_26_DRAWS = 59,
+  /** state [m]: Strain of the bristle, x - b_i. (default 0) */
+  STRIBECK_BRISTLE_BRISTLE_27_STRAIN = 60,
+  /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
+  STRIBECK_BRISTLE_BRISTLE_27_DRAWS = 61,
+  /** state [m]: Strain of the bristle, x - b_i. (default 0) */
+  STRIBECK_BRISTLE_BRISTLE_28_STRAIN = 62,
+  /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
+  STRIBECK_BRISTLE_BRISTLE_28_DRAWS = 63,
+  /** state [m]: Strain of the bristle, x - b_i. (default 0) */
+  STRIBECK_BRISTLE_BRISTLE_29_STRAIN = 64,
+  /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
+  STRIBECK_BRISTLE_BRISTLE_29_DRAWS = 65,
+  /** state [m]: Strain of the bristle, x - b_i. (default 0) */
+  STRIBECK_BRISTLE_BRISTLE_30_STRAIN = 66,
+  /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
+  STRIBECK_BRISTLE_BRISTLE_30_DRAWS = 67,
+  /** state [m]: Strain of the bristle, x - b_i. (default 0) */
+  STRIBECK_BRISTLE_BRISTLE_31_STRAIN = 68,
+  /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
+  STRIBECK_BRISTLE_BRISTLE_31_DRAWS = 69,
+  /** state [m]: Strain of the bristle, x - b_i. (default 0) */
+  STRIBECK_BRISTLE_BRISTLE_32_STRAIN = 70,
+  /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
+  STRIBECK_BRISTLE_BRISTLE_32_DRAWS = 71,
+  /** state [m]: Strain of the bristle, x - b_i. (default 0) */
+  STRIBECK_BRISTLE_BRISTLE_33_STRAIN = 72,
+  /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
+  STRIBECK_BRISTLE_BRISTLE_33_DRAWS = 73,
+  /** state [m]: Strain of the bristle, x - b_i. (default 0) */
+  STRIBECK_BRISTLE_BRISTLE_34_STRAIN = 74,
+  /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
+  STRIBECK_BRISTLE_BRISTLE_34_DRAWS = 75,
+  /** state [m]: Strain of the bristle, x - b_i. (default 0) */
+  STRIBECK_BRISTLE_BRISTLE_35_STRAIN = 76,
+  /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
+  STRIBECK_BRISTLE_BRISTLE_35_DRAWS = 77,
+  /** state [m]: Strain of the bristle, x - b_i. (default 0) */
+  STRIBECK_BRISTLE_BRISTLE_36_STRAIN = 78,
+  /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
+  STRIBECK_BRISTLE_BRISTLE_36_DRAWS = 79,
+  /** state [m]: Strain of the bristle, x - b_i. (default 0) */
+  STRIBECK_BRISTLE_BRISTLE_37_STRAIN = 80,
+  /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
+  STRIBECK_BRISTLE_BRISTLE_37_DRAWS = 81,
+  /** state [m]: Strain of the bristle, x - b_i. (default 0) */
+  STRIBECK_BRISTLE_BRISTLE_38_STRAIN = 82,
+  /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
+  STRIBECK_BRISTLE_BRISTLE_38_DRAWS = 83,
+  /** state [m]: Strain of the bristle, x - b_i. (default 0) */
+  STRIBECK_BRISTLE_BRISTLE_39_STRAIN = 84,
+  /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
+  STRIBECK_BRISTLE_BRISTLE_39_DRAWS = 85,
+  /** state [m]: Strain of the bristle, x - b_i. (default 0) */
+  STRIBECK_BRISTLE_BRISTLE_40_STRAIN = 86,
+  /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
+  STRIBECK_BRISTLE_BRISTLE_40_DRAWS = 87,
+  /** state [m]: Strain of the bristle, x - b_i. (default 0) */
+  STRIBECK_BRISTLE_BRISTLE_41_STRAIN = 88,
+  /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
+  STRIBECK_BRISTLE_BRISTLE_41_DRAWS = 89,
+  /** state [m]: Strain of the bristle, x - b_i. (default 0) */
+  STRIBECK_BRISTLE_BRISTLE_42_STRAIN = 90,
+  /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
+  STRIBECK_BRISTLE_BRISTLE_42_DRAWS = 91,
+  /** state [m]: Strain of the bristle, x - b_i. (default 0) */
+  STRIBECK_BRISTLE_BRISTLE_43_STRAIN = 92,
+  /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
+  STRIBECK_BRISTLE_BRISTLE_43_DRAWS = 93,
+  /** state [m]: Strain of the bristle, x - b_i. (default 0) */
+  STRIBECK_BRISTLE_BRISTLE_44_STRAIN = 94,
+  /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
+  STRIBECK_BRISTLE_BRISTLE_44_DRAWS = 95,
+  /** state [m]: Strain of the bristle, x - b_i. (default 0) */
+  STRIBECK_BRISTLE_BRISTLE_45_STRAIN = 96,
+  /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
+  STRIBECK_BRISTLE_BRISTLE_45_DRAWS = 97,
+  /** state [m]: Strain of the bristle, x - b_i. (default 0) */
+  STRIBECK_BRISTLE_BRISTLE_46_STRAIN = 98,
+  /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
+  STRIBECK_BRISTLE_BRISTLE_46_DRAWS = 99,
+  /** state [m]: Strain of the bristle, x - b_i. (default 0) */
+  STRIBECK_BRISTLE_BRISTLE_47_STRAIN = 100,
+  /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
+  STRIBECK_BRISTLE_BRISTLE_47_DRAWS = 101,
+  /** state [m]: Strain of the bristle, x - b_i. (default 0) */
+  STRIBECK_BRISTLE_BRISTLE_48_STRAIN = 102,
+  /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
+  STRIBECK_BRISTLE_BRISTLE_48_DRAWS = 103,
+  /** state [m]: Strain of the bristle, x - b_i. (default 0) */
+  STRIBECK_BRISTLE_BRISTLE_49_STRAIN = 104,
+  /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
+  STRIBECK_BRISTLE_BRISTLE_49_DRAWS = 105,
+  /** state [m]: Strain of the bristle, x - b_i. (default 0) */
+  STRIBECK_BRISTLE_BRISTLE_50_STRAIN = 106,
+  /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
+  STRIBECK_BRISTLE_BRISTLE_50_DRAWS = 107,
+  /** state [m]: Strain of the bristle, x - b_i. (default 0) */
+  STRIBECK_BRISTLE_BRISTLE_51_STRAIN = 108,
+  /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
+  STRIBECK_BRISTLE_BRISTLE_51_DRAWS = 109,
+  /** state [m]: Strain of the bristle, x - b_i. (default 0) */
+  STRIBECK_BRISTLE_BRISTLE_52_STRAIN = 110,
+  /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
+  STRIBECK_BRISTLE_BRISTLE_52_DRAWS = 111,
+  /** state [m]: Strain of the bristle, x - b_i. (default 0) */
+  STRIBECK_BRISTLE_BRISTLE_53_STRAIN = 112,
+  /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
+  STRIBECK_BRISTLE_BRISTLE_53_DRAWS = 113,
+  /** state [m]: Strain of the bristle, x - b_i. (default 0) */
+  STRIBECK_BRISTLE_BRISTLE_54_STRAIN = 114,
+  /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
+  STRIBECK_BRISTLE_BRISTLE_54_DRAWS = 115,
+  /** state [m]: Strain of the bristle, x - b_i. (default 0) */
+  STRIBECK_BRISTLE_BRISTLE_55_STRAIN = 116,
+  /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
+  STRIBECK_BRISTLE_BRISTLE_55_DRAWS = 117,
+  /** state [m]: Strain of the bristle, x - b_i. (default 0) */
+  STRIBECK_BRISTLE_BRISTLE_56_STRAIN = 118,
+  /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
+  STRIBECK_BRISTLE_BRISTLE_56_DRAWS = 119,
+  /** state [m]: Strain of the bristle, x - b_i. (default 0) */
+  STRIBECK_BRISTLE_BRISTLE_57_STRAIN = 120,
+  /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
+  STRIBECK_BRISTLE_BRISTLE_57_DRAWS = 121,
+  /** state [m]: Strain of the bristle, x - b_i. (default 0) */
+  STRIBECK_BRISTLE_BRISTLE_58_STRAIN = 122,
+  /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
+  STRIBECK_BRISTLE_BRISTLE_58_DRAWS = 123,
+  /** state [m]: Strain of the bristle, x - b_i. (default 0) */
+  STRIBECK_BRISTLE_BRISTLE_59_STRAIN = 124,
+  /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
+  STRIBECK_BRISTLE_BRISTLE_59_DRAWS = 125,
+  /** state [m]: Strain of the bristle, x - b_i. (default 0) */
+  STRIBECK_BRISTLE_BRISTLE_60_STRAIN = 126,
+  /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
+  STRIBECK_BRISTLE_BRISTLE_60_DRAWS = 127,
+  /** state [m]: Strain of the bristle, x - b_i. (default 0) */
+  STRIBECK_BRISTLE_BRISTLE_61_STRAIN = 128,
+  /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
+  STRIBECK_BRISTLE_BRISTLE_61_DRAWS = 129,
+  /** state [m]: Strain of the bristle, x - b_i. (default 0) */
+  STRIBECK_BRISTLE_BRISTLE_62_STRAIN = 130,
+  /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
+  STRIBECK_BRISTLE_BRISTLE_62_DRAWS = 131,
+  /** state [m]: Strain of the bristle, x - b_i. (default 0) */
+  STRIBECK_BRISTLE_BRISTLE_63_STRAIN = 132,
+  /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
+  STRIBECK_BRISTLE_BRISTLE_63_DRAWS = 133,
+  /** state [m]: Strain of the bristle, x - b_i. (default 0) */
+  STRIBECK_BRISTLE_BRISTLE_64_STRAIN = 134,
+  /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
+  STRIBECK_BRISTLE_BRISTLE_64_DRAWS = 135,
+  /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
+  STRIBECK_BRISTLE_DISSIPATED_ENERGY = 136,
+  /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
+  STRIBECK_BRISTLE_FRICTION_FORCE = 137,
+  /** out [W]: Power taken out of the motion: friction force times velocity. */
+  STRIBECK_BRISTLE_DISSIPATED_POWER = 138,
+  /** out [Boolean]: Is the contact sticking? */
+  STRIBECK_BRISTLE_STICKING = 139,
+} stribeck_bristle_variable;
+
+/** Guid of SpeckerDynamic for fmi2Instantiate. */
+#define STRIBECK_SPECKER_DYNAMIC_GUID "{b2be4a03-d14c-47f6-786e-bf4782d7e5ab}"
+
+/** SpeckerDynamic: Smooth friction law with a velocity-dependent lag (Specker, reconstructed). Columns of "SpeckerDynamic". */
+typedef enum stribeck_specker_dynamic_variable {
+  /** in [m/s]: Sliding velocity of body 1 relative to body 2. (default 0) */
+  STRIBECK_SPECKER_DYNAMIC_VELOCITY = 0,
+  /** in [N]: Normal force that presses the surfaces together. (>= 0, default 9.81) */
+  STRIBECK_SPECKER_DYNAMIC_NORMAL_FORCE = 1,
+  /** tunable [1]: Kinetic coefficient of friction. (>= 0, default 0.1) */
+  STRIBECK_SPECKER_DYNAMIC_MU_K = 2,
+  /** tunable [1]: Static coefficient of friction; not less than mu_k. (>= 0, default 0.15) */
+  STRIBECK_SPECKER_DYNAMIC_MU_S = 3,
+  /** tunable [m/s]: Velocity at which the regularised band around rest ends (default chosen). (> 0, default 0.00025) */
+  STRIBECK_SPECKER_DYNAMIC_TRANSITION_VELOCITY = 4,
+  /** tunable [m/s]: Velocity at which the static level is reached (default chosen). (> 0, default 0.0005) */
+  STRIBECK_SPECKER_DYNAMIC_PEAK_VELOCITY = 5,
+  /** tunable [N.s/m]: Viscous friction coefficient. (>= 0, default 0) */
+  STRIBECK_SPECKER_DYNAMIC_VISCOUS_COEFFICIENT = 6,
+  /** tunable [N/m]: Stiffness of the bristles. (> 0, default 100000) */
+  STRIBECK_SPECKER_DYNAMIC_SIGMA_0 = 7,
+  /** tunable [s]: Time constant of the force while sliding (default chosen). (> 0, default 0.001) */
+  STRIBECK_SPECKER_DYNAMIC_SLIP_TIME = 8,
+  /** state [N]: Friction force behind the low-pass. (default 0) */
+  STRIBECK_SPECKER_DYNAMIC_LAGGING_FORCE = 9,
+  /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
+  STRIBECK_SPECKER_DYNAMIC_DISSIPATED_ENERGY = 10,
+  /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
+  STRIBECK_SPECKER_DYNAMIC_FRICTION_FORCE = 11,
+  /** out [W]: Power taken out of the motion: friction force times velocity. */
+  STRIBECK_SPECKER_DYNAMIC_DISSIPATED_POWER = 12,
+  /** out [Boolean]: Is the contact sticking? */
+  STRIBECK_SPECKER_DYNAMIC_STICKING = 13,
+} stribeck_specker_dynamic_variable;
+
+/** Guid of MaxwellSlip for fmi2Instantiate. */
+#define STRIBECK_MAXWELL_SLIP_GUID "{eeb296d3-65c7-bc01-3bf6-edeea209db25}"
+
+/** MaxwellSlip: Elements that stick or slip, with hysteresis of pre-sliding (generalised Maxwell-slip, GMS). Columns of "MaxwellSlip". */
+typedef enum stribeck_maxwell_slip_variable {
+  /** in [m/s]: Sliding velocity of body 1 relative to body 2. (default 0) */
+  STRIBECK_MAXWELL_SLIP_VELOCITY = 0,
+  /** in [N]: Normal force that presses the surfaces together. (>= 0, default 9.81) */
+  STRIBECK_MAXWELL_SLIP_NORMAL_FORCE = 1,
+  /** tunable [1]: Kinetic coefficient of friction. (>= 0, default 0.1) */
+  STRIBECK_MAXWELL_SLIP_MU_K = 2,
+  /** tunable [1]: Static coefficient of friction; not less than mu_k. (>= 0, default 0.15) */
+  STRIBECK_MAXWELL_SLIP_MU_S = 3,
+  /** tunable [m/s]: Speed at which the excess of static over kinetic friction has fallen to 1/e.
+   *  (> 0, default 0.001) */
+  STRIBECK_MAXWELL_SLIP_STRIBECK_VELOCITY = 4,
+  /** tunable [1]: Exponent of the falling level. (> 0, default 2) */
+  STRIBECK_MAXWELL_SLIP_STRIBECK_EXPONENT = 5,
+  /** tunable [N/m]: Stiffness of the bristles. (> 0, default 100000) */
+  STRIBECK_MAXWELL_SLIP_SIGMA_0 = 6,
+  /** tunable [N.s/m]: Damping of the bristles. (>= 0, default 0) */
+  STRIBECK_MAXWELL_SLIP_SIGMA_1 = 7,
+  /** tunable [N.s/m]: Viscous friction coefficient. (>= 0, default 0) */
+  STRIBECK_MAXWELL_SLIP_VISCOUS_COEFFICIENT = 8,
+  /** tunable [N/s]: Rate at which the slipping elements together approach their level (default chosen).
+   *  (> 0, default 1000) */
+  STRIBECK_MAXWELL_SLIP_ATTRACTION = 9,
+  /** fixed [stribeck_element_distribution]: Where the shares of the elements come from. (default Explicit) */
+  STRIBECK_MAXWELL_SLIP_DISTRIBUTION = 10,
+  /** fixed [Integer]: Number of elements in use (default chosen). (>= 1, <= 64, default 4) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_COUNT = 11,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.5) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_1_STIFFNESS_SHARE = 12,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_1_STRENGTH_SHARE = 13,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_1_FORCE = 14,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_1_SLIPPING = 15,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.25) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_2_STIFFNESS_SHARE = 16,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.2) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_2_STRENGTH_SHARE = 17,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_2_FORCE = 18,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_2_SLIPPING = 19,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.15) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_3_STIFFNESS_SHARE = 20,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.3) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_3_STRENGTH_SHARE = 21,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_3_FORCE = 22,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_3_SLIPPING = 23,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_4_STIFFNESS_SHARE = 24,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.4) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_4_STRENGTH_SHARE = 25,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_4_FORCE = 26,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_4_SLIPPING = 27,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_5_STIFFNESS_SHARE = 28,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_5_STRENGTH_SHARE = 29,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_5_FORCE = 30,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_5_SLIPPING = 31,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_6_STIFFNESS_SHARE = 32,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_6_STRENGTH_SHARE = 33,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_6_FORCE = 34,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_6_SLIPPING = 35,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_7_STIFFNESS_SHARE = 36,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_7_STRENGTH_SHARE = 37,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_7_FORCE = 38,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_7_SLIPPING = 39,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_8_STIFFNESS_SHARE = 40,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_8_STRENGTH_SHARE = 41,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_8_FORCE = 42,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_8_SLIPPING = 43,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_9_STIFFNESS_SHARE = 44,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_9_STRENGTH_SHARE = 45,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_9_FORCE = 46,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_9_SLIPPING = 47,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_10_STIFFNESS_SHARE = 48,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_10_STRENGTH_SHARE = 49,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_10_FORCE = 50,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_10_SLIPPING = 51,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_11_STIFFNESS_SHARE = 52,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_11_STRENGTH_SHARE = 53,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_11_FORCE = 54,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_11_SLIPPING = 55,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_12_STIFFNESS_SHARE = 56,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_12_STRENGTH_SHARE = 57,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_12_FORCE = 58,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_12_SLIPPING = 59,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_13_STIFFNESS_SHARE = 60,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_13_STRENGTH_SHARE = 61,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_13_FORCE = 62,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_13_SLIPPING = 63,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_14_STIFFNESS_SHARE = 64,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_14_STRENGTH_SHARE = 65,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_14_FORCE = 66,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_14_SLIPPING = 67,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_15_STIFFNESS_SHARE = 68,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_15_STRENGTH_SHARE = 69,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_15_FORCE = 70,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_15_SLIPPING = 71,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_16_STIFFNESS_SHARE = 72,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_16_STRENGTH_SHARE = 73,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_16_FORCE = 74,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_16_SLIPPING = 75,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_17_STIFFNESS_SHARE = 76,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_17_STRENGTH_SHARE = 77,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_17_FORCE = 78,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_17_SLIPPING = 79,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_18_STIFFNESS_SHARE = 80,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_18_STRENGTH_SHARE = 81,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_18_FORCE = 82,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_18_SLIPPING = 83,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_19_STIFFNESS_SHARE = 84,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_19_STRENGTH_SHARE = 85,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_19_FORCE = 86,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_19_SLIPPING = 87,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_20_STIFFNESS_SHARE = 88,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_20_STRENGTH_SHARE = 89,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_20_FORCE = 90,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_20_SLIPPING = 91,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_21_STIFFNESS_SHARE = 92,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_21_STRENGTH_SHARE = 93,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_21_FORCE = 94,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_21_SLIPPING = 95,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_22_STIFFNESS_SHARE = 96,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_22_STRENGTH_SHARE = 97,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_22_FORCE = 98,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_22_SLIPPING = 99,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_23_STIFFNESS_SHARE = 100,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_23_STRENGTH_SHARE = 101,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_23_FORCE = 102,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_23_SLIPPING = 103,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_24_STIFFNESS_SHARE = 104,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_24_STRENGTH_SHARE = 105,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_24_FORCE = 106,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_24_SLIPPING = 107,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_25_STIFFNESS_SHARE = 108,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_25_STRENGTH_SHARE = 109,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_25_FORCE = 110,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_25_SLIPPING = 111,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_26_STIFFNESS_SHARE = 112,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_26_STRENGTH_SHARE = 113,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_26_FORCE = 114,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_26_SLIPPING = 115,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_27_STIFFNESS_SHARE = 116,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_27_STRENGTH_SHARE = 117,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_27_FORCE = 118,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_27_SLIPPING = 119,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_28_STIFFNESS_SHARE = 120,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_28_STRENGTH_SHARE = 121,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_28_FORCE = 122,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_28_SLIPPING = 123,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_29_STIFFNESS_SHARE = 124,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_29_STRENGTH_SHARE = 125,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_29_FORCE = 126,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_29_SLIPPING = 127,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_30_STIFFNESS_SHARE = 128,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_30_STRENGTH_SHARE = 129,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_30_FORCE = 130,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_30_SLIPPING = 131,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_31_STIFFNESS_SHARE = 132,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_31_STRENGTH_SHARE = 133,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_31_FORCE = 134,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_31_SLIPPING = 135,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_32_STIFFNESS_SHARE = 136,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_32_STRENGTH_SHARE = 137,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_32_FORCE = 138,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_32_SLIPPING = 139,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_33_STIFFNESS_SHARE = 140,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_33_STRENGTH_SHARE = 141,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_33_FORCE = 142,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_33_SLIPPING = 143,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_34_STIFFNESS_SHARE = 144,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_34_STRENGTH_SHARE = 145,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_34_FORCE = 146,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_34_SLIPPING = 147,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_35_STIFFNESS_SHARE = 148,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_35_STRENGTH_SHARE = 149,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_35_FORCE = 150,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_35_SLIPPING = 151,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_36_STIFFNESS_SHARE = 152,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_36_STRENGTH_SHARE = 153,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_36_FORCE = 154,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_36_SLIPPING = 155,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_37_STIFFNESS_SHARE = 156,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_37_STRENGTH_SHARE = 157,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_37_FORCE = 158,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_37_SLIPPING = 159,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_38_STIFFNESS_SHARE = 160,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_38_STRENGTH_SHARE = 161,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_38_FORCE = 162,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_38_SLIPPING = 163,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_39_STIFFNESS_SHARE = 164,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_39_STRENGTH_SHARE = 165,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_39_FORCE = 166,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_39_SLIPPING = 167,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_40_STIFFNESS_SHARE = 168,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_40_STRENGTH_SHARE = 169,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_40_FORCE = 170,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_40_SLIPPING = 171,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_41_STIFFNESS_SHARE = 172,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_41_STRENGTH_SHARE = 173,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_41_FORCE = 174,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_41_SLIPPING = 175,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_42_STIFFNESS_SHARE = 176,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_42_STRENGTH_SHARE = 177,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_42_FORCE = 178,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_42_SLIPPING = 179,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_43_STIFFNESS_SHARE = 180,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_43_STRENGTH_SHARE = 181,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_43_FORCE = 182,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_43_SLIPPING = 183,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_44_STIFFNESS_SHARE = 184,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_44_STRENGTH_SHARE = 185,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_44_FORCE = 186,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_44_SLIPPING = 187,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_45_STIFFNESS_SHARE = 188,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_45_STRENGTH_SHARE = 189,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_45_FORCE = 190,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_45_SLIPPING = 191,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_46_STIFFNESS_SHARE = 192,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_46_STRENGTH_SHARE = 193,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_46_FORCE = 194,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_46_SLIPPING = 195,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_47_STIFFNESS_SHARE = 196,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_47_STRENGTH_SHARE = 197,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_47_FORCE = 198,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_47_SLIPPING = 199,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_48_STIFFNESS_SHARE = 200,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_48_STRENGTH_SHARE = 201,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_48_FORCE = 202,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_48_SLIPPING = 203,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_49_STIFFNESS_SHARE = 204,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_49_STRENGTH_SHARE = 205,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_49_FORCE = 206,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_49_SLIPPING = 207,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_50_STIFFNESS_SHARE = 208,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_50_STRENGTH_SHARE = 209,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_50_FORCE = 210,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_50_SLIPPING = 211,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_51_STIFFNESS_SHARE = 212,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_51_STRENGTH_SHARE = 213,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_51_FORCE = 214,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_51_SLIPPING = 215,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_52_STIFFNESS_SHARE = 216,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_52_STRENGTH_SHARE = 217,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_52_FORCE = 218,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_52_SLIPPING = 219,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_53_STIFFNESS_SHARE = 220,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_53_STRENGTH_SHARE = 221,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_53_FORCE = 222,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_53_SLIPPING = 223,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_54_STIFFNESS_SHARE = 224,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_54_STRENGTH_SHARE = 225,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_54_FORCE = 226,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_54_SLIPPING = 227,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_55_STIFFNESS_SHARE = 228,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_55_STRENGTH_SHARE = 229,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_55_FORCE = 230,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_55_SLIPPING = 231,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_56_STIFFNESS_SHARE = 232,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_56_STRENGTH_SHARE = 233,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_56_FORCE = 234,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_56_SLIPPING = 235,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_57_STIFFNESS_SHARE = 236,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_57_STRENGTH_SHARE = 237,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_57_FORCE = 238,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_57_SLIPPING = 239,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_58_STIFFNESS_SHARE = 240,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_58_STRENGTH_SHARE = 241,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_58_FORCE = 242,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_58_SLIPPING = 243,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_59_STIFFNESS_SHARE = 244,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_59_STRENGTH_SHARE = 245,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_59_FORCE = 246,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_59_SLIPPING = 247,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_60_STIFFNESS_SHARE = 248,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_60_STRENGTH_SHARE = 249,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_60_FORCE = 250,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_60_SLIPPING = 251,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_61_STIFFNESS_SHARE = 252,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_61_STRENGTH_SHARE = 253,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_61_FORCE = 254,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_61_SLIPPING = 255,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_62_STIFFNESS_SHARE = 256,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_62_STRENGTH_SHARE = 257,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_62_FORCE = 258,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_62_SLIPPING = 259,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_63_STIFFNESS_SHARE = 260,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_63_STRENGTH_SHARE = 261,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_63_FORCE = 262,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_63_SLIPPING = 263,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_64_STIFFNESS_SHARE = 264,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_64_STRENGTH_SHARE = 265,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_64_FORCE = 266,
+  /** state [Boolean]: Is the element slipping? (default false) */
+  STRIBECK_MAXWELL_SLIP_ELEMENT_64_SLIPPING = 267,
+  /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
+  STRIBECK_MAXWELL_SLIP_DISSIPATED_ENERGY = 268,
+  /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
+  STRIBECK_MAXWELL_SLIP_FRICTION_FORCE = 269,
+  /** out [W]: Power taken out of the motion: friction force times velocity. */
+  STRIBECK_MAXWELL_SLIP_DISSIPATED_POWER = 270,
+  /** out [Boolean]: Is the contact sticking? */
+  STRIBECK_MAXWELL_SLIP_STICKING = 271,
+} stribeck_maxwell_slip_variable;
+
+/** Guid of Leuven for fmi2Instantiate. */
+#define STRIBECK_LEUVEN_GUID "{54c3bb5a-48a1-b5d4-8f75-301b3b80f73e}"
+
+/** Leuven: Bristle friction with hysteresis of pre-sliding (Leuven, in the form of Lampaert). Columns of "Leuven". */
+typedef enum stribeck_leuven_variable {
+  /** in [m/s]: Sliding velocity of body 1 relative to body 2. (default 0) */
+  STRIBECK_LEUVEN_VELOCITY = 0,
+  /** in [N]: Normal force that presses the surfaces together. (>= 0, default 9.81) */
+  STRIBECK_LEUVEN_NORMAL_FORCE = 1,
+  /** tunable [1]: Kinetic coefficient of friction. (>= 0, default 0.1) */
+  STRIBECK_LEUVEN_MU_K = 2,
+  /** tunable [1]: Static coefficient of friction; not less than mu_k. (>= 0, default 0.15) */
+  STRIBECK_LEUVEN_MU_S = 3,
+  /** tunable [m/s]: Speed at which the excess of static over kinetic friction has fallen to 1/e.
+   *  (> 0, default 0.001) */
+  STRIBECK_LEUVEN_STRIBECK_VELOCITY = 4,
+  /** tunable [1]: Exponent of the falling level. (> 0, default 2) */
+  STRIBECK_LEUVEN_STRIBECK_EXPONENT = 5,
+  /** tunable [N/m]: Stiffness of the bristles. (> 0, default 100000) */
+  STRIBECK_LEUVEN_SIGMA_0 = 6,
+  /** tunable [N.s/m]: Damping of the bristles. (>= 0, default 316.22776601683796) */
+  STRIBECK_LEUVEN_SIGMA_1 = 7,
+  /** tunable [N.s/m]: Viscous friction coefficient. (>= 0, default 0.1) */
+  STRIBECK_LEUVEN_VISCOUS_COEFFICIENT = 8,
+  /** tunable [1]: Exponent of the approach to the steady level (default chosen). (>= 0.1, default 1) */
+  STRIBECK_LEUVEN_APPROACH_EXPONENT = 9,
+  /** tunable [1]: Strength of all elements together, as a multiple of the static level; not less than 1 (default chosen).
+   *  (> 0, default 1.2) */
+  STRIBECK_LEUVEN_HYSTERESIS_STRENGTH = 10,
+  /** fixed [stribeck_element_distribution]: Where the shares of the elements come from. (default Explicit) */
+  STRIBECK_LEUVEN_DISTRIBUTION = 11,
+  /** fixed [Integer]: Number of elements in use (default chosen). (>= 1, <= 64, default 4) */
+  STRIBECK_LEUVEN_ELEMENT_COUNT = 12,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.5) */
+  STRIBECK_LEUVEN_ELEMENT_1_STIFFNESS_SHARE = 13,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_LEUVEN_ELEMENT_1_STRENGTH_SHARE = 14,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_LEUVEN_ELEMENT_1_FORCE = 15,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.25) */
+  STRIBECK_LEUVEN_ELEMENT_2_STIFFNESS_SHARE = 16,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.2) */
+  STRIBECK_LEUVEN_ELEMENT_2_STRENGTH_SHARE = 17,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_LEUVEN_ELEMENT_2_FORCE = 18,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.15) */
+  STRIBECK_LEUVEN_ELEMENT_3_STIFFNESS_SHARE = 19,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.3) */
+  STRIBECK_LEUVEN_ELEMENT_3_STRENGTH_SHARE = 20,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_LEUVEN_ELEMENT_3_FORCE = 21,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_LEUVEN_ELEMENT_4_STIFFNESS_SHARE = 22,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.4) */
+  STRIBECK_LEUVEN_ELEMENT_4_STRENGTH_SHARE = 23,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_LEUVEN_ELEMENT_4_FORCE = 24,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_LEUVEN_ELEMENT_5_STIFFNESS_SHARE = 25,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_LEUVEN_ELEMENT_5_STRENGTH_SHARE = 26,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_LEUVEN_ELEMENT_5_FORCE = 27,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_LEUVEN_ELEMENT_6_STIFFNESS_SHARE = 28,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_LEUVEN_ELEMENT_6_STRENGTH_SHARE = 29,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_LEUVEN_ELEMENT_6_FORCE = 30,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_LEUVEN_ELEMENT_7_STIFFNESS_SHARE = 31,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_LEUVEN_ELEMENT_7_STRENGTH_SHARE = 32,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_LEUVEN_ELEMENT_7_FORCE = 33,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_LEUVEN_ELEMENT_8_STIFFNESS_SHARE = 34,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_LEUVEN_ELEMENT_8_STRENGTH_SHARE = 35,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_LEUVEN_ELEMENT_8_FORCE = 36,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_LEUVEN_ELEMENT_9_STIFFNESS_SHARE = 37,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_LEUVEN_ELEMENT_9_STRENGTH_SHARE = 38,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_LEUVEN_ELEMENT_9_FORCE = 39,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_LEUVEN_ELEMENT_10_STIFFNESS_SHARE = 40,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_LEUVEN_ELEMENT_10_STRENGTH_SHARE = 41,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_LEUVEN_ELEMENT_10_FORCE = 42,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_LEUVEN_ELEMENT_11_STIFFNESS_SHARE = 43,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_LEUVEN_ELEMENT_11_STRENGTH_SHARE = 44,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_LEUVEN_ELEMENT_11_FORCE = 45,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_LEUVEN_ELEMENT_12_STIFFNESS_SHARE = 46,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_LEUVEN_ELEMENT_12_STRENGTH_SHARE = 47,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_LEUVEN_ELEMENT_12_FORCE = 48,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_LEUVEN_ELEMENT_13_STIFFNESS_SHARE = 49,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_LEUVEN_ELEMENT_13_STRENGTH_SHARE = 50,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_LEUVEN_ELEMENT_13_FORCE = 51,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_LEUVEN_ELEMENT_14_STIFFNESS_SHARE = 52,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_LEUVEN_ELEMENT_14_STRENGTH_SHARE = 53,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_LEUVEN_ELEMENT_14_FORCE = 54,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_LEUVEN_ELEMENT_15_STIFFNESS_SHARE = 55,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_LEUVEN_ELEMENT_15_STRENGTH_SHARE = 56,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_LEUVEN_ELEMENT_15_FORCE = 57,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_LEUVEN_ELEMENT_16_STIFFNESS_SHARE = 58,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_LEUVEN_ELEMENT_16_STRENGTH_SHARE = 59,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_LEUVEN_ELEMENT_16_FORCE = 60,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_LEUVEN_ELEMENT_17_STIFFNESS_SHARE = 61,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_LEUVEN_ELEMENT_17_STRENGTH_SHARE = 62,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_LEUVEN_ELEMENT_17_FORCE = 63,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_LEUVEN_ELEMENT_18_STIFFNESS_SHARE = 64,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_LEUVEN_ELEMENT_18_STRENGTH_SHARE = 65,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_LEUVEN_ELEMENT_18_FORCE = 66,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_LEUVEN_ELEMENT_19_STIFFNESS_SHARE = 67,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_LEUVEN_ELEMENT_19_STRENGTH_SHARE = 68,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_LEUVEN_ELEMENT_19_FORCE = 69,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_LEUVEN_ELEMENT_20_STIFFNESS_SHARE = 70,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_LEUVEN_ELEMENT_20_STRENGTH_SHARE = 71,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_LEUVEN_ELEMENT_20_FORCE = 72,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_LEUVEN_ELEMENT_21_STIFFNESS_SHARE = 73,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_LEUVEN_ELEMENT_21_STRENGTH_SHARE = 74,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_LEUVEN_ELEMENT_21_FORCE = 75,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_LEUVEN_ELEMENT_22_STIFFNESS_SHARE = 76,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_LEUVEN_ELEMENT_22_STRENGTH_SHARE = 77,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_LEUVEN_ELEMENT_22_FORCE = 78,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_LEUVEN_ELEMENT_23_STIFFNESS_SHARE = 79,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_LEUVEN_ELEMENT_23_STRENGTH_SHARE = 80,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_LEUVEN_ELEMENT_23_FORCE = 81,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_LEUVEN_ELEMENT_24_STIFFNESS_SHARE = 82,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_LEUVEN_ELEMENT_24_STRENGTH_SHARE = 83,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_LEUVEN_ELEMENT_24_FORCE = 84,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_LEUVEN_ELEMENT_25_STIFFNESS_SHARE = 85,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_LEUVEN_ELEMENT_25_STRENGTH_SHARE = 86,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_LEUVEN_ELEMENT_25_FORCE = 87,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_LEUVEN_ELEMENT_26_STIFFNESS_SHARE = 88,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_LEUVEN_ELEMENT_26_STRENGTH_SHARE = 89,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_LEUVEN_ELEMENT_26_FORCE = 90,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_LEUVEN_ELEMENT_27_STIFFNESS_SHARE = 91,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_LEUVEN_ELEMENT_27_STRENGTH_SHARE = 92,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_LEUVEN_ELEMENT_27_FORCE = 93,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_LEUVEN_ELEMENT_28_STIFFNESS_SHARE = 94,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_LEUVEN_ELEMENT_28_STRENGTH_SHARE = 95,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_LEUVEN_ELEMENT_28_FORCE = 96,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_LEUVEN_ELEMENT_29_STIFFNESS_SHARE = 97,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_LEUVEN_ELEMENT_29_STRENGTH_SHARE = 98,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_LEUVEN_ELEMENT_29_FORCE = 99,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_LEUVEN_ELEMENT_30_STIFFNESS_SHARE = 100,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_LEUVEN_ELEMENT_30_STRENGTH_SHARE = 101,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_LEUVEN_ELEMENT_30_FORCE = 102,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_LEUVEN_ELEMENT_31_STIFFNESS_SHARE = 103,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_LEUVEN_ELEMENT_31_STRENGTH_SHARE = 104,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_LEUVEN_ELEMENT_31_FORCE = 105,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_LEUVEN_ELEMENT_32_STIFFNESS_SHARE = 106,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_LEUVEN_ELEMENT_32_STRENGTH_SHARE = 107,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_LEUVEN_ELEMENT_32_FORCE = 108,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_LEUVEN_ELEMENT_33_STIFFNESS_SHARE = 109,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_LEUVEN_ELEMENT_33_STRENGTH_SHARE = 110,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_LEUVEN_ELEMENT_33_FORCE = 111,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_LEUVEN_ELEMENT_34_STIFFNESS_SHARE = 112,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_LEUVEN_ELEMENT_34_STRENGTH_SHARE = 113,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_LEUVEN_ELEMENT_34_FORCE = 114,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_LEUVEN_ELEMENT_35_STIFFNESS_SHARE = 115,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_LEUVEN_ELEMENT_35_STRENGTH_SHARE = 116,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_LEUVEN_ELEMENT_35_FORCE = 117,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_LEUVEN_ELEMENT_36_STIFFNESS_SHARE = 118,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_LEUVEN_ELEMENT_36_STRENGTH_SHARE = 119,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_LEUVEN_ELEMENT_36_FORCE = 120,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_LEUVEN_ELEMENT_37_STIFFNESS_SHARE = 121,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_LEUVEN_ELEMENT_37_STRENGTH_SHARE = 122,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_LEUVEN_ELEMENT_37_FORCE = 123,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_LEUVEN_ELEMENT_38_STIFFNESS_SHARE = 124,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_LEUVEN_ELEMENT_38_STRENGTH_SHARE = 125,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_LEUVEN_ELEMENT_38_FORCE = 126,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_LEUVEN_ELEMENT_39_STIFFNESS_SHARE = 127,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_LEUVEN_ELEMENT_39_STRENGTH_SHARE = 128,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_LEUVEN_ELEMENT_39_FORCE = 129,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_LEUVEN_ELEMENT_40_STIFFNESS_SHARE = 130,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_LEUVEN_ELEMENT_40_STRENGTH_SHARE = 131,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_LEUVEN_ELEMENT_40_FORCE = 132,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_LEUVEN_ELEMENT_41_STIFFNESS_SHARE = 133,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_LEUVEN_ELEMENT_41_STRENGTH_SHARE = 134,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_LEUVEN_ELEMENT_41_FORCE = 135,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_LEUVEN_ELEMENT_42_STIFFNESS_SHARE = 136,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_LEUVEN_ELEMENT_42_STRENGTH_SHARE = 137,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_LEUVEN_ELEMENT_42_FORCE = 138,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_LEUVEN_ELEMENT_43_STIFFNESS_SHARE = 139,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_LEUVEN_ELEMENT_43_STRENGTH_SHARE = 140,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_LEUVEN_ELEMENT_43_FORCE = 141,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_LEUVEN_ELEMENT_44_STIFFNESS_SHARE = 142,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_LEUVEN_ELEMENT_44_STRENGTH_SHARE = 143,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_LEUVEN_ELEMENT_44_FORCE = 144,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_LEUVEN_ELEMENT_45_STIFFNESS_SHARE = 145,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_LEUVEN_ELEMENT_45_STRENGTH_SHARE = 146,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_LEUVEN_ELEMENT_45_FORCE = 147,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_LEUVEN_ELEMENT_46_STIFFNESS_SHARE = 148,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_LEUVEN_ELEMENT_46_STRENGTH_SHARE = 149,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_LEUVEN_ELEMENT_46_FORCE = 150,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_LEUVEN_ELEMENT_47_STIFFNESS_SHARE = 151,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_LEUVEN_ELEMENT_47_STRENGTH_SHARE = 152,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_LEUVEN_ELEMENT_47_FORCE = 153,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_LEUVEN_ELEMENT_48_STIFFNESS_SHARE = 154,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_LEUVEN_ELEMENT_48_STRENGTH_SHARE = 155,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_LEUVEN_ELEMENT_48_FORCE = 156,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_LEUVEN_ELEMENT_49_STIFFNESS_SHARE = 157,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_LEUVEN_ELEMENT_49_STRENGTH_SHARE = 158,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_LEUVEN_ELEMENT_49_FORCE = 159,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_LEUVEN_ELEMENT_50_STIFFNESS_SHARE = 160,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_LEUVEN_ELEMENT_50_STRENGTH_SHARE = 161,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_LEUVEN_ELEMENT_50_FORCE = 162,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_LEUVEN_ELEMENT_51_STIFFNESS_SHARE = 163,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_LEUVEN_ELEMENT_51_STRENGTH_SHARE = 164,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_LEUVEN_ELEMENT_51_FORCE = 165,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_LEUVEN_ELEMENT_52_STIFFNESS_SHARE = 166,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_LEUVEN_ELEMENT_52_STRENGTH_SHARE = 167,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_LEUVEN_ELEMENT_52_FORCE = 168,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_LEUVEN_ELEMENT_53_STIFFNESS_SHARE = 169,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_LEUVEN_ELEMENT_53_STRENGTH_SHARE = 170,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_LEUVEN_ELEMENT_53_FORCE = 171,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_LEUVEN_ELEMENT_54_STIFFNESS_SHARE = 172,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_LEUVEN_ELEMENT_54_STRENGTH_SHARE = 173,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_LEUVEN_ELEMENT_54_FORCE = 174,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_LEUVEN_ELEMENT_55_STIFFNESS_SHARE = 175,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_LEUVEN_ELEMENT_55_STRENGTH_SHARE = 176,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_LEUVEN_ELEMENT_55_FORCE = 177,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_LEUVEN_ELEMENT_56_STIFFNESS_SHARE = 178,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_LEUVEN_ELEMENT_56_STRENGTH_SHARE = 179,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_LEUVEN_ELEMENT_56_FORCE = 180,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_LEUVEN_ELEMENT_57_STIFFNESS_SHARE = 181,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_LEUVEN_ELEMENT_57_STRENGTH_SHARE = 182,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_LEUVEN_ELEMENT_57_FORCE = 183,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_LEUVEN_ELEMENT_58_STIFFNESS_SHARE = 184,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_LEUVEN_ELEMENT_58_STRENGTH_SHARE = 185,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_LEUVEN_ELEMENT_58_FORCE = 186,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_LEUVEN_ELEMENT_59_STIFFNESS_SHARE = 187,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_LEUVEN_ELEMENT_59_STRENGTH_SHARE = 188,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_LEUVEN_ELEMENT_59_FORCE = 189,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_LEUVEN_ELEMENT_60_STIFFNESS_SHARE = 190,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_LEUVEN_ELEMENT_60_STRENGTH_SHARE = 191,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_LEUVEN_ELEMENT_60_FORCE = 192,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_LEUVEN_ELEMENT_61_STIFFNESS_SHARE = 193,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_LEUVEN_ELEMENT_61_STRENGTH_SHARE = 194,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_LEUVEN_ELEMENT_61_FORCE = 195,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_LEUVEN_ELEMENT_62_STIFFNESS_SHARE = 196,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_LEUVEN_ELEMENT_62_STRENGTH_SHARE = 197,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_LEUVEN_ELEMENT_62_FORCE = 198,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_LEUVEN_ELEMENT_63_STIFFNESS_SHARE = 199,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_LEUVEN_ELEMENT_63_STRENGTH_SHARE = 200,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_LEUVEN_ELEMENT_63_FORCE = 201,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_LEUVEN_ELEMENT_64_STIFFNESS_SHARE = 202,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_LEUVEN_ELEMENT_64_STRENGTH_SHARE = 203,
+  /** state [N]: Force of the element. (default 0) */
+  STRIBECK_LEUVEN_ELEMENT_64_FORCE = 204,
+  /** state [m]: Mean elastic deflection of the bristles. (default 0) */
+  STRIBECK_LEUVEN_BRISTLE_DEFLECTION = 205,
+  /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
+  STRIBECK_LEUVEN_DISSIPATED_ENERGY = 206,
+  /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
+  STRIBECK_LEUVEN_FRICTION_FORCE = 207,
+  /** out [W]: Power taken out of the motion: friction force times velocity. */
+  STRIBECK_LEUVEN_DISSIPATED_POWER = 208,
+  /** out [Boolean]: Is the contact sticking? */
+  STRIBECK_LEUVEN_STICKING = 209,
+} stribeck_leuven_variable;
+
+/** Guid of Gonthier for fmi2Instantiate. */
+#define STRIBECK_GONTHIER_GUID "{db5b7fe9-916b-b381-8944-4b5d492a660c}"
+
+/** Gonthier: Bristle friction with dwell time (Gonthier). Columns of "Gonthier". */
+typedef enum stribeck_gonthier_variable {
+  /** in [m/s]: Sliding velocity of body 1 relative to body 2. (default 0) */
+  STRIBECK_GONTHIER_VELOCITY = 0,
+  /** in [N]: Normal force that presses the surfaces together. (>= 0, default 9.81) */
+  STRIBECK_GONTHIER_NORMAL_FORCE = 1,
+  /** tunable [1]: Kinetic coefficient of friction. (>= 0, default 0.1) */
+  STRIBECK_GONTHIER_MU_K = 2,
+  /** tunable [1]: Static coefficient of friction; not less than mu_k. (>= 0, default 0.15) */
+  STRIBECK_GONTHIER_MU_S = 3,
+  /** tunable [m/s]: Speed at which the excess of static over kinetic friction has fallen to 1/e.
+   *  (> 0, default 0.001) */
+  STRIBECK_GONTHIER_STRIBECK_VELOCITY = 4,
+  /** tunable [m/s]: Velocity at which the regularised band around rest ends (default chosen). (> 0, default 1e-5) */
+  STRIBECK_GONTHIER_TRANSITION_VELOCITY = 5,
+  /** tunable [N/m]: Stiffness of the bristles. (> 0, default 100000) */
+  STRIBECK_GONTHIER_SIGMA_0 = 6,
+  /** tunable [N.s/m]: Damping of the bristles. (> 0, default 316.22776601683796) */
+  STRIBECK_GONTHIER_SIGMA_1 = 7,
+  /** tunable [N.s/m]: Viscous friction coefficient. (>= 0, default 0.1) */
+  STRIBECK_GONTHIER_VISCOUS_COEFFICIENT = 8,
+  /** tunable [s]: Time constant with which the static level rises at rest. (> 0, default 2) */
+  STRIBECK_GONTHIER_DWELL_TIME_CONSTANT = 9,
+  /** state [m]: Mean elastic deflection of the bristles. (default 0) */
+  STRIBECK_GONTHIER_BRISTLE_DEFLECTION = 10,
+  /** state [1]: Memory of the time of rest: 0 after sliding, 1 after a long rest. (>= 0, <= 1, default 0) */
+  STRIBECK_GONTHIER_DWELL = 11,
+  /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
+  STRIBECK_GONTHIER_DISSIPATED_ENERGY = 12,
+  /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
+  STRIBECK_GONTHIER_FRICTION_FORCE = 13,
+  /** out [W]: Power taken out of the motion: friction force times velocity. */
+  STRIBECK_GONTHIER_DISSIPATED_POWER = 14,
+  /** out [Boolean]: Is the contact sticking? */
+  STRIBECK_GONTHIER_STICKING = 15,
+} stribeck_gonthier_variable;
+
+/** Guid of Liang for fmi2Instantiate. */
+#define STRIBECK_LIANG_GUID "{e5bce071-03e5-7a29-9672-554d88ab3787}"
+
+/** Liang: Bristle friction in space (Liang). Columns of "Liang". */
+typedef enum stribeck_liang_variable {
+  /** in [m/s]: Velocity of body 1 relative to body 2, component x. (default 0) */
+  STRIBECK_LIANG_VELOCITY_X = 0,
+  /** in [m/s]: Velocity of body 1 relative to body 2, component y. (default 0) */
+  STRIBECK_LIANG_VELOCITY_Y = 1,
+  /** in [m/s]: Velocity of body 1 relative to body 2, component z. (default 0) */
+  STRIBECK_LIANG_VELOCITY_Z = 2,
+  /** in [1]: Normal of the contact, component x; the length does not matter. (default 0) */
+  STRIBECK_LIANG_NORMAL_X = 3,
+  /** in [1]: Normal of the contact, component y; the length does not matter. (default 0) */
+  STRIBECK_LIANG_NORMAL_Y = 4,
+  /** in [1]: Normal of the contact, component z; the length does not matter. (default 1) */
+  STRIBECK_LIANG_NORMAL_Z = 5,
+  /** in [N]: Normal force that presses the surfaces together. (>= 0, default 9.81) */
+  STRIBECK_LIANG_NORMAL_FORCE = 6,
+  /** tunable [1]: Kinetic coefficient of friction. (>= 0, default 0.1) */
+  STRIBECK_LIANG_MU_K = 7,
+  /** tunable [1]: Static coefficient of friction; not less than mu_k. (>= 0, default 0.15) */
+  STRIBECK_LIANG_MU_S = 8,
+  /** tunable [m/s]: Velocity at which the regularised band around rest ends (default chosen). (> 0, default 0.001) */
+  STRIBECK_LIANG_TRANSITION_VELOCITY = 9,
+  /** tunable [N/m]: Stiffness of the bristles. (> 0, default 100000) */
+  STRIBECK_LIANG_SIGMA_0 = 10,
+  /** tunable [N.s/m]: Damping of the bristles. (>= 0, default 316.22776601683796) */
+  STRIBECK_LIANG_SIGMA_1 = 11,
+  /** fixed [stribeck_liang_variant]: Variant of the law. (default RadialReturn) */
+  STRIBECK_LIANG_VARIANT = 12,
+  /** state [m]: Elastic deflection of the bristles, component x. (default 0) */
+  STRIBECK_LIANG_BRISTLE_DEFLECTION_X = 13,
+  /** state [m]: Elastic deflection of the bristles, component y. (default 0) */
+  STRIBECK_LIANG_BRISTLE_DEFLECTION_Y = 14,
+  /** state [m]: Elastic deflection of the bristles, component z. (default 0) */
+  STRIBECK_LIANG_BRISTLE_DEFLECTION_Z = 15,
+  /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
+  STRIBECK_LIANG_DISSIPATED_ENERGY = 16,
+  /** out [N]: Friction force, component x; has the direction of the velocity when sliding. Body 1 feels its negative. */
+  STRIBECK_LIANG_FRICTION_FORCE_X = 17,
+  /** out [N]: Friction force, component y; has the direction of the velocity when sliding. Body 1 feels its negative. */
+  STRIBECK_LIANG_FRICTION_FORCE_Y = 18,
+  /** out [N]: Friction force, component z; has the direction of the velocity when sliding. Body 1 feels its negative. */
+  STRIBECK_LIANG_FRICTION_FORCE_Z = 19,
+  /** out [W]: Power taken out of the motion: friction force times velocity. */
+  STRIBECK_LIANG_DISSIPATED_POWER = 20,
+  /** out [Boolean]: Is the contact sticking? */
+  STRIBECK_LIANG_STICKING = 21,
+} stribeck_liang_variable;
+
+/** Guid of LuGrePlanar for fmi2Instantiate. */
+#define STRIBECK_LUGRE_PLANAR_GUID "{1870ec3b-2b75-8d36-c7dd-82bb10552e03}"
+
+/** LuGrePlanar: Bristle friction with Stribeck effect in a plane (LuGre). Columns of "LuGrePlanar". */
+typedef enum stribeck_lugre_planar_variable {
+  /** in [m/s]: Velocity of body 1 relative to body 2, component x. (default 0) */
+  STRIBECK_LUGRE_PLANAR_VELOCITY_X = 0,
+  /** in [m/s]: Velocity of body 1 relative to body 2, component y. (default 0) */
+  STRIBECK_LUGRE_PLANAR_VELOCITY_Y = 1,
+  /** in [N]: Normal force that presses the surfaces together. (>= 0, default 9.81) */
+  STRIBECK_LUGRE_PLANAR_NORMAL_FORCE = 2,
+  /** tunable [1]: Kinetic coefficient of friction. (>= 0, default 0.1) */
+  STRIBECK_LUGRE_PLANAR_MU_K = 3,
+  /** tunable [1]: Static coefficient of friction; not less than mu_k. (>= 0, default 0.15) */
+  STRIBECK_LUGRE_PLANAR_MU_S = 4,
+  /** tunable [m/s]: Speed at which the excess of static over kinetic friction has fallen to 1/e.
+   *  (> 0, default 0.001) */
+  STRIBECK_LUGRE_PLANAR_STRIBECK_VELOCITY = 5,
+  /** tunable [1]: Exponent of the falling level. (> 0, default 2) */
+  STRIBECK_LUGRE_PLANAR_STRIBECK_EXPONENT = 6,
+  /** tunable [N/m]: Stiffness of the bristles. (> 0, default 100000) */
+  STRIBECK_LUGRE_PLANAR_SIGMA_0 = 7,
+  /** tunable [N.s/m]: Damping of the bristles. (>= 0, default 316.22776601683796) */
+  STRIBECK_LUGRE_PLANAR_SIGMA_1 = 8,
+  /** tunable [N.s/m]: Viscous friction coefficient. (>= 0, default 0.1) */
+  STRIBECK_LUGRE_PLANAR_VISCOUS_COEFFICIENT = 9,
+  /** tunable [m/s]: Speed at which the damping of the bristles fades; 0 = constant damping. (>= 0, default 0) */
+  STRIBECK_LUGRE_PLANAR_DAMPING_VELOCITY = 10,
+  /** state [m]: Elastic deflection of the bristles, component x. (default 0) */
+  STRIBECK_LUGRE_PLANAR_BRISTLE_DEFLECTION_X = 11,
+  /** state [m]: Elastic deflection of the bristles, component y. (default 0) */
+  STRIBECK_LUGRE_PLANAR_BRISTLE_DEFLECTION_Y = 12,
+  /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
+  STRIBECK_LUGRE_PLANAR_DISSIPATED_ENERGY = 13,
+  /** out [N]: Friction force, component x; has the direction of the velocity when sliding. Body 1 feels its negative. */
+  STRIBECK_LUGRE_PLANAR_FRICTION_FORCE_X = 14,
+  /** out [N]: Friction force, component y; has the direction of the velocity when sliding. Body 1 feels its negative. */
+  STRIBECK_LUGRE_PLANAR_FRICTION_FORCE_Y = 15,
+  /** out [W]: Power taken out of the motion: friction force times velocity. */
+  STRIBECK_LUGRE_PLANAR_DISSIPATED_POWER = 16,
+  /** out [Boolean]: Is the contact sticking? */
+  STRIBECK_LUGRE_PLANAR_STICKING = 17,
+} stribeck_lugre_planar_variable;
+
+/** Guid of ElastoPlasticPlanar for fmi2Instantiate. */
+#define STRIBECK_ELASTO_PLASTIC_PLANAR_GUID "{df9a4515-e5b6-cbee-f6c5-96bbda884015}"
+
+/** ElastoPlasticPlanar: Bristle friction without drift below breakaway, in a plane (elasto-plastic). Columns of "ElastoPlasticPlanar". */
+typedef enum stribeck_elasto_plastic_planar_variable {
+  /** in [m/s]: Velocity of body 1 relative to body 2, component x. (default 0) */
+  STRIBECK_ELASTO_PLASTIC_PLANAR_VELOCITY_X = 0,
+  /** in [m/s]: Velocity of body 1 relative to body 2, component y. (default 0) */
+  STRIBECK_ELASTO_PLASTIC_PLANAR_VELOCITY_Y = 1,
+  /** in [N]: Normal force that presses the surfaces together. (>= 0, default 9.81) */
+  STRIBECK_ELASTO_PLASTIC_PLANAR_NORMAL_FORCE = 2,
+  /** tunable [1]: Kinetic coefficient of friction. (>= 0, default 0.1) */
+  STRIBECK_ELASTO_PLASTIC_PLANAR_MU_K = 3,
+  /** tunable [1]: Static coefficient of friction; not less than mu_k. (>= 0, default 0.15) */
+  STRIBECK_ELASTO_PLASTIC_PLANAR_MU_S = 4,
+  /** tunable [m/s]: Speed at which the excess of static over kinetic friction has fallen to 1/e.
+   *  (> 0, default 0.001) */
+  STRIBECK_ELASTO_PLASTIC_PLANAR_STRIBECK_VELOCITY = 5,
+  /** tunable [1]: Exponent of the falling level. (> 0, default 2) */
+  STRIBECK_ELASTO_PLASTIC_PLANAR_STRIBECK_EXPONENT = 6,
+  /** tunable [1]: Part of the deflection of steady sliding up to which the contact is purely elastic.
+   *  (> 0, <= 0.99, default 0.7) */
+  STRIBECK_ELASTO_PLASTIC_PLANAR_BREAKAWAY_RATIO = 7,
+  /** tunable [N/m]: Stiffness of the bristles. (> 0, default 100000) */
+  STRIBECK_ELASTO_PLASTIC_PLANAR_SIGMA_0 = 8,
+  /** tunable [N.s/m]: Damping of the bristles. (>= 0, default 316.22776601683796) */
+  STRIBECK_ELASTO_PLASTIC_PLANAR_SIGMA_1 = 9,
+  /** tunable [N.s/m]: Viscous friction coefficient. (>= 0, default 0.1) */
+  STRIBECK_ELASTO_PLASTIC_PLANAR_VISCOUS_COEFFICIENT = 10,
+  /** tunable [m/s]: Speed at which the damping of the bristles fades; 0 = constant damping. (>= 0, default 0) */
+  STRIBECK_ELASTO_PLASTIC_PLANAR_DAMPING_VELOCITY = 11,
+  /** state [m]: Elastic deflection of the bristles, component x. (default 0) */
+  STRIBECK_ELASTO_PLASTIC_PLANAR_BRISTLE_DEFLECTION_X = 12,
+  /** state [m]: Elastic deflection of the bristles, component y. (default 0) */
+  STRIBECK_ELASTO_PLASTIC_PLANAR_BRISTLE_DEFLECTION_Y = 13,
+  /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
+  STRIBECK_ELASTO_PLASTIC_PLANAR_DISSIPATED_ENERGY = 14,
+  /** out [N]: Friction force, component x; has the direction of the velocity when sliding. Body 1 feels its negative. */
+  STRIBECK_ELASTO_PLASTIC_PLANAR_FRICTION_FORCE_X = 15,
+  /** out [N]: Friction force, component y; has the direction of the velocity when sliding. Body 1 feels its negative. */
+  STRIBECK_ELASTO_PLASTIC_PLANAR_FRICTION_FORCE_Y = 16,
+  /** out [W]: Power taken out of the motion: friction force times velocity. */
+  STRIBECK_ELASTO_PLASTIC_PLANAR_DISSIPATED_POWER = 17,
+  /** out [Boolean]: Is the contact sticking? */
+  STRIBECK_ELASTO_PLASTIC_PLANAR_STICKING = 18,
+} stribeck_elasto_plastic_planar_variable;
 
 /** Guid of BeltRig for fmi2Instantiate. */
 #define STRIBECK_BELT_RIG_GUID "{3dabeb13-1982-d2f0-f079-ea700753fb2e}"

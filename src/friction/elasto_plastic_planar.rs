@@ -1,5 +1,6 @@
 use nalgebra::Vector2;
 
+use crate::friction::ELASTIC_SHARE;
 use crate::laws::runge_kutta::dormand_prince;
 use crate::laws::vector::{Component, direction, length, remainder};
 use crate::laws::{elasto_plastic, stribeck};
@@ -12,7 +13,7 @@ crate::model! {
     /// # Equations
     ///
     /// ```text
-    /// dz/dt    = v - alpha(|z|) (v . e)_+ z / z_ss,   e = z / |z|
+    /// dz/dt    = v - alpha(|z|) max(0, e^T v) z / z_ss,   e = z / |z|
     /// z_ss     = g(|v|) / sigma_0,   z_ba = kappa z_ss
     /// alpha(z) = 0                                                            z <= z_ba
     ///          = 1/2 + 1/2 sin(pi (z - (z_ss + z_ba) / 2) / (z_ss - z_ba))    z_ba < z < z_ss
@@ -23,7 +24,7 @@ crate::model! {
     /// sigma_1(v) = sigma_1 exp(-(|v| / v_d)^2)     if v_d > 0, else sigma_1
     /// ```
     ///
-    /// v, z and f_f are vectors in the plane; (v . e)_+ is the velocity along the bristle if it loads it, else 0. Along a
+    /// v, z and f_f are vectors in the plane; max(0, e^T v) is the velocity along the bristle if it loads it, else 0. Along a
     /// line this is the rule alpha = 0 for sgn v != sgn z of the scalar law, and without its jump: in the plane a motion
     /// can turn from loading to unloading without coming to rest.
     ///
@@ -121,9 +122,6 @@ crate::model! {
         sticking: output = boolean(false),
     }
 }
-
-/// Share of the motion that is elastic above which the contact counts as sticking (chosen).
-const ELASTIC_SHARE: f64 = 0.01;
 
 /// Error allowed in a step of the integration, in units of z_ss (chosen: far below what two halves of a step may differ
 /// by).

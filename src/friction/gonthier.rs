@@ -1,3 +1,4 @@
+use crate::friction::ELASTIC_SHARE;
 use crate::model::{Fault, Law, Model, Preset, boolean, real};
 use crate::number::Real;
 
@@ -115,9 +116,6 @@ crate::model! {
         sticking: output = boolean(false),
     }
 }
-
-/// Share of the motion that is elastic above which the contact counts as sticking (chosen).
-const ELASTIC_SHARE: f64 = 0.01;
 
 impl<T: Real> Gonthier<T> {
     fn coulomb(&self) -> T {

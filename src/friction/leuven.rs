@@ -1,3 +1,4 @@
+use crate::friction::ELASTIC_SHARE;
 use crate::friction::elements::{self, Division, ElementDistribution, Share};
 use crate::laws::{approach, stribeck};
 use crate::model::{Fault, Law, Model, Preset, boolean, integer, real};
@@ -136,9 +137,6 @@ crate::model! {
         sticking: output = boolean(false),
     }
 }
-
-/// Share of the motion that is elastic above which the contact counts as sticking (chosen).
-const ELASTIC_SHARE: f64 = 0.01;
 
 /// Rounding of F_h, relative to the forces that its parts can have (chosen: the most that 64 elements can add up).
 const ROUNDING: f64 = 1e-14;

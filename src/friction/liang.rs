@@ -26,7 +26,7 @@ crate::model! {
     /// z     = z_max v_t / |v_t|      beyond, Printed
     /// z_max = f_s / sigma_0          |v_t| <= v_0              (7.50)
     ///       = f_C / sigma_0          |v_t| >  v_0
-    /// v_t   = v - (v . n) n,   f_C = mu_k f_n,   f_s = mu_s f_n
+    /// v_t   = v - (n^T v) n,   f_C = mu_k f_n,   f_s = mu_s f_n
     /// ```
     ///
     /// z, v_t and f_f are vectors in the plane with the normal n. While z slides along the circle |z| = z_max,

@@ -1,5 +1,6 @@
 use nalgebra::Vector2;
 
+use crate::friction::ELASTIC_SHARE;
 use crate::laws::vector::{Component, direction, length, remainder};
 use crate::laws::{relaxation, stribeck};
 use crate::model::{Fault, Law, Model, Preset, boolean, real};
@@ -110,9 +111,6 @@ crate::model! {
         sticking: output = boolean(false),
     }
 }
-
-/// Share of the motion that is elastic above which the contact counts as sticking (chosen).
-const ELASTIC_SHARE: f64 = 0.01;
 
 impl<T: Component> LuGrePlanar<T> {
     fn velocity(&self) -> Vector2<T> {
