@@ -41,7 +41,10 @@ fn value(instance: &mut Instance, column: usize) -> Result<f64> {
 /// Two periods of a sinusoidal velocity; the second is drawn, when a law with memory has settled.
 fn force_over_velocity(model: &'static ModelType) -> Result<Curve> {
     const STEPS: usize = 4000;
-    let (velocity, force) = (column(model, "velocity")?, column(model, "friction_force")?);
+    // Of a law in a plane or in space, the first axis.
+    let axis = if model.find("velocity").is_some() { "" } else { "_x" };
+    let velocity = column(model, &format!("velocity{axis}"))?;
+    let force = column(model, &format!("friction_force{axis}"))?;
     let mut law = Instance::new(model);
     let mut curve = Vec::new();
     for step in 0..=2 * STEPS {

@@ -119,13 +119,13 @@ impl Path {
         if from.abs().min(to.abs()) > 0.5 * from.abs().max(to.abs()) {
             return self.smooth(from, to, DEPTH);
         }
-        let ([q_a, area_a], [q_b, area_b]) = (self.from_kink(from), self.from_kink(to));
+        let ([q_a, area_a], [q_b, area_b]) = (self.since_kink(from), self.since_kink(to));
         [q_b - q_a, area_b - area_a]
     }
 
     /// Integrals from the kink on, by the tanh-sinh rule of Takahasi and Mori (1974), which does not mind how the
     /// integrand begins and ends.
-    fn from_kink(&self, to: f64) -> [f64; 2] {
+    fn since_kink(&self, to: f64) -> [f64; 2] {
         const STEP: f64 = 0.1;
         if to == 0.0 {
             return [0.0; 2];
