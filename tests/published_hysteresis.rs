@@ -56,8 +56,8 @@ fn first_slip(samples: impl Iterator<Item = (f64, f64)>) -> [f64; 3] {
     [highest.0, highest.1, lowest]
 }
 
-/// The belt benchmark (Table 6.1) with a law written anew, by Euler's method at 1 us: `law(v, h)` advances the states of
-/// the law and returns its force.
+/// The belt benchmark (Table 6.1) with a law written anew, by Euler's method at 1 us: `law(v, h)` advances the states
+/// of the law and returns its force.
 fn euler_belt(mut law: impl FnMut(f64, f64) -> f64) -> [f64; 3] {
     let (h, mut x, mut dx) = (1e-6, 0.0, 0.1);
     let samples = (0..12_000_000).map(|k| {

@@ -15,8 +15,8 @@ crate::part! {
 }
 
 crate::model! {
-    /// Leuven friction in the form of Lampaert: LuGre whose bristle spring is replaced by Maxwell-slip elements, so that
-    /// pre-sliding has hysteresis with non-local memory.
+    /// Leuven friction in the form of Lampaert: LuGre whose bristle spring is replaced by Maxwell-slip elements, so
+    /// that pre-sliding has hysteresis with non-local memory.
     ///
     /// # Equations
     ///
@@ -61,30 +61,31 @@ crate::model! {
     /// ```
     ///
     /// (for motion forwards), and a deflection that grows or falls throughout the step. For n = 1 the pieces are solved
-    /// in closed form, otherwise by quadrature of time over force to 1e-13; each slip is located inside the step. So the
-    /// result does not depend on how an interval is divided. `sticking` says that more than 1 % (chosen) of the motion
-    /// still goes into the bristles.
+    /// in closed form, otherwise by quadrature of time over force to 1e-13; each slip is located inside the step. So
+    /// the result does not depend on how an interval is divided. `sticking` says that more than 1 % (chosen) of the
+    /// motion still goes into the bristles.
     ///
     /// # Errors
     /// Refused: a parameter outside its bound; `mu_s` < `mu_k`; `hysteresis_strength` < 1, because elements that are
-    /// together weaker than f_s all slip before the level is reached, and z runs away; `approach_exponent` < 0.1 (chosen),
-    /// where nearly all motion would be sliding from the start.
+    /// together weaker than f_s all slip before the level is reached, and z runs away; `approach_exponent` < 0.1
+    /// (chosen), where nearly all motion would be sliding from the start.
     ///
     /// # Limits
     /// Not passive for sampled velocities if sigma_1 > 0 and f_s > f_C, for the same reason as LuGre and by the same
     /// bound: sigma_2 >= sigma_1 (f_s - f_C) / f_C for n = 1; for n > 1 the spike grows as (f_s / f_C)^n. Without
-    /// damping (sigma_1 = 0) it is passive at constant load. One element with n = 1 is LuGre exactly. If the load falls,
-    /// an element above its new strength keeps its force until it moves back. `normal_force` = 0 releases the contact (force 0, deflections 0). The force at v = 0 is held.
+    /// damping (sigma_1 = 0) it is passive at constant load. One element with n = 1 is LuGre exactly. If the load
+    /// falls, an element above its new strength keeps its force until it moves back. `normal_force` = 0 releases the
+    /// contact (force 0, deflections 0). The force at v = 0 is held.
     ///
     /// # Source
     /// Lampaert, Swevers, Al-Bender (2002), "Modification of the Leuven integrated friction model structure", IEEE
-    /// Transactions on Automatic Control 47, 683-687, after Swevers, Al-Bender, Ganseman, Prajogo (2000), "An integrated
-    /// friction model structure with improved presliding behavior for accurate friction compensation", the same journal
-    /// 45, 675-686. Deviations: s(v) and the strengths carry the normal force; the deflections of the slipping ends of
-    /// the elements are replaced by the forces F_i. The hysteresis of 2000, with a stack of reversal points, is not
-    /// offered. Levels, sigma_0, sigma_1, sigma_2: Tables 6.1 and 7.1 of F. Novais, "A critical analysis on friction
-    /// force models in dynamical systems", MSc thesis, University of Minho (2024), for its other bristle models; n, the
-    /// elements and their strength are chosen.
+    /// Transactions on Automatic Control 47, 683-687, after Swevers, Al-Bender, Ganseman, Prajogo (2000), "An
+    /// integrated friction model structure with improved presliding behavior for accurate friction compensation", the
+    /// same journal 45, 675-686. Deviations: s(v) and the strengths carry the normal force; the deflections of the
+    /// slipping ends of the elements are replaced by the forces F_i. The hysteresis of 2000, with a stack of reversal
+    /// points, is not offered. Levels, sigma_0, sigma_1, sigma_2: Tables 6.1 and 7.1 of F. Novais, "A critical analysis
+    /// on friction force models in dynamical systems", MSc thesis, University of Minho (2024), for its other bristle
+    /// models; n, the elements and their strength are chosen.
     ///
     /// # Example
     /// ```
@@ -237,7 +238,8 @@ impl Leuven {
         (done, travelled.area * unit * level)
     }
 
-    /// Stiffness of the elements that follow a motion in that direction, and the deflection at which the next one slips.
+    /// Stiffness of the elements that follow a motion in that direction, and the deflection at which the next one
+    /// slips.
     fn yielding(&self, division: &Division<f64>, direction: f64) -> (f64, f64) {
         let (mut sum, mut room) = (0.0, f64::INFINITY);
         for index in 0..self.count() {

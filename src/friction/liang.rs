@@ -56,8 +56,8 @@ crate::model! {
     ///
     /// # Sign
     /// The friction force has the direction of the velocity when sliding; body 1 feels its negative. (7.48) is printed
-    /// with minus signs: there it is the force on the body. Dissipated power is the scalar product of friction force and
-    /// velocity; it is negative while the bristle springs back.
+    /// with minus signs: there it is the force on the body. Dissipated power is the scalar product of friction force
+    /// and velocity; it is negative while the bristle springs back.
     ///
     /// # Step
     /// Exact for held inputs in both variants, so the result does not depend on how an interval is divided: the bristle
@@ -74,20 +74,20 @@ crate::model! {
     /// Refused: a parameter outside its bound; `mu_s` < `mu_k`; a normal of length 0.
     ///
     /// # Limits
-    /// No Stribeck curve: the limit falls at once by f_s - f_C when the speed passes v_0, and the damping force ends where
-    /// the bristle reaches its limit, so the force jumps. A contact that creeps below v_0 stays at the static level.
-    /// Passive in both variants, also while load or limit change. Printed: if the limit shrinks below a deflection that
-    /// opposes the velocity, the force flips by up to 2 f_C; at v_t = 0, where the printed rule says nothing, z keeps its
-    /// direction. `normal_force` = 0 releases the contact (force 0, deflection 0). In one dimension this is the reset
-    /// integrator without its stiction gain (a = 0) and with a limit that switches with the speed. sigma_0 should be ten
-    /// times the largest stiffness of the system that the contact is in (Liang et al.).
+    /// No Stribeck curve: the limit falls at once by f_s - f_C when the speed passes v_0, and the damping force ends
+    /// where the bristle reaches its limit, so the force jumps. A contact that creeps below v_0 stays at the static
+    /// level. Passive in both variants, also while load or limit change. Printed: if the limit shrinks below a
+    /// deflection that opposes the velocity, the force flips by up to 2 f_C; at v_t = 0, where the printed rule says
+    /// nothing, z keeps its direction. `normal_force` = 0 releases the contact (force 0, deflection 0). In one
+    /// dimension this is the reset integrator without its stiction gain (a = 0) and with a limit that switches with the
+    /// speed. sigma_0 should be ten times the largest stiffness of the system that the contact is in (Liang et al.).
     ///
     /// # Source
-    /// Liang, Fillmore, Ma (2012), "An extended bristle friction force model with experimental validation", Mechanism and
-    /// Machine Theory 56, 123-137; equations (7.48) to (7.51) and Tables 6.1 and 7.1 of F. Novais, "A
-    /// critical analysis on friction force models in dynamical systems", MSc thesis, University of Minho (2024).
-    /// Deviations: the sign (above); RadialReturn, which equals the printed rule as long as the motion keeps its
-    /// direction, and is continuous where the printed rule flips z or is undefined.
+    /// Liang, Fillmore, Ma (2012), "An extended bristle friction force model with experimental validation", Mechanism
+    /// and Machine Theory 56, 123-137; equations (7.48) to (7.51) and Tables 6.1 and 7.1 of F. Novais, "A critical
+    /// analysis on friction force models in dynamical systems", MSc thesis, University of Minho (2024). Deviations: the
+    /// sign (above); RadialReturn, which equals the printed rule as long as the motion keeps its direction, and is
+    /// continuous where the printed rule flips z or is undefined.
     ///
     /// # Example
     /// ```
@@ -381,7 +381,8 @@ mod tests {
         assert!(fault.0.ends_with("the normal must have a length > 0"), "{fault}");
     }
 
-    /// The trap of the printed rule: loaded forwards to 0.98 f_s, then fast backwards, so that the limit shrinks below z.
+    /// The trap of the printed rule: loaded forwards to 0.98 f_s, then fast backwards, so that the limit shrinks below
+    /// z.
     #[test]
     fn printed_rule_flips_the_force_where_radial_return_does_not() {
         let loaded = Liang { bristle_deflection_x: 1.44e-5, velocity_x: -0.01, sigma_1: 0.0, ..Default::default() };

@@ -44,17 +44,17 @@ crate::model! {
     /// power is the scalar product of friction force and velocity; it is negative while the bristles spring back.
     ///
     /// # Step
-    /// With held inputs the equation of z is linear and solved exactly, so the result does not depend on how an interval
-    /// is divided. `sticking` says that more than 1 % (chosen) of the motion still goes into the bristles.
+    /// With held inputs the equation of z is linear and solved exactly, so the result does not depend on how an
+    /// interval is divided. `sticking` says that more than 1 % (chosen) of the motion still goes into the bristles.
     ///
     /// # Errors
     /// Refused: a parameter outside its bound; `mu_s` < `mu_k`.
     ///
     /// # Limits
-    /// Along a line it is `LuGre`, with all its limits: drift below breakaway; not passive for sampled velocities unless
-    /// sigma_2 >= sigma_1 (f_s - f_C) / f_C or `damping_velocity` > 0. Without damping (sigma_1 = 0) it is passive at
-    /// constant load. Isotropic: no preferred direction. No spin about the normal. `normal_force` = 0 releases the
-    /// contact (force 0, deflection 0).
+    /// Along a line it is `LuGre`, with all its limits: drift below breakaway; not passive for sampled velocities
+    /// unless sigma_2 >= sigma_1 (f_s - f_C) / f_C or `damping_velocity` > 0. Without damping (sigma_1 = 0) it is
+    /// passive at constant load. Isotropic: no preferred direction. No spin about the normal. `normal_force` = 0
+    /// releases the contact (force 0, deflection 0).
     ///
     /// # Source
     /// The law along a line: Canudas de Wit, Olsson, Astrom, Lischinsky (1995), doi:10.1109/9.376053. The step to the
@@ -234,7 +234,8 @@ mod tests {
         }
     }
 
-    /// A turn by a right angle in steady sliding: the old component decays as exp(-sigma_0 |v| t / g), the new one grows.
+    /// A turn by a right angle in steady sliding: the old component decays as exp(-sigma_0 |v| t / g), the new one
+    /// grows.
     #[test]
     fn a_turn_exchanges_the_components() {
         let mut law = LuGrePlanar { velocity_x: 0.1, ..Default::default() };

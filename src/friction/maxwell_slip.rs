@@ -17,7 +17,8 @@ crate::part! {
 
 crate::model! {
     /// Generalised Maxwell-slip friction (GMS): elements in parallel that stick or slip one by one, so that pre-sliding
-    /// has hysteresis with non-local memory (inner loops close, as in measurements), which a single bristle cannot have.
+    /// has hysteresis with non-local memory (inner loops close, as in measurements), which a single bristle cannot
+    /// have.
     ///
     /// # Equations
     ///
@@ -29,9 +30,9 @@ crate::model! {
     /// f_C = mu_k f_n,   f_s = mu_s f_n,   sum_i alpha_i = 1,   sum_i k_i = sigma_0,   sigma_i = k_i sigma_1 / sigma_0
     /// ```
     ///
-    /// An element begins to slip when, moving outwards, |F_i| reaches alpha_i s(v). It sticks again only when v comes to
-    /// rest or changes sign. `distribution` Explicit takes k_i / sigma_0 and alpha_i from the elements, each relative to
-    /// their sum; Uniform has for N elements
+    /// An element begins to slip when, moving outwards, |F_i| reaches alpha_i s(v). It sticks again only when v comes
+    /// to rest or changes sign. `distribution` Explicit takes k_i / sigma_0 and alpha_i from the elements, each
+    /// relative to their sum; Uniform has for N elements
     ///
     /// ```text
     /// k_i = sigma_0 / N,   alpha_i = (2 i - 1) / N^2,   i = 1 ... N
@@ -72,12 +73,13 @@ crate::model! {
     /// Refused: a parameter outside its bound; `mu_s` < `mu_k`.
     ///
     /// # Limits
-    /// For sigma_1 = 0 (default, the form of 2005) a stuck body vibrates without damping on the springs of its elements;
-    /// the preset `damped` has the damping of the form of 2003. A stuck element whose level falls below its force (by a
-    /// higher speed or a smaller load) begins to slip as soon as it moves outwards, and keeps its force while it moves
-    /// inwards. v = 0 counts as rest: all elements stick, and the force is held. If the load falls at rest, so is the
-    /// old force until there is motion. `normal_force` = 0 releases the contact (force 0, elements relaxed and sticking).
-    /// With equal levels (f_s = f_C) the elements are elastic and perfectly plastic, and C does not matter.
+    /// For sigma_1 = 0 (default, the form of 2005) a stuck body vibrates without damping on the springs of its
+    /// elements; the preset `damped` has the damping of the form of 2003. A stuck element whose level falls below its
+    /// force (by a higher speed or a smaller load) begins to slip as soon as it moves outwards, and keeps its force
+    /// while it moves inwards. v = 0 counts as rest: all elements stick, and the force is held. If the load falls at
+    /// rest, so is the old force until there is motion. `normal_force` = 0 releases the contact (force 0, elements
+    /// relaxed and sticking). With equal levels (f_s = f_C) the elements are elastic and perfectly plastic, and C does
+    /// not matter.
     ///
     /// Passive for f_s = f_C and a constant load. Otherwise not: a slipping element that slows down gains force, and
     /// with it elastic energy, without moving. Each rise of the level from f_C to f_s can give back up to
@@ -86,14 +88,15 @@ crate::model! {
     /// force also has peaks of sigma_i dz_i/dt while the level changes.
     ///
     /// # Source
-    /// Lampaert, Al-Bender, Swevers (2003), "A generalized Maxwell-slip friction model appropriate for control purposes",
-    /// PhysCon, 1170-1177; Al-Bender, Lampaert, Swevers (2005), IEEE Transactions on Automatic Control 50, 1883-1887;
-    /// equations (7.35) to (7.37) of F. Novais, "A critical analysis on friction force models in dynamical systems", MSc
-    /// thesis, University of Minho (2024). The thesis writes the forms of 2003 and the year 2003 beside a figure that says
-    /// 2004. Its (7.36) reads dz_i/dt = sgn(v) C_i (1 - z_i / s_i(v)), which is right only if s_i carries the sign of v:
-    /// with s_i > 0 it diverges for v < 0. Here the sign stands with the level. C is in N/s; the C_i of (7.36), called a
-    /// gain there, is C alpha_i / k_i in m/s. The sources leave v = 0 open. Stiffness: Table 7.1; levels: Table 6.1; the
-    /// number of elements and their shares are chosen (the thesis: about 1000 for a smooth response).
+    /// Lampaert, Al-Bender, Swevers (2003), "A generalized Maxwell-slip friction model appropriate for control
+    /// purposes", PhysCon, 1170-1177; Al-Bender, Lampaert, Swevers (2005), IEEE Transactions on Automatic Control 50,
+    /// 1883-1887; equations (7.35) to (7.37) of F. Novais, "A critical analysis on friction force models in dynamical
+    /// systems", MSc thesis, University of Minho (2024). The thesis writes the forms of 2003 and the year 2003 beside a
+    /// figure that says 2004. Its (7.36) reads dz_i/dt = sgn(v) C_i (1 - z_i / s_i(v)), which is right only if s_i
+    /// carries the sign of v: with s_i > 0 it diverges for v < 0. Here the sign stands with the level. C is in N/s; the
+    /// C_i of (7.36), called a gain there, is C alpha_i / k_i in m/s. The sources leave v = 0 open. Stiffness: Table
+    /// 7.1; levels: Table 6.1; the number of elements and their shares are chosen (the thesis: about 1000 for a smooth
+    /// response).
     ///
     /// # Example
     /// ```

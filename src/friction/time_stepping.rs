@@ -385,6 +385,7 @@ macro_rules! memoryless {
         }
 
         impl<T: Real> $crate::model::Law for $Law<T> {
+            #[inline]
             fn output(&mut self) {
                 let contact = self.contact();
                 let (force, sticking) = (self.time_stepping.force(&contact), contact.sticking(&self.time_stepping));
@@ -402,10 +403,13 @@ macro_rules! memoryless {
             self.time_stepping = time_stepping;
         }
 
+        #[inline(always)]
         fn step_and_output(&mut self, dt: f64) {
             if self.time_stepping.mass == 0.0 {
                 // The force over the step is the force after it.
-                self.time_stepping = self.time_stepping.forgotten();
+                if self.time_stepping.step_size != 0.0 {
+                    self.time_stepping = self.time_stepping.forgotten();
+                }
                 $crate::model::Law::output(self);
                 self.dissipated_energy += self.dissipated_power * dt;
             } else {
