@@ -40,7 +40,7 @@ def timed_run(model: str, step: float) -> tuple[BeltRun, float]:
 def run_on_belt(models: list[str]) -> list[BeltRun]:
     """Runs the models and prints a line of the table for each."""
     print(f"Block on a moving belt, {TIME:g} s, against the closed form of Coulomb friction:\n")
-    print(f"{'model':16} {'step':>7} {'period':>10}   {'closed form':26} {'deviation':>9} {'steps/s':>9}")
+    print(f"{'model':19} {'step':>7} {'period':>10}   {'closed form':26} {'deviation':>9} {'steps/s':>9}")
     runs = []
     for model in models:
         step = step_for(model)
@@ -48,7 +48,7 @@ def run_on_belt(models: list[str]) -> list[BeltRun]:
         name, exact = closed_form(model)
         period = measure(run.time, run.position, run.sticking).period
         deviation = period / exact.period - 1.0
-        left = f"{model:16} {1e3 * step:4g} ms {period:8.4f} s"
+        left = f"{model:19} {1e3 * step:4g} ms {period:8.4f} s"
         print(f"{left}   {exact.period:.4f} s {name:17} {deviation:+9.2%} {speed:9.0f}", flush=True)
         draw_belt(run, OUT / "belt" / f"{model}.png")
         runs.append(run)

@@ -96,17 +96,21 @@ def draw_replay(result, path: Path) -> None:
 
 
 def draw_comparison(runs, path: Path) -> None:
-    """Position of the block over time, one row per friction model."""
-    figure = Figure(figsize=(12, 1.3 * len(runs) + 1.2), layout="constrained")
+    """Position of the block over time, one small picture per friction model; many models stand in several columns."""
+    columns = 1 if len(runs) <= 8 else 4
+    rows = -(-len(runs) // columns)
+    figure = Figure(figsize=(12 if columns == 1 else 16, 1.3 * rows + 1.2), layout="constrained")
     figure.suptitle("Block on a moving belt: the same benchmark with each friction model")
     figure.supylabel("position [m]", fontsize="medium")
-    rows = figure.subplots(len(runs), 1, sharex=True, sharey=True, squeeze=False)[:, 0]
-    for axes, run in zip(rows, runs, strict=True):
+    grid = figure.subplots(rows, columns, sharex=True, sharey=True, squeeze=False)
+    for axes, run in zip(grid.flat, runs, strict=False):
         _axes(axes, "", "")
         _shade_sticking(axes, run.time, run.sticking)
         axes.plot(run.time, run.position, color=BLUE)
         axes.set_title(run.model, loc="left", fontsize="medium")
         axes.set_xlim(run.time[0], run.time[-1])
-    rows[-1].set_xlabel("time [s]")
+    for axes in grid.flat[len(runs) :]:
+        axes.set_axis_off()
+    figure.supxlabel("time [s]", fontsize="medium")
     figure.legend(handles=[Patch(color=STICKING, label="sticking")], loc="outside upper right", frameon=False)
     _save(figure, path)
