@@ -372,7 +372,7 @@ pub unsafe trait Columns: Copy + Width {
 /// The text of a model: what `model!` takes from its doc comments.
 ///
 /// # Safety
-/// `Dual` must be the same struct in dual numbers: `#[repr(C)]`, with a [`Dual`](crate::number::Dual) for each f64.
+/// `Dual` must be the same struct in dual numbers: `#[repr(C)]`, with a [`Dual`] for each f64.
 pub unsafe trait Described: Columns {
     /// Name, also FMI's modelIdentifier.
     const NAME: &'static str;
