@@ -246,6 +246,33 @@ fn nothing_diverges_at_coarse_steps() {
     }
 }
 
+/// Laws that are a spring k with a damper c at rest hold the block below the step that their pages name,
+/// k h^2 + 2 c h < 4 m, and above it they chatter within their level.
+#[test]
+fn laws_with_bristles_hold_below_the_step_they_name_and_stay_bounded_above() {
+    let (k, c) = (1e5, 316.227_766);
+    let largest = |k: f64, c: f64| (-c + f64::sqrt(c * c + 4.0 * k)) / k;
+    let undamped =
+        ["Armstrong", "BlimanSorine", "Bristle", "Dahl", "Dankowicz", "MaxwellSlip", "SpeckerDynamic", "Wojewoda"];
+    let damped = ["ElastoPlastic", "Gonthier", "LuGre"];
+    let laws =
+        undamped.map(|model| (model, largest(k, 0.0))).into_iter().chain(damped.map(|model| (model, largest(k, c))));
+    for (model, step) in laws.chain([("ResetIntegrator", largest(1.5 * k, c))]) {
+        let run = |h: f64| belt(&mut Bench::new(model, &[]), h, 40.0, Exchange::Sequential);
+        let fastest = |samples: &[Sample]| {
+            let held = samples.iter().filter(|s| (1.0..4.0).contains(&s.time));
+            held.map(|s| s.velocity.abs()).fold(0.0, f64::max)
+        };
+        let (below, above) = (run(0.9 * step), run(1.3 * step));
+        assert!(fastest(&below) < 3e-4, "{model} at {} s: {} m/s", 0.9 * step, fastest(&below));
+        assert!(fastest(&above) > 1e-3, "{model} at {} s: {} m/s", 1.3 * step, fastest(&above));
+        assert!(
+            above.iter().all(|s| s.position.abs() < 0.76 && s.friction_force.abs() < 2.2 * STATIC_LEVEL),
+            "{model}"
+        );
+    }
+}
+
 /// With velocity-dependent damping LuGre stays bounded also if the force is read right after setting the velocity.
 #[test]
 fn fading_damping_bounds_the_force_in_every_exchange() {

@@ -80,6 +80,10 @@ crate::model! {
     /// `sticking` says that the force is less than half (chosen) of f_C in the direction of the motion. Steady sliding
     /// of 25 bristles is 7 standard deviations away from that; a single bristle passes below now and then.
     ///
+    /// A master that integrates a mass m with the force it reads couples it explicitly to the stiffness k of the
+    /// contact at rest. If the friction steps first, a held body stays still for communication steps below 2 sqrt(m /
+    /// k), which is 6.3 ms for the defaults and 1 kg; above, it chatters within the bounds of the force.
+    ///
     /// # Errors
     /// Refused: a parameter outside its bound; `mu_s` < `mu_k`; `mu_k` < `mu_s` / 3, for which Delta > 2 delta and a
     /// bond could form again beyond its own strength.

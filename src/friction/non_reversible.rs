@@ -45,6 +45,9 @@ crate::model! {
     /// it is a quadrature with a relative error below 1e-10, divided where the velocity passes through zero. `sticking`
     /// says that the velocity is exactly zero.
     ///
+    /// A host that integrates the body itself never meets v = 0 exactly, so at rest the force alternates at any
+    /// communication step h, and the body trembles with up to f_s h / m.
+    ///
     /// # Errors
     /// Refused: a parameter outside its bound; `mu_s` < `mu_k`; `mu_stop` > `mu_s`.
     ///

@@ -39,6 +39,10 @@ crate::model! {
     /// With held inputs the equation of f_f is linear and solved exactly, so the result does not depend on how an
     /// interval is divided, from 1 us to 1 s; the energy is its closed form. No events. `sticking` says |v| < v_Sp.
     ///
+    /// A master that integrates a mass m with the force it reads couples it explicitly to the stiffness k of the
+    /// contact at rest. If the friction steps first, a held body stays still for communication steps below 2 sqrt(m /
+    /// k), which is 6.3 ms for the defaults and 1 kg; above, it chatters within the bounds of the force.
+    ///
     /// # Errors
     /// Refused: a parameter outside its bound; `mu_s` < `mu_k`.
     ///

@@ -56,6 +56,10 @@ crate::model! {
     /// counts. After a step with a slope the outputs use that slope until the next step. The dissipated energy is a
     /// closed form while stuck and for held inputs, and else a quadrature with a relative error below 1e-10.
     ///
+    /// A master that integrates a mass m with the force it reads couples it explicitly to the stiffness k of the
+    /// contact at rest. If the friction steps first, a held body stays still for communication steps below 2 sqrt(m /
+    /// k), which is 6.3 ms for the defaults and 1 kg; above, it chatters within the bounds of the force.
+    ///
     /// # Errors
     /// Refused: a parameter outside its bound; `mu_s` < `mu_k`; `mu_s` > 2 `mu_k`, for then the lower curve would push.
     ///

@@ -65,21 +65,21 @@ def build_library():
 class Compiler:
     """The C and C++ compilers, and how a program is linked to the library."""
 
-    def __init__(self, library_folder, output_folder):
-        self.library_folder = library_folder
+    def __init__(self, build_folder, output_folder):
+        self.build_folder = build_folder
         self.output_folder = output_folder
         self.commands = {".c": find_compiler("CC", "cc"), ".cpp": find_compiler("CXX", "c++")}
 
     def shared_library(self):
         names = {"Windows": "stribeck.dll", "Darwin": "libstribeck.dylib"}
-        return self.library_folder / names.get(platform.system(), "libstribeck.so")
+        return self.build_folder / names.get(platform.system(), "libstribeck.so")
 
     def link_flags(self, linkage):
         if linkage == "shared":
-            run_path = [] if WINDOWS else [f"-Wl,-rpath,{self.library_folder}"]
+            run_path = [] if WINDOWS else [f"-Wl,-rpath,{self.build_folder}"]
             return [self.shared_library(), *run_path, "-lm"]
         if linkage == "static":
-            return [self.library_folder / "libstribeck.a", *native_static_libraries(self.output_folder), "-lm"]
+            return [self.build_folder / "libstribeck.a", *native_static_libraries(self.output_folder), "-lm"]
         # Loaded by the program itself.
         return ["-lm"] if WINDOWS else ["-lm", "-ldl"]
 
@@ -229,17 +229,17 @@ def test_loaded(compiler, results, sanitized):
 
 
 def main():
-    library_folder = build_library()
+    build_folder = build_library()
     if WINDOWS:
         # Windows looks for shared libraries along the path.
-        os.environ["PATH"] = f"{library_folder}{os.pathsep}{os.environ['PATH']}"
-    output_folder = library_folder.parent / "c-tests"
+        os.environ["PATH"] = f"{build_folder}{os.pathsep}{os.environ['PATH']}"
+    output_folder = build_folder.parent / "c-tests"
     output_folder.mkdir(parents=True, exist_ok=True)
-    compiler = Compiler(library_folder, output_folder)
+    compiler = Compiler(build_folder, output_folder)
     results = Results()
 
     linkages = ["shared", "static"]
-    if not (library_folder / "libstribeck.a").exists():
+    if not (build_folder / "libstribeck.a").exists():
         linkages.remove("static")
         print("note: the static library is in the format of another compiler; only the shared one is tested")
     sanitizing = [False, True]
