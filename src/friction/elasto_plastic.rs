@@ -87,6 +87,7 @@ crate::model! {
     /// sigma_2, v_S and i, and whose text gives kappa = 0.7. Differences: (7.34) is printed with z, which is right for
     /// z > 0 only; here it has |z|. i is any integer there and odd here. `damping_velocity`: Olsson (1996), PhD thesis,
     /// Lund University.
+    /// A public library of friction models has z for |z|, and lacks alpha = 0 for sgn v != sgn z.
     ///
     /// # Example
     /// ```

@@ -86,6 +86,7 @@ crate::model! {
     /// points, is not offered. Levels, sigma_0, sigma_1, sigma_2: Tables 6.1 and 7.1 of F. Novais, "A critical analysis
     /// on friction force models in dynamical systems", MSc thesis, University of Minho (2024), for its other bristle
     /// models; n, the elements and their strength are chosen.
+    /// A public port misplaces a parenthesis of the equation of z and has v (1 - sgn r) |r|^n.
     ///
     /// # Example
     /// ```

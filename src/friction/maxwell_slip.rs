@@ -101,6 +101,7 @@ crate::model! {
     /// C_i of (7.36), called a gain there, is C alpha_i / k_i in m/s. The sources leave v = 0 open. Stiffness: Table
     /// 7.1; levels: Table 6.1; the number of elements and their shares are chosen (the thesis: about 1000 for a smooth
     /// response).
+    /// A public library has the form of (7.36) with s > 0, which diverges for v < 0.
     ///
     /// # Example
     /// ```
