@@ -460,6 +460,12 @@ pub trait Model: Described + Law {
         [0.0; 2]
     }
 
+    /// Which branches of its equations a model with rates is in, one bit each: a tyre is on the ground or not. Its steps
+    /// are divided where this changes.
+    fn branches(&self) -> u32 {
+        0
+    }
+
     /// Writes the time derivatives of the continuous states into their columns of `rate`.
     fn rate(&self, _rate: &mut Self) {}
 }
