@@ -1,4 +1,6 @@
-//! `stribeck`: the bench. Looks at models without an importer.
+//! `stribeck`: the bench. Looks at models without an importer, and reads the files of dampers.
+
+mod damper;
 
 use std::process::ExitCode;
 
@@ -7,7 +9,7 @@ use lab::parameter_set::text_of;
 use stribeck::catalogue;
 use stribeck::model::{Kind, ModelType, Variable};
 
-/// Friction force models: look at them without an importer.
+/// Friction force models: look at them without an importer, and read the files of dampers.
 #[derive(Parser)]
 #[command(name = "stribeck", version)]
 struct Arguments {
@@ -24,6 +26,8 @@ enum Task {
         /// Name of the model, as `stribeck models` lists it.
         model: String,
     },
+    /// Makes a parameter set of the ShockAbsorber from a damper test: damper table, friction.
+    Damper(damper::Arguments),
 }
 
 fn main() -> ExitCode {
@@ -41,6 +45,12 @@ fn main() -> ExitCode {
                 return ExitCode::FAILURE;
             }
         },
+        Task::Damper(arguments) => {
+            if let Err(error) = damper::run(&arguments) {
+                eprintln!("stribeck: {}: {error}", arguments.file.display());
+                return ExitCode::FAILURE;
+            }
+        }
     }
     ExitCode::SUCCESS
 }
