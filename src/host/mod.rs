@@ -7,4 +7,5 @@ crate::catalogue::family! {
     belt_rig::BeltRig,
     quarter_car::QuarterCar,
     four_post_car::FourPostCar,
+    posts::Posts,
 }
