@@ -3,3 +3,6 @@
 crate::catalogue::family! {
     belt_rig::BeltRig,
 }
+
+mod magic_formula;
+pub use magic_formula::{Contact, MagicFormula, Side, Wrench};
