@@ -7,6 +7,7 @@ crate::catalogue::family! {
     belt_rig::BeltRig,
     quarter_car::QuarterCar,
     four_post_car::FourPostCar,
+    double_track_car::DoubleTrackCar,
 }
 
 mod magic_formula;
