@@ -436,6 +436,12 @@ pub trait Model: Described + Law {
         [0.0; 2]
     }
 
+    /// Which branches of its equations a model with rates is in, one bit each: a tyre is on the ground or not. Its steps
+    /// are divided where this changes.
+    fn branches(&self) -> u32 {
+        0
+    }
+
     /// Writes the time derivatives of the continuous states into their columns of `rate`.
     fn rate(&self, _rate: &mut Self) {}
 }
@@ -656,6 +662,26 @@ pub const fn place(table: &mut [Variable], at: usize, variable: Variable) -> usi
     at + 1
 }
 
+/// Writes several variables of one name, with an index from 1, and returns the next free column.
+pub const fn place_all<const N: usize>(
+    table: &mut [Variable],
+    at: usize,
+    name: &'static str,
+    role: Role,
+    columns: &[Column; N],
+    help: &'static str,
+) -> usize {
+    assert!(N <= u16::MAX as usize, "too many elements");
+    let mut index = 0;
+    while index < N {
+        let place = Segment { name, index: index as u16 + 1 };
+        let path = Path { segments: [place; Path::DEPTH], depth: 1 };
+        table[at + index] = columns[index].named(path, role, help);
+        index += 1;
+    }
+    at + N
+}
+
 /// Writes the table of a part under its own names and returns the next free column.
 pub const fn inline(table: &mut [Variable], at: usize, part: &[Variable]) -> usize {
     let mut column = 0;
@@ -815,7 +841,8 @@ macro_rules! choices {
 /// Declares a part: columns that a model contains once (`stop: BumpStop`), several times (`element: [Element; 4]`), or
 /// once and under the names of the part itself (`time_stepping: (TimeStepping)`). A part may have start values of its own,
 /// `rear: Axle = &[("stiffness", 2.0)]`, and so may the first parts of an array,
-/// `element: [Element; 4] = &[("stiffness", &[3.0, 2.0])]`.
+/// `element: [Element; 4] = &[("stiffness", &[3.0, 2.0])]`. Parameters and states may be arrays of numbers:
+/// `point: [tunable; 3] = [real("m", 0.0); 3]`.
 /// The syntax of the fields is that of [`model!`](crate::model!).
 #[macro_export]
 macro_rules! part {
@@ -869,6 +896,9 @@ macro_rules! part {
     (@type state $T:ident) => { $T };
     (@type state_output $T:ident) => { $T };
     (@type output $T:ident) => { $T };
+    (@type [fixed; $n:expr] $T:ident) => { [$T; $n] };
+    (@type [tunable; $n:expr] $T:ident) => { [$T; $n] };
+    (@type [state; $n:expr] $T:ident) => { [$T; $n] };
     (@type [$Part:ident; $n:expr] $T:ident) => { [$Part<$T>; $n] };
     (@type ($Part:ident) $T:ident) => { $Part<$T> };
     (@type $Part:ident $T:ident) => { $Part<$T> };
@@ -879,10 +909,22 @@ macro_rules! part {
     (@map state $value:tt $convert:ident) => { $convert($value) };
     (@map state_output $value:tt $convert:ident) => { $convert($value) };
     (@map output $value:tt $convert:ident) => { $convert($value) };
+    (@map [fixed; $n:expr] $value:tt $convert:ident) => { $value.map($convert) };
+    (@map [tunable; $n:expr] $value:tt $convert:ident) => { $value.map($convert) };
+    (@map [state; $n:expr] $value:tt $convert:ident) => { $value.map($convert) };
     (@map [$Part:ident; $n:expr] $value:tt $convert:ident) => { $value.map(|part| part.map($convert)) };
     (@map ($Part:ident) $value:tt $convert:ident) => { $value.map($convert) };
     (@map $Part:ident $value:tt $convert:ident) => { $value.map($convert) };
 
+    (@place $table:ident $at:ident $field:ident [fixed; $n:expr] = $columns:expr, $help:expr) => {
+        $crate::model::place_all(&mut $table, $at, stringify!($field), $crate::model::Role::Fixed, &$columns, $help)
+    };
+    (@place $table:ident $at:ident $field:ident [tunable; $n:expr] = $columns:expr, $help:expr) => {
+        $crate::model::place_all(&mut $table, $at, stringify!($field), $crate::model::Role::Tunable, &$columns, $help)
+    };
+    (@place $table:ident $at:ident $field:ident [state; $n:expr] = $columns:expr, $help:expr) => {
+        $crate::model::place_all(&mut $table, $at, stringify!($field), $crate::model::Role::State, &$columns, $help)
+    };
     (@place $table:ident $at:ident $field:ident [$Part:ident; $n:expr], $help:expr) => {
         $crate::model::graft_all(&mut $table, $at, stringify!($field), $n, <$Part as $crate::model::Columns>::TABLE)
     };
