@@ -3,6 +3,7 @@
 use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
+use lab::parameter_set::text_of;
 use stribeck::catalogue;
 use stribeck::model::{Kind, ModelType, Variable};
 
@@ -76,9 +77,7 @@ fn presets(model: &ModelType) -> String {
 fn in_unit(variable: &Variable, value: f64) -> String {
     match variable.kind {
         Kind::Real(unit) if unit.name != "1" => format!("{value} {}", unit.name),
-        Kind::Real(_) | Kind::Integer => value.to_string(),
-        Kind::Boolean => (value != 0.0).to_string(),
-        Kind::Enumeration(choices) => choices.items[value as usize - 1].name.to_string(),
+        _ => text_of(variable, value),
     }
 }
 
