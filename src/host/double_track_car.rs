@@ -31,124 +31,148 @@ crate::part! {
 }
 
 crate::model! {
-    /// A car on two tracks at constant speed: it is steered, slips sideways, yaws, rolls and pitches. Its tyres follow the
-    /// Magic Formula; its four struts are other models. It adds the plane of the road to the car on four posts.
+    /// A car on two tracks at constant speed: it is steered, slips sideways, yaws, rolls and pitches. Its tyres follow
+    /// the Magic Formula; its four struts are other models. It adds the plane of the road to the car on four posts.
     ///
     /// # Equations
     ///
-    /// Plane of the road; a wheel is at X_k ahead of the car's centre of gravity, delta_k is 0 at the rear:
+    /// In the plane of the road. A wheel k is X_k ahead of the car's centre of gravity; delta_k is 0 at the rear:
     ///
     /// ```text
-    /// m (dv_y/dt + V r) = sum F_k                                                        (1)
-    /// I_zz dr/dt         = sum (X_k F_k + M_k)                                            (2)
-    /// dalpha_k/dt       = V / sigma_r (atan((v_y + X_k r) / V) - delta_k - alpha_k)      (3)
-    /// F_k, M_k          = magic_formula(N_k, alpha_k)                                    (4)
+    /// m (dv_y/dt + V r) = sum_k F_k                                                     (1)
+    /// I_zz dr/dt        = sum_k (X_k F_k + M_k)                                         (2)
+    /// dalpha_k/dt       = V / sigma (atan((v_y + X_k r) / V) - delta_k - alpha_k)       (3)
     /// dx/dt             = V cos psi - v_y sin psi
     /// dy/dt             = V sin psi + v_y cos psi
     /// dpsi/dt           = r
     /// a_y               = dv_y/dt + V r
     /// ```
     ///
-    /// Body and wheels, with the place (x_k, y_k) of a wheel seen from the body's centre of gravity, the lift
-    /// L_k = MR (S_k - S_k0) of a strut and the height z_k = z - x_k theta + y_k phi of the body over a wheel:
+    /// F_k and M_k are lateral force and aligning torque of a tyre: the Magic Formula 5.2, for the load f_tk, the side
+    /// slip alpha_k and no camber. Without shifts the force is
     ///
     /// ```text
-    /// m_s d2z/dt2     = sum L_k                                                          (5)
-    /// I_yy d2theta/dt2 = -sum x_k L_k                                                     (6)
-    /// I_xx d2phi/dt2   = sum y_k L_k + sum B_a (h_b - h_a) + m_s g (h_b - h_r) phi        (7)
-    /// m_u d2z_uk/dt2  = N_k - N_k0 - L_k +- C_a / T                                      (8)
-    /// N_k             = max(0, N_k0 + k_t (z_rk - z_uk) + c_t (dz_rk/dt - dz_uk/dt))
-    /// B_a             = F_a - 2 m_u (a_y + X_a dr/dt)
-    /// C_a             = B_a h_a + 2 m_u (a_y + X_a dr/dt) h_w
-    /// length_k        = l_0 + MR (z_k - z_uk)
+    /// F_k = D sin(C atan(B alpha_k - E (B alpha_k - atan(B alpha_k))))                  (4)
+    /// D   = (`tyre.pdy1` + `tyre.pdy2` df) f_tk
     /// ```
     ///
-    /// F_a is the lateral force of both tyres of an axle, B_a what the body takes of it at the height h_a of the roll
-    /// centre, h_r the height of the line through both roll centres below the body's centre of gravity. C_a tilts the
-    /// axle: + for its left wheel, - for its right wheel.
+    /// Body and wheels. A wheel is at the place (x_k, y_k) seen from the body's centre of gravity:
     ///
-    /// | symbol       | variable                       | unit    | meaning                                            |
-    /// |--------------|--------------------------------|---------|----------------------------------------------------|
-    /// | delta        | `steering_angle`               | rad     | steering angle of both front wheels                |
-    /// | S_k          | `fl.strut_force`               | N       | force of a strut (also `fr`, `rl`, `rr`, as below) |
-    /// | z_r          | `fl.road_height`               | m       | height of the road under a wheel                   |
-    /// | dz_r/dt      | `fl.road_velocity`             | m/s     | its rate                                           |
-    /// | V            | `speed`                        | m/s     | forward speed                                      |
-    /// | I_zz         | `yaw_inertia`                  | kg.m2   | moment of inertia of the car about z               |
-    /// | h_b          | `cg_height`                    | m       | height of the body's centre of gravity             |
-    /// | h_w          | `wheel_centre_height`          | m       | height of the wheels' centres of gravity           |
-    /// | sigma_r      | `relaxation_length`            | m       | relaxation length of the tyres                     |
-    /// |              | `tyre.side`                    |         | side that the tyre set was measured for            |
-    /// | F_z0         | `tyre.fnomin`                  | N       | nominal load; `tyre.*` has all coefficients        |
-    /// | m_s          | `body_mass`                    | kg      | mass of the body; m has the wheels too             |
-    /// | I_yy, I_xx   | `pitch_inertia`, `roll_inertia` | kg.m2  | moments of inertia of the body                     |
-    /// |              | `wheelbase`, `cg_to_front`     | m       | axles, seen from the body's centre of gravity      |
-    /// | T            | `front.track`                  | m       | track of an axle (also `rear`, as below)           |
-    /// | h_a          | `front.roll_centre_height`     | m       | height of the roll centre of an axle               |
-    /// | MR           | `front.motion_ratio`           | 1       | damper travel per wheel travel                     |
-    /// | l_0          | `front.static_length`          | m       | length of a strut at rest                          |
-    /// | S_0          | `front.static_force`           | N       | force of a strut at rest                           |
-    /// | m_u          | `front.wheel_mass`             | kg      | mass of a wheel and of what moves with it          |
-    /// | k_t, c_t     | `front.tyre_stiffness`, `front.tyre_damping` | N/m, N.s/m | the tyre, vertically              |
-    /// | z, dz/dt     | `heave`, `heave_rate`          | m, m/s  | height of the body, its rate                       |
-    /// | theta, phi   | `pitch`, `roll`                | rad     | angles of the body                                 |
-    /// |              | `pitch_rate`, `roll_rate`      | rad/s   | their rates                                        |
-    /// | x, y         | `position_x`, `position_y`     | m       | place of the car's centre of gravity on the road   |
-    /// | psi          | `yaw_angle`                    | rad     | heading                                            |
-    /// | v_y          | `lateral_velocity`             | m/s     | lateral velocity of the car's centre of gravity    |
-    /// | r            | `yaw_rate`                     | rad/s   | yaw rate                                           |
-    /// | a_y          | `lateral_acceleration`         | m/s2    | lateral acceleration of the car's centre of gravity |
-    /// | z_u, dz_u/dt | `fl.wheel_height`, `fl.wheel_velocity` | m, m/s | height of a wheel, its rate                  |
-    /// | length       | `fl.length`                    | m       | length of a strut, eye to eye                      |
-    /// | dlength/dt   | `fl.velocity`                  | m/s     | its rate                                           |
-    /// | N            | `fl.tyre_load`                 | N       | load of a tyre                                     |
-    /// | alpha        | `fl.side_slip`                 | rad     | side slip of a tyre                                |
-    /// | F            | `fl.lateral_force`             | N       | lateral force of a tyre                            |
+    /// ```text
+    /// z_k   = z - x_k theta + y_k phi
+    /// l_k   = l_0 + MR (z_k - z_uk)
+    /// L_k   = MR (f_k - f_0)
+    /// f_tk  = max(0, f_t0 + k_t (z_rk - z_uk) + c_t (v_rk - dz_uk/dt))
+    /// ```
+    ///
+    /// ```text
+    /// m_s d2z/dt2      = sum_k L_k                                                      (5)
+    /// I_yy d2theta/dt2 = -sum_k x_k L_k                                                 (6)
+    /// I_xx d2phi/dt2   = sum_k y_k L_k + sum_a B_a (h_s - h_a) + m_s g (h_s - h_r) phi  (7)
+    /// m_u d2z_uk/dt2   = f_tk - f_t0 - L_k + s_k C_a / T                                (8)
+    /// B_a              = F_a - W_a
+    /// C_a              = B_a h_a + W_a h_u
+    /// W_a              = 2 m_u (a_y + X_a dr/dt)
+    /// ```
+    ///
+    /// F_a is the lateral force of both tyres of an axle a; W_a is what its wheels need of it and B_a what the body
+    /// gets, at the height h_a of the roll centre. C_a tilts the axle: s_k is 1 for its left wheel and -1 for its right
+    /// wheel. h_r is the height, at the body's centre of gravity, of the line through both roll centres.
+    ///
+    /// | symbol     | variable                   | unit  | meaning                                             |
+    /// |------------|----------------------------|-------|-----------------------------------------------------|
+    /// | delta      | `steering_angle`           | rad   | steering angle of both front wheels                 |
+    /// | V          | `speed`                    | m/s   | forward speed                                       |
+    /// | I_zz       | `yaw_inertia`              | kg.m2 | moment of inertia of the car about z                |
+    /// | h_s        | `cg_height`                | m     | height of the body's centre of gravity              |
+    /// | h_u        | `wheel_centre_height`      | m     | height of the wheels' centres of gravity            |
+    /// | sigma      | `relaxation_length`        | m     | relaxation length of the tyres                      |
+    /// | D          | `tyre.pdy1`, `tyre.pdy2`   | 1     | friction; all of `tyre` are keys of tyre files      |
+    /// |            | `tyre.side`                |       | side that the tyre set was measured for             |
+    /// | m_s        | `body_mass`                | kg    | mass of the body; m is that of the car              |
+    /// | I_yy       | `pitch_inertia`            | kg.m2 | moment of inertia of the body about y               |
+    /// | I_xx       | `roll_inertia`             | kg.m2 | moment of inertia of the body about x               |
+    /// | x_1 - x_3  | `wheelbase`                | m     | distance between the axles                          |
+    /// | x_1        | `cg_to_front`              | m     | centre of gravity of the body to front axle         |
+    /// | z          | `heave`                    | m     | height of the body's centre of gravity above rest   |
+    /// | dz/dt      | `heave_rate`               | m/s   | its rate                                            |
+    /// | theta      | `pitch`                    | rad   | pitch angle                                         |
+    /// | dtheta/dt  | `pitch_rate`               | rad/s | its rate                                            |
+    /// | phi        | `roll`                     | rad   | roll angle                                          |
+    /// | dphi/dt    | `roll_rate`                | rad/s | its rate                                            |
+    /// | x          | `position_x`               | m     | position of the car's centre of gravity             |
+    /// | y          | `position_y`               | m     | position to the left                                |
+    /// | psi        | `yaw_angle`                | rad   | yaw angle                                           |
+    /// | v_y        | `lateral_velocity`         | m/s   | lateral velocity of the car's centre of gravity     |
+    /// | r          | `yaw_rate`                 | rad/s | yaw rate                                            |
+    /// | a_y        | `lateral_acceleration`     | m/s2  | lateral acceleration of the car's centre of gravity |
+    /// | h_a        | `front.roll_centre_height` | m     | height of the roll centre of an axle                |
+    /// | T          | `front.track`              | m     | distance between the wheels of an axle              |
+    /// | MR         | `front.motion_ratio`       | 1     | damper travel per wheel travel                      |
+    /// | l_0        | `front.static_length`      | m     | length of the strut at rest                         |
+    /// | f_0        | `front.static_force`       | N     | force of the strut at rest                          |
+    /// | m_u        | `front.wheel_mass`         | kg    | mass of a wheel and of what moves with it           |
+    /// | k_t        | `front.tyre_stiffness`     | N/m   | stiffness of a tyre                                 |
+    /// | c_t        | `front.tyre_damping`       | N.s/m | damping of a tyre                                   |
+    /// | f_k        | `fl.strut_force`           | N     | force of the strut                                  |
+    /// | z_rk       | `fl.road_height`           | m     | height of the road                                  |
+    /// | v_rk       | `fl.road_velocity`         | m/s   | rate of the road's height                           |
+    /// | z_uk       | `fl.wheel_height`          | m     | height of the wheel above its height at rest        |
+    /// | dz_uk/dt   | `fl.wheel_velocity`        | m/s   | vertical velocity of the wheel                      |
+    /// | l_k        | `fl.length`                | m     | length of the strut                                 |
+    /// | dl_k/dt    | `fl.velocity`              | m/s   | rate of the strut's length                          |
+    /// | f_tk       | `fl.tyre_load`             | N     | force of the tyre on the road                       |
+    /// | alpha_k    | `fl.side_slip`             | rad   | side slip of the tyre                               |
+    /// | F_k        | `fl.lateral_force`         | N     | lateral force of the tyre                           |
+    ///
+    /// The corners are `fl`, `fr`, `rl`, `rr` (front left to rear right), the axles `front` and `rear`.
     ///
     /// # Sign
-    /// Axes of ISO 8855: x forward, y left, z up; angles turn about them by the right-hand rule, so steering, yaw and yaw
-    /// rate are positive to the left, roll is positive when the right side goes down, pitch when the nose goes down.
-    /// `side_slip` is positive when the wheel slips to the left; then the tyre is pushed to the right, `lateral_force` < 0.
-    /// `strut_force` is positive when it pushes the eyes of the strut apart, `velocity` when the strut extends. Heights and
-    /// angles of the body are deviations from rest on a level road.
+    /// Axes of ISO 8855: x forward, y left, z up; angles turn about them by the right-hand rule, so steering, yaw and
+    /// yaw rate are positive to the left, roll is positive when the right side goes down, pitch when the nose goes
+    /// down. `side_slip` is positive when the wheel slips to the left; then the tyre is pushed to the right,
+    /// `lateral_force` < 0. `strut_force` is positive when it pushes the eyes of the strut apart, `velocity` when the
+    /// strut extends. Heights and angles of the body are deviations from rest on a level road.
     ///
     /// # Step
-    /// The inputs are held over a step, or move linearly. Each step is divided by error control (Dormand and Prince, 5th
-    /// order) until the error is below 1e-10 of the state or of its nominal value, also where a tyre lifts off or lands, so
-    /// the result does not depend on the step beyond what the held strut forces mean. A step of many seconds costs its
-    /// share of time; one that would need more than a million pieces is refused. Strut lengths and velocities follow from
-    /// states alone, so a strut closes no algebraic loop.
+    /// As that of `FourPostCar`: the inputs are held or move linearly, and error control divides the step (order 5,
+    /// relative error 1e-10 per piece), also where tyres lift off or land. Lengths and velocities of the struts follow
+    /// from states alone, so the struts close no algebraic loop. Tyre loads and lateral forces follow the road at once,
+    /// but neither the steering nor the struts.
     ///
     /// # Errors
-    /// Refused: a parameter outside its bound; `cg_to_front` > `wheelbase`; `tyre.pky2` = 0; a step whose result is not
-    /// finite.
+    /// Refused: a parameter outside its bound; `cg_to_front` > `wheelbase`; `tyre.pky2` = 0; a step that would take
+    /// more than a million pieces, as with `QuarterCar`.
     ///
     /// # Limits
-    /// The speed is constant: no drive, no brakes, no longitudinal forces. Small angles: the lateral forces count along the
-    /// y axis of the body, both front wheels are steered alike, wheels stay upright (no camber), and all wheels of an axle
-    /// see the path of its middle. The overturning couple of the tyres is left out. The roll centres stay where they are,
-    /// and nothing lifts the body when the tyres of an axle share the lateral force unequally. No anti-roll bars: add their
-    /// force to `strut_force`. The relaxation length does not change with load.
+    /// The speed is constant: no drive, no brakes, no longitudinal forces. Small angles: the lateral forces count along
+    /// the y axis of the body, both front wheels are steered alike, wheels stay upright (no camber), and both wheels of
+    /// an axle have the path of its middle. The overturning couple of the tyres is left out. The roll centres stay
+    /// where they are, and nothing lifts the body when the tyres of an axle share the lateral force unequally. No
+    /// anti-roll bars: add their force to `strut_force`. The relaxation length does not change with load.
     ///
     /// # Source
-    /// Equations (1), (2) and (3): H. B. Pacejka, "Tyre and Vehicle Dynamics", 2nd ed., Butterworth-Heinemann (2006),
-    /// sections 1.3 and 7.1 (linear relaxation, here with the steady force at the side slip that has followed); (4) as in
-    /// section 4.3 there, Magic Formula 5.2. (5) to (8): Newton and Euler; the roll axis is that of
-    /// the same book, section 1.3.
-    ///
-    /// Start values: ZR26 of Zips Racing (open data, MIT licence: 288.64 kg with driver, 48 per cent at the front, centre of
-    /// gravity at 0.293 m, roll centres at 35 and 50 mm). `cg_height` follows from them: 0.293 m for the car, less four
-    /// wheels of 16.36 kg at 0.2 m. `rear.static_force` belongs to a spring of 35 kN/m. Tyres: see `tyre`, an open set that is
-    /// scaled to a nominal load of 700 N.
+    /// (1) to (4): H. B. Pacejka, "Tyre and Vehicle Dynamics", 2nd ed., Butterworth-Heinemann (2006): two-track model
+    /// with the roll axis, section 1.3; Magic Formula, section 4.3.2, in the form of version 5.2; relaxation in its
+    /// simplest form, of the side slip. (5) to (8): rigid-body dynamics about a rest position. Defaults: body, wheels,
+    /// struts and axles as `FourPostCar`; from the same car ZR26 the yaw inertia and the heights of the roll centres;
+    /// `cg_height` is derived from the 0.293 m of that car less its wheels; tyres: an open set (Open-Car-Dynamics,
+    /// Apache-2.0), scaled from a nominal load of 3000 N to 700 N, without its shifts and its friction scale of 0.97.
+    /// Chosen: speed, relaxation length, height of the wheels.
     ///
     /// # Example
+    /// The loads of the tyres carry the car, 288.64 kg, and the tyres push to the left in a turn to the left:
     /// ```
     /// use stribeck::host::DoubleTrackCar;
     /// use stribeck::model::{Law, Model};
-    /// let mut car = DoubleTrackCar { steering_angle: 1e-4, ..Default::default() };
-    /// car.step(1.0);
+    /// let mut car = DoubleTrackCar { steering_angle: 0.001, ..Default::default() };
+    /// car.step(0.2);
     /// car.output();
-    /// EXAMPLE
+    /// let wheels = [car.fl, car.fr, car.rl, car.rr];
+    /// let load: f64 = wheels.iter().map(|wheel| wheel.wheel.tyre_load).sum();
+    /// assert!((load - 9.81 * 288.64).abs() < 1e-6);
+    /// let force: f64 = wheels.iter().map(|wheel| wheel.lateral_force).sum();
+    /// assert!(force > 0.0 && (force / 288.64 - car.lateral_acceleration).abs() < 1e-12);
     /// ```
     DoubleTrackCar: "Car on two tracks that is steered at constant speed, with tyres after the Magic Formula" {
         /// Steering angle of the front wheels; positive to the left.
@@ -233,12 +257,17 @@ impl<T: Real> DoubleTrackCar<T> {
         Place { x: x - ahead, y }
     }
 
+    /// Load of a tyre.
+    fn load(&self, corner: Corner) -> T {
+        let (axle, wheel) = (self.axle(corner), self.corner(corner));
+        wheel.wheel.load(&axle.suspension, wheel.ground(), self.body.static_load(corner, axle))
+    }
+
     /// Forces and moments of the road on a tyre.
     fn wrench(&self, corner: Corner) -> Wrench<T> {
-        let (axle, wheel) = (self.axle(corner), self.corner(corner));
-        let static_load = self.body.static_load(corner, axle);
+        let wheel = self.corner(corner);
         let contact = Contact {
-            load: wheel.wheel.load(&axle.suspension, wheel.ground(), static_load),
+            load: self.load(corner),
             longitudinal_slip: T::zero(),
             side_slip: wheel.side_slip,
             camber: T::zero(),
@@ -361,7 +390,7 @@ impl Model for DoubleTrackCar {
         if self.tyre.pky2 == 0.0 {
             return Err(Fault("tyre.pky2 = 0: must not be 0".into()));
         }
-        Ok(())
+        self.body.check()
     }
 
     fn step(&mut self, dt: f64) {
@@ -370,6 +399,10 @@ impl Model for DoubleTrackCar {
 
     fn step_ramp(&mut self, slope: &Self, dt: f64) {
         integrate::advance::<_, 23>(self, slope, dt);
+    }
+
+    fn branches(&self) -> u32 {
+        Corner::ALL.into_iter().fold(0, |bits, corner| 2 * bits + u32::from(self.load(corner) > 0.0))
     }
 
     fn rate(&self, rate: &mut Self) {
@@ -598,7 +631,8 @@ mod tests {
         assert!(car.body.roll > moment / stiffness);
     }
 
-    /// Posts under the wheels and no lateral motion: with the roll axis at the centre of gravity, the car on four posts.
+    /// Posts under the wheels and no lateral motion: with the roll axis at the centre of gravity, the car on four
+    /// posts.
     #[test]
     fn without_lateral_motion_it_is_the_car_on_four_posts() {
         let mut car = DoubleTrackCar { cg_height: 0.04, ..Default::default() };
@@ -689,6 +723,8 @@ mod tests {
     fn parameters_that_do_not_fit_are_refused() {
         let mut car = DoubleTrackCar::default();
         car.check().unwrap();
+        car.body.cg_to_front = 2.0;
+        assert_eq!(car.check().unwrap_err().0, "cg_to_front = 2: must be <= wheelbase = 1.528");
         car.tyre.pky2 = 0.0;
         assert_eq!(car.check().unwrap_err().0, "tyre.pky2 = 0: must not be 0");
     }
