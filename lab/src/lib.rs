@@ -3,3 +3,4 @@
 //! A [`parameter_set`] holds values for the variables of one model, checked against the model's table.
 
 pub mod parameter_set;
+pub mod tir;

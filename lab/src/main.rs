@@ -1,9 +1,12 @@
 //! `stribeck`: the bench. Looks at models without an importer.
 
+use std::error::Error;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
 use lab::parameter_set::text_of;
+use lab::tir::{self, TyreFile};
 use stribeck::catalogue;
 use stribeck::model::{Kind, ModelType, Variable};
 
@@ -24,6 +27,14 @@ enum Task {
         /// Name of the model, as `stribeck models` lists it.
         model: String,
     },
+    /// Reads a tyre property file and shows, or writes, its values for the tyres of `DoubleTrackCar`.
+    Tyre {
+        /// The file, for Magic Formula 5.
+        file: PathBuf,
+        /// Parameter set to write, .csv or .ssv.
+        #[arg(long)]
+        out: Option<PathBuf>,
+    },
 }
 
 fn main() -> ExitCode {
@@ -41,8 +52,30 @@ fn main() -> ExitCode {
                 return ExitCode::FAILURE;
             }
         },
+        Task::Tyre { file, out } => {
+            if let Err(error) = tyre(&file, out.as_deref()) {
+                eprintln!("stribeck: {error}");
+                return ExitCode::FAILURE;
+            }
+        }
     }
     ExitCode::SUCCESS
+}
+
+/// The values to the file `out`, or as CSV to the screen; what else there is to say to the other stream.
+fn tyre(file: &Path, out: Option<&Path>) -> Result<(), Box<dyn Error>> {
+    let TyreFile { set, unused, notes } = tir::read(file)?;
+    for note in notes {
+        eprintln!("{note}");
+    }
+    if !unused.is_empty() {
+        eprintln!("not used: {}", unused.join(", "));
+    }
+    match out {
+        Some(path) => set.save(path)?,
+        None => print!("{}", set.to_csv()),
+    }
+    Ok(())
 }
 
 fn show(model: &ModelType) {
