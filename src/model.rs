@@ -137,6 +137,17 @@ impl Bound {
         self.high
     }
 
+    /// Admits what either of the two admits, and all between.
+    pub(crate) const fn or(self, other: Bound) -> Bound {
+        let lower = if other.low < self.low { other } else { self };
+        Bound { low: lower.low, open: lower.open, high: self.high.max(other.high) }
+    }
+
+    /// The same up to `high`.
+    pub(crate) const fn up_to(self, high: f64) -> Bound {
+        Bound { high: self.high.min(high), ..self }
+    }
+
     /// Is the lower end itself refused, as 0 is for a stiffness?
     pub const fn is_open(&self) -> bool {
         self.open
@@ -185,8 +196,21 @@ impl Path {
         self.segments.split_at(self.depth).0
     }
 
+    /// Is it the same name?
+    pub(crate) const fn is(&self, other: &Path) -> bool {
+        let mut at = 0;
+        while at < self.depth && at < other.depth {
+            let (a, b) = (self.segments[at], other.segments[at]);
+            if a.index != b.index || !unit::same(a.name, b.name) {
+                return false;
+            }
+            at += 1;
+        }
+        self.depth == other.depth
+    }
+
     /// This name inside a part.
-    const fn within(&self, part: Segment) -> Path {
+    pub(crate) const fn within(&self, part: Segment) -> Path {
         assert!(self.depth < Path::DEPTH, "parts are nested too deeply");
         let mut path = Path { segments: [part; Path::DEPTH], depth: self.depth + 1 };
         let mut at = 0;
@@ -436,8 +460,8 @@ pub trait Model: Described + Law {
         [0.0; 2]
     }
 
-    /// Which branches of its equations a model with rates is in, one bit each: a tyre is on the ground or not. Its steps
-    /// are divided where this changes.
+    /// Which branches of its equations a model with rates is in, one bit each: a tyre is on the ground or not. Its
+    /// steps are divided where this changes.
     fn branches(&self) -> u32 {
         0
     }
@@ -734,8 +758,8 @@ pub const fn ports<const COLUMNS: usize>(table: &[Variable]) -> [Port; COLUMNS] 
 /// Start values by the name of a column: those of the first parts of an array, one after the other.
 pub type Starts<'a> = &'a [(&'a str, &'a [f64])];
 
-/// As [`graft_all`]; then the first parts get start values of their own. A name that the part does not have, more values
-/// than parts, or a value outside its bound does not compile.
+/// As [`graft_all`]; then the first parts get start values of their own. A name that the part does not have, more
+/// values than parts, or a value outside its bound does not compile.
 pub const fn graft_with(
     table: &mut [Variable],
     at: usize,
@@ -839,8 +863,8 @@ macro_rules! choices {
 }
 
 /// Declares a part: columns that a model contains once (`stop: BumpStop`), several times (`element: [Element; 4]`), or
-/// once and under the names of the part itself (`time_stepping: (TimeStepping)`). A part may have start values of its own,
-/// `rear: Axle = &[("stiffness", 2.0)]`, and so may the first parts of an array,
+/// once and under the names of the part itself (`time_stepping: (TimeStepping)`). A part may have start values of its
+/// own, `rear: Axle = &[("stiffness", 2.0)]`, and so may the first parts of an array,
 /// `element: [Element; 4] = &[("stiffness", &[3.0, 2.0])]`. Parameters and states may be arrays of numbers:
 /// `point: [tunable; 3] = [real("m", 0.0); 3]`.
 /// The syntax of the fields is that of [`model!`](crate::model!).
@@ -849,6 +873,7 @@ macro_rules! part {
     ($(#[doc = $doc:literal])+ $Name:ident { $($(#[doc = $help:literal])+ $field:ident: $what:tt $(= $column:expr)?,)+ }) => {
         $(#[doc = $doc])+
         #[repr(C)]
+        #[allow(non_snake_case, reason = "a symbol such as V0 is a name, too")]
         pub struct $Name<T = f64> { $($(#[doc = $help])+ pub $field: $crate::part!(@type $what T),)+ }
 
         impl<T: Copy> Clone for $Name<T> {
