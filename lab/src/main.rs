@@ -1,16 +1,16 @@
-//! `stribeck`: the bench. Looks at models without an importer.
+//! `stribeck`: the bench. Looks at models without an importer, and reads the files of dampers and tyres.
 
-use std::error::Error;
-use std::path::{Path, PathBuf};
+mod damper;
+mod tyre;
+
 use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
 use lab::parameter_set::text_of;
-use lab::tir::{self, TyreFile};
 use stribeck::catalogue;
 use stribeck::model::{Kind, ModelType, Variable};
 
-/// Friction force models: look at them without an importer.
+/// Friction force models: look at them without an importer, and read the files of dampers and tyres.
 #[derive(Parser)]
 #[command(name = "stribeck", version)]
 struct Arguments {
@@ -27,14 +27,10 @@ enum Task {
         /// Name of the model, as `stribeck models` lists it.
         model: String,
     },
-    /// Reads a tyre property file and shows, or writes, its values for the tyres of `DoubleTrackCar`.
-    Tyre {
-        /// The file, for Magic Formula 5.
-        file: PathBuf,
-        /// Parameter set to write, .csv or .ssv.
-        #[arg(long)]
-        out: Option<PathBuf>,
-    },
+    /// Makes a parameter set of the ShockAbsorber from a damper test: damper table, friction.
+    Damper(damper::Arguments),
+    /// Makes a parameter set of the tyres of DoubleTrackCar from a tyre property file (.tir).
+    Tyre(tyre::Arguments),
 }
 
 fn main() -> ExitCode {
@@ -52,30 +48,20 @@ fn main() -> ExitCode {
                 return ExitCode::FAILURE;
             }
         },
-        Task::Tyre { file, out } => {
-            if let Err(error) = tyre(&file, out.as_deref()) {
+        Task::Damper(arguments) => {
+            if let Err(error) = damper::run(&arguments) {
+                eprintln!("stribeck: {}: {error}", arguments.file.display());
+                return ExitCode::FAILURE;
+            }
+        }
+        Task::Tyre(arguments) => {
+            if let Err(error) = tyre::run(&arguments) {
                 eprintln!("stribeck: {error}");
                 return ExitCode::FAILURE;
             }
         }
     }
     ExitCode::SUCCESS
-}
-
-/// The values to the file `out`, or as CSV to the screen; what else there is to say to the other stream.
-fn tyre(file: &Path, out: Option<&Path>) -> Result<(), Box<dyn Error>> {
-    let TyreFile { set, unused, notes } = tir::read(file)?;
-    for note in notes {
-        eprintln!("{note}");
-    }
-    if !unused.is_empty() {
-        eprintln!("not used: {}", unused.join(", "));
-    }
-    match out {
-        Some(path) => set.save(path)?,
-        None => print!("{}", set.to_csv()),
-    }
-    Ok(())
 }
 
 fn show(model: &ModelType) {

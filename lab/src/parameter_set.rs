@@ -151,6 +151,15 @@ impl ParameterSet {
         self.values().find(|(variable, _)| variable.path.to_string() == name).map(|(_, value)| value)
     }
 
+    /// Start values of variables of a model.
+    pub fn starts<const N: usize>(model: &'static ModelType, names: [&str; N]) -> Result<[f64; N], SetError> {
+        let mut starts = [0.0; N];
+        for (start, name) in starts.iter_mut().zip(names) {
+            *start = model.table[settable(model, name)?].start;
+        }
+        Ok(starts)
+    }
+
     /// The set as CSV: variable, value, unit. Choices by their name.
     pub fn to_csv(&self) -> String {
         let mut table = String::from("variable,value,unit\n");
@@ -246,6 +255,11 @@ pub fn text_of(variable: &Variable, value: f64) -> String {
         Kind::Boolean => (value != 0.0).to_string(),
         Kind::Enumeration(choices) => choices.items[value as usize - 1].name.to_owned(),
     }
+}
+
+/// The number of a choice of a variable, by its name.
+pub fn choice(model: &'static ModelType, name: &str, choice: &str) -> Result<f64, SetError> {
+    value_of(&model.table[settable(model, name)?], choice, "")
 }
 
 /// Name of the unit; none if the value is not a physical quantity.

@@ -53,7 +53,7 @@ crate::model! {
     ///
     /// ```text
     /// F_k = D sin(C atan(B alpha_k - E (B alpha_k - atan(B alpha_k))))                  (4)
-    /// D   = (`tyre.pdy1` + `tyre.pdy2` df) f_tk
+    /// D   = (p_1 + p_2 (f_tk - f_n) / f_n) f_tk
     /// ```
     ///
     /// Body and wheels. A wheel is at the place (x_k, y_k) seen from the body's centre of gravity:
@@ -87,7 +87,9 @@ crate::model! {
     /// | h_s        | `cg_height`                | m     | height of the body's centre of gravity              |
     /// | h_u        | `wheel_centre_height`      | m     | height of the wheels' centres of gravity            |
     /// | sigma      | `relaxation_length`        | m     | relaxation length of the tyres                      |
-    /// | D          | `tyre.pdy1`, `tyre.pdy2`   | 1     | friction; all of `tyre` are keys of tyre files      |
+    /// | p_1        | `tyre.pdy1`                | 1     | friction; all of `tyre` has the names of tyre files |
+    /// | p_2        | `tyre.pdy2`                | 1     | its change with load                                |
+    /// | f_n        | `tyre.fnomin`              | N     | nominal load, here times `tyre.lfzo`                |
     /// |            | `tyre.side`                |       | side that the tyre set was measured for             |
     /// | m_s        | `body_mass`                | kg    | mass of the body; m is that of the car              |
     /// | I_yy       | `pitch_inertia`            | kg.m2 | moment of inertia of the body about y               |
