@@ -1,6 +1,7 @@
-//! `stribeck`: the bench. Looks at models without an importer, and reads the files of dampers.
+//! `stribeck`: the bench. Looks at models without an importer, and reads the files of dampers and tyres.
 
 mod damper;
+mod tyre;
 
 use std::process::ExitCode;
 
@@ -9,7 +10,7 @@ use lab::parameter_set::text_of;
 use stribeck::catalogue;
 use stribeck::model::{Kind, ModelType, Variable};
 
-/// Friction force models: look at them without an importer, and read the files of dampers.
+/// Friction force models: look at them without an importer, and read the files of dampers and tyres.
 #[derive(Parser)]
 #[command(name = "stribeck", version)]
 struct Arguments {
@@ -28,6 +29,8 @@ enum Task {
     },
     /// Makes a parameter set of the ShockAbsorber from a damper test: damper table, friction.
     Damper(damper::Arguments),
+    /// Makes a parameter set of the tyres of DoubleTrackCar from a tyre property file (.tir).
+    Tyre(tyre::Arguments),
 }
 
 fn main() -> ExitCode {
@@ -48,6 +51,12 @@ fn main() -> ExitCode {
         Task::Damper(arguments) => {
             if let Err(error) = damper::run(&arguments) {
                 eprintln!("stribeck: {}: {error}", arguments.file.display());
+                return ExitCode::FAILURE;
+            }
+        }
+        Task::Tyre(arguments) => {
+            if let Err(error) = tyre::run(&arguments) {
+                eprintln!("stribeck: {error}");
                 return ExitCode::FAILURE;
             }
         }
