@@ -45,10 +45,19 @@ pub fn entries() -> Vec<Entry> {
 
 /// Writes one FMU and returns its size in bytes.
 pub fn write(entry: &Entry, library: &Library, root: &Path, date: Timestamp, folder: &Path) -> Result<usize> {
-    let bytes = archive::zip(&contents(entry, library, root, date)?, date)?;
-    let file = folder.join(format!("{}.fmu", entry.model.name));
+    save(folder, &format!("{}.fmu", entry.model.name), &fmu(entry, library, root, date)?)
+}
+
+/// The bytes of one FMU.
+pub fn fmu(entry: &Entry, library: &Library, root: &Path, date: Timestamp) -> Result<Vec<u8>> {
+    archive::zip(&contents(entry, library, root, date)?, date)
+}
+
+/// Writes a file into a folder, which is made if it is not there, and returns the size of the file.
+pub fn save(folder: &Path, name: &str, bytes: &[u8]) -> Result<usize> {
+    let file = folder.join(name);
     fs::create_dir_all(folder).with_context(|| format!("cannot create {}", folder.display()))?;
-    fs::write(&file, &bytes).with_context(|| format!("cannot write {}", file.display()))?;
+    fs::write(&file, bytes).with_context(|| format!("cannot write {}", file.display()))?;
     Ok(bytes.len())
 }
 

@@ -1,0 +1,95 @@
+"""The four-post package in several masters: the same exchange scheme must give the same numbers."""
+
+import platform
+import sys
+import zipfile
+
+import numpy
+import pytest
+from coupling import CouplingError
+from fmpy.ssp.ssd import read_ssd, read_ssv
+from masters import MASTERS, run_fmpy, run_jacobi, unpacked, variants
+
+HEAVE, PITCH = "car.heave", "car.pitch"
+WATCHED = [HEAVE, PITCH, "car.roll", "car.fl.length", "car.rr.velocity", "strut_fl.force", "strut_rr.force_friction"]
+VARIANTS = ["SystemStructure", "firm", "soft", "without_friction"]
+STEP, STEPS = 1e-3, 1500
+
+NEEDS_BINARIES = pytest.mark.skipif(
+    sys.platform != "linux" or platform.machine() != "x86_64", reason="Ecos and libcosim come for Linux on x86-64"
+)
+
+
+@pytest.fixture(scope="module")
+def package():
+    from coupling import FMUS
+
+    path = FMUS / "FourPost.ssp"
+    assert path.is_file(), f"no {path}: run `python3 tasks.py pack`"
+    return path
+
+
+@pytest.fixture(scope="module")
+def plain(package):
+    """The plain script, by variant."""
+    return {variant: run_jacobi(package, variant, STEP, STEPS, WATCHED) for variant in VARIANTS}
+
+
+def difference(a, b) -> float:
+    """Largest difference of any signal, relative to the signal's range."""
+    return max(numpy.abs(a[name] - b[name]).max() / max(numpy.ptp(b[name]), 1e-3) for name in WATCHED)
+
+
+def test_every_description_and_parameter_set_keeps_the_schema_of_the_standard(package):
+    assert variants(package) == VARIANTS
+    for variant in VARIANTS:
+        with unpacked(package, variant) as system:
+            copy = system.folder / "copy.ssp"
+            with zipfile.ZipFile(copy, "w") as archive:
+                archive.write(system.folder / "SystemStructure.ssd", "SystemStructure.ssd")
+            assert read_ssd(str(copy)).name == "FourPost"
+            sets = sorted(system.folder.glob("resources/*.ssv"))
+            assert len(sets) == 2 * len(VARIANTS)
+            for path in sets:
+                read_ssv(str(path))
+
+
+@NEEDS_BINARIES
+@pytest.mark.parametrize("variant", VARIANTS)
+@pytest.mark.parametrize("master", ["ecos", "libcosim"])
+def test_masters_of_the_same_scheme_agree(package, plain, master, variant):
+    record = MASTERS[master](package, variant, STEP, STEPS, WATCHED)
+    assert difference(record, plain[variant]) < 1e-9
+
+
+@pytest.mark.parametrize("variant", VARIANTS)
+def test_the_runner_of_fmpy_agrees_within_the_error_of_the_coupling(package, plain, variant):
+    """The plain script with half the step tells how large that error is."""
+    runner = run_fmpy(package, variant, STEP, STEPS, WATCHED)
+    fine = run_jacobi(package, variant, STEP / 2.0, 2 * STEPS, WATCHED)
+    for name in [HEAVE, PITCH, "car.fl.length"]:
+        error = numpy.abs(plain[variant][name] - fine[name][1::2]).max()
+        assert numpy.abs(runner[name] - plain[variant][name]).max() < 4.0 * error + 1e-9
+
+
+def test_each_variant_has_its_damper(plain):
+    """Less damping lets the body move farther from the posts; without friction no friction force is left."""
+    travel = {variant: numpy.ptp(record["car.fl.length"]) for variant, record in plain.items()}
+    assert travel["soft"] > 1.2 * travel["firm"]
+    assert travel["without_friction"] > 1.02 * travel["SystemStructure"]
+    friction = {variant: numpy.abs(record["strut_rr.force_friction"]).max() for variant, record in plain.items()}
+    assert friction["without_friction"] == 0.0
+    assert friction["firm"] > 1.2 * friction["SystemStructure"] > 0.0
+
+
+def test_rear_springs_belong_to_the_rest_position(package):
+    """With posts at rest nothing moves: the struts carry the car as the host says."""
+    rest = run_jacobi(package, "without_friction", STEP, 100, [HEAVE, PITCH, "strut_fl.force", "strut_rl.force"])
+    # The posts begin to move at once; in the first millisecond by 3 um.
+    assert rest["strut_fl.force"][0] == pytest.approx(1325.2555, abs=0.01)
+    assert rest["strut_rl.force"][50] == pytest.approx(1100.2555, abs=25.0)
+
+
+def test_unknown_variants_are_refused_by_name(package):
+    with pytest.raises(CouplingError, match="has no variant 'hard'; there are SystemStructure, firm, soft"):
+        run_jacobi(package, "hard", STEP, 1, WATCHED)
