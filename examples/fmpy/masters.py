@@ -154,12 +154,12 @@ def run_ecos(package: Path, variant: str, step: float, steps: int, watched: Sequ
 
 
 def run_libcosim(package: Path, variant: str, step: float, steps: int, watched: Sequence[str]) -> Record:
-    """libcosim counts time in nanoseconds."""
+    """libcosim counts time in nanoseconds. What fails is told by its calls; its log calls sound descriptions errors."""
     from libcosimpy.CosimExecution import CosimExecution
     from libcosimpy.CosimLogging import CosimLogLevel, log_output_level
     from libcosimpy.CosimObserver import CosimObserver
 
-    log_output_level(CosimLogLevel.WARNING)
+    log_output_level(CosimLogLevel.FATAL)
     with unpacked(package, variant) as system:
         execution = CosimExecution.from_ssp_file(str(system.folder), round(step * 1e9))
         observer = CosimObserver.create_last_value()

@@ -153,7 +153,9 @@ fn ssp(root: &Path, out: &Path) -> Result<()> {
     let mut files = archive::Files::new();
     let models: Vec<String> = four_post::add_to(&mut files, root)?.into_iter().map(str::to_owned).collect();
     for entry in package::select(&models)? {
-        files.insert(ssp::fmu(entry.model.name), package::fmu(&entry, &library, root, date)?);
+        // libcosim and Ecos know no enumerations.
+        let bytes = package::fmu(&entry, &library, root, date, xml::Choices::Numbered)?;
+        files.insert(ssp::fmu(entry.model.name), bytes);
     }
     let file = format!("{}.ssp", four_post::NAME);
     let size = package::save(out, &file, &archive::zip(&files, date)?)?;

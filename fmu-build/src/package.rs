@@ -10,6 +10,7 @@ use stribeck::model::ModelType;
 
 use crate::archive::{self, Files};
 use crate::library::Library;
+use crate::xml::Choices;
 use crate::{html, icon, xml};
 
 /// A model with what its FMU says about it.
@@ -45,12 +46,12 @@ pub fn entries() -> Vec<Entry> {
 
 /// Writes one FMU and returns its size in bytes.
 pub fn write(entry: &Entry, library: &Library, root: &Path, date: Timestamp, folder: &Path) -> Result<usize> {
-    save(folder, &format!("{}.fmu", entry.model.name), &fmu(entry, library, root, date)?)
+    save(folder, &format!("{}.fmu", entry.model.name), &fmu(entry, library, root, date, Choices::Named)?)
 }
 
 /// The bytes of one FMU.
-pub fn fmu(entry: &Entry, library: &Library, root: &Path, date: Timestamp) -> Result<Vec<u8>> {
-    archive::zip(&contents(entry, library, root, date)?, date)
+pub fn fmu(entry: &Entry, library: &Library, root: &Path, date: Timestamp, choices: Choices) -> Result<Vec<u8>> {
+    archive::zip(&contents(entry, library, root, date, choices)?, date)
 }
 
 /// Writes a file into a folder, which is made if it is not there, and returns the size of the file.
@@ -75,7 +76,7 @@ pub fn write_page(entry: &Entry, folder: &Path) -> Result<()> {
     Ok(())
 }
 
-fn contents(entry: &Entry, library: &Library, root: &Path, date: Timestamp) -> Result<Files> {
+fn contents(entry: &Entry, library: &Library, root: &Path, date: Timestamp, choices: Choices) -> Result<Files> {
     let Entry { model, family, .. } = *entry;
     let binary = format!("binaries/{}/{}{}", library.platform, model.name, library.suffix);
     let files = [
@@ -83,7 +84,7 @@ fn contents(entry: &Entry, library: &Library, root: &Path, date: Timestamp) -> R
         ("documentation/index.html".into(), html::page(entry)?.into()),
         ("documentation/licenses/license.txt".into(), license(root)?.into()),
         ("model.png".into(), icon::png(model, family)?),
-        ("modelDescription.xml".into(), xml::model_description(model, date)?.into()),
+        ("modelDescription.xml".into(), xml::model_description(model, date, choices)?.into()),
     ];
     Ok(files.into())
 }

@@ -64,7 +64,7 @@ impl System {
 
     /// The text of the description. The prefixes are fixed: libcosim and Ecos look for `ssd:`, `ssc:` and `ssv:`.
     fn description(&self) -> Result<String> {
-        let ports = self.ports()?;
+        self.check()?;
         let mut text = format!(
             "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n\
              <ssd:SystemStructureDescription\n\
@@ -77,7 +77,7 @@ impl System {
             escape(self.description),
         );
         for component in &self.components {
-            text += &component.element(&ports);
+            text += &self.element(component)?;
         }
         text += "    </ssd:Elements>\n    <ssd:Connections>\n";
         for [from, to] in &self.connections {
@@ -86,8 +86,10 @@ impl System {
                 from.component, from.variable, to.component, to.variable
             );
         }
-        let units: BTreeMap<&str, &Unit> =
-            ports.values().filter_map(|variable| real_unit(variable)).map(|unit| (unit.name, unit)).collect();
+        let mut units = BTreeMap::new();
+        for component in &self.components {
+            units.extend(self.connectors(component)?.map(|(_, unit)| (unit.name, unit)));
+        }
         let units: String = units.values().map(|unit| unit_definition(unit)).collect();
         text += &format!(
             "    </ssd:Connections>\n  </ssd:System>\n  <ssd:Units>\n{units}  </ssd:Units>\n\
@@ -97,10 +99,10 @@ impl System {
         Ok(text)
     }
 
-    /// The connected variables. Refuses connections that do not lead from an output to an input of the same quantity, and
+    /// Refuses connections that do not lead from an output to an input of the same quantity, and
     /// inputs that are connected twice.
-    fn ports(&self) -> Result<BTreeMap<&Port, &'static Variable>> {
-        let mut ports = BTreeMap::new();
+    fn check(&self) -> Result<()> {
+        let mut connected = BTreeSet::new();
         for [from, to] in &self.connections {
             let [output, input] = [self.variable(from)?, self.variable(to)?];
             ensure!(output.role.is_output(), "{}: {} is no output", from.component, from.variable);
@@ -111,10 +113,9 @@ impl System {
                 from.variable,
                 to.variable
             );
-            ports.insert(from, output);
-            ensure!(ports.insert(to, input).is_none(), "{}: {} is connected twice", to.component, to.variable);
+            ensure!(connected.insert(to), "{}: {} is connected twice", to.component, to.variable);
         }
-        Ok(ports)
+        Ok(())
     }
 
     fn variable(&self, port: &Port) -> Result<&'static Variable> {
@@ -123,36 +124,46 @@ impl System {
         let column = model.find(&port.variable);
         Ok(&model.table[column.with_context(|| format!("{} has no variable {}", model.name, port.variable))?])
     }
-}
 
-impl Component {
-    fn model(&self) -> Result<&'static ModelType> {
-        catalogue::by_name(self.model).with_context(|| format!("there is no model {}", self.model))
-    }
-
-    fn element(&self, ports: &BTreeMap<&Port, &'static Variable>) -> String {
+    fn element(&self, component: &Component) -> Result<String> {
         let mut text = format!(
             "      <ssd:Component name=\"{}\" type=\"application/x-fmu-sharedlibrary\" source=\"{}\">\n\
              \x20       <ssd:Connectors>\n",
-            self.name,
-            fmu(self.model),
+            component.name,
+            fmu(component.model),
         );
-        for (port, variable) in ports.iter().filter(|(port, _)| port.component == self.name) {
+        for (variable, unit) in self.connectors(component)? {
             let kind = if variable.role == Role::Input { "input" } else { "output" };
-            let unit = real_unit(variable).map_or("1", |unit| unit.name);
             text += &format!(
-                "          <ssd:Connector name=\"{}\" kind=\"{kind}\"><ssc:Real unit=\"{unit}\"/></ssd:Connector>\n",
-                port.variable
+                "          <ssd:Connector name=\"{}\" kind=\"{kind}\"><ssc:Real unit=\"{}\"/></ssd:Connector>\n",
+                variable.path, unit.name
             );
         }
         text += "        </ssd:Connectors>\n";
-        if let Some((file, _)) = &self.parameters {
+        if let Some((file, _)) = &component.parameters {
             text += &format!(
                 "        <ssd:ParameterBindings>\n          <ssd:ParameterBinding source=\"{file}\"/>\n\
                  \x20       </ssd:ParameterBindings>\n"
             );
         }
-        text + "      </ssd:Component>\n"
+        Ok(text + "      </ssd:Component>\n")
+    }
+
+    /// Connected inputs, and all outputs that are physical quantities: what is not connected can be looked at.
+    fn connectors(&self, component: &Component) -> Result<impl Iterator<Item = (&'static Variable, &'static Unit)>> {
+        let is_connected = |variable: &Variable| {
+            let name = variable.path.to_string();
+            self.connections.iter().any(|[_, to]| to.component == component.name && to.variable == name)
+        };
+        let table = component.model()?.table.iter();
+        let ports = table.filter(move |variable| variable.role.is_output() || is_connected(variable));
+        Ok(ports.filter_map(|variable| Some((variable, real_unit(variable)?))))
+    }
+}
+
+impl Component {
+    fn model(&self) -> Result<&'static ModelType> {
+        catalogue::by_name(self.model).with_context(|| format!("there is no model {}", self.model))
     }
 }
 
