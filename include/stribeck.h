@@ -690,6 +690,14 @@ typedef enum stribeck_rooney_deravi_variant {
   STRIBECK_ROONEY_DERAVI_VARIANT_TANH = 3,
 } stribeck_rooney_deravi_variant;
 
+/** Choices of a variable of the type Side. */
+typedef enum stribeck_side {
+  /** The set describes a left tyre; right tyres are its mirror image. */
+  STRIBECK_SIDE_LEFT = 1,
+  /** The set describes a right tyre; left tyres are its mirror image. */
+  STRIBECK_SIDE_RIGHT = 2,
+} stribeck_side;
+
 /** Choices of a variable of the type SideConvention. */
 typedef enum stribeck_side_convention {
   /** Transverse force and moment of the tube on the rod, reduced to the upper eye. */
@@ -6645,6 +6653,410 @@ typedef enum stribeck_four_post_car_variable {
   /** out [N]: Vertical force of the tyre on the ground; 0 while the wheel is off the ground. */
   STRIBECK_FOUR_POST_CAR_RR_TYRE_LOAD = 56,
 } stribeck_four_post_car_variable;
+
+/** Guid of DoubleTrackCar for fmi2Instantiate. */
+#define STRIBECK_DOUBLE_TRACK_CAR_GUID "{9d041519-baff-4f90-94ea-f3688d8a0048}"
+
+/** DoubleTrackCar: Car on two tracks that is steered at constant speed, with tyres after the Magic Formula. Columns of "DoubleTrackCar". */
+typedef enum stribeck_double_track_car_variable {
+  /** in [rad]: Steering angle of the front wheels; positive to the left. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_STEERING_ANGLE = 0,
+  /** fixed [kg]: Mass of the body, without the wheels. (> 0, default 223.2) */
+  STRIBECK_DOUBLE_TRACK_CAR_BODY_MASS = 1,
+  /** fixed [kg.m2]: Moment of inertia of the body about its lateral axis. (> 0, default 126.29) */
+  STRIBECK_DOUBLE_TRACK_CAR_PITCH_INERTIA = 2,
+  /** fixed [kg.m2]: Moment of inertia of the body about its longitudinal axis. (> 0, default 26.46) */
+  STRIBECK_DOUBLE_TRACK_CAR_ROLL_INERTIA = 3,
+  /** fixed [m]: Distance between the axles. (> 0, default 1.528) */
+  STRIBECK_DOUBLE_TRACK_CAR_WHEELBASE = 4,
+  /** fixed [m]: Distance of the front axle ahead of the body's centre of gravity. (>= 0, default 0.8035) */
+  STRIBECK_DOUBLE_TRACK_CAR_CG_TO_FRONT = 5,
+  /** state, out [m]: Height of the centre of gravity above its height at rest. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_HEAVE = 6,
+  /** state, out [m/s]: Vertical velocity of the centre of gravity. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_HEAVE_RATE = 7,
+  /** state, out [rad]: Pitch angle; positive nose down. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_PITCH = 8,
+  /** state, out [rad/s]: Rate of the pitch angle. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_PITCH_RATE = 9,
+  /** state, out [rad]: Roll angle; positive lowers the right side. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_ROLL = 10,
+  /** state, out [rad/s]: Rate of the roll angle. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_ROLL_RATE = 11,
+  /** fixed [m/s]: Forward speed. (> 0, default 20) */
+  STRIBECK_DOUBLE_TRACK_CAR_SPEED = 12,
+  /** fixed [kg.m2]: Moment of inertia of the car about its vertical axis. (> 0, default 142.92) */
+  STRIBECK_DOUBLE_TRACK_CAR_YAW_INERTIA = 13,
+  /** fixed [m]: Height of the body's centre of gravity above the ground. (>= 0, default 0.3203) */
+  STRIBECK_DOUBLE_TRACK_CAR_CG_HEIGHT = 14,
+  /** fixed [m]: Height of the wheels' centres of gravity above the ground; chosen. (>= 0, default 0.2) */
+  STRIBECK_DOUBLE_TRACK_CAR_WHEEL_CENTRE_HEIGHT = 15,
+  /** fixed [m]: Way that a tyre rolls until its side slip has followed by 63 per cent; chosen. (> 0, default 0.2) */
+  STRIBECK_DOUBLE_TRACK_CAR_RELAXATION_LENGTH = 16,
+  /** fixed [N]: Nominal load F_z0 of the set. (> 0, default 3000) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_FNOMIN = 17,
+  /** fixed [m]: Radius R_0 of the tyre without load; chosen. (> 0, default 0.2) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_UNLOADED_RADIUS = 18,
+  /** fixed [m/s]: Reference speed V_0 of the rolling resistance; chosen. (> 0, default 16.7) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_LONGVL = 19,
+  /** fixed [1]: Scale factor of the nominal load; 700 N here, for Formula Student.
+   *  (> 0, default 0.23333333333333334) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_LFZO = 20,
+  /** fixed [1]: Scale factor of the shape of F_x. (default 1) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_LCX = 21,
+  /** fixed [1]: Scale factor of the longitudinal friction; 0.97 in the source. (> 0, default 1) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_LMUX = 22,
+  /** fixed [1]: Scale factor of the curvature of F_x. (default 1) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_LEX = 23,
+  /** fixed [1]: Scale factor of the slip stiffness. (default 1) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_LKX = 24,
+  /** fixed [1]: Scale factor of the horizontal shift of F_x; 1 in the source. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_LHX = 25,
+  /** fixed [1]: Scale factor of the vertical shift of F_x; 1 in the source. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_LVX = 26,
+  /** fixed [1]: Scale factor of the camber in F_x. (default 1) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_LGAX = 27,
+  /** fixed [1]: Scale factor of the shape of F_y. (default 1) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_LCY = 28,
+  /** fixed [1]: Scale factor of the lateral friction; 0.97 in the source. (> 0, default 1) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_LMUY = 29,
+  /** fixed [1]: Scale factor of the curvature of F_y. (default 1) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_LEY = 30,
+  /** fixed [1]: Scale factor of the cornering stiffness. (default 1) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_LKY = 31,
+  /** fixed [1]: Scale factor of the horizontal shift of F_y; 1 in the source. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_LHY = 32,
+  /** fixed [1]: Scale factor of the vertical shift of F_y; 1 in the source. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_LVY = 33,
+  /** fixed [1]: Scale factor of the camber in F_y. (default 1) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_LGAY = 34,
+  /** fixed [1]: Scale factor of the pneumatic trail. (default 1) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_LTR = 35,
+  /** fixed [1]: Scale factor of the residual torque. (default 1) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_LRES = 36,
+  /** fixed [1]: Scale factor of the camber in M_z. (default 1) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_LGAZ = 37,
+  /** fixed [1]: Scale factor of the influence of the side slip on F_x. (default 1) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_LXAL = 38,
+  /** fixed [1]: Scale factor of the influence of the longitudinal slip on F_y. (default 1) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_LYKA = 39,
+  /** fixed [1]: Scale factor of the side force that longitudinal slip induces. (default 1) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_LVYKA = 40,
+  /** fixed [1]: Scale factor of the moment arm of F_x. (default 1) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_LS = 41,
+  /** fixed [1]: Scale factor of the overturning couple. (default 1) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_LMX = 42,
+  /** fixed [1]: Scale factor of the vertical shift of the overturning couple. (default 1) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_LVMX = 43,
+  /** fixed [1]: Scale factor of the rolling resistance. (default 1) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_LMY = 44,
+  /** fixed [1]: Shape factor of F_x. (default 1.6) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PCX1 = 45,
+  /** fixed [1]: Longitudinal friction at the nominal load. (default 1.5) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PDX1 = 46,
+  /** fixed [1]: Change of the longitudinal friction with load. (default -0.04) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PDX2 = 47,
+  /** fixed [1]: Change of the longitudinal friction with the square of camber. (default 0.1) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PDX3 = 48,
+  /** fixed [1]: Curvature of F_x at the nominal load. (default 0.7) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PEX1 = 49,
+  /** fixed [1]: Change of the curvature of F_x with load. (default -0.17) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PEX2 = 50,
+  /** fixed [1]: Change of the curvature of F_x with the square of load. (default 0.023) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PEX3 = 51,
+  /** fixed [1]: Change of the curvature of F_x with the sign of slip. (default -0.14) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PEX4 = 52,
+  /** fixed [1]: Slip stiffness per load at the nominal load. (default 30.7) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PKX1 = 53,
+  /** fixed [1]: Change of the slip stiffness with load. (default 0.27) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PKX2 = 54,
+  /** fixed [1]: Exponent of the slip stiffness with load. (default 0.13) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PKX3 = 55,
+  /** fixed [1]: Horizontal shift of F_x at the nominal load. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PHX1 = 56,
+  /** fixed [1]: Change of the horizontal shift of F_x with load. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PHX2 = 57,
+  /** fixed [1]: Vertical shift of F_x per load at the nominal load. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PVX1 = 58,
+  /** fixed [1]: Change of the vertical shift of F_x with load. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PVX2 = 59,
+  /** fixed [1]: Stiffness of the reduction of F_x by side slip. (default 17.4) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_RBX1 = 60,
+  /** fixed [1]: Change of the stiffness of the reduction of F_x with longitudinal slip. (default 12.9) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_RBX2 = 61,
+  /** fixed [1]: Shape factor of the reduction of F_x. (default 1.1) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_RCX1 = 62,
+  /** fixed [1]: Curvature of the reduction of F_x. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_REX1 = 63,
+  /** fixed [1]: Change of the curvature of the reduction of F_x with load. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_REX2 = 64,
+  /** fixed [1]: Shift of the reduction of F_x. (default 0.001) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_RHX1 = 65,
+  /** fixed [1]: Shape factor of F_y. (default 1.5) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PCY1 = 66,
+  /** fixed [1]: Lateral friction at the nominal load. (default 1.2) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PDY1 = 67,
+  /** fixed [1]: Change of the lateral friction with load. (default -0.09) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PDY2 = 68,
+  /** fixed [1]: Change of the lateral friction with the square of camber. (default 0.1) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PDY3 = 69,
+  /** fixed [1]: Curvature of F_y at the nominal load. (default 0.1) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PEY1 = 70,
+  /** fixed [1]: Change of the curvature of F_y with load. (default -1.2) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PEY2 = 71,
+  /** fixed [1]: Change of the curvature of F_y with the sign of side slip. (default 0.05) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PEY3 = 72,
+  /** fixed [1]: Change of the curvature of F_y with camber and the sign of side slip. (default -8.1) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PEY4 = 73,
+  /** fixed [1]: Largest cornering stiffness per nominal load; negative for these axes. (default -75.5) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PKY1 = 74,
+  /** fixed [1]: Load of the largest cornering stiffness per nominal load; not 0. (default 4.65) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PKY2 = 75,
+  /** fixed [1]: Change of the cornering stiffness with camber. (default -0.6) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PKY3 = 76,
+  /** fixed [1]: Horizontal shift of F_y at the nominal load. (default 0.003) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PHY1 = 77,
+  /** fixed [1]: Change of the horizontal shift of F_y with load. (default -0.0006) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PHY2 = 78,
+  /** fixed [1]: Change of the horizontal shift of F_y with camber. (default 0.004) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PHY3 = 79,
+  /** fixed [1]: Vertical shift of F_y per load at the nominal load. (default 0.04) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PVY1 = 80,
+  /** fixed [1]: Change of the vertical shift of F_y with load. (default -0.02) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PVY2 = 81,
+  /** fixed [1]: Change of the vertical shift of F_y with camber. (default -0.97) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PVY3 = 82,
+  /** fixed [1]: Change of the vertical shift of F_y with camber and load. (default -0.41) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PVY4 = 83,
+  /** fixed [1]: Stiffness of the reduction of F_y by longitudinal slip. (default 20.6) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_RBY1 = 84,
+  /** fixed [1]: Change of the stiffness of the reduction of F_y with side slip. (default -23.5) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_RBY2 = 85,
+  /** fixed [1]: Side slip at which that stiffness is largest. (default 0.001) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_RBY3 = 86,
+  /** fixed [1]: Shape factor of the reduction of F_y. (default 1) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_RCY1 = 87,
+  /** fixed [1]: Curvature of the reduction of F_y. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_REY1 = 88,
+  /** fixed [1]: Change of the curvature of the reduction of F_y with load. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_REY2 = 89,
+  /** fixed [1]: Shift of the reduction of F_y. (default -0.02) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_RHY1 = 90,
+  /** fixed [1]: Change of the shift of the reduction of F_y with load. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_RHY2 = 91,
+  /** fixed [1]: Side force induced by longitudinal slip, at the nominal load. (default 0.16) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_RVY1 = 92,
+  /** fixed [1]: Change of the induced side force with load. (default 0.03) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_RVY2 = 93,
+  /** fixed [1]: Change of the induced side force with camber. (default 27.5) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_RVY3 = 94,
+  /** fixed [1]: Change of the induced side force with side slip. (default -29.7) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_RVY4 = 95,
+  /** fixed [1]: Shape factor of the induced side force. (default 0.03) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_RVY5 = 96,
+  /** fixed [1]: Stiffness of the induced side force. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_RVY6 = 97,
+  /** fixed [1]: Stiffness of the trail at the nominal load. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QBZ1 = 98,
+  /** fixed [1]: Change of the stiffness of the trail with load. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QBZ2 = 99,
+  /** fixed [1]: Change of the stiffness of the trail with the square of load. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QBZ3 = 100,
+  /** fixed [1]: Change of the stiffness of the trail with camber. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QBZ4 = 101,
+  /** fixed [1]: Change of the stiffness of the trail with the size of camber. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QBZ5 = 102,
+  /** fixed [1]: Stiffness of the residual torque. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QBZ9 = 103,
+  /** fixed [1]: Stiffness of the residual torque per that of F_y. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QBZ10 = 104,
+  /** fixed [1]: Shape factor of the trail. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QCZ1 = 105,
+  /** fixed [1]: Largest trail per radius at the nominal load; 0: no trail in the source. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QDZ1 = 106,
+  /** fixed [1]: Change of the largest trail with load. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QDZ2 = 107,
+  /** fixed [1]: Change of the largest trail with camber. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QDZ3 = 108,
+  /** fixed [1]: Change of the largest trail with the square of camber. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QDZ4 = 109,
+  /** fixed [1]: Largest residual torque per radius and load. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QDZ6 = 110,
+  /** fixed [1]: Change of the residual torque with load. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QDZ7 = 111,
+  /** fixed [1]: Change of the residual torque with camber. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QDZ8 = 112,
+  /** fixed [1]: Change of the residual torque with camber and load. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QDZ9 = 113,
+  /** fixed [1]: Curvature of the trail at the nominal load. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QEZ1 = 114,
+  /** fixed [1]: Change of the curvature of the trail with load. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QEZ2 = 115,
+  /** fixed [1]: Change of the curvature of the trail with the square of load. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QEZ3 = 116,
+  /** fixed [1]: Change of the curvature of the trail with side slip. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QEZ4 = 117,
+  /** fixed [1]: Change of the curvature of the trail with side slip and camber. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QEZ5 = 118,
+  /** fixed [1]: Horizontal shift of the trail at the nominal load. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QHZ1 = 119,
+  /** fixed [1]: Change of the horizontal shift of the trail with load. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QHZ2 = 120,
+  /** fixed [1]: Change of the horizontal shift of the trail with camber. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QHZ3 = 121,
+  /** fixed [1]: Change of the horizontal shift of the trail with camber and load. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QHZ4 = 122,
+  /** fixed [1]: Moment arm of F_x per radius. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_SSZ1 = 123,
+  /** fixed [1]: Change of the moment arm with F_y. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_SSZ2 = 124,
+  /** fixed [1]: Change of the moment arm with camber. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_SSZ3 = 125,
+  /** fixed [1]: Change of the moment arm with camber and load. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_SSZ4 = 126,
+  /** fixed [1]: Overturning couple per radius and load. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QSX1 = 127,
+  /** fixed [1]: Change of the overturning couple with camber. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QSX2 = 128,
+  /** fixed [1]: Change of the overturning couple with F_y. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QSX3 = 129,
+  /** fixed [1]: Rolling resistance per radius and load. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QSY1 = 130,
+  /** fixed [1]: Change of the rolling resistance with F_x. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QSY2 = 131,
+  /** fixed [1]: Change of the rolling resistance with speed. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QSY3 = 132,
+  /** fixed [1]: Change of the rolling resistance with the fourth power of speed. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QSY4 = 133,
+  /** fixed [stribeck_side]: Side that the set was measured for; tyres on the other side are mirrored. (default Left) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_SIDE = 134,
+  /** state, out [m]: Position along the road of the car's centre of gravity. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_POSITION_X = 135,
+  /** state, out [m]: Position to the left of the car's centre of gravity. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_POSITION_Y = 136,
+  /** state, out [rad]: Yaw angle; positive to the left. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_YAW_ANGLE = 137,
+  /** state, out [m/s]: Lateral velocity of the car's centre of gravity; positive to the left. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_LATERAL_VELOCITY = 138,
+  /** state, out [rad/s]: Yaw rate; positive to the left. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_YAW_RATE = 139,
+  /** out [m/s2]: Lateral acceleration of the car's centre of gravity; positive to the left. */
+  STRIBECK_DOUBLE_TRACK_CAR_LATERAL_ACCELERATION = 140,
+  /** fixed [m]: Height of the roll centre above the ground. (default 0.035) */
+  STRIBECK_DOUBLE_TRACK_CAR_FRONT_ROLL_CENTRE_HEIGHT = 141,
+  /** fixed [m]: Distance between the wheels of the axle. (> 0, default 1.22) */
+  STRIBECK_DOUBLE_TRACK_CAR_FRONT_TRACK = 142,
+  /** fixed [1]: Damper travel per wheel travel. (> 0, default 1.011) */
+  STRIBECK_DOUBLE_TRACK_CAR_FRONT_MOTION_RATIO = 143,
+  /** fixed [m]: Length of the strut at rest, eye to eye. (> 0, default 0.1775) */
+  STRIBECK_DOUBLE_TRACK_CAR_FRONT_STATIC_LENGTH = 144,
+  /** fixed [N]: Force of the strut at rest: its spring seat counts as adjusted so that this force balances the weight.
+   *  (default 1325.2555) */
+  STRIBECK_DOUBLE_TRACK_CAR_FRONT_STATIC_FORCE = 145,
+  /** fixed [kg]: Mass of the wheel and of what moves with it. (> 0, default 16.36) */
+  STRIBECK_DOUBLE_TRACK_CAR_FRONT_WHEEL_MASS = 146,
+  /** fixed [N/m]: Stiffness of the tyre. (>= 0, default 87563.5) */
+  STRIBECK_DOUBLE_TRACK_CAR_FRONT_TYRE_STIFFNESS = 147,
+  /** fixed [N.s/m]: Damping of the tyre. (>= 0, default 95.8) */
+  STRIBECK_DOUBLE_TRACK_CAR_FRONT_TYRE_DAMPING = 148,
+  /** fixed [m]: Height of the roll centre above the ground. (default 0.05) */
+  STRIBECK_DOUBLE_TRACK_CAR_REAR_ROLL_CENTRE_HEIGHT = 149,
+  /** fixed [m]: Distance between the wheels of the axle. (> 0, default 1.2) */
+  STRIBECK_DOUBLE_TRACK_CAR_REAR_TRACK = 150,
+  /** fixed [1]: Damper travel per wheel travel. (> 0, default 1.004) */
+  STRIBECK_DOUBLE_TRACK_CAR_REAR_MOTION_RATIO = 151,
+  /** fixed [m]: Length of the strut at rest, eye to eye. (> 0, default 0.1775) */
+  STRIBECK_DOUBLE_TRACK_CAR_REAR_STATIC_LENGTH = 152,
+  /** fixed [N]: Force of the strut at rest: its spring seat counts as adjusted so that this force balances the weight.
+   *  (default 1100.2555) */
+  STRIBECK_DOUBLE_TRACK_CAR_REAR_STATIC_FORCE = 153,
+  /** fixed [kg]: Mass of the wheel and of what moves with it. (> 0, default 16.36) */
+  STRIBECK_DOUBLE_TRACK_CAR_REAR_WHEEL_MASS = 154,
+  /** fixed [N/m]: Stiffness of the tyre. (>= 0, default 87563.5) */
+  STRIBECK_DOUBLE_TRACK_CAR_REAR_TYRE_STIFFNESS = 155,
+  /** fixed [N.s/m]: Damping of the tyre. (>= 0, default 95.8) */
+  STRIBECK_DOUBLE_TRACK_CAR_REAR_TYRE_DAMPING = 156,
+  /** in [m]: Height of the road under the wheel. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_FL_ROAD_HEIGHT = 157,
+  /** in [m/s]: Rate of the road's height. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_FL_ROAD_VELOCITY = 158,
+  /** in [N]: Force of the strut; positive pushes its eyes apart. (default 1325.2555) */
+  STRIBECK_DOUBLE_TRACK_CAR_FL_STRUT_FORCE = 159,
+  /** state, out [m]: Height of the wheel above its height at rest. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_FL_WHEEL_HEIGHT = 160,
+  /** state, out [m/s]: Vertical velocity of the wheel. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_FL_WHEEL_VELOCITY = 161,
+  /** out [m]: Length of the strut, eye to eye. */
+  STRIBECK_DOUBLE_TRACK_CAR_FL_LENGTH = 162,
+  /** out [m/s]: Rate of the strut's length; positive as it extends. */
+  STRIBECK_DOUBLE_TRACK_CAR_FL_VELOCITY = 163,
+  /** out [N]: Vertical force of the tyre on the ground; 0 while the wheel is off the ground. */
+  STRIBECK_DOUBLE_TRACK_CAR_FL_TYRE_LOAD = 164,
+  /** state, out [rad]: Side slip of the tyre; positive when the wheel slips to the left. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_FL_SIDE_SLIP = 165,
+  /** out [N]: Lateral force of the road on the tyre; positive to the left. */
+  STRIBECK_DOUBLE_TRACK_CAR_FL_LATERAL_FORCE = 166,
+  /** in [m]: Height of the road under the wheel. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_FR_ROAD_HEIGHT = 167,
+  /** in [m/s]: Rate of the road's height. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_FR_ROAD_VELOCITY = 168,
+  /** in [N]: Force of the strut; positive pushes its eyes apart. (default 1325.2555) */
+  STRIBECK_DOUBLE_TRACK_CAR_FR_STRUT_FORCE = 169,
+  /** state, out [m]: Height of the wheel above its height at rest. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_FR_WHEEL_HEIGHT = 170,
+  /** state, out [m/s]: Vertical velocity of the wheel. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_FR_WHEEL_VELOCITY = 171,
+  /** out [m]: Length of the strut, eye to eye. */
+  STRIBECK_DOUBLE_TRACK_CAR_FR_LENGTH = 172,
+  /** out [m/s]: Rate of the strut's length; positive as it extends. */
+  STRIBECK_DOUBLE_TRACK_CAR_FR_VELOCITY = 173,
+  /** out [N]: Vertical force of the tyre on the ground; 0 while the wheel is off the ground. */
+  STRIBECK_DOUBLE_TRACK_CAR_FR_TYRE_LOAD = 174,
+  /** state, out [rad]: Side slip of the tyre; positive when the wheel slips to the left. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_FR_SIDE_SLIP = 175,
+  /** out [N]: Lateral force of the road on the tyre; positive to the left. */
+  STRIBECK_DOUBLE_TRACK_CAR_FR_LATERAL_FORCE = 176,
+  /** in [m]: Height of the road under the wheel. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_RL_ROAD_HEIGHT = 177,
+  /** in [m/s]: Rate of the road's height. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_RL_ROAD_VELOCITY = 178,
+  /** in [N]: Force of the strut; positive pushes its eyes apart. (default 1100.2555) */
+  STRIBECK_DOUBLE_TRACK_CAR_RL_STRUT_FORCE = 179,
+  /** state, out [m]: Height of the wheel above its height at rest. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_RL_WHEEL_HEIGHT = 180,
+  /** state, out [m/s]: Vertical velocity of the wheel. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_RL_WHEEL_VELOCITY = 181,
+  /** out [m]: Length of the strut, eye to eye. */
+  STRIBECK_DOUBLE_TRACK_CAR_RL_LENGTH = 182,
+  /** out [m/s]: Rate of the strut's length; positive as it extends. */
+  STRIBECK_DOUBLE_TRACK_CAR_RL_VELOCITY = 183,
+  /** out [N]: Vertical force of the tyre on the ground; 0 while the wheel is off the ground. */
+  STRIBECK_DOUBLE_TRACK_CAR_RL_TYRE_LOAD = 184,
+  /** state, out [rad]: Side slip of the tyre; positive when the wheel slips to the left. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_RL_SIDE_SLIP = 185,
+  /** out [N]: Lateral force of the road on the tyre; positive to the left. */
+  STRIBECK_DOUBLE_TRACK_CAR_RL_LATERAL_FORCE = 186,
+  /** in [m]: Height of the road under the wheel. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_RR_ROAD_HEIGHT = 187,
+  /** in [m/s]: Rate of the road's height. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_RR_ROAD_VELOCITY = 188,
+  /** in [N]: Force of the strut; positive pushes its eyes apart. (default 1100.2555) */
+  STRIBECK_DOUBLE_TRACK_CAR_RR_STRUT_FORCE = 189,
+  /** state, out [m]: Height of the wheel above its height at rest. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_RR_WHEEL_HEIGHT = 190,
+  /** state, out [m/s]: Vertical velocity of the wheel. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_RR_WHEEL_VELOCITY = 191,
+  /** out [m]: Length of the strut, eye to eye. */
+  STRIBECK_DOUBLE_TRACK_CAR_RR_LENGTH = 192,
+  /** out [m/s]: Rate of the strut's length; positive as it extends. */
+  STRIBECK_DOUBLE_TRACK_CAR_RR_VELOCITY = 193,
+  /** out [N]: Vertical force of the tyre on the ground; 0 while the wheel is off the ground. */
+  STRIBECK_DOUBLE_TRACK_CAR_RR_TYRE_LOAD = 194,
+  /** state, out [rad]: Side slip of the tyre; positive when the wheel slips to the left. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_RR_SIDE_SLIP = 195,
+  /** out [N]: Lateral force of the road on the tyre; positive to the left. */
+  STRIBECK_DOUBLE_TRACK_CAR_RR_LATERAL_FORCE = 196,
+} stribeck_double_track_car_variable;
 
 /** Guid of Posts for fmi2Instantiate. */
 #define STRIBECK_POSTS_GUID "{d31ea183-740a-585b-cedf-0500781a8777}"

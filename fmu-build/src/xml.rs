@@ -269,8 +269,10 @@ fn start(variable: &Variable) -> String {
 }
 
 fn model_structure(xml: &mut Xml, model: &ModelType) -> io::Result<()> {
-    let dependencies = dependencies::of(model);
+    // Trying does not find every one of hundreds of elements. An entry that names none depends on all.
+    let has_elements = model.table.iter().any(|variable| variable.path.segments()[0].index > 0);
     let is_input = |column: &&usize| model.table[**column].role == Role::Input;
+    let dependencies = dependencies::of(model, |column| !has_elements || is_input(&&column));
     parent(xml, "ModelStructure", vec![], |xml| {
         let outputs = || (0..model.table.len()).filter(|column| model.table[*column].role.is_output());
         if outputs().next().is_some() {
@@ -284,8 +286,6 @@ fn model_structure(xml: &mut Xml, model: &ModelType) -> io::Result<()> {
         let mut initial = outputs().filter(|output| model.table[*output].role.is_computed()).peekable();
         if initial.peek().is_some() {
             parent(xml, "InitialUnknowns", vec![], |xml| {
-                // Trying does not find every one of hundreds of elements. An entry that names none depends on all.
-                let has_elements = model.table.iter().any(|variable| variable.path.segments()[0].index > 0);
                 initial.try_for_each(|output| unknown(xml, output, (!has_elements).then_some(&dependencies[output])))
             })?;
         }
