@@ -6,13 +6,13 @@ crate::part! {
     GasChamber {
         /// Is there a gas force?
         enabled: fixed = boolean(true),
-        /// Absolute gas pressure at full extension.
+        /// Absolute gas pressure at full extension (default chosen).
         p0: tunable = real("Pa", 1e6).at_least(0.0).nominal(1e6),
-        /// Gas volume at full extension.
+        /// Gas volume at full extension (default chosen).
         V0: fixed = real("m3", 3e-5).positive().nominal(1e-5),
-        /// Polytropic exponent.
+        /// Polytropic exponent (default chosen).
         n: fixed = real("1", 1.2).at_least(0.0),
-        /// Diameter of the rod.
+        /// Diameter of the rod (default chosen).
         rod_diameter: fixed = real("m", 0.014).at_least(0.0).shown_in("mm"),
         /// Ambient pressure.
         p_ambient: tunable = real("Pa", 101_325.0).at_least(0.0).nominal(1e5),

@@ -42,13 +42,13 @@ crate::part! {
 crate::part! {
     /// Friction levels of a contact.
     Levels {
-        /// Static coefficient of friction; not less than mu_k.
+        /// Static coefficient of friction; not less than mu_k (default chosen).
         mu_s: tunable = real("1", 0.15).at_least(0.0),
-        /// Kinetic coefficient of friction.
+        /// Kinetic coefficient of friction (default chosen).
         mu_k: tunable = real("1", 0.1).at_least(0.0),
-        /// Breakaway force without normal force, as of a seal; not less than preload_k.
+        /// Breakaway force without normal force, as of a seal; not less than preload_k (default chosen).
         preload_s: tunable = real("N", 10.0).at_least(0.0),
-        /// Sliding friction force without normal force, as of a seal.
+        /// Sliding friction force without normal force, as of a seal (default chosen).
         preload_k: tunable = real("N", 8.0).at_least(0.0),
     }
 }

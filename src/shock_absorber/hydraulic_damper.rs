@@ -30,19 +30,19 @@ crate::part! {
     Hydraulics {
         /// Form of the damper's characteristic.
         mode: fixed = DamperMode::Linear.start(),
-        /// Damping coefficient in compression.
+        /// Damping coefficient in compression (default chosen).
         c_comp: tunable = real("N.s/m", 1500.0).at_least(0.0),
-        /// Damping coefficient in extension (rebound).
+        /// Damping coefficient in extension, the rebound (default chosen).
         c_reb: tunable = real("N.s/m", 2300.0).at_least(0.0),
         /// Degression in compression.
         degr_comp: tunable = real("s/m", 0.0).at_least(0.0),
         /// Degression in extension.
         degr_reb: tunable = real("s/m", 0.0).at_least(0.0),
-        /// Number of points of the table in use.
+        /// Number of points of the table in use (default chosen).
         tab_n: fixed = integer(11).at_least(2.0).at_most(POINTS as f64),
-        /// Velocities of the table, rising; positive in extension.
+        /// Velocities of the table, rising; positive in extension (default chosen).
         tab_v: [tunable; POINTS] = velocities(),
-        /// Resistances of the table, with the sign of the velocity and not falling.
+        /// Resistances of the table, with the sign of the velocity and not falling (default chosen).
         tab_f: [tunable; POINTS] = resistances(),
         /// Curve through the points of the table.
         interpolation: fixed = Interpolation::Linear.start(),

@@ -97,7 +97,7 @@ crate::part! {
 crate::part! {
     /// Numerical settings.
     Numerics {
-        /// Largest internal step.
+        /// Largest internal step (default chosen).
         h_max: fixed = real("s", 1e-4).positive().shown_in("ms"),
         /// How the inputs move within a step.
         input_mode: fixed = InputMode::Hold.start(),
