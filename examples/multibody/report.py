@@ -1,0 +1,143 @@
+"""What the quarter cars of all multibody examples have in common: command line, record, figures, CSV and picture."""
+
+import argparse
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy
+from coupling import FMUS, parameter, positive, write_csv
+from matplotlib.figure import Figure
+from pictures import BLUE, GREY, RED, _axes, _over_time, _save
+from suspension import Bump
+
+COLUMNS = {
+    "time": "s",
+    "road_height": "m",
+    "body_height": "m",
+    "wheel_height": "m",
+    "length": "m",
+    "velocity": "m/s",
+    "force": "N",
+    "friction": "N",
+    "normal_1": "N",
+    "normal_2": "N",
+}
+
+
+@dataclass(frozen=True)
+class Run:
+    """A computed motion: one entry of each array per step. Heights are deviations from the design position."""
+
+    label: str
+    design_length: float
+    time: numpy.ndarray
+    road_height: numpy.ndarray
+    body_height: numpy.ndarray
+    wheel_height: numpy.ndarray
+    length: numpy.ndarray
+    velocity: numpy.ndarray
+    force: numpy.ndarray
+    friction: numpy.ndarray
+    normal_1: numpy.ndarray
+    normal_2: numpy.ndarray
+
+    def rest_height(self) -> float:
+        """Height of the body just before the bump."""
+        return float(numpy.interp(Bump.start, self.time, self.body_height))
+
+    def largest_stroke(self) -> float:
+        """Largest compression of the strut from its design length."""
+        return self.design_length - float(self.length.min())
+
+    def columns(self) -> dict[str, numpy.ndarray]:
+        """The columns of the CSV file."""
+        return {f"{name} [{unit}]": getattr(self, name) for name, unit in COLUMNS.items()}
+
+
+class Recorder:
+    """Rows of a run, written one after the other."""
+
+    def __init__(self, rows: int):
+        self.table = numpy.empty((rows, len(COLUMNS)))
+        self.row = 0
+
+    def add(self, **values: float) -> None:
+        """Writes one row."""
+        self.table[self.row] = [values[name] for name in COLUMNS]
+        self.row += 1
+
+    def run(self, label: str, design_length: float) -> Run:
+        """What was recorded."""
+        return Run(label, design_length, *self.table[: self.row].T)
+
+
+def quarter_car_options(about: str, out: str) -> argparse.ArgumentParser:
+    """The options that all quarter cars have."""
+    parser = argparse.ArgumentParser(description=about, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--step", type=positive, default=1e-3, help="communication step in s (default: 1e-3)")
+    parser.add_argument("--time", type=positive, default=3.5, help="simulated time in s (default: 3.5)")
+    parser.add_argument("--law", default="LuGre", help="friction law of the strut (default: LuGre)")
+    parser.add_argument("--no-friction", action="store_true", help="only the run without friction")
+    parser.add_argument("--native", action="store_true", help="a strut written in Python instead of the FMU")
+    parser.add_argument(
+        "--set",
+        type=parameter,
+        action="append",
+        default=[],
+        metavar="NAME=VALUE",
+        help="parameter of the ShockAbsorber; may be repeated",
+    )
+    parser.add_argument("--fmus", type=Path, default=FMUS, help="folder of the FMUs (default: dist)")
+    parser.add_argument("--out", default=out, help=f"result files, without ending (default: {out})")
+    return parser
+
+
+def run_cases(
+    options: argparse.Namespace, parameters: Mapping[str, object], simulate: Callable[[str, dict[str, object]], Run]
+) -> list[Run]:
+    """The run with friction, if it is wanted, and the one without."""
+    chosen = {**parameters, "friction.model": options.law, **dict(options.set)}
+    cases = {} if options.no_friction else {"with friction": chosen}
+    cases["without friction"] = {**chosen, "friction.model": "None"}
+    return [simulate(label, values) for label, values in cases.items()]
+
+
+def report_quarter_car(title: str, runs: list[Run], out: str) -> None:
+    """Prints the figures of the runs, writes a CSV file of each and one picture."""
+    for run in runs:
+        table = Path(f"{out}_{run.label.replace(' ', '_')}.csv")
+        write_csv(table, run.columns())
+        print(
+            f"{run.label:17} rest height {1e3 * run.rest_height():8.4f} mm, "
+            f"largest stroke {1e3 * run.largest_stroke():8.4f} mm, largest friction {run.friction.max():6.1f} N   {table}"
+        )
+    picture = Path(f"{out}.png")
+    draw_quarter_car(title, runs, picture)
+    print(picture)
+
+
+def draw_quarter_car(title: str, runs: list[Run], path: Path) -> None:
+    """Heights, strut travel and friction over time, and strut force over velocity."""
+    figure = Figure(figsize=(12, 7.2), layout="constrained")
+    figure.suptitle(title)
+    places = [["height", "force"], ["travel", "force"], ["friction", "loop"]]
+    panels = figure.subplot_mosaic(places, width_ratios=[1.5, 1])
+    height = _axes(panels["height"], "", "height of the body [mm]")
+    travel = _axes(panels["travel"], "", "compression of the strut [mm]")
+    friction = _axes(panels["friction"], "time [s]", "friction force [N]")
+    force = _axes(panels["force"], "velocity of the strut [m/s]", "force of the strut [kN]")
+    loop = _axes(panels["loop"], "compression of the strut [mm]", "friction force [N]")
+    height.plot(runs[0].time, 1e3 * runs[0].road_height, color=GREY, linestyle="--", linewidth=1, label="road")
+    # The run with friction comes first and lies on top of the one without.
+    for at, (run, colour) in enumerate(zip(runs, [RED, BLUE] if len(runs) > 1 else [BLUE], strict=True)):
+        compression = 1e3 * (run.design_length - run.length)
+        look = {"color": colour, "linewidth": 1.2, "zorder": 4 - at}
+        height.plot(run.time, 1e3 * run.body_height, label=run.label, **look)
+        travel.plot(run.time, compression, **look)
+        friction.plot(run.time, run.friction, **look)
+        force.plot(run.velocity, 1e-3 * run.force, **look)
+        loop.plot(compression, run.friction, **look)
+    _over_time(runs[0].time, height, travel, friction)
+    figure.legend(handles=height.get_lines(), loc="outside upper right", ncols=3, frameon=False)
+    _save(figure, path)
