@@ -27,9 +27,9 @@ sys.path.append(str(Path(__file__).resolve().parents[1] / "multibody"))
 
 import mjcf
 from coupling import main
-from report import Recorder, Run, quarter_car_options, report_quarter_car, run_cases
+from report import Recorder, Run, cases_of, quarter_car_options, report_quarter_car
 from strut import UNLOADED, Strut, Wrench, open_strut
-from suspension import DOUBLE_WISHBONE, GUIDED, MACPHERSON, Bump, Tyre, strut_parameters
+from suspension import BUMP, DOUBLE_WISHBONE, GUIDED, MACPHERSON, TYRE, Bump, Tyre, strut_parameters
 
 SUSPENSIONS = {
     "double-wishbone": (DOUBLE_WISHBONE, mjcf.double_wishbone),
@@ -95,15 +95,15 @@ def simulate(
     label: str,
     kind: str = "double-wishbone",
     step: float = 1e-3,
-    time: float = 3.5,
+    time: float = 4.0,
     side_loads: bool = False,
-    bump: Bump = Bump(),
-    tyre: Tyre = Tyre(),
+    bump: Bump = BUMP,
+    tyre: Tyre = TYRE,
 ) -> Run:
     """Drives over the bump."""
     steps = round(time / step)
     car = QuarterCar(kind, step, tyre)
-    recorder = Recorder(steps)
+    recorder = Recorder()
     for at in tqdm(range(steps), desc=label, unit="step", leave=False, disable=None):
         length, velocity = car.look()
         road = bump.at(at * step)
@@ -137,7 +137,8 @@ def program() -> None:
         with open_strut(parameters, suspension.length(), options.native, options.fmus) as strut:
             return simulate(strut, label, options.suspension, options.step, options.time, options.side_loads)
 
-    runs = run_cases(options, strut_parameters(suspension), case)
+    cases = cases_of(options, strut_parameters(suspension))
+    runs = [case(label, parameters) for label, parameters in cases.items()]
     report_quarter_car(f"Quarter car in MuJoCo, {options.suspension}, {options.law}", runs, options.out)
 
 

@@ -1,7 +1,7 @@
 """What the quarter cars of all multibody examples have in common: command line, record, figures, CSV and picture."""
 
 import argparse
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -9,7 +9,7 @@ import numpy
 from coupling import FMUS, parameter, positive, write_csv
 from matplotlib.figure import Figure
 from pictures import BLUE, GREY, RED, _axes, _over_time, _save
-from suspension import Bump
+from suspension import BUMP
 
 COLUMNS = {
     "time": "s",
@@ -44,11 +44,16 @@ class Run:
 
     def rest_height(self) -> float:
         """Height of the body just before the bump."""
-        return float(numpy.interp(Bump.start, self.time, self.body_height))
+        return float(numpy.interp(BUMP.start, self.time, self.body_height))
 
     def largest_stroke(self) -> float:
         """Largest compression of the strut from its design length."""
         return self.design_length - float(self.length.min())
+
+    def summary(self) -> str:
+        """The figures of the run."""
+        rest, stroke, friction = 1e3 * self.rest_height(), 1e3 * self.largest_stroke(), numpy.abs(self.friction).max()
+        return f"rest height {rest:.4f} mm, largest stroke {stroke:.4f} mm, largest friction {friction:.1f} N"
 
     def columns(self) -> dict[str, numpy.ndarray]:
         """The columns of the CSV file."""
@@ -58,25 +63,22 @@ class Run:
 class Recorder:
     """Rows of a run, written one after the other."""
 
-    def __init__(self, rows: int):
-        self.table = numpy.empty((rows, len(COLUMNS)))
-        self.row = 0
+    def __init__(self):
+        self.rows: list[list[float]] = []
 
     def add(self, **values: float) -> None:
         """Writes one row."""
-        self.table[self.row] = [values[name] for name in COLUMNS]
-        self.row += 1
+        self.rows.append([values[name] for name in COLUMNS])
 
     def run(self, label: str, design_length: float) -> Run:
         """What was recorded."""
-        return Run(label, design_length, *self.table[: self.row].T)
+        return Run(label, design_length, *numpy.array(self.rows).T)
 
 
-def quarter_car_options(about: str, out: str) -> argparse.ArgumentParser:
-    """The options that all quarter cars have."""
+def strut_options(about: str, out: str) -> argparse.ArgumentParser:
+    """The options that all programs have."""
     parser = argparse.ArgumentParser(description=about, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--step", type=positive, default=1e-3, help="communication step in s (default: 1e-3)")
-    parser.add_argument("--time", type=positive, default=3.5, help="simulated time in s (default: 3.5)")
     parser.add_argument("--law", default="LuGre", help="friction law of the strut (default: LuGre)")
     parser.add_argument("--no-friction", action="store_true", help="only the run without friction")
     parser.add_argument("--native", action="store_true", help="a strut written in Python instead of the FMU")
@@ -93,14 +95,18 @@ def quarter_car_options(about: str, out: str) -> argparse.ArgumentParser:
     return parser
 
 
-def run_cases(
-    options: argparse.Namespace, parameters: Mapping[str, object], simulate: Callable[[str, dict[str, object]], Run]
-) -> list[Run]:
-    """The run with friction, if it is wanted, and the one without."""
+def quarter_car_options(about: str, out: str) -> argparse.ArgumentParser:
+    """The options that all quarter cars have."""
+    parser = strut_options(about, out)
+    parser.add_argument("--time", type=positive, default=4.0, help="simulated time in s (default: 4)")
+    return parser
+
+
+def cases_of(options: argparse.Namespace, parameters: Mapping[str, object]) -> dict[str, dict[str, object]]:
+    """Parameters of the run with friction, if it is wanted, and of the one without."""
     chosen = {**parameters, "friction.model": options.law, **dict(options.set)}
-    cases = {} if options.no_friction else {"with friction": chosen}
-    cases["without friction"] = {**chosen, "friction.model": "None"}
-    return [simulate(label, values) for label, values in cases.items()]
+    without = {"without friction": {**chosen, "friction.model": "None"}}
+    return without if options.no_friction else {"with friction": chosen, **without}
 
 
 def report_quarter_car(title: str, runs: list[Run], out: str) -> None:
@@ -108,10 +114,7 @@ def report_quarter_car(title: str, runs: list[Run], out: str) -> None:
     for run in runs:
         table = Path(f"{out}_{run.label.replace(' ', '_')}.csv")
         write_csv(table, run.columns())
-        print(
-            f"{run.label:17} rest height {1e3 * run.rest_height():8.4f} mm, "
-            f"largest stroke {1e3 * run.largest_stroke():8.4f} mm, largest friction {run.friction.max():6.1f} N   {table}"
-        )
+        print(f"{run.label}: {run.summary()}\n{table}")
     picture = Path(f"{out}.png")
     draw_quarter_car(title, runs, picture)
     print(picture)
@@ -120,7 +123,7 @@ def report_quarter_car(title: str, runs: list[Run], out: str) -> None:
 def draw_quarter_car(title: str, runs: list[Run], path: Path) -> None:
     """Heights, strut travel and friction over time, and strut force over velocity."""
     figure = Figure(figsize=(12, 7.2), layout="constrained")
-    figure.suptitle(title)
+    figure.suptitle(title, x=0.02, horizontalalignment="left")
     places = [["height", "force"], ["travel", "force"], ["friction", "loop"]]
     panels = figure.subplot_mosaic(places, width_ratios=[1.5, 1])
     height = _axes(panels["height"], "", "height of the body [mm]")

@@ -6,7 +6,7 @@ middle size, one corner of which carries 350 kg.
 """
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy
 
@@ -38,15 +38,28 @@ class Suspension:
     rack_end: tuple[float, float, float] = (-0.12, 0.355, 0.25)
     tie_rod_end: tuple[float, float, float] = (-0.12, 0.69, 0.235)
     wheel_centre: tuple[float, float, float] = (0.0, 0.75, 0.31)
-    tube_eye: tuple[float, float, float] = (0.0, 0.45, 0.62)
-    rod_eye: tuple[float, float, float] = (0.0, 0.60, 0.20)
+    tube_eye: tuple[float, float, float] = (0.0, 0.57, 0.62)
+    rod_eye: tuple[float, float, float] = (0.0, 0.65, 0.19)
     lower_arm: Body = Body(4.0, (0.0, 0.52, 0.19), (0.06, 0.03, 0.08))
     upper_arm: Body = Body(2.0, (-0.01, 0.55, 0.465), (0.02, 0.01, 0.03))
     upright: Body = Body(35.0, (0.0, 0.74, 0.31), (0.9, 1.5, 0.9))
-    tube: Body = Body(2.0, (0.0, 0.48, 0.536), (0.015, 0.015, 0.001))
-    rod: Body = Body(1.0, (0.0, 0.56, 0.312), (0.010, 0.010, 0.0005))
+    tube: Body = Body(2.0, (0.0, 0.585, 0.54), (0.015, 0.015, 0.001))
+    rod: Body = Body(1.0, (0.0, 0.632, 0.29), (0.010, 0.010, 0.0005))
     # Spring force in the design position.
-    spring_force: float = 5600.0
+    spring_force: float = 4700.0
+
+    def placed(self, x: float, side: float) -> "Suspension":
+        """The same corner with its axle at `x`, on the left side (1) or on the right (-1)."""
+
+        def move(point: tuple[float, float, float]) -> tuple[float, float, float]:
+            return point[0] + x, side * point[1], point[2]
+
+        values = {name: getattr(self, name) for name in self.__dataclass_fields__}
+        points = {name: move(value) for name, value in values.items() if isinstance(value, tuple)}
+        bodies = {
+            name: replace(value, centre=move(value.centre)) for name, value in values.items() if isinstance(value, Body)
+        }
+        return replace(self, **points, **bodies)
 
     def axis(self) -> numpy.ndarray:
         """Unit vector along the strut from the eye of the tube to the eye of the rod."""
@@ -73,13 +86,13 @@ MACPHERSON = Suspension(
     upright=Body(37.0, (0.0, 0.735, 0.32), (0.9, 1.5, 0.9)),
     tube=Body(2.0, (-0.015, 0.60, 0.41), (0.015, 0.015, 0.001)),
     rod=Body(1.0, (-0.025, 0.58, 0.62), (0.010, 0.010, 0.0005)),
-    spring_force=3600.0,
+    spring_force=3900.0,
 )
 
 DOUBLE_WISHBONE = Suspension()
 
 # Straight up and down: with it a multibody code computes the quarter car of textbooks.
-GUIDED = Suspension(tube_eye=(0.0, 0.75, 0.75), rod_eye=(0.0, 0.75, 0.31), spring_force=3600.0)
+GUIDED = Suspension(tube_eye=(0.0, 0.75, 0.75), rod_eye=(0.0, 0.75, 0.31), spring_force=3800.0)
 
 
 # Mass that one corner carries.
@@ -110,7 +123,7 @@ class Bump:
     """A rise of the road with the shape of one period of a cosine."""
 
     height: float = 0.05
-    start: float = 1.5
+    start: float = 2.0
     duration: float = 0.15
 
     def at(self, time: float) -> tuple[float, float]:
@@ -121,6 +134,10 @@ class Bump:
         phase = 2.0 * math.pi * passed
         rate = math.pi * self.height / self.duration
         return 0.5 * self.height * (1.0 - math.cos(phase)), rate * math.sin(phase)
+
+
+TYRE = Tyre()
+BUMP = Bump()
 
 
 def strut_parameters(suspension: Suspension) -> dict[str, object]:
@@ -141,8 +158,8 @@ def strut_parameters(suspension: Suspension) -> dict[str, object]:
         "gas.enabled": False,
         "bump.gap": 0.14,
         "damper.mode": "Linear",
-        "damper.c_comp": 1500.0,
-        "damper.c_reb": 3000.0,
+        "damper.c_comp": 2000.0,
+        "damper.c_reb": 4000.0,
         "friction.model": "LuGre",
         "friction.sigma_0": 2.0e5,
         "friction.sigma_1": 450.0,

@@ -1,0 +1,248 @@
+#!/usr/bin/env python3
+"""A quarter car in exudyn with the ShockAbsorber FMU as its strut, coupled explicitly or inside the Newton iterations.
+
+    python examples/exudyn/quarter_car.py --coupling implicit --step 1e-3
+
+The car and the bump are those of examples/mujoco/quarter_car.py. Writes <out>.csv, <out>.png.
+
+    --coupling implicit   the force of the strut belongs to the end of the step: each iteration restores the FMU to the
+                          last accepted point and steps it with the length and velocity of the iteration (default)
+               explicit   the FMU steps once, and its force is held over the step
+
+With --native the same law runs in Python, at the same place: the implicit runs then agree to all printed digits.
+"""
+
+import sys
+from collections.abc import Mapping
+from pathlib import Path
+
+import exudyn
+import numpy
+from exudyn.utilities import RigidBodyInertia
+from tqdm import tqdm
+
+sys.path.append(str(Path(__file__).resolve().parents[1] / "fmpy"))
+sys.path.append(str(Path(__file__).resolve().parents[1] / "multibody"))
+
+from coupling import CouplingError, main
+from report import Recorder, Run, cases_of, quarter_car_options, report_quarter_car
+from strut import Strut, open_strut
+from suspension import BUMP, DOUBLE_WISHBONE, GRAVITY, GUIDED, SPRUNG_MASS, TYRE, Body, Suspension, strut_parameters
+
+SUSPENSIONS = {"double-wishbone": DOUBLE_WISHBONE, "guided": GUIDED}
+
+Point = tuple[float, float, float]
+
+
+class QuarterCar:
+    """The bodies and joints. All points are given in the axes of the design position."""
+
+    def __init__(self, kind: str):
+        self.container = exudyn.SystemContainer()
+        self.system = self.container.AddSystem()
+        self.centres: dict[int, Point] = {}
+        self.suspension = SUSPENSIONS[kind]
+        self.ground = self.system.CreateGround(referencePosition=[0.0, 0.0, 0.0])
+        self.centres[self.ground] = (0.0, 0.0, 0.0)
+        self.car = self.body(Body(SPRUNG_MASS, (0.0, 0.0, 0.5), (50.0, 50.0, 50.0)))
+        self.slide(self.ground, self.car, (0.0, 0.0, 0.5))
+        build = {"double-wishbone": self.double_wishbone, "guided": self.guided}[kind]
+        self.wheel, self.carrier = build(self.suspension)
+
+    def body(self, body: Body) -> int:
+        """A rigid body under gravity."""
+        inertia = RigidBodyInertia(body.mass, numpy.diag(body.inertia))
+        number = self.system.CreateRigidBody(
+            referencePosition=list(body.centre), inertia=inertia, gravity=[0.0, 0.0, -GRAVITY]
+        )
+        self.centres[number] = body.centre
+        return number
+
+    def local(self, body: int, point: Point) -> list[float]:
+        """A point in the axes of a body."""
+        return list(numpy.subtract(point, self.centres[body]))
+
+    def slide(self, outer: int, inner: int, point: Point) -> None:
+        """A vertical guide."""
+        self.system.CreatePrismaticJoint(itemNumbers=[outer, inner], position=list(point), axis=[0.0, 0.0, 1.0])
+
+    def hinge(self, arm: int, front: Point, rear: Point) -> None:
+        """The bearings of a wishbone on the body of the car."""
+        middle, axis = 0.5 * numpy.add(front, rear), numpy.subtract(front, rear)
+        axis /= numpy.linalg.norm(axis)
+        self.system.CreateRevoluteJoint(itemNumbers=[self.car, arm], position=list(middle), axis=list(axis))
+
+    def ball(self, first: int, second: int, point: Point) -> None:
+        """A ball joint."""
+        self.system.CreateSphericalJoint(itemNumbers=[first, second], position=list(point))
+
+    def double_wishbone(self, s: Suspension) -> tuple[int, int]:
+        """Builds the wishbones; returns the body of the wheel and the one that carries the strut."""
+        lower, upper, upright = self.body(s.lower_arm), self.body(s.upper_arm), self.body(s.upright)
+        self.hinge(lower, s.lower_front, s.lower_rear)
+        self.hinge(upper, s.upper_front, s.upper_rear)
+        self.ball(lower, upright, s.lower_ball)
+        self.ball(upper, upright, s.upper_ball)
+        self.system.CreateDistanceConstraint(
+            itemNumbers=[self.car, upright],
+            localPosition0=self.local(self.car, s.rack_end),
+            localPosition1=self.local(upright, s.tie_rod_end),
+        )
+        return upright, lower
+
+    def guided(self, s: Suspension) -> tuple[int, int]:
+        """Builds a wheel in a straight guide."""
+        wheel = self.body(Body(s.unsprung_mass(), s.upright.centre, s.upright.inertia))
+        self.slide(self.ground, wheel, s.upright.centre)
+        return wheel, wheel
+
+    def tyre(self) -> None:
+        """The vertical force of the road on the wheel. exudyn counts forces as positive that pull two bodies together."""
+
+        def pull(_system, time, _item, displacement, velocity, _stiffness, _damping, _offset):
+            return [0.0, 0.0, -TYRE.load(TYRE.radius + displacement[2], velocity[2], *BUMP.at(time))]
+
+        centre = self.suspension.wheel_centre
+        self.system.CreateCartesianSpringDamper(
+            itemNumbers=[self.ground, self.wheel],
+            localPosition0=self.local(self.ground, centre),
+            localPosition1=self.local(self.wheel, centre),
+            springForceUserFunction=pull,
+        )
+
+    def strut(self, pull=0) -> int:
+        """The strut between its eyes, with a function for its tension or with a force that is set from outside."""
+        return self.system.CreateSpringDamper(
+            itemNumbers=[self.car, self.carrier],
+            localPosition0=self.local(self.car, self.suspension.tube_eye),
+            localPosition1=self.local(self.carrier, self.suspension.rod_eye),
+            referenceLength=self.suspension.length(),
+            springForceUserFunction=pull,
+        )
+
+    def look(self, strut: int) -> tuple[float, float]:
+        """Length of the strut and its rate."""
+        kinds = exudyn.OutputVariableType
+        line = self.system.GetObjectOutput(strut, kinds.Displacement)
+        length = self.system.GetObjectOutput(strut, kinds.Distance)
+        return length, float(numpy.dot(line, self.system.GetObjectOutput(strut, kinds.Velocity))) / length
+
+    def rise(self, body: int) -> float:
+        """Height of a body above the design position."""
+        return float(self.system.GetObjectOutputBody(body, exudyn.OutputVariableType.Displacement, [0.0, 0.0, 0.0])[2])
+
+
+class Coupling:
+    """Connects a strut with the car; records one row per step."""
+
+    def __init__(self, car: QuarterCar, strut: Strut, step: float, progress: tqdm):
+        self.car, self.strut, self.step, self.progress = car, strut, step, progress
+        self.recorder = Recorder()
+        self.accepted = 0.0
+        self.connector = -1
+
+    def explicitly(self) -> None:
+        """The force is computed at the beginning of a step and held."""
+        self.connector = self.car.strut()
+        self.car.system.SetPreStepUserFunction(self.hold)
+
+    def hold(self, system, time: float) -> bool:
+        """Before a step. exudyn gives the time at the end of the step."""
+        length, velocity = self.car.look(self.connector)
+        force = self.strut.advance(length, velocity, self.step)
+        system.SetObjectParameter(self.connector, "force", -force)
+        self.record(time - self.step, length, velocity, force)
+        return True
+
+    def implicitly(self) -> None:
+        """The force is computed anew in each iteration."""
+        self.connector = self.car.strut(self.iterate)
+        self.car.system.SetPostStepUserFunction(self.accept)
+
+    def iterate(self, _system, time: float, _item, extension: float, velocity: float, *_linear: float) -> float:
+        """The tension of the strut at the end of the step, as far as the iteration knows it."""
+        length = self.car.suspension.length() + extension
+        return -self.strut.attempt(length, velocity, time - self.accepted)
+
+    def accept(self, _system, time: float) -> bool:
+        """After a step. The last iteration may have been one with disturbed values, for the Jacobian."""
+        length, velocity = self.car.look(self.connector)
+        force = self.strut.attempt(length, velocity, time - self.accepted)
+        self.strut.accept()
+        self.accepted = time
+        self.record(time, length, velocity, force)
+        return True
+
+    def record(self, time: float, length: float, velocity: float, force: float) -> None:
+        """Writes a row."""
+        normal_1, normal_2 = self.strut.contact_loads()
+        self.recorder.add(
+            time=time,
+            road_height=BUMP.at(time)[0],
+            body_height=self.car.rise(self.car.car),
+            wheel_height=self.car.rise(self.car.wheel),
+            length=length,
+            velocity=velocity,
+            force=force,
+            friction=self.strut.friction(),
+            normal_1=normal_1,
+            normal_2=normal_2,
+        )
+        self.progress.update()
+
+
+def settings(step: float, steps: int) -> exudyn.SimulationSettings:
+    """An implicit integrator with a fixed step; nothing is written."""
+    chosen = exudyn.SimulationSettings()
+    chosen.timeIntegration.numberOfSteps = steps
+    chosen.timeIntegration.endTime = step * steps
+    chosen.timeIntegration.adaptiveStep = False
+    chosen.timeIntegration.verboseMode = 0
+    chosen.timeIntegration.generalizedAlpha.spectralRadius = 0.8
+    chosen.timeIntegration.newton.relativeTolerance = 1e-9
+    chosen.timeIntegration.newton.absoluteTolerance = 1e-12
+    chosen.solution.file.write = False
+    return chosen
+
+
+def simulate(
+    strut: Strut,
+    label: str,
+    coupling: str = "implicit",
+    kind: str = "double-wishbone",
+    step: float = 1e-3,
+    time: float = 4.0,
+) -> Run:
+    """Drives over the bump."""
+    steps = round(time / step)
+    car = QuarterCar(kind)
+    car.tyre()
+    with tqdm(total=steps, desc=label, unit="step", leave=False, disable=None) as progress:
+        connection = Coupling(car, strut, step, progress)
+        {"explicit": connection.explicitly, "implicit": connection.implicitly}[coupling]()
+        car.system.Assemble()
+        if not car.system.SolveDynamic(settings(step, steps)):
+            raise CouplingError(f"exudyn gives up at {connection.accepted:.4f} s: try a smaller --step")
+    return connection.recorder.run(label, car.suspension.length())
+
+
+def program() -> None:
+    """Runs what the command line asks for."""
+    parser = quarter_car_options(__doc__, out="out/exudyn_quarter_car")
+    parser.add_argument("--coupling", choices=("implicit", "explicit"), default="implicit")
+    parser.add_argument("--suspension", choices=SUSPENSIONS, default="double-wishbone")
+    options = parser.parse_args()
+    suspension = SUSPENSIONS[options.suspension]
+
+    def case(label: str, parameters: Mapping[str, object]) -> Run:
+        with open_strut(parameters, suspension.length(), options.native, options.fmus) as strut:
+            return simulate(strut, label, options.coupling, options.suspension, options.step, options.time)
+
+    cases = cases_of(options, strut_parameters(suspension))
+    runs = [case(label, parameters) for label, parameters in cases.items()]
+    title = f"Quarter car in exudyn, {options.suspension}, {options.law}, {options.coupling} coupling"
+    report_quarter_car(title, runs, options.out)
+
+
+if __name__ == "__main__":
+    sys.exit(main(program))
