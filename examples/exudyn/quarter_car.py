@@ -97,7 +97,7 @@ class QuarterCar:
         return wheel, wheel
 
     def tyre(self) -> None:
-        """The vertical force of the road on the wheel. exudyn counts forces as positive that pull two bodies together."""
+        """The vertical force of the road on the wheel; for exudyn forces are positive that pull two bodies together."""
 
         def pull(_system, time, _item, displacement, velocity, _stiffness, _damping, _offset):
             return [0.0, 0.0, -TYRE.load(TYRE.radius + displacement[2], velocity[2], *BUMP.at(time))]

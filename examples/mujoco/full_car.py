@@ -30,7 +30,7 @@ sys.path.append(str(Path(__file__).resolve().parents[1] / "multibody"))
 
 import mjcf
 from coupling import main, positive, write_csv
-from full_car_pictures import draw_four_post, draw_lane_change
+from friction_pictures import Quantity, draw_runs
 from magic_formula import LateralTyre
 from report import cases_of, strut_options
 from strut import Strut, open_strut
@@ -60,6 +60,18 @@ CAR_COLUMNS = {
     "steering": "rad",
 }
 CORNER_COLUMNS = {"length": "m", "velocity": "m/s", "force": "N", "friction": "N", "tyre_load": "N"}
+
+FRICTION = Quantity("fl.friction", "friction force, fl [N]")
+FRONT_LEFT = [FRICTION, Quantity("fl.tyre_load", "tyre load, fl [kN]", 1e-3)]
+DEGREES = 180.0 / math.pi
+OVER_TIME = {
+    "four-post": [Quantity("heave", "heave [mm]", 1e3), Quantity("pitch", "pitch [degrees]", DEGREES), *FRONT_LEFT],
+    "lane-change": [Quantity("position_y", "path [m]"), Quantity("roll", "roll [degrees]", DEGREES), *FRONT_LEFT],
+}
+LOOPS = [
+    (Quantity("fl.velocity", "velocity of the strut, fl [m/s]"), FRICTION),
+    (Quantity("fl.length", "length of the strut, fl [mm]", 1e3), FRICTION),
+]
 
 
 @dataclass(frozen=True)
@@ -237,7 +249,8 @@ def summary(run: Mapping[str, numpy.ndarray], manoeuvre: FourPost | LaneChange) 
     roll = numpy.degrees(run["roll"] - before)
     return (
         f"largest roll {numpy.abs(roll).max():.3f} degrees, left over at the end {roll[-1]:.4f} degrees, "
-        f"lane {run['position_y'].max():.2f} m, lateral acceleration {numpy.abs(lateral_acceleration(run)).max():.2f} m/s^2"
+        f"lane {run['position_y'].max():.2f} m, "
+        f"lateral acceleration {numpy.abs(lateral_acceleration(run)).max():.2f} m/s^2"
     )
 
 
@@ -252,10 +265,7 @@ def arguments() -> argparse.Namespace:
 def program() -> None:
     """Runs what the command line asks for."""
     options = arguments()
-    manoeuvre, time, draw = {
-        "four-post": (FourPost(), 5.0, draw_four_post),
-        "lane-change": (LaneChange(), 8.0, draw_lane_change),
-    }[options.test]
+    manoeuvre, time = {"four-post": (FourPost(), 5.0), "lane-change": (LaneChange(), 8.0)}[options.test]
     runs = {}
     for label, parameters in cases_of(options, strut_parameters(DOUBLE_WISHBONE)).items():
         where = {"native": options.native, "fmus": options.fmus}
@@ -265,7 +275,13 @@ def program() -> None:
         print(f"{label}: {summary(run, manoeuvre)}\n{table}")
         runs[label] = run
     picture = Path(f"{options.out}_{options.test}.png")
-    draw(runs, f"Full car in MuJoCo, {options.test}, {options.law}", picture)
+    draw_runs(
+        f"Full car in MuJoCo, {options.test}, {options.law}",
+        runs,
+        [*OVER_TIME[options.test], FRICTION, TYRE_LOAD],
+        LOOPS,
+        picture,
+    )
     print(picture)
 
 

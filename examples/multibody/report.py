@@ -7,8 +7,7 @@ from pathlib import Path
 
 import numpy
 from coupling import FMUS, parameter, positive, write_csv
-from matplotlib.figure import Figure
-from pictures import BLUE, GREY, RED, _axes, _over_time, _save
+from friction_pictures import Quantity, draw_runs
 from suspension import BUMP
 
 COLUMNS = {
@@ -23,6 +22,14 @@ COLUMNS = {
     "normal_1": "N",
     "normal_2": "N",
 }
+
+FRICTION = Quantity("friction", "friction force [N]")
+COMPRESSION = Quantity("compression", "compression of the strut [mm]", 1e3)
+OVER_TIME = [Quantity("body_height", "height of the body [mm]", 1e3), COMPRESSION, FRICTION]
+LOOPS = [
+    (Quantity("velocity", "velocity of the strut [m/s]"), Quantity("force", "force of the strut [kN]", 1e-3)),
+    (COMPRESSION, FRICTION),
+]
 
 
 @dataclass(frozen=True)
@@ -49,6 +56,10 @@ class Run:
     def largest_stroke(self) -> float:
         """Largest compression of the strut from its design length."""
         return self.design_length - float(self.length.min())
+
+    def drawn(self) -> dict[str, numpy.ndarray]:
+        """What the picture shows, by name."""
+        return {**{name: getattr(self, name) for name in COLUMNS}, "compression": self.design_length - self.length}
 
     def summary(self) -> str:
         """The figures of the run."""
@@ -116,31 +127,5 @@ def report_quarter_car(title: str, runs: list[Run], out: str) -> None:
         write_csv(table, run.columns())
         print(f"{run.label}: {run.summary()}\n{table}")
     picture = Path(f"{out}.png")
-    draw_quarter_car(title, runs, picture)
+    draw_runs(title, {run.label: run.drawn() for run in runs}, OVER_TIME, LOOPS, picture)
     print(picture)
-
-
-def draw_quarter_car(title: str, runs: list[Run], path: Path) -> None:
-    """Heights, strut travel and friction over time, and strut force over velocity."""
-    figure = Figure(figsize=(12, 7.2), layout="constrained")
-    figure.suptitle(title, x=0.02, horizontalalignment="left")
-    places = [["height", "force"], ["travel", "force"], ["friction", "loop"]]
-    panels = figure.subplot_mosaic(places, width_ratios=[1.5, 1])
-    height = _axes(panels["height"], "", "height of the body [mm]")
-    travel = _axes(panels["travel"], "", "compression of the strut [mm]")
-    friction = _axes(panels["friction"], "time [s]", "friction force [N]")
-    force = _axes(panels["force"], "velocity of the strut [m/s]", "force of the strut [kN]")
-    loop = _axes(panels["loop"], "compression of the strut [mm]", "friction force [N]")
-    height.plot(runs[0].time, 1e3 * runs[0].road_height, color=GREY, linestyle="--", linewidth=1, label="road")
-    # The run with friction comes first and lies on top of the one without.
-    for at, (run, colour) in enumerate(zip(runs, [RED, BLUE] if len(runs) > 1 else [BLUE], strict=True)):
-        compression = 1e3 * (run.design_length - run.length)
-        look = {"color": colour, "linewidth": 1.2, "zorder": 4 - at}
-        height.plot(run.time, 1e3 * run.body_height, label=run.label, **look)
-        travel.plot(run.time, compression, **look)
-        friction.plot(run.time, run.friction, **look)
-        force.plot(run.velocity, 1e-3 * run.force, **look)
-        loop.plot(compression, run.friction, **look)
-    _over_time(runs[0].time, height, travel, friction)
-    figure.legend(handles=height.get_lines(), loc="outside upper right", ncols=3, frameon=False)
-    _save(figure, path)
