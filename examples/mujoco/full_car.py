@@ -275,13 +275,8 @@ def program() -> None:
         print(f"{label}: {summary(run, manoeuvre)}\n{table}")
         runs[label] = run
     picture = Path(f"{options.out}_{options.test}.png")
-    draw_runs(
-        f"Full car in MuJoCo, {options.test}, {options.law}",
-        runs,
-        [*OVER_TIME[options.test], FRICTION, TYRE_LOAD],
-        LOOPS,
-        picture,
-    )
+    title = f"Full car in MuJoCo, {options.test}, {options.law}"
+    draw_runs(title, runs, OVER_TIME[options.test], LOOPS, picture)
     print(picture)
 
 
