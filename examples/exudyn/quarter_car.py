@@ -9,7 +9,8 @@ The car and the bump are those of examples/mujoco/quarter_car.py. Writes <out>.c
                           last accepted point and steps it with the length and velocity of the iteration (default)
                explicit   the FMU steps once, and its force is held over the step
 
-With --native the same law runs in Python, at the same place: the implicit runs then agree to all printed digits.
+With --native the same law runs in Python, at the same place: the implicit runs then agree to all printed digits. With
+--side-loads the reaction between tube and rod goes into the FMU, for --suspension telescope and macpherson.
 """
 
 import sys
@@ -26,10 +27,30 @@ sys.path.append(str(Path(__file__).resolve().parents[1] / "multibody"))
 
 from coupling import CouplingError, main
 from report import Recorder, Run, cases_of, quarter_car_options, report_quarter_car
-from strut import Strut, open_strut
-from suspension import BUMP, DOUBLE_WISHBONE, GRAVITY, GUIDED, SPRUNG_MASS, TYRE, Body, Suspension, strut_parameters
+from strut import UNLOADED, Strut, Wrench, open_strut
+from suspension import (
+    BUMP,
+    DOUBLE_WISHBONE,
+    GRAVITY,
+    GUIDED,
+    MACPHERSON,
+    SPRUNG_MASS,
+    TYRE,
+    Body,
+    Suspension,
+    strut_parameters,
+)
 
-SUSPENSIONS = {"double-wishbone": DOUBLE_WISHBONE, "guided": GUIDED}
+SUSPENSIONS = {
+    "double-wishbone": DOUBLE_WISHBONE,
+    "telescope": DOUBLE_WISHBONE,
+    "macpherson": MACPHERSON,
+    "guided": GUIDED,
+}
+
+# Which axes of the joint frame (m, n, a) a joint locks: three directions, then three rotations.
+UNIVERSAL = [1, 1, 1, 0, 0, 1]
+SLIDING = [1, 1, 0, 1, 1, 1]
 
 Point = tuple[float, float, float]
 
@@ -46,8 +67,16 @@ class QuarterCar:
         self.centres[self.ground] = (0.0, 0.0, 0.0)
         self.car = self.body(Body(SPRUNG_MASS, (0.0, 0.0, 0.5), (50.0, 50.0, 50.0)))
         self.slide(self.ground, self.car, (0.0, 0.0, 0.5))
-        build = {"double-wishbone": self.double_wishbone, "guided": self.guided}[kind]
-        self.wheel, self.carrier = build(self.suspension)
+        # The bodies of the wheel and of both eyes of the strut; in a telescope, the joint between tube and rod.
+        self.wheel = self.tube = self.rod = self.car
+        self.telescope: int | None = None
+        build = {
+            "double-wishbone": self.double_wishbone,
+            "telescope": self.telescopic_wishbone,
+            "macpherson": self.macpherson,
+            "guided": self.guided,
+        }[kind]
+        build(self.suspension)
 
     def body(self, body: Body) -> int:
         """A rigid body under gravity."""
@@ -76,25 +105,65 @@ class QuarterCar:
         """A ball joint."""
         self.system.CreateSphericalJoint(itemNumbers=[first, second], position=list(point))
 
-    def double_wishbone(self, s: Suspension) -> tuple[int, int]:
-        """Builds the wishbones; returns the body of the wheel and the one that carries the strut."""
-        lower, upper, upright = self.body(s.lower_arm), self.body(s.upper_arm), self.body(s.upright)
-        self.hinge(lower, s.lower_front, s.lower_rear)
-        self.hinge(upper, s.upper_front, s.upper_rear)
-        self.ball(lower, upright, s.lower_ball)
-        self.ball(upper, upright, s.upper_ball)
+    def lower_arm(self, s: Suspension) -> int:
+        """The lower arm and the tie rod of a wheel; returns the arm."""
+        arm = self.body(s.lower_arm)
+        self.hinge(arm, s.lower_front, s.lower_rear)
+        self.ball(arm, self.wheel, s.lower_ball)
         self.system.CreateDistanceConstraint(
-            itemNumbers=[self.car, upright],
+            itemNumbers=[self.car, self.wheel],
             localPosition0=self.local(self.car, s.rack_end),
-            localPosition1=self.local(upright, s.tie_rod_end),
+            localPosition1=self.local(self.wheel, s.tie_rod_end),
         )
-        return upright, lower
+        return arm
 
-    def guided(self, s: Suspension) -> tuple[int, int]:
-        """Builds a wheel in a straight guide."""
-        wheel = self.body(Body(s.unsprung_mass(), s.upright.centre, s.upright.inertia))
-        self.slide(self.ground, wheel, s.upright.centre)
-        return wheel, wheel
+    def double_wishbone(self, s: Suspension) -> None:
+        """A strut without mass between body and lower arm."""
+        self.wheel = self.body(s.upright)
+        self.rod = self.lower_arm(s)
+        upper = self.body(s.upper_arm)
+        self.hinge(upper, s.upper_front, s.upper_rear)
+        self.ball(upper, self.wheel, s.upper_ball)
+
+    def telescopic_wishbone(self, s: Suspension) -> None:
+        """The same with tube and rod, which hang in universal joints."""
+        self.double_wishbone(s)
+        arm, self.tube, self.rod = self.rod, self.body(s.tube), self.body(s.rod)
+        self.strut_joint(self.car, self.tube, s.tube_eye, UNIVERSAL)
+        self.telescope = self.strut_joint(self.tube, self.rod, s.rod_eye, SLIDING)
+        self.ball(arm, self.rod, s.rod_eye)
+
+    def macpherson(self, s: Suspension) -> None:
+        """A strut whose tube is bolted to the upright and whose rod is held by the car."""
+        self.wheel = self.tube = self.body(s.upright)
+        self.lower_arm(s)
+        self.rod = self.body(s.rod)
+        self.telescope = self.strut_joint(self.tube, self.rod, s.rod_eye, SLIDING)
+        self.ball(self.car, self.rod, s.rod_eye)
+
+    def guided(self, s: Suspension) -> None:
+        """A wheel in a straight guide."""
+        self.wheel = self.rod = self.body(Body(s.unsprung_mass(), s.upright.centre, s.upright.inertia))
+        self.slide(self.ground, self.wheel, s.upright.centre)
+
+    def strut_joint(self, outer: int, inner: int, point: Point, locked: list[int]) -> int:
+        """A joint whose axes are those of the strut."""
+        return self.system.CreateGenericJoint(
+            itemNumbers=[outer, inner],
+            position=list(point),
+            rotationMatrixAxes=self.suspension.strut_axes(),
+            constrainedAxes=locked,
+        )
+
+    def wrench(self, length: float) -> Wrench:
+        """Reaction of the tube on the rod, as exudyn has computed it last."""
+        if self.telescope is None:
+            return UNLOADED
+        kinds = exudyn.OutputVariableType
+        force = self.system.GetObjectOutput(self.telescope, kinds.ForceLocal)
+        moment = self.system.GetObjectOutput(self.telescope, kinds.TorqueLocal)
+        # The force is what the rod does to the tube, but the moment is what the tube does to the rod: found by statics.
+        return Wrench.in_rod_eye(-force, moment, length)
 
     def tyre(self) -> None:
         """The vertical force of the road on the wheel; for exudyn forces are positive that pull two bodies together."""
@@ -113,9 +182,9 @@ class QuarterCar:
     def strut(self, pull=0) -> int:
         """The strut between its eyes, with a function for its tension or with a force that is set from outside."""
         return self.system.CreateSpringDamper(
-            itemNumbers=[self.car, self.carrier],
-            localPosition0=self.local(self.car, self.suspension.tube_eye),
-            localPosition1=self.local(self.carrier, self.suspension.rod_eye),
+            itemNumbers=[self.tube, self.rod],
+            localPosition0=self.local(self.tube, self.suspension.tube_eye),
+            localPosition1=self.local(self.rod, self.suspension.rod_eye),
             referenceLength=self.suspension.length(),
             springForceUserFunction=pull,
         )
@@ -135,8 +204,9 @@ class QuarterCar:
 class Coupling:
     """Connects a strut with the car; records one row per step."""
 
-    def __init__(self, car: QuarterCar, strut: Strut, step: float, progress: tqdm):
+    def __init__(self, car: QuarterCar, strut: Strut, step: float, side_loads: bool, progress: tqdm):
         self.car, self.strut, self.step, self.progress = car, strut, step, progress
+        self.side_loads, self.wrench = side_loads, UNLOADED
         self.recorder = Recorder()
         self.accepted = 0.0
         self.connector = -1
@@ -149,7 +219,8 @@ class Coupling:
     def hold(self, system, time: float) -> bool:
         """Before a step. exudyn gives the time at the end of the step."""
         length, velocity = self.car.look(self.connector)
-        force = self.strut.advance(length, velocity, self.step)
+        self.weigh(length)
+        force = self.strut.advance(length, velocity, self.step, self.wrench)
         system.SetObjectParameter(self.connector, "force", -force)
         self.record(time - self.step, length, velocity, force)
         return True
@@ -162,16 +233,22 @@ class Coupling:
     def iterate(self, _system, time: float, _item, extension: float, velocity: float, *_linear: float) -> float:
         """The tension of the strut at the end of the step, as far as the iteration knows it."""
         length = self.car.suspension.length() + extension
-        return -self.strut.attempt(length, velocity, time - self.accepted)
+        return -self.strut.attempt(length, velocity, time - self.accepted, self.wrench)
 
     def accept(self, _system, time: float) -> bool:
         """After a step. The last iteration may have been one with disturbed values, for the Jacobian."""
         length, velocity = self.car.look(self.connector)
-        force = self.strut.attempt(length, velocity, time - self.accepted)
+        force = self.strut.attempt(length, velocity, time - self.accepted, self.wrench)
         self.strut.accept()
         self.accepted = time
+        self.weigh(length)
         self.record(time, length, velocity, force)
         return True
+
+    def weigh(self, length: float) -> None:
+        """Takes the side loads for the next step."""
+        if self.side_loads:
+            self.wrench = self.car.wrench(length)
 
     def record(self, time: float, length: float, velocity: float, force: float) -> None:
         """Writes a row."""
@@ -212,13 +289,14 @@ def simulate(
     kind: str = "double-wishbone",
     step: float = 1e-3,
     time: float = 4.0,
+    side_loads: bool = False,
 ) -> Run:
     """Drives over the bump."""
     steps = round(time / step)
     car = QuarterCar(kind)
     car.tyre()
     with tqdm(total=steps, desc=label, unit="step", leave=False, disable=None) as progress:
-        connection = Coupling(car, strut, step, progress)
+        connection = Coupling(car, strut, step, side_loads, progress)
         {"explicit": connection.explicitly, "implicit": connection.implicitly}[coupling]()
         car.system.Assemble()
         if not car.system.SolveDynamic(settings(step, steps)):
@@ -231,12 +309,14 @@ def program() -> None:
     parser = quarter_car_options(__doc__, out="out/exudyn_quarter_car")
     parser.add_argument("--coupling", choices=("implicit", "explicit"), default="implicit")
     parser.add_argument("--suspension", choices=SUSPENSIONS, default="double-wishbone")
+    parser.add_argument("--side-loads", action="store_true", help="feed the reaction between tube and rod to the strut")
     options = parser.parse_args()
     suspension = SUSPENSIONS[options.suspension]
 
     def case(label: str, parameters: Mapping[str, object]) -> Run:
         with open_strut(parameters, suspension.length(), options.native, options.fmus) as strut:
-            return simulate(strut, label, options.coupling, options.suspension, options.step, options.time)
+            how = (options.coupling, options.suspension, options.step, options.time, options.side_loads)
+            return simulate(strut, label, *how)
 
     cases = cases_of(options, strut_parameters(suspension))
     runs = [case(label, parameters) for label, parameters in cases.items()]

@@ -68,9 +68,8 @@ class QuarterCar:
         """Reaction of the tube on the rod, which MuJoCo has computed in the step before."""
         if not self.telescopic:
             return UNLOADED
-        # MuJoCo's sensors give what the inner body, here the rod, does to the outer one, in the eye of the rod.
-        force, moment = -self.data.sensor("fl.force").data, -self.data.sensor("fl.torque").data
-        return reduced(force, moment, length)
+        # The sensors give what the outer body, here the tube, does to the inner one that carries them.
+        return Wrench.in_rod_eye(self.data.sensor("fl.force").data, self.data.sensor("fl.torque").data, length)
 
     def move(self, force: float, road: tuple[float, float]) -> None:
         """Goes one step ahead with a force of the strut."""
@@ -83,11 +82,6 @@ class QuarterCar:
     def body_height(self) -> float:
         """Deviation of the body from the design position."""
         return float(self.data.qpos[0])
-
-
-def reduced(force: numpy.ndarray, moment: numpy.ndarray, length: float) -> Wrench:
-    """A wrench in the axes (m, n, a), moved from the eye of the rod to that of the tube, a length below it along a."""
-    return Wrench(force[0], force[1], moment[0] - length * force[1], moment[1] + length * force[0])
 
 
 def simulate(

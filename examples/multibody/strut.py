@@ -6,7 +6,7 @@ the step calls `attempt` as often as it likes, always from the last accepted poi
 
 import math
 from abc import ABC, abstractmethod
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from ctypes import byref, c_void_p
 from dataclasses import dataclass
@@ -23,6 +23,11 @@ class Wrench:
     force_n: float = 0.0
     moment_m: float = 0.0
     moment_n: float = 0.0
+
+    @classmethod
+    def in_rod_eye(cls, force: Sequence[float], moment: Sequence[float], length: float) -> "Wrench":
+        """From force and moment in the eye of the rod, in the axes m, n and a, the axis from the tube to the rod."""
+        return cls(force[0], force[1], moment[0] - length * force[1], moment[1] + length * force[0])
 
 
 UNLOADED = Wrench()

@@ -70,6 +70,10 @@ class Suspension:
         m = _unit(numpy.cross((1.0, 0.0, 0.0), self.axis()))
         return m, numpy.cross(self.axis(), m)
 
+    def strut_axes(self) -> numpy.ndarray:
+        """The axes of the strut as columns: m, n and the axis itself."""
+        return numpy.column_stack([*self.transverse(), self.axis()])
+
     def length(self) -> float:
         """Distance of the eyes in the design position."""
         return math.dist(self.rod_eye, self.tube_eye)
