@@ -27,7 +27,7 @@ sys.path.append(str(Path(__file__).resolve().parents[1] / "multibody"))
 
 from coupling import CouplingError, main
 from report import Recorder, Run, cases_of, quarter_car_options, report_quarter_car
-from strut import UNLOADED, Strut, Wrench, open_strut
+from hosted_strut import UNLOADED, Strut, Wrench, open_strut
 from suspension import (
     BUMP,
     DOUBLE_WISHBONE,
