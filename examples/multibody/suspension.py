@@ -174,6 +174,8 @@ def strut_parameters(suspension: Suspension) -> dict[str, object]:
         "c2.preload_k": 30.0,
         "c2.preload_s": 60.0,
         "side.offset_m": 0.0,
+        # At rest at the start. A host that iterates asks for the first force with a velocity that is not 0.
+        "init.friction_state": "Zero",
     }
 
 
