@@ -76,6 +76,11 @@ def variables_of(path: Path) -> dict[str, ScalarVariable]:
     return _by_name(fmpy.read_model_description(str(path)))
 
 
+def numbers_of(path: Path, parameters: Mapping[str, object]) -> dict[str, object]:
+    """Parameters of an FMU as numbers, also those that are given as text or as the name of a choice."""
+    return _start_values(fmpy.read_model_description(str(path)), parameters)
+
+
 @contextmanager
 def open_fmu(path: Path, parameters: Mapping[str, object] | None = None) -> Iterator[Fmu]:
     """Extracts, instantiates and initialises an FMU; at the end terminates it, frees it and deletes what was extracted.

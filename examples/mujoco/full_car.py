@@ -31,9 +31,9 @@ sys.path.append(str(Path(__file__).resolve().parents[1] / "multibody"))
 import mjcf
 from coupling import main, positive, write_csv
 from friction_pictures import Quantity, draw_runs
+from hosted_strut import Strut, open_strut
 from magic_formula import LateralTyre
 from report import cases_of, strut_options
-from hosted_strut import Strut, open_strut
 from suspension import CORNERS, DOUBLE_WISHBONE, SPRUNG_MASS, TYRE, Body, strut_parameters
 
 # Chosen: a car of middle size whose corners carry the same mass as the quarter cars.

@@ -18,6 +18,7 @@ STIFF = 'solref="0.002 1" solimp="0.999 0.9999 0.0001"'
 class Parts:
     """Pieces of a model, by the section of the file they belong to."""
 
+    extensions: list[str] = field(default_factory=list)
     bodies: list[str] = field(default_factory=list)
     sites: list[str] = field(default_factory=list)
     equalities: list[str] = field(default_factory=list)
@@ -171,6 +172,7 @@ def full_car(car: Body, front: float, rear: float, s: Suspension, step: float) -
 def model(car: str, parts: Parts, step: float) -> str:
     """The whole file."""
     sections = {
+        "extension": parts.extensions,
         "worldbody": [car],
         "tendon": parts.tendons,
         "equality": parts.equalities,
