@@ -17,6 +17,7 @@
 
 #include <cstdint>
 #include <cstdlib>
+#include <cstring>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -65,9 +66,12 @@ class ShockAbsorber {
         check(stribeck_set_by_name(handle.get(), parameter.c_str(), value));
     }
 
-    // One step from a saved state; returns the force.
+    // One step from a saved state; returns the force. Most often the model is still in that state.
     double step(const mjtNum *state, double now_length, double now_velocity, double dt) {
-        check(stribeck_restore(handle.get(), state, state_size()));
+        if (here.empty() || std::memcmp(here.data(), state, state_size()) != 0) {
+            check(stribeck_restore(handle.get(), state, state_size()));
+        }
+        here.clear();
         check(stribeck_set(handle.get(), length, now_length));
         check(stribeck_set(handle.get(), velocity, now_velocity));
         check(stribeck_step(handle.get(), dt));
@@ -78,6 +82,7 @@ class ShockAbsorber {
 
     void save(mjtNum *state) {
         check(stribeck_save(handle.get(), state, state_size()));
+        here.assign(state, state + numbers());
     }
 
     // Parameters fit together.
@@ -119,6 +124,8 @@ class ShockAbsorber {
     std::uint32_t length = 0;
     std::uint32_t velocity = 0;
     std::uint32_t force = 0;
+    // The state that the model is in, if it is a saved one.
+    std::vector<mjtNum> here;
 };
 
 // What a strut begins with, before and after mj_resetData; `model` is what steps.
