@@ -25,6 +25,8 @@ pub trait Real:
     fn tanh(self) -> Self;
     /// Sine.
     fn sin(self) -> Self;
+    /// Square root; `self` must not be negative.
+    fn sqrt(self) -> Self;
     /// `self` to a constant power; `self` must not be negative.
     fn powf(self, exponent: Self) -> Self;
 
@@ -71,6 +73,9 @@ impl Real for f64 {
     }
     fn sin(self) -> f64 {
         f64::sin(self)
+    }
+    fn sqrt(self) -> f64 {
+        f64::sqrt(self)
     }
     fn powf(self, exponent: f64) -> f64 {
         f64::powf(self, exponent)
@@ -174,6 +179,10 @@ impl Real for Dual {
     }
     fn sin(self) -> Dual {
         self.chain(self.value.sin(), self.value.cos())
+    }
+    fn sqrt(self) -> Dual {
+        let value = self.value.sqrt();
+        self.chain(value, 0.5 / value)
     }
     fn powf(self, exponent: Dual) -> Dual {
         let value = self.value.powf(exponent.value);
