@@ -708,7 +708,7 @@ pub const fn ports<const COLUMNS: usize>(table: &[Variable]) -> [Port; COLUMNS] 
 /// Start values by the name of a column: those of the first parts of an array, one after the other.
 pub type Starts<'a> = &'a [(&'a str, &'a [f64])];
 
-/// As [`graft`]; then the first parts get start values of their own. A name that the part does not have, more values
+/// As [`graft_all`]; then the first parts get start values of their own. A name that the part does not have, more values
 /// than parts, or a value outside its bound does not compile.
 pub const fn graft_with(
     table: &mut [Variable],
@@ -722,21 +722,44 @@ pub const fn graft_with(
     let mut entry = 0;
     while entry < starts.len() {
         let (column, values) = starts[entry];
-        let mut offset = 0;
-        while !unit::same(part[offset].path.segments()[0].name, column) {
-            offset += 1;
-        }
         assert!(values.len() <= count, "more start values than parts");
         let mut index = 0;
         while index < values.len() {
-            let variable = &mut table[at + index * part.len() + offset];
-            assert!(variable.bound.admits(values[index]), "the start value is outside its bound");
-            variable.start = values[index];
+            restart(table, at + index * part.len(), part, column, values[index]);
             index += 1;
         }
         entry += 1;
     }
     end
+}
+
+/// As [`graft`]; then columns get start values of their own, as in [`graft_with`].
+pub const fn graft_one_with(
+    table: &mut [Variable],
+    at: usize,
+    name: &'static str,
+    part: &[Variable],
+    starts: &[(&str, f64)],
+) -> usize {
+    let end = graft(table, at, Segment { name, index: 0 }, part);
+    let mut entry = 0;
+    while entry < starts.len() {
+        let (column, value) = starts[entry];
+        restart(table, at, part, column, value);
+        entry += 1;
+    }
+    end
+}
+
+/// Gives a column of the part that was written at `at` another start value.
+const fn restart(table: &mut [Variable], at: usize, part: &[Variable], column: &str, value: f64) {
+    let mut offset = 0;
+    while !unit::same(part[offset].path.segments()[0].name, column) {
+        offset += 1;
+    }
+    let variable = &mut table[at + offset];
+    assert!(variable.bound.admits(value), "the start value is outside its bound");
+    variable.start = value;
 }
 
 /// A table entry to be overwritten by [`place`] or [`graft`].
@@ -790,8 +813,9 @@ macro_rules! choices {
 }
 
 /// Declares a part: columns that a model contains once (`stop: BumpStop`), several times (`element: [Element; 4]`), or
-/// once and under the names of the part itself (`time_stepping: (TimeStepping)`). The first parts of an array may have
-/// start values of their own: `element: [Element; 4] = &[("stiffness", &[3.0, 2.0])]`.
+/// once and under the names of the part itself (`time_stepping: (TimeStepping)`). A part may have start values of its own,
+/// `rear: Axle = &[("stiffness", 2.0)]`, and so may the first parts of an array,
+/// `element: [Element; 4] = &[("stiffness", &[3.0, 2.0])]`.
 /// The syntax of the fields is that of [`model!`](crate::model!).
 #[macro_export]
 macro_rules! part {
@@ -859,13 +883,6 @@ macro_rules! part {
     (@map ($Part:ident) $value:tt $convert:ident) => { $value.map($convert) };
     (@map $Part:ident $value:tt $convert:ident) => { $value.map($convert) };
 
-    (@role input) => { $crate::model::Role::Input };
-    (@role fixed) => { $crate::model::Role::Fixed };
-    (@role tunable) => { $crate::model::Role::Tunable };
-    (@role state) => { $crate::model::Role::State };
-    (@role state_output) => { $crate::model::Role::StateOutput };
-    (@role output) => { $crate::model::Role::Output };
-
     (@place $table:ident $at:ident $field:ident [$Part:ident; $n:expr], $help:expr) => {
         $crate::model::graft_all(&mut $table, $at, stringify!($field), $n, <$Part as $crate::model::Columns>::TABLE)
     };
@@ -884,9 +901,32 @@ macro_rules! part {
             <$Part as $crate::model::Columns>::TABLE,
         )
     };
-    (@place $table:ident $at:ident $field:ident $role:ident = $column:expr, $help:expr) => {
+    (@place $table:ident $at:ident $field:ident input = $column:expr, $help:expr) => {
+        $crate::part!(@column $table $at $field Input $column, $help)
+    };
+    (@place $table:ident $at:ident $field:ident fixed = $column:expr, $help:expr) => {
+        $crate::part!(@column $table $at $field Fixed $column, $help)
+    };
+    (@place $table:ident $at:ident $field:ident tunable = $column:expr, $help:expr) => {
+        $crate::part!(@column $table $at $field Tunable $column, $help)
+    };
+    (@place $table:ident $at:ident $field:ident state = $column:expr, $help:expr) => {
+        $crate::part!(@column $table $at $field State $column, $help)
+    };
+    (@place $table:ident $at:ident $field:ident state_output = $column:expr, $help:expr) => {
+        $crate::part!(@column $table $at $field StateOutput $column, $help)
+    };
+    (@place $table:ident $at:ident $field:ident output = $column:expr, $help:expr) => {
+        $crate::part!(@column $table $at $field Output $column, $help)
+    };
+    (@place $table:ident $at:ident $field:ident $Part:ident = $starts:expr, $help:expr) => {
+        $crate::model::graft_one_with(
+            &mut $table, $at, stringify!($field), <$Part as $crate::model::Columns>::TABLE, $starts)
+    };
+
+    (@column $table:ident $at:ident $field:ident $Role:ident $column:expr, $help:expr) => {
         $crate::model::place(&mut $table, $at, $column.named(
-            $crate::model::Path::root(stringify!($field)), $crate::part!(@role $role), $help))
+            $crate::model::Path::root(stringify!($field)), $crate::model::Role::$Role, $help))
     };
 }
 

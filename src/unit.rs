@@ -13,22 +13,31 @@ pub struct Unit {
     pub m: i8,
     /// Exponent of the second.
     pub s: i8,
+    /// Exponent of the kelvin.
+    pub kelvin: i8,
+    /// Exponent of the radian.
+    pub rad: i8,
     /// Units in which a user interface may show the value; the first one is the default.
     pub display: &'static [DisplayUnit],
 }
 
-/// A display unit: value shown = `factor` * value in the SI unit.
+/// A display unit: value shown = `factor` * value in the SI unit + `offset`.
 #[derive(Debug, PartialEq)]
 pub struct DisplayUnit {
     /// Name, for example `mm/s`.
     pub name: &'static str,
     /// Values in this unit per SI value.
     pub factor: f64,
+    /// Value shown where the SI value is 0; not 0 for temperatures only.
+    pub offset: f64,
 }
 
 const fn shown(name: &'static str, factor: f64) -> DisplayUnit {
-    DisplayUnit { name, factor }
+    DisplayUnit { name, factor, offset: 0.0 }
 }
+
+/// Degrees per radian.
+const DEGREES: f64 = 180.0 / std::f64::consts::PI;
 
 const fn unit(
     name: &'static str,
@@ -36,11 +45,23 @@ const fn unit(
     [kg, m, s]: [i8; 3],
     display: &'static [DisplayUnit],
 ) -> Unit {
-    Unit { name, quantity, kg, m, s, display }
+    Unit { name, quantity, kg, m, s, kelvin: 0, rad: 0, display }
+}
+
+impl Unit {
+    const fn per_kelvin(mut self, power: i8) -> Unit {
+        self.kelvin = -power;
+        self
+    }
+
+    const fn times_radian(mut self) -> Unit {
+        self.rad = 1;
+        self
+    }
 }
 
 /// Every unit that a column may have.
-pub static UNITS: [Unit; 14] = [
+pub static UNITS: [Unit; 27] = [
     unit("1", "Ratio", [0, 0, 0], &[]),
     unit("m", "Length", [0, 1, 0], &[shown("mm", 1e3), shown("um", 1e6)]),
     unit("m/s", "Velocity", [0, 1, -1], &[shown("mm/s", 1e3)]),
@@ -55,6 +76,19 @@ pub static UNITS: [Unit; 14] = [
     unit("N.s2/m2", "QuadraticDragCoefficient", [1, -1, 0], &[]),
     unit("J", "Energy", [1, 2, -2], &[]),
     unit("W", "Power", [1, 2, -3], &[]),
+    unit("N.m", "Torque", [1, 2, -2], &[]),
+    unit("N/m2", "ProgressiveStiffness", [1, -1, -2], &[]),
+    unit("N/m3", "CubicStiffness", [1, -2, -2], &[]),
+    unit("Pa", "Pressure", [1, -1, -2], &[shown("bar", 1e-5)]),
+    unit("m3", "Volume", [0, 3, 0], &[shown("cm3", 1e6)]),
+    unit("kg.m2", "MomentOfInertia", [1, 2, 0], &[]),
+    unit("rad", "Angle", [0, 0, 0], &[shown("deg", DEGREES)]).times_radian(),
+    unit("rad/s", "AngularVelocity", [0, 0, -1], &[shown("deg/s", DEGREES)]).times_radian(),
+    unit("Hz", "Frequency", [0, 0, -1], &[]),
+    unit("K", "Temperature", [0, 0, 0], &[DisplayUnit { name: "degC", factor: 1.0, offset: -273.15 }]).per_kelvin(-1),
+    unit("1/K", "PerTemperature", [0, 0, 0], &[]).per_kelvin(1),
+    unit("J/K", "HeatCapacity", [1, 2, -2], &[]).per_kelvin(1),
+    unit("W/K", "ThermalConductance", [1, 2, -3], &[]).per_kelvin(1),
 ];
 
 /// The unit of that name. A column with an unknown unit does not compile.

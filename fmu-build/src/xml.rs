@@ -124,12 +124,16 @@ fn unit_definitions(xml: &mut Xml, model: &ModelType) -> io::Result<()> {
 
 fn unit_definition(xml: &mut Xml, unit: &Unit) -> io::Result<()> {
     parent(xml, "Unit", vec![("name", unit.name.into())], |xml| {
-        let exponents = [("kg", unit.kg), ("m", unit.m), ("s", unit.s)];
+        let exponents =
+            [("kg", unit.kg), ("m", unit.m), ("s", unit.s), ("K", unit.kelvin), ("rad", unit.rad)];
         let present = exponents.into_iter().filter(|(_, exponent)| *exponent != 0);
         leaf(xml, "BaseUnit", present.map(|(base, exponent)| (base, exponent.to_string())).collect())?;
         for display in unit.display {
-            let factor = ("factor", number(display.factor));
-            leaf(xml, "DisplayUnit", vec![("name", display.name.into()), factor])?;
+            let mut attributes = vec![("name", display.name.into()), ("factor", number(display.factor))];
+            if display.offset != 0.0 {
+                attributes.push(("offset", number(display.offset)));
+            }
+            leaf(xml, "DisplayUnit", attributes)?;
         }
         Ok(())
     })

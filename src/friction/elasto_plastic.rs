@@ -1,4 +1,5 @@
 use crate::friction::ELASTIC_SHARE;
+use crate::laws::runge_kutta::dormand_prince;
 use crate::laws::stribeck;
 use crate::model::{Fault, Law, Model, Preset, boolean, integer, real};
 use crate::number::Real;
@@ -306,7 +307,7 @@ impl Slide {
         let distance = self.left;
         while self.left > 0.0 && transition.missing(at[0]) > NOTHING {
             let q = piece.min(self.left);
-            let (next, error) = dormand_prince(|at| transition.rates(at), at, q);
+            let (next, error) = dormand_prince(|_, at| transition.rates(at), at, q);
             let error = transition.error(next, error) / TOLERANCE;
             if error <= 1.0 {
                 at = next;
@@ -354,33 +355,6 @@ impl Transition {
     fn error(&self, [p, area]: [f64; 2], [error, area_error]: [f64; 2]) -> f64 {
         (self.missing(p).powf(self.exponent) * error).abs() + area_error.abs() / area.max(1.0)
     }
-}
-
-/// One step of the method of Dormand and Prince (1980), doi:10.1016/0771-050X(80)90013-3: the result of order 5 and its
-/// difference to that of order 4.
-fn dormand_prince(rates: impl Fn([f64; 2]) -> [f64; 2], at: [f64; 2], h: f64) -> ([f64; 2], [f64; 2]) {
-    const A: [&[f64]; 6] = [
-        &[1.0 / 5.0],
-        &[3.0 / 40.0, 9.0 / 40.0],
-        &[44.0 / 45.0, -56.0 / 15.0, 32.0 / 9.0],
-        &[19372.0 / 6561.0, -25360.0 / 2187.0, 64448.0 / 6561.0, -212.0 / 729.0],
-        &[9017.0 / 3168.0, -355.0 / 33.0, 46732.0 / 5247.0, 49.0 / 176.0, -5103.0 / 18656.0],
-        &[35.0 / 384.0, 0.0, 500.0 / 1113.0, 125.0 / 192.0, -2187.0 / 6784.0, 11.0 / 84.0],
-    ];
-    const E: [f64; 7] =
-        [71.0 / 57600.0, 0.0, -71.0 / 16695.0, 71.0 / 1920.0, -17253.0 / 339200.0, 22.0 / 525.0, -1.0 / 40.0];
-    let mut k = [[0.0; 2]; 7];
-    k[0] = rates(at);
-    let combined = |k: &[[f64; 2]; 7], weights: &[f64]| {
-        [0, 1].map(|i| h * weights.iter().zip(k).map(|(weight, rates)| weight * rates[i]).sum::<f64>())
-    };
-    let mut next = at;
-    for (stage, weights) in A.iter().enumerate() {
-        let change = combined(&k, weights);
-        next = [at[0] + change[0], at[1] + change[1]];
-        k[stage + 1] = rates(next);
-    }
-    (next, combined(&k, &E))
 }
 
 #[cfg(test)]

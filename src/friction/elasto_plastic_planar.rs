@@ -264,7 +264,7 @@ impl Bristle {
                 break;
             }
             let length = piece.min(left);
-            let (next, error) = dormand_prince(|at| rates(kappa, at), at, length);
+            let (next, error) = dormand_prince(|_, at| rates(kappa, at), at, length);
             let deflection = error[0].hypot(error[1]) / at[0].hypot(at[1]).max(1.0);
             let error = f64::max(deflection, error[2].abs() / at[2].abs().max(1.0)) / TOLERANCE;
             // A length that vanishes means numbers out of range: what comes out is refused by the caller.

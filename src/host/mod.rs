@@ -1,5 +1,10 @@
-//! Hosts: the mechanical systems that carry the friction models in a test.
+//! Hosts: the mechanical systems that carry friction models and struts in a test.
+
+mod integrate;
+pub mod vertical;
 
 crate::catalogue::family! {
     belt_rig::BeltRig,
+    quarter_car::QuarterCar,
+    four_post_car::FourPostCar,
 }

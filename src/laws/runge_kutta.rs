@@ -1,9 +1,9 @@
 //! Integration of ordinary differential equations that are not stiff.
 
 /// One step of the method of Dormand and Prince (1980), doi:10.1016/0771-050X(80)90013-3: the result of order 5 and its
-/// difference to that of order 4.
+/// difference to that of order 4. The rates are functions of the time since the beginning of the step and of the state.
 pub fn dormand_prince<const N: usize>(
-    rates: impl Fn([f64; N]) -> [f64; N],
+    rates: impl Fn(f64, [f64; N]) -> [f64; N],
     at: [f64; N],
     h: f64,
 ) -> ([f64; N], [f64; N]) {
@@ -15,17 +15,18 @@ pub fn dormand_prince<const N: usize>(
         &[9017.0 / 3168.0, -355.0 / 33.0, 46732.0 / 5247.0, 49.0 / 176.0, -5103.0 / 18656.0],
         &[35.0 / 384.0, 0.0, 500.0 / 1113.0, 125.0 / 192.0, -2187.0 / 6784.0, 11.0 / 84.0],
     ];
+    const C: [f64; 6] = [1.0 / 5.0, 3.0 / 10.0, 4.0 / 5.0, 8.0 / 9.0, 1.0, 1.0];
     const E: [f64; 7] =
         [71.0 / 57600.0, 0.0, -71.0 / 16695.0, 71.0 / 1920.0, -17253.0 / 339_200.0, 22.0 / 525.0, -1.0 / 40.0];
     let mut k = [[0.0; N]; 7];
-    k[0] = rates(at);
+    k[0] = rates(0.0, at);
     let change = |k: &[[f64; N]; 7], weights: &[f64], i: usize| {
         h * weights.iter().zip(k).map(|(weight, rates)| weight * rates[i]).sum::<f64>()
     };
     let mut next = at;
     for (stage, weights) in A.iter().enumerate() {
         next = std::array::from_fn(|i| at[i] + change(&k, weights, i));
-        k[stage + 1] = rates(next);
+        k[stage + 1] = rates(C[stage] * h, next);
     }
     (next, std::array::from_fn(|i| change(&k, &E, i)))
 }
@@ -38,11 +39,18 @@ mod tests {
     #[test]
     fn local_error_is_of_order_six() {
         let error = |h: f64| {
-            let ([x, y], estimate) = dormand_prince(|[x, y]| [-y, x], [1.0, 0.0], h);
+            let ([x, y], estimate) = dormand_prince(|_, [x, y]| [-y, x], [1.0, 0.0], h);
             assert!(estimate.iter().all(|error| *error != 0.0 && error.abs() < h.powi(5)));
             (x - h.cos()).hypot(y - h.sin())
         };
         let ratio = error(0.2) / error(0.1);
         assert!((ratio / 64.0 - 1.0).abs() < 0.1, "{ratio}");
+    }
+
+    /// A polynomial of order 5 in time is integrated exactly.
+    #[test]
+    fn rates_are_asked_for_at_their_instants() {
+        let ([x], _) = dormand_prince(|t, _| [6.0 * t.powi(4) - 2.0 * t], [1.0], 0.7);
+        assert!((x - (1.0 + 1.2 * 0.7f64.powi(5) - 0.49)).abs() < 1e-15, "{x}");
     }
 }

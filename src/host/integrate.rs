@@ -1,0 +1,85 @@
+//! Integration of a host whose rates follow from its states and its inputs.
+
+use crate::laws::runge_kutta::dormand_prince;
+use crate::model::{Columns, Model, row_of, row_of_mut};
+use crate::ramp::set_inputs;
+
+/// Error allowed in a piece of a step, relative to the larger of the state and its nominal value (chosen).
+const TOLERANCE: f64 = 1e-10;
+
+/// A step is divided into at most so many pieces (chosen: one to two seconds of computation for a four-post car).
+const MOST_PIECES: u32 = 1_000_000;
+
+/// Advances the `N` states of `model` by `dt` while its inputs are held.
+pub(crate) fn held<M: Model, const N: usize>(model: &mut M, dt: f64) {
+    let mut slope = *model;
+    row_of_mut(&mut slope).fill(0.0);
+    advance::<M, N>(model, &slope, dt);
+}
+
+/// Advances the `N` states of `model` by `dt` while its inputs move with `slope`. What would take too many pieces becomes
+/// NaN, which the caller refuses.
+pub(crate) fn advance<M: Model, const N: usize>(model: &mut M, slope: &M, dt: f64) {
+    let columns = states::<M, N>();
+    let begin = *model;
+    let (mut time, mut piece) = (0.0, dt);
+    let mut at = columns.map(|column| row_of(&begin)[column]);
+    for _ in 0..MOST_PIECES {
+        // A rest that is hardly longer than the piece is made in one.
+        let end = if time + 1.01 * piece >= dt { dt } else { time + piece };
+        let length = end - time;
+        let rates = |since: f64, at: [f64; N]| rates(&begin, slope, &columns, time + since, at);
+        let (next, error) = dormand_prince(rates, at, length);
+        let error = largest::<M, N>(&columns, next, error) / TOLERANCE;
+        if error <= 1.0 {
+            (time, at) = (end, next);
+        }
+        if time >= dt {
+            return finish(model, &columns, at, slope, dt);
+        }
+        // The estimate is of fifth order; safety factor and limits as usual in step-size control.
+        let factor = 0.9 * error.powf(-0.2);
+        piece = length * if factor.is_nan() { 0.2 } else { factor.clamp(0.2, 5.0) };
+        if time + piece <= time {
+            break;
+        }
+    }
+    finish(model, &columns, [f64::NAN; N], slope, dt);
+}
+
+/// Writes the states and the inputs at the end of the step.
+fn finish<M: Model, const N: usize>(model: &mut M, columns: &[usize; N], at: [f64; N], slope: &M, dt: f64) {
+    let begin = *model;
+    set_inputs(model, &begin, slope, dt);
+    put(model, columns, at);
+}
+
+/// Columns of the states.
+fn states<M: Columns, const N: usize>() -> [usize; N] {
+    let mut states = (0..M::TABLE.len()).filter(|column| M::TABLE[*column].role.is_state());
+    let columns = std::array::from_fn(|_| states.next().unwrap_or(usize::MAX));
+    debug_assert!(states.next().is_none() && columns.last() < Some(&usize::MAX), "not {N} states");
+    columns
+}
+
+fn put<M: Columns, const N: usize>(model: &mut M, columns: &[usize; N], at: [f64; N]) {
+    for (column, value) in columns.iter().zip(at) {
+        row_of_mut(model)[*column] = value;
+    }
+}
+
+fn rates<M: Model, const N: usize>(begin: &M, slope: &M, columns: &[usize; N], time: f64, at: [f64; N]) -> [f64; N] {
+    let mut model = *begin;
+    set_inputs(&mut model, begin, slope, time);
+    put(&mut model, columns, at);
+    let mut rate = model;
+    model.rate(&mut rate);
+    columns.map(|column| row_of(&rate)[column])
+}
+
+/// The largest error of a state, relative to the larger of its value and its nominal value.
+fn largest<M: Columns, const N: usize>(columns: &[usize; N], at: [f64; N], error: [f64; N]) -> f64 {
+    let relative = |i: usize| (error[i] / at[i].abs().max(M::TABLE[columns[i]].nominal)).abs();
+    // `f64::max` would hide what is not a number.
+    (0..N).map(relative).fold(0.0, |largest, error| if error <= largest { largest } else { error })
+}

@@ -1,0 +1,213 @@
+//! What the cars share: a rigid body that heaves, pitches and rolls on struts, wheels and tyres.
+//!
+//! All heights are deviations from rest, positive up. Axes as in ISO 8855: x forward, y left, z up.
+
+use crate::model::real;
+use crate::number::Real;
+
+/// Acceleration of gravity in m/s2, as in the benchmark of the friction models (9.81 N for 1 kg).
+pub const GRAVITY: f64 = 9.81;
+
+crate::part! {
+    /// What holds a wheel: the lever of the strut, the wheel and its tyre.
+    Suspension {
+        /// Damper travel per wheel travel.
+        motion_ratio: fixed = real("1", 1.011).positive(),
+        /// Length of the strut at rest, eye to eye.
+        static_length: fixed = real("m", 0.1775).positive().shown_in("mm"),
+        /// Force of the strut at rest: its spring seat counts as adjusted so that this force balances the weight.
+        static_force: fixed = real("N", 1325.2555),
+        /// Mass of the wheel and of what moves with it.
+        wheel_mass: fixed = real("kg", 16.36).positive(),
+        /// Stiffness of the tyre.
+        tyre_stiffness: fixed = real("N/m", 87563.5).at_least(0.0),
+        /// Damping of the tyre.
+        tyre_damping: fixed = real("N.s/m", 95.8).at_least(0.0),
+    }
+}
+
+crate::part! {
+    /// A wheel with the strut above it.
+    Wheel {
+        /// Force of the strut; positive pushes its eyes apart.
+        strut_force: input = real("N", 1325.2555),
+        /// Height of the wheel above its height at rest.
+        wheel_height: state_output = real("m", 0.0).nominal(1e-2).shown_in("mm"),
+        /// Vertical velocity of the wheel.
+        wheel_velocity: state_output = real("m/s", 0.0).nominal(0.1),
+        /// Length of the strut, eye to eye.
+        length: output = real("m", 0.1775).shown_in("mm"),
+        /// Rate of the strut's length; positive as it extends.
+        velocity: output = real("m/s", 0.0),
+        /// Vertical force of the tyre on the ground; 0 while the wheel is off the ground.
+        tyre_load: output = real("N", 0.0),
+    }
+}
+
+/// Height and vertical velocity of a point.
+#[derive(Clone, Copy)]
+pub struct Motion<T> {
+    /// Height above that at rest.
+    pub height: T,
+    /// Vertical velocity.
+    pub velocity: T,
+}
+
+impl<T: Real> Wheel<T> {
+    /// Computes the outputs, for the body and the ground at this wheel and the load of the tyre at rest.
+    pub fn output(&mut self, with: &Suspension<T>, body: Motion<T>, ground: Motion<T>, static_load: T) {
+        self.length = with.static_length + with.motion_ratio * (body.height - self.wheel_height);
+        self.velocity = with.motion_ratio * (body.velocity - self.wheel_velocity);
+        self.tyre_load = self.load(with, ground, static_load);
+    }
+
+    /// Load of the tyre, which cannot pull.
+    pub fn load(&self, with: &Suspension<T>, ground: Motion<T>, static_load: T) -> T {
+        let load = static_load
+            + with.tyre_stiffness * (ground.height - self.wheel_height)
+            + with.tyre_damping * (ground.velocity - self.wheel_velocity);
+        if load > T::zero() { load } else { T::zero() }
+    }
+
+    /// Force of the strut on the body, as it acts at the wheel, beyond that at rest.
+    pub fn lift(&self, with: &Suspension<T>) -> T {
+        with.motion_ratio * (self.strut_force - with.static_force)
+    }
+
+    /// Acceleration of the wheel.
+    pub fn acceleration(&self, with: &Suspension<T>, ground: Motion<T>, static_load: T) -> T {
+        (self.load(with, ground, static_load) - static_load - self.lift(with)) / with.wheel_mass
+    }
+}
+
+crate::part! {
+    /// An axle: its two wheels are held alike.
+    Axle {
+        /// Distance between the wheels of the axle.
+        track: fixed = real("m", 1.22).positive(),
+        /// What holds each of its wheels.
+        suspension: (Suspension),
+    }
+}
+
+crate::part! {
+    /// The body of a car: rigid, with small angles.
+    Body {
+        /// Mass of the body, without the wheels.
+        body_mass: fixed = real("kg", 223.2).positive(),
+        /// Moment of inertia of the body about its lateral axis.
+        pitch_inertia: fixed = real("kg.m2", 126.29).positive(),
+        /// Moment of inertia of the body about its longitudinal axis.
+        roll_inertia: fixed = real("kg.m2", 26.46).positive(),
+        /// Distance between the axles.
+        wheelbase: fixed = real("m", 1.528).positive(),
+        /// Distance of the front axle ahead of the body's centre of gravity.
+        cg_to_front: fixed = real("m", 0.8035).at_least(0.0),
+        /// Height of the centre of gravity above its height at rest.
+        heave: state_output = real("m", 0.0).nominal(1e-2).shown_in("mm"),
+        /// Vertical velocity of the centre of gravity.
+        heave_rate: state_output = real("m/s", 0.0).nominal(0.1),
+        /// Pitch angle; positive nose down.
+        pitch: state_output = real("rad", 0.0).nominal(1e-2).shown_in("deg"),
+        /// Rate of the pitch angle.
+        pitch_rate: state_output = real("rad/s", 0.0).nominal(0.1),
+        /// Roll angle; positive lowers the right side.
+        roll: state_output = real("rad", 0.0).nominal(1e-2).shown_in("deg"),
+        /// Rate of the roll angle.
+        roll_rate: state_output = real("rad/s", 0.0).nominal(0.1),
+    }
+}
+
+/// Force and moments on a body, beyond those at rest; signs as those of heave, pitch and roll.
+#[derive(Clone, Copy)]
+pub struct Load<T> {
+    /// Upwards.
+    pub force: T,
+    /// About the lateral axis.
+    pub pitch_moment: T,
+    /// About the longitudinal axis.
+    pub roll_moment: T,
+}
+
+/// The corners in the order that all arrays of corners have.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Corner {
+    /// `fl`.
+    FrontLeft,
+    /// `fr`.
+    FrontRight,
+    /// `rl`.
+    RearLeft,
+    /// `rr`.
+    RearRight,
+}
+
+impl Corner {
+    /// All, in order.
+    pub const ALL: [Corner; 4] = [Corner::FrontLeft, Corner::FrontRight, Corner::RearLeft, Corner::RearRight];
+
+    /// Is it on the front axle?
+    pub fn is_front(self) -> bool {
+        matches!(self, Corner::FrontLeft | Corner::FrontRight)
+    }
+
+    fn is_left(self) -> bool {
+        matches!(self, Corner::FrontLeft | Corner::RearLeft)
+    }
+}
+
+/// Where a wheel stands, seen from the centre of gravity.
+#[derive(Clone, Copy)]
+pub struct Place<T> {
+    /// Forward.
+    pub x: T,
+    /// To the left.
+    pub y: T,
+}
+
+impl<T: Real> Body<T> {
+    /// Place of a wheel.
+    pub fn place(&self, corner: Corner, axle: &Axle<T>) -> Place<T> {
+        let x = if corner.is_front() { self.cg_to_front } else { self.cg_to_front - self.wheelbase };
+        let half_track = axle.track / T::from(2.0);
+        Place { x, y: if corner.is_left() { half_track } else { -half_track } }
+    }
+
+    /// Motion of the body at a place.
+    pub fn at(&self, Place { x, y }: Place<T>) -> Motion<T> {
+        Motion {
+            height: self.heave - x * self.pitch + y * self.roll,
+            velocity: self.heave_rate - x * self.pitch_rate + y * self.roll_rate,
+        }
+    }
+
+    /// Load of a tyre at rest.
+    pub fn static_load(&self, corner: Corner, axle: &Axle<T>) -> T {
+        let behind = self.wheelbase - self.cg_to_front;
+        let lever = if corner.is_front() { behind } else { self.cg_to_front };
+        let share = lever / (T::from(2.0) * self.wheelbase);
+        T::from(GRAVITY) * (self.body_mass * share + axle.suspension.wheel_mass)
+    }
+
+    /// Writes the rates of the body's states.
+    pub fn rate(&self, load: Load<T>, rate: &mut Body<T>) {
+        rate.heave = self.heave_rate;
+        rate.pitch = self.pitch_rate;
+        rate.roll = self.roll_rate;
+        rate.heave_rate = load.force / self.body_mass;
+        rate.pitch_rate = load.pitch_moment / self.pitch_inertia;
+        rate.roll_rate = load.roll_moment / self.roll_inertia;
+    }
+}
+
+impl<T: Real> Load<T> {
+    /// Sum of forces that act upwards on the body at the places of the wheels.
+    pub fn of(forces: [(Place<T>, T); 4]) -> Load<T> {
+        let none = Load { force: T::zero(), pitch_moment: T::zero(), roll_moment: T::zero() };
+        forces.into_iter().fold(none, |sum, (Place { x, y }, force)| Load {
+            force: sum.force + force,
+            pitch_moment: sum.pitch_moment - x * force,
+            roll_moment: sum.roll_moment + y * force,
+        })
+    }
+}
