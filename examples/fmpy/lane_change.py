@@ -78,3 +78,23 @@ class Course:
             (self.run_up + begin, self.run_up + begin + length, right, left)
             for begin, length, (right, left) in zip(begins, lengths, edges, strict=True)
         ]
+
+    def cones(self) -> list[tuple[float, float]]:
+        """Six pairs in each lane, on its edges."""
+        return [
+            (x, edge)
+            for begin, end, right, left in self.lanes()
+            for edge in (right, left)
+            for x in numpy.linspace(begin, end, 6)
+        ]
+
+    def way(self, x: float) -> tuple[float, float]:
+        """How far to the left the way is, and its curvature: half cosines between the middles of the lanes."""
+        (_, end, *first), (begin, back, *second), (last, _, *third) = self.lanes()
+        height, curvature = sum(first) / 2.0, 0.0
+        for leave, arrive, old, new in ((end, begin, first, second), (back, last, second, third)):
+            length, rise = arrive - leave + 2.0 * REACH, (sum(new) - sum(old)) / 2.0
+            angle = math.pi * min(max((x - leave + REACH) / length, 0.0), 1.0)
+            height += rise * (1.0 - math.cos(angle)) / 2.0
+            curvature += rise / 2.0 * (math.pi / length) ** 2 * math.cos(angle) * (0.0 < angle < math.pi)
+        return height, curvature

@@ -79,8 +79,8 @@ def _pieces(car: Car, state: numpy.ndarray) -> list[numpy.ndarray]:
     return numpy.split(state, numpy.cumsum([body, body, wheels, wheels, wheels]))
 
 
-def solve(car: Car, road: Road, level: float, times: numpy.ndarray, lateral=None, longest: float = 2e-3) -> Solution:
-    """Solves the motion from rest; `lateral` has `start`, and gives rates and body moments from the rest and loads."""
+def solve(car: Car, road: Road, level: float, times: numpy.ndarray, plane=None, longest: float = 2e-3) -> Solution:
+    """Solves the motion from rest; `plane` is what moves the car in the plane of the road."""
 
     def forces(time, state):
         body, body_rate, wheels, wheel_rate, bristles, _ = _pieces(car, state)
@@ -94,15 +94,15 @@ def solve(car: Car, road: Road, level: float, times: numpy.ndarray, lateral=None
     def rates(time, state):
         body, body_rate, _, wheel_rate, _, rest = _pieces(car, state)
         _, _, _, bristle_rate, push, loads = forces(time, state)
-        moments, rest_rate = lateral.act(time, body, rest, loads) if lateral else (0.0, rest)
+        moments, lifts, rest_rate = plane.act(time, body, rest, loads) if plane else (0.0, 0.0, rest)
         body_acceleration = (car.corners.T @ push + moments) / car.inertia
-        wheel_acceleration = (loads - car.tyre_load - push) / car.wheel_mass
+        wheel_acceleration = (loads - car.tyre_load - push + lifts) / car.wheel_mass
         return numpy.concatenate(
             (body_rate, body_acceleration, wheel_rate, wheel_acceleration, bristle_rate, rest_rate)
         )
 
     start = numpy.zeros(2 * len(car.inertia) + 3 * len(car.motion_ratio))
-    start = numpy.concatenate((start, lateral.start if lateral else []))
+    start = numpy.concatenate((start, numpy.zeros(8) if plane else []))
     solved = solve_ivp(rates, (0.0, times[-1]), start, "LSODA", times, rtol=1e-7, atol=1e-9, max_step=longest)
     assert solved.success, solved.message
     states = solved.y.T
@@ -137,6 +137,7 @@ def quarter_car(**strut) -> Car:
 FRONT_MASS, REAR_MASS, WHEELBASE = 2 * 52.91, 2 * 58.69, 1.528
 X = WHEELBASE * numpy.array([REAR_MASS, REAR_MASS, -FRONT_MASS, -FRONT_MASS]) / (FRONT_MASS + REAR_MASS)
 Y = numpy.array([0.61, -0.61, 0.60, -0.60])
+CAR_FRONT = (FRONT_MASS + 2 * 16.36) / (FRONT_MASS + REAR_MASS + 4 * 16.36)
 
 
 def four_post_car(**strut) -> Car:
@@ -150,6 +151,59 @@ def four_post_car(**strut) -> Car:
         struts=[front, front, rear, rear],
         tyre_load=GRAVITY * (numpy.repeat([FRONT_MASS, REAR_MASS], 2) / 2.0 + 16.36),
     )
+
+
+NO_ROAD = (numpy.zeros(4), numpy.zeros(4))
+
+
+def magic_formula(side_slip: numpy.ndarray, load: numpy.ndarray) -> numpy.ndarray:
+    """Lateral force of the tyres fl, fr, rl, rr: the open set for a nominal load of 700 N, without its shifts."""
+    nominal, shape = 700.0, 1.5
+    change = load / nominal - 1.0
+    friction_peak = (1.2 - 0.09 * change) * load
+    stiffness = -75.5 * nominal * numpy.sin(2.0 * numpy.arctan(load / (4.65 * nominal)))
+    # The set was measured on a left tyre; the right ones are its mirror image.
+    lean = 0.05 * numpy.array([1.0, -1.0, 1.0, -1.0]) * numpy.sign(side_slip)
+    curvature = numpy.minimum(1.0, (0.1 - 1.2 * change) * (1.0 - lean))
+    slip = stiffness / (shape * numpy.maximum(friction_peak, 1e-9)) * side_slip
+    return friction_peak * numpy.sin(shape * numpy.arctan(slip - curvature * (slip - numpy.arctan(slip))))
+
+
+@dataclass(frozen=True)
+class Plane:
+    """A steered car at constant speed; its state is y, yaw, lateral velocity, yaw rate and four side slips.
+
+    The body takes the lateral force of an axle at the roll centre, and what is left of it turns the axle.
+    """
+
+    steering: Callable[[float], float]
+    speed: float = 20.0
+
+    def act(self, time: float, body: numpy.ndarray, state: numpy.ndarray, loads: numpy.ndarray):
+        """Moments on the body, forces on the wheels, and the rates of the state."""
+        mass, wheel_mass, yaw_inertia, relaxation = FRONT_MASS + REAR_MASS + 4 * 16.36, 16.36, 142.92, 0.2
+        # From the centre of mass of the whole car, wheels included, which carries 48 % on the front axle.
+        ahead = WHEELBASE * numpy.repeat([1.0 - CAR_FRONT, -CAR_FRONT], 2)
+        _, yaw, lateral_velocity, yaw_rate = state[:4]
+        steered = self.steering(time) * numpy.array([1.0, 1.0, 0.0, 0.0])
+        wanted = numpy.arctan((lateral_velocity + ahead * yaw_rate) / self.speed) - steered
+        forces = magic_formula(state[4:], loads)
+        acceleration, turning = forces.sum() / mass, ahead @ forces / yaw_inertia
+        inertial = 2.0 * wheel_mass * (acceleration + ahead[[0, 2]] * turning)
+        on_body = forces.reshape(2, 2).sum(axis=1) - inertial
+        body_height, centres, wheel_height = 0.3203, numpy.array([0.035, 0.050]), 0.2
+        axis = centres[0] + (centres[1] - centres[0]) * X[0] / WHEELBASE
+        gravity = (FRONT_MASS + REAR_MASS) * GRAVITY * (body_height - axis) * body[2]
+        roll_moment = on_body @ (body_height - centres) + gravity
+        tilting = (on_body * centres + inertial * wheel_height) / (2.0 * Y[[0, 2]])
+        rates = [
+            self.speed * numpy.sin(yaw) + lateral_velocity * numpy.cos(yaw),
+            yaw_rate,
+            acceleration - self.speed * yaw_rate,
+            turning,
+            *(self.speed / relaxation * (wanted - state[4:])),
+        ]
+        return numpy.array([0.0, 0.0, roll_moment]), numpy.repeat(tilting, 2) * [1, -1, 1, -1], rates
 
 
 def sine_road(frequency: float, amplitude: float) -> Road:
