@@ -24,13 +24,15 @@ pub(crate) use family;
 pub enum Family {
     /// Friction force models.
     Friction,
+    /// The telescopic shock absorber and its parts.
+    ShockAbsorber,
     /// Mechanical systems that carry a friction force.
     Host,
 }
 
 /// Every model of the library, in the order of the families.
 pub fn models() -> impl Iterator<Item = &'static ModelType> {
-    let models = crate::friction::MODELS.iter().chain(crate::host::MODELS);
+    let models = crate::friction::MODELS.iter().chain(crate::shock_absorber::MODELS).chain(crate::host::MODELS);
     #[cfg(test)]
     let models = models.chain(crate::probe::MODELS);
     models
@@ -40,6 +42,7 @@ pub fn models() -> impl Iterator<Item = &'static ModelType> {
 pub fn documented(family: Family) -> impl Iterator<Item = (&'static ModelType, &'static str)> {
     let (models, pages) = match family {
         Family::Friction => (crate::friction::MODELS, crate::friction::PAGES),
+        Family::ShockAbsorber => (crate::shock_absorber::MODELS, crate::shock_absorber::PAGES),
         Family::Host => (crate::host::MODELS, crate::host::PAGES),
     };
     models.iter().zip(pages.iter().copied())

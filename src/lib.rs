@@ -21,4 +21,5 @@ mod panics;
 mod probe;
 mod ramp;
 mod serial;
+pub mod shock_absorber;
 pub mod unit;

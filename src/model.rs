@@ -137,6 +137,17 @@ impl Bound {
         self.high
     }
 
+    /// Admits what either of the two admits, and all between.
+    pub(crate) const fn or(self, other: Bound) -> Bound {
+        let lower = if other.low < self.low { other } else { self };
+        Bound { low: lower.low, open: lower.open, high: self.high.max(other.high) }
+    }
+
+    /// The same up to `high`.
+    pub(crate) const fn up_to(self, high: f64) -> Bound {
+        Bound { high: self.high.min(high), ..self }
+    }
+
     /// Is the lower end itself refused, as 0 is for a stiffness?
     pub const fn is_open(&self) -> bool {
         self.open
@@ -185,8 +196,21 @@ impl Path {
         self.segments.split_at(self.depth).0
     }
 
+    /// Is it the same name?
+    pub(crate) const fn is(&self, other: &Path) -> bool {
+        let mut at = 0;
+        while at < self.depth && at < other.depth {
+            let (a, b) = (self.segments[at], other.segments[at]);
+            if a.index != b.index || !unit::same(a.name, b.name) {
+                return false;
+            }
+            at += 1;
+        }
+        self.depth == other.depth
+    }
+
     /// This name inside a part.
-    const fn within(&self, part: Segment) -> Path {
+    pub(crate) const fn within(&self, part: Segment) -> Path {
         assert!(self.depth < Path::DEPTH, "parts are nested too deeply");
         let mut path = Path { segments: [part; Path::DEPTH], depth: self.depth + 1 };
         let mut at = 0;
@@ -436,6 +460,12 @@ pub trait Model: Described + Law {
         [0.0; 2]
     }
 
+    /// Which branches of its equations a model with rates is in, one bit each: a tyre is on the ground or not. Its steps
+    /// are divided where this changes.
+    fn branches(&self) -> u32 {
+        0
+    }
+
     /// Writes the time derivatives of the continuous states into their columns of `rate`.
     fn rate(&self, _rate: &mut Self) {}
 }
@@ -656,6 +686,26 @@ pub const fn place(table: &mut [Variable], at: usize, variable: Variable) -> usi
     at + 1
 }
 
+/// Writes several variables of one name, with an index from 1, and returns the next free column.
+pub const fn place_all<const N: usize>(
+    table: &mut [Variable],
+    at: usize,
+    name: &'static str,
+    role: Role,
+    columns: &[Column; N],
+    help: &'static str,
+) -> usize {
+    assert!(N <= u16::MAX as usize, "too many elements");
+    let mut index = 0;
+    while index < N {
+        let place = Segment { name, index: index as u16 + 1 };
+        let path = Path { segments: [place; Path::DEPTH], depth: 1 };
+        table[at + index] = columns[index].named(path, role, help);
+        index += 1;
+    }
+    at + N
+}
+
 /// Writes the table of a part under its own names and returns the next free column.
 pub const fn inline(table: &mut [Variable], at: usize, part: &[Variable]) -> usize {
     let mut column = 0;
@@ -815,13 +865,15 @@ macro_rules! choices {
 /// Declares a part: columns that a model contains once (`stop: BumpStop`), several times (`element: [Element; 4]`), or
 /// once and under the names of the part itself (`time_stepping: (TimeStepping)`). A part may have start values of its own,
 /// `rear: Axle = &[("stiffness", 2.0)]`, and so may the first parts of an array,
-/// `element: [Element; 4] = &[("stiffness", &[3.0, 2.0])]`.
+/// `element: [Element; 4] = &[("stiffness", &[3.0, 2.0])]`. Parameters and states may be arrays of numbers:
+/// `point: [tunable; 3] = [real("m", 0.0); 3]`.
 /// The syntax of the fields is that of [`model!`](crate::model!).
 #[macro_export]
 macro_rules! part {
     ($(#[doc = $doc:literal])+ $Name:ident { $($(#[doc = $help:literal])+ $field:ident: $what:tt $(= $column:expr)?,)+ }) => {
         $(#[doc = $doc])+
         #[repr(C)]
+        #[allow(non_snake_case, reason = "a symbol such as V0 is a name, too")]
         pub struct $Name<T = f64> { $($(#[doc = $help])+ pub $field: $crate::part!(@type $what T),)+ }
 
         impl<T: Copy> Clone for $Name<T> {
@@ -869,6 +921,9 @@ macro_rules! part {
     (@type state $T:ident) => { $T };
     (@type state_output $T:ident) => { $T };
     (@type output $T:ident) => { $T };
+    (@type [fixed; $n:expr] $T:ident) => { [$T; $n] };
+    (@type [tunable; $n:expr] $T:ident) => { [$T; $n] };
+    (@type [state; $n:expr] $T:ident) => { [$T; $n] };
     (@type [$Part:ident; $n:expr] $T:ident) => { [$Part<$T>; $n] };
     (@type ($Part:ident) $T:ident) => { $Part<$T> };
     (@type $Part:ident $T:ident) => { $Part<$T> };
@@ -879,10 +934,22 @@ macro_rules! part {
     (@map state $value:tt $convert:ident) => { $convert($value) };
     (@map state_output $value:tt $convert:ident) => { $convert($value) };
     (@map output $value:tt $convert:ident) => { $convert($value) };
+    (@map [fixed; $n:expr] $value:tt $convert:ident) => { $value.map($convert) };
+    (@map [tunable; $n:expr] $value:tt $convert:ident) => { $value.map($convert) };
+    (@map [state; $n:expr] $value:tt $convert:ident) => { $value.map($convert) };
     (@map [$Part:ident; $n:expr] $value:tt $convert:ident) => { $value.map(|part| part.map($convert)) };
     (@map ($Part:ident) $value:tt $convert:ident) => { $value.map($convert) };
     (@map $Part:ident $value:tt $convert:ident) => { $value.map($convert) };
 
+    (@place $table:ident $at:ident $field:ident [fixed; $n:expr] = $columns:expr, $help:expr) => {
+        $crate::model::place_all(&mut $table, $at, stringify!($field), $crate::model::Role::Fixed, &$columns, $help)
+    };
+    (@place $table:ident $at:ident $field:ident [tunable; $n:expr] = $columns:expr, $help:expr) => {
+        $crate::model::place_all(&mut $table, $at, stringify!($field), $crate::model::Role::Tunable, &$columns, $help)
+    };
+    (@place $table:ident $at:ident $field:ident [state; $n:expr] = $columns:expr, $help:expr) => {
+        $crate::model::place_all(&mut $table, $at, stringify!($field), $crate::model::Role::State, &$columns, $help)
+    };
     (@place $table:ident $at:ident $field:ident [$Part:ident; $n:expr], $help:expr) => {
         $crate::model::graft_all(&mut $table, $at, stringify!($field), $n, <$Part as $crate::model::Columns>::TABLE)
     };

@@ -83,6 +83,15 @@ pub(crate) fn set_inputs<M: Columns>(model: &mut M, begin: &M, slope: &M, time: 
     }
 }
 
+/// Slopes of inputs that do not move.
+pub(crate) fn held_inputs<M: Model>(model: &M) -> M {
+    let mut slope = *model;
+    for column in inputs::<M>() {
+        row_of_mut(&mut slope)[column] = 0.0;
+    }
+    slope
+}
+
 fn inputs<M: Columns>() -> impl Iterator<Item = usize> {
     let is_input = |column: &usize| M::TABLE[*column].role == Role::Input;
     (0..M::TABLE.len()).filter(is_input)

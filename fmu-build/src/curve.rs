@@ -364,8 +364,10 @@ pub fn distance(a: &Curve, b: &Curve) -> f64 {
     if high > low { largest / (high - low) } else { 0.0 }
 }
 
-/// The motion of a host with Coulomb friction in its contact.
+/// The motion of a host.
 pub struct Motion {
+    /// What acts on it, in words.
+    pub with: &'static str,
     /// Columns of its first two states that are outputs.
     pub states: [usize; 2],
     /// Times.
@@ -381,18 +383,99 @@ pub fn motion(model: &'static ModelType) -> Result<Motion> {
     let states: Vec<usize> = (0..model.table.len()).filter(is_state).collect();
     let states = *states.first_chunk().context("a host needs two states that are outputs")?;
     let mut host = Instance::new(model);
-    let mut contact = Contact::of(model)?;
-    let mut motion = Motion { states, times: Vec::new(), values: Vec::new() };
-    for step in 0..=40_000 {
+    let mut connection = Connection::of(&mut host)?;
+    host.put(states[0], host.row()[states[0]] + connection.lifted_by());
+    let mut motion = Motion { with: connection.name(), states, times: Vec::new(), values: Vec::new() };
+    for step in 0..=connection.steps() {
         host.refresh()?;
         motion.times.push(f64::from(step) * STEP);
         motion.values.push(states.map(|column| host.row()[column]));
-        contact.act(&mut host, STEP)?;
+        connection.act(&mut host, STEP)?;
         host.step(STEP)?;
     }
     let [low, high] = limits([&motion.values], 0);
     ensure!(high > low, "it does not move");
     Ok(motion)
+}
+
+/// What acts on a host.
+enum Connection {
+    Contact(Contact),
+    Struts(Vec<Strut>),
+}
+
+impl Connection {
+    fn of(host: &mut Instance) -> Result<Connection> {
+        let struts = Strut::all(host)?;
+        Ok(if struts.is_empty() { Connection::Contact(Contact::of(host.model())?) } else { Connection::Struts(struts) })
+    }
+
+    fn name(&self) -> &'static str {
+        match self {
+            Connection::Contact(_) => "with Coulomb friction and stiction in the contact",
+            Connection::Struts(_) => "on linear struts (45 kN/m, 1900 N.s/m), let go 20 mm above rest",
+        }
+    }
+
+    /// A belt carries its block away; a car must be lifted to move.
+    fn lifted_by(&self) -> f64 {
+        match self {
+            Connection::Contact(_) => 0.0,
+            Connection::Struts(_) => 0.02,
+        }
+    }
+
+    /// Number of steps in which there is something to see.
+    fn steps(&self) -> u32 {
+        match self {
+            Connection::Contact(_) => 40_000,
+            Connection::Struts(_) => 1_000,
+        }
+    }
+
+    fn act(&mut self, host: &mut Instance, dt: f64) -> Result<()> {
+        match self {
+            Connection::Contact(contact) => contact.act(host, dt)?,
+            Connection::Struts(struts) => struts.iter().for_each(|strut| strut.act(host)),
+        }
+        Ok(())
+    }
+}
+
+/// A linear spring and a linear damper, and the columns of the host that they are connected with.
+struct Strut {
+    force: usize,
+    length: usize,
+    velocity: usize,
+    /// Force and length at rest.
+    rest: [f64; 2],
+}
+
+impl Strut {
+    /// The front spring of the default parameters, and the mean of the two sides of the default damper.
+    const STIFFNESS: f64 = 45_000.0;
+    const DAMPING: f64 = 1_900.0;
+
+    /// One for every strut force of a host at rest.
+    fn all(host: &mut Instance) -> Result<Vec<Strut>> {
+        host.refresh()?;
+        let model = host.model();
+        let names = model.table.iter().map(|variable| variable.path.to_string());
+        let corners: Vec<String> =
+            names.filter_map(|name| Some(name.strip_suffix("strut_force")?.to_owned())).collect();
+        let strut = |corner: &String| {
+            let column = |name| model.find(&format!("{corner}{name}")).with_context(|| format!("no {corner}{name}"));
+            let (force, length, velocity) = (column("strut_force")?, column("length")?, column("velocity")?);
+            Ok(Strut { force, length, velocity, rest: [host.row()[force], host.row()[length]] })
+        };
+        corners.iter().map(strut).collect()
+    }
+
+    fn act(&self, host: &mut Instance) {
+        let [force, length] = self.rest;
+        let spring = force + Strut::STIFFNESS * (length - host.row()[self.length]);
+        host.put(self.force, spring - Strut::DAMPING * host.row()[self.velocity]);
+    }
 }
 
 /// A law of dry friction, and the columns of law and host that are connected by their names.
@@ -638,5 +721,17 @@ mod tests {
         // It sticks until k x = f_s, that is x = 1.4715 N / 2 N/m.
         let slips = motion.values.iter().find(|value| value[1] < 0.0999).unwrap();
         assert!((slips[0] - 0.73575).abs() < 1e-3, "{slips:?}");
+    }
+
+    /// A car that is let go swings back to its rest: through it at 3.8 Hz, a quarter of a period later.
+    #[test]
+    fn cars_are_let_go() {
+        for name in ["QuarterCar", "FourPostCar"] {
+            let motion = motion(by_name(name).unwrap()).unwrap();
+            assert_eq!(motion.values[0], [0.02, 0.0], "{name}");
+            let passes = motion.values.iter().position(|value| value[0] < 0.0).unwrap();
+            assert!((60..100).contains(&passes), "{name}: after {passes} ms");
+            assert!(motion.values[1_000][0].abs() < 1e-4, "{name}");
+        }
     }
 }

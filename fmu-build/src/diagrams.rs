@@ -147,7 +147,7 @@ fn over_displacement(law: &Law, range: f64) -> Result<Option<Figure>> {
 }
 
 fn of_host(model: &'static ModelType) -> Result<Vec<Figure>> {
-    let Motion { states, times, values } = curve::motion(model)?;
+    let Motion { with, states, times, values } = curve::motion(model)?;
     let states = states.map(|column| &model.table[column]);
     let over_time = |index: usize| {
         let points = times.iter().zip(&values).map(|(time, value)| [*time, value[index]]).collect();
@@ -156,7 +156,7 @@ fn of_host(model: &'static ModelType) -> Result<Vec<Figure>> {
         Figure { caption: format!("{} over time.", capitalised(&words(states[index]))), axes, lines }
     };
     let lines = vec![line("", Style::First, values.clone())];
-    let caption = "Phase portrait, with Coulomb friction and stiction in the contact.".to_owned();
+    let caption = format!("Phase portrait, {with}.");
     let portrait = Figure { caption, axes: [axis(states[0], &lines, 0), axis(states[1], &lines, 1)], lines };
     Ok(vec![over_time(0), portrait])
 }

@@ -42,6 +42,8 @@ crate::catalogue::family! {
     elasto_plastic_planar::ElastoPlasticPlanar,
 }
 
+pub(crate) use time_stepping::Exchange;
+
 mod branching;
 mod delay_line;
 mod elements;

@@ -7,6 +7,10 @@ use crate::ramp::set_inputs;
 /// Error allowed in a piece of a step, relative to the larger of the state and its nominal value (chosen).
 const TOLERANCE: f64 = 1e-10;
 
+/// Length of a piece in s within which the model may change its branch (chosen: where the rate of the rate jumps by j, it
+/// leaves an error of less than j times its square, 1e-10 m/s for a wheel that lands at 1 m/s).
+const CHANGE: f64 = 1e-7;
+
 /// A step is divided into at most so many pieces (chosen: one to two seconds of computation for a four-post car).
 const MOST_PIECES: u32 = 1_000_000;
 
@@ -22,36 +26,41 @@ pub(crate) fn held<M: Model, const N: usize>(model: &mut M, dt: f64) {
 pub(crate) fn advance<M: Model, const N: usize>(model: &mut M, slope: &M, dt: f64) {
     let columns = states::<M, N>();
     let begin = *model;
+    let moved = |time: f64, at: [f64; N]| {
+        let mut model = begin;
+        set_inputs(&mut model, &begin, slope, time);
+        put(&mut model, &columns, at);
+        model
+    };
     let (mut time, mut piece) = (0.0, dt);
     let mut at = columns.map(|column| row_of(&begin)[column]);
+    let mut branches = begin.branches();
     for _ in 0..MOST_PIECES {
         // A rest that is hardly longer than the piece is made in one.
         let end = if time + 1.01 * piece >= dt { dt } else { time + piece };
         let length = end - time;
-        let rates = |since: f64, at: [f64; N]| rates(&begin, slope, &columns, time + since, at);
-        let (next, error) = dormand_prince(rates, at, length);
+        let (next, error) = dormand_prince(|since, at| rates(&moved(time + since, at), &columns), at, length);
         let error = largest::<M, N>(&columns, next, error) / TOLERANCE;
-        if error <= 1.0 {
-            (time, at) = (end, next);
-        }
-        if time >= dt {
-            return finish(model, &columns, at, slope, dt);
-        }
         // The estimate is of fifth order; safety factor and limits as usual in step-size control.
         let factor = 0.9 * error.powf(-0.2);
         piece = length * if factor.is_nan() { 0.2 } else { factor.clamp(0.2, 5.0) };
+        if error <= 1.0 {
+            let after = moved(end, next);
+            if after.branches() != branches && length > CHANGE {
+                piece = 0.25 * length;
+                continue;
+            }
+            (time, at, branches) = (end, next, after.branches());
+            if time >= dt {
+                *model = after;
+                return;
+            }
+        }
         if time + piece <= time {
             break;
         }
     }
-    finish(model, &columns, [f64::NAN; N], slope, dt);
-}
-
-/// Writes the states and the inputs at the end of the step.
-fn finish<M: Model, const N: usize>(model: &mut M, columns: &[usize; N], at: [f64; N], slope: &M, dt: f64) {
-    let begin = *model;
-    set_inputs(model, &begin, slope, dt);
-    put(model, columns, at);
+    *model = moved(dt, [f64::NAN; N]);
 }
 
 /// Columns of the states.
@@ -68,11 +77,8 @@ fn put<M: Columns, const N: usize>(model: &mut M, columns: &[usize; N], at: [f64
     }
 }
 
-fn rates<M: Model, const N: usize>(begin: &M, slope: &M, columns: &[usize; N], time: f64, at: [f64; N]) -> [f64; N] {
-    let mut model = *begin;
-    set_inputs(&mut model, begin, slope, time);
-    put(&mut model, columns, at);
-    let mut rate = model;
+fn rates<M: Model, const N: usize>(model: &M, columns: &[usize; N]) -> [f64; N] {
+    let mut rate = *model;
     model.rate(&mut rate);
     columns.map(|column| row_of(&rate)[column])
 }

@@ -2,7 +2,7 @@
 //!
 //! All heights are deviations from rest, positive up. Axes as in ISO 8855: x forward, y left, z up.
 
-use crate::model::real;
+use crate::model::{Fault, real};
 use crate::number::Real;
 
 /// Acceleration of gravity in m/s2, as in the benchmark of the friction models (9.81 N for 1 kg).
@@ -67,6 +67,11 @@ impl<T: Real> Wheel<T> {
             + with.tyre_stiffness * (ground.height - self.wheel_height)
             + with.tyre_damping * (ground.velocity - self.wheel_velocity);
         if load > T::zero() { load } else { T::zero() }
+    }
+
+    /// Is the wheel on the ground?
+    pub fn is_on(&self, with: &Suspension<T>, ground: Motion<T>, static_load: T) -> bool {
+        self.load(with, ground, static_load) > T::zero()
     }
 
     /// Force of the strut on the body, as it acts at the wheel, beyond that at rest.
@@ -198,6 +203,17 @@ impl<T: Real> Body<T> {
         rate.heave_rate = load.force / self.body_mass;
         rate.pitch_rate = load.pitch_moment / self.pitch_inertia;
         rate.roll_rate = load.roll_moment / self.roll_inertia;
+    }
+}
+
+impl Body {
+    /// Refuses a body that would tip over.
+    pub fn check(&self) -> Result<(), Fault> {
+        let Body { cg_to_front, wheelbase, .. } = *self;
+        if cg_to_front > wheelbase {
+            return Err(Fault(format!("cg_to_front = {cg_to_front}: must be <= wheelbase = {wheelbase}")));
+        }
+        Ok(())
     }
 }
 

@@ -13,5 +13,6 @@ pub mod runge_kutta;
 pub mod specker;
 pub mod stopping;
 pub mod stribeck;
+pub mod table;
 pub mod vector;
 pub mod viscous;

@@ -1,4 +1,6 @@
-//! Instants at which something happens within a step, to the last bit.
+//! Zeros of functions: instants at which something happens within a step, and solutions of implicit steps.
+
+use crate::number::Dual;
 
 /// The smallest t of an interval with `f(t) >= 0`, if f is negative at `low`, not negative at `high` and rises through
 /// zero once in between: bisection until two neighbouring numbers are left.
@@ -40,6 +42,28 @@ pub fn first_rise(f: impl Fn(f64) -> f64, c: [f64; 4], end: f64) -> Option<f64> 
     None
 }
 
+/// The zero of a rising function in [low, high]: Newton's method, with bisection where it leaves the bracket. `f` gives
+/// value and slope.
+pub fn newton(f: impl Fn(f64) -> Dual, mut low: f64, mut high: f64) -> f64 {
+    let mut x = low + 0.5 * (high - low);
+    // Bisection alone needs some 60 rounds for the digits and may need 1000 more for the magnitude.
+    for _ in 0..1100 {
+        let y = f(x);
+        if y.value > 0.0 {
+            high = x;
+        } else {
+            low = x;
+        }
+        let newton = x - y.value / y.slope;
+        let next = if newton > low && newton < high { newton } else { low + 0.5 * (high - low) };
+        if y.value == 0.0 || (next - x).abs() <= f64::EPSILON * x.abs() || next <= low || next >= high {
+            break;
+        }
+        x = next;
+    }
+    x
+}
+
 /// The zeros of the cubic's derivative in rising order; infinite or NaN where there are none.
 fn turns([_, c_1, c_2, c_3]: [f64; 4]) -> [f64; 2] {
     // 3 c_3 t^2 + 2 c_2 t + c_1 = 0, in the form that loses no digits.
@@ -52,6 +76,16 @@ fn turns([_, c_1, c_2, c_3]: [f64; 4]) -> [f64; 2] {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn newton_finds_zeros_of_smooth_kinked_and_flat_functions() {
+        let at = |value: f64, slope: f64| Dual { value, slope };
+        assert!((newton(|x| at(x * x * x - 2.0, 3.0 * x * x), 0.0, 9.0) - 2f64.cbrt()).abs() < 1e-15);
+        let kinked = |x: f64| if x < 1.0 { at(1e-3 * (x - 1.0) - 1.0, 1e-3) } else { at(1e6 * (x - 1.0) - 1.0, 1e6) };
+        assert!((newton(kinked, -50.0, 50.0) - (1.0 + 1e-6)).abs() < 1e-15);
+        assert!((newton(|x| at((x - 0.3).signum(), 0.0), 0.0, 1.0) - 0.3).abs() < 1e-15);
+        assert_eq!(newton(|x| at(x, 1.0), 0.0, 0.0), 0.0);
+    }
 
     #[test]
     fn bisection_finds_the_first_number_that_is_not_below() {

@@ -1,0 +1,389 @@
+use crate::friction::Exchange;
+use crate::model::{Fault, Law, Model, boolean, choice, real};
+use crate::number::Real;
+use crate::shock_absorber::law::{
+    Answer, BLANK_MEMORY, ChosenLaw, Evaluate, FRICTION_MODEL, Given, LUGRE, LawParameters, MEMORY,
+};
+
+crate::choices! {
+    /// Which parts of the friction act.
+    pub enum FrictionSwitch {
+        /// The law as it is.
+        On,
+        /// The static level is the kinetic one, as if mu_s were mu_k and preload_s were preload_k.
+        NoStiction,
+        /// The viscous part alone, as if coefficients and preloads were 0.
+        ViscousOnly,
+        /// No friction, as if the model were None.
+        Off,
+    }
+}
+
+crate::part! {
+    /// The friction law of a contact and its parameters.
+    FrictionLaw {
+        /// Friction law; parameters that it does not have are ignored.
+        model: fixed = choice(&FRICTION_MODEL, LUGRE),
+        /// Which parts of the friction act.
+        switch: tunable = FrictionSwitch::On.start(),
+        /// Friction in compression over friction in extension: (1 + asymmetry) / (1 - asymmetry).
+        asymmetry: tunable = real("1", 0.0).at_least(-0.99).at_most(0.99),
+        /// Factor on all friction levels.
+        scale: tunable = real("1", 1.0).at_least(0.0),
+        /// Effective mass of the host, for laws that know it; 0: the force of the printed law.
+        mass: tunable = real("kg", 0.0).at_least(0.0),
+        /// Order in which the master exchanges force and motion; matters where mass > 0.
+        exchange: fixed = Exchange::Sequential.start(),
+        /// Parameters of the laws.
+        law: (LawParameters),
+    }
+}
+
+crate::part! {
+    /// Friction levels of a contact.
+    Levels {
+        /// Static coefficient of friction; not less than mu_k.
+        mu_s: tunable = real("1", 0.15).at_least(0.0),
+        /// Kinetic coefficient of friction.
+        mu_k: tunable = real("1", 0.1).at_least(0.0),
+        /// Breakaway force without normal force, as of a seal; not less than preload_k.
+        preload_s: tunable = real("N", 10.0).at_least(0.0),
+        /// Sliding friction force without normal force, as of a seal.
+        preload_k: tunable = real("N", 8.0).at_least(0.0),
+    }
+}
+
+impl Levels {
+    /// Refuses levels that no law can have.
+    pub(crate) fn check(&self, part: &str) -> Result<(), Fault> {
+        let pairs = [("mu", self.mu_s, self.mu_k), ("preload", self.preload_s, self.preload_k)];
+        for (name, statical, kinetic) in pairs {
+            if statical < kinetic {
+                return Err(Fault(format!("{part}{name}_s = {statical}: must be >= {part}{name}_k = {kinetic}")));
+            }
+            if statical > 0.0 && kinetic == 0.0 {
+                return Err(Fault(format!(
+                    "{part}{name}_k = 0: must be > 0 where {part}{name}_s = {statical} is, or the force would vanish in sliding"
+                )));
+            }
+        }
+        Ok(())
+    }
+}
+
+/// What a contact feels at an instant.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Touch<T> {
+    /// Axial sliding velocity.
+    pub velocity: T,
+    /// Sliding velocity along the circumference.
+    pub rim_velocity: T,
+    pub normal_force: T,
+    /// Acceleration along the axis.
+    pub acceleration: T,
+    /// All other forces along the axis that this contact has to hold.
+    pub external_force: T,
+    /// Mass that this contact has to stop.
+    pub mass: T,
+}
+
+impl<T: Real> Touch<T> {
+    /// Sliding speed with the sign of the axial velocity.
+    pub(crate) fn signed_speed(&self) -> T {
+        if self.rim_velocity.is(0.0) {
+            return self.velocity;
+        }
+        let speed = (self.velocity * self.velocity + self.rim_velocity * self.rim_velocity).powf(T::from(0.5));
+        if self.velocity.value() < 0.0 { -speed } else { speed }
+    }
+
+    /// Shares of a friction force against the sliding speed that act along the axis and along the circumference.
+    pub(crate) fn direction(&self) -> [T; 2] {
+        if self.rim_velocity.is(0.0) {
+            return [T::from(1.0), T::zero()];
+        }
+        let speed = self.signed_speed();
+        if speed.value() == 0.0 {
+            return [T::from(1.0), T::zero()];
+        }
+        [self.velocity / speed, self.rim_velocity / speed]
+    }
+}
+
+impl<T: Real> FrictionLaw<T> {
+    pub(crate) fn chosen(&self) -> Option<ChosenLaw> {
+        if self.switch() == FrictionSwitch::Off { None } else { ChosenLaw::of(self.model.value()) }
+    }
+
+    fn switch(&self) -> FrictionSwitch {
+        FrictionSwitch::of(self.switch.value())
+    }
+
+    /// Kinetic and static level of a contact, without regard to the direction of motion.
+    pub(crate) fn levels(&self, levels: &Levels<T>, normal_force: T) -> [T; 2] {
+        let kinetic = self.scale * (levels.preload_k + levels.mu_k * normal_force);
+        let statical = self.scale * (levels.preload_s + levels.mu_s * normal_force);
+        match self.switch() {
+            FrictionSwitch::On => [kinetic, statical],
+            FrictionSwitch::NoStiction => [kinetic, kinetic],
+            FrictionSwitch::ViscousOnly | FrictionSwitch::Off => [T::zero(), T::zero()],
+        }
+    }
+
+    /// Factor on the levels in the direction of motion. At rest it is the larger one, so that nothing slips on stopping.
+    fn side(&self, velocity: T) -> T {
+        let direction = velocity.sign();
+        if direction.is(0.0) { self.largest_side() } else { T::from(1.0) - self.asymmetry * direction }
+    }
+
+    fn largest_side(&self) -> T {
+        T::from(1.0) + self.asymmetry.abs()
+    }
+
+    /// The levels as coefficients and a normal force, which the laws ask for.
+    fn given(&self, levels: &Levels<T>, touch: &Touch<T>) -> Given<T> {
+        let one = T::from(1.0);
+        let side = self.side(touch.velocity);
+        let [kinetic, statical] = self.levels(levels, touch.normal_force);
+        let mu_k = if levels.mu_k.value() > 0.0 { levels.mu_k } else { one };
+        let normal_force = side * kinetic / mu_k;
+        let has_stiction = kinetic.value() > 0.0 && statical.value() > kinetic.value();
+        Given {
+            velocity: touch.signed_speed(),
+            normal_force,
+            mu_k,
+            mu_s: if has_stiction { mu_k * statical / kinetic } else { mu_k },
+            mass: touch.mass,
+            exchange: self.exchange,
+            external_force: touch.external_force,
+            acceleration: touch.acceleration,
+            largest: self.largest_side() * statical,
+        }
+    }
+
+    /// Friction force against the sliding speed.
+    pub(crate) fn force(&self, levels: &Levels<T>, touch: &Touch<T>, memory: &[T; MEMORY]) -> Answer<T>
+    where
+        T: Evaluate,
+    {
+        let Some(law) = self.chosen() else {
+            return Answer { force: T::zero(), sticking: false, energy: 0.0 };
+        };
+        let given = self.given(levels, touch);
+        let mut answer = law.force(&given, &self.law, memory);
+        answer.force = answer.force + self.drag(law, &given) * given.velocity;
+        answer
+    }
+
+    /// The viscous coefficient of a contact without levels, for which the law itself gives no force.
+    fn drag(&self, law: ChosenLaw, given: &Given<T>) -> T {
+        if given.normal_force.value() > 0.0 { T::zero() } else { law.viscous_coefficient(&self.law) }
+    }
+}
+
+impl FrictionLaw {
+    /// Advances the memory by `dt` while the motion is held.
+    pub(crate) fn advance(
+        &self,
+        levels: &Levels,
+        touch: &Touch<f64>,
+        memory: &mut [f64; MEMORY],
+        dt: f64,
+    ) -> Answer<f64> {
+        let Some(law) = self.chosen() else {
+            return Answer { force: 0.0, sticking: false, energy: 0.0 };
+        };
+        let given = self.given(levels, touch);
+        let mut answer = law.advance(&given, &self.law, memory, dt);
+        let drag = self.drag(law, &given) * given.velocity;
+        answer.force += drag;
+        answer.energy += drag * given.velocity * dt;
+        answer
+    }
+
+    /// What the law remembers in steady sliding; at rest, its start.
+    pub(crate) fn settled(&self, levels: &Levels, touch: &Touch<f64>) -> [f64; MEMORY] {
+        let Some(law) = self.chosen() else { return [0.0; MEMORY] };
+        let mut memory = law.start();
+        let given = self.given(levels, touch);
+        if given.velocity != 0.0 && given.mass == 0.0 {
+            law.advance(&given, &self.law, &mut memory, SETTLING_DISTANCE / given.velocity.abs());
+        }
+        memory
+    }
+
+    /// What the law remembers at its start.
+    pub(crate) fn fresh(&self) -> [f64; MEMORY] {
+        self.chosen().map_or([0.0; MEMORY], ChosenLaw::start)
+    }
+
+    /// Time derivatives of what the law remembers.
+    pub(crate) fn rate(&self, levels: &Levels, touch: &Touch<f64>, memory: &[f64; MEMORY]) -> [f64; MEMORY] {
+        self.chosen().map_or([0.0; MEMORY], |law| law.rate(&self.given(levels, touch), &self.law, memory))
+    }
+
+    /// Refuses parameters that the chosen law refuses.
+    pub(crate) fn check(&self, levels: &Levels) -> Result<(), Fault> {
+        let touch = Touch {
+            velocity: 0.0,
+            rim_velocity: 0.0,
+            normal_force: 1.0,
+            acceleration: 0.0,
+            external_force: 0.0,
+            mass: self.mass,
+        };
+        self.chosen().map_or(Ok(()), |law| law.check(&self.given(levels, &touch), &self.law))
+    }
+}
+
+/// A distance over which every law forgets where it started (chosen: hundreds of times the pre-sliding displacement).
+const SETTLING_DISTANCE: f64 = 0.1;
+
+crate::model! {
+    /// Friction of a rod in its guide: any scalar law of the catalogue, for motion along the axis and about it.
+    ///
+    /// # Equations
+    ///
+    /// ```text
+    /// f_C = F_k + mu_k f_n,   f_s = F_s + mu_s f_n
+    /// s = (v^2 + (r w)^2)^(1/2)
+    /// f = phi(s) v / s
+    /// tau = r phi(s) r w / s
+    /// ```
+    ///
+    /// phi is the chosen law with the levels f_C and f_s. For motion along the axis alone (w = 0) it is f = phi(v).
+    ///
+    /// | symbol | variable          | unit  | meaning                                         |
+    /// |--------|-------------------|-------|-------------------------------------------------|
+    /// | v      | `velocity`        | m/s   | axial velocity of the rod relative to the guide |
+    /// | w      | `spin_rate`       | rad/s | spin of the rod relative to the guide           |
+    /// | f_n    | `normal_force`    | N     | force pressing the surfaces together            |
+    /// | r      | `radius`          | m     | radius of the contact                           |
+    /// | mu_k   | `levels.mu_k`     | 1     | kinetic coefficient of friction                 |
+    /// | mu_s   | `levels.mu_s`     | 1     | static coefficient of friction                  |
+    /// | F_k    | `levels.preload_k` | N    | sliding friction without normal force           |
+    /// | F_s    | `levels.preload_s` | N    | breakaway force without normal force            |
+    /// | f      | `friction_force`  | N     | axial friction force                            |
+    /// | tau    | `friction_torque` | N.m   | friction torque about the axis                  |
+    ///
+    /// # Sign
+    /// `friction_force` has the sign of `velocity` when sliding, `friction_torque` that of `spin_rate`; the rod feels
+    /// their negatives. Both levels are multiplied by `friction.scale`, and by 1 - `friction.asymmetry` for v > 0, by
+    /// 1 + `friction.asymmetry` for v < 0; at rest the larger of the two holds.
+    ///
+    /// # Step
+    /// As that of the chosen law. Its memory is `memory[1]`, `memory[2]`, ... in the order of the law's own states; it
+    /// starts at rest. Bristles that carry more than f_s, because the load fell, slip until they carry f_s.
+    ///
+    /// # Errors
+    /// Refused: a parameter outside its bound; `levels.mu_s` < `levels.mu_k`; `levels.preload_s` < `levels.preload_k`;
+    /// what the chosen law refuses.
+    ///
+    /// # Limits
+    /// A law with memory remembers along the axis only: where the rod spins, its force turns with the direction of
+    /// motion at once, and a reversal of `velocity` passes through zero torque. The law sees the normal force f_C / mu_k,
+    /// the load and a load that stands for the preload. Without levels (f_C = 0) the viscous part alone is left.
+    /// `external_force`, `acceleration` and `friction.mass` matter to the laws that ask for them.
+    ///
+    /// # Source
+    /// F. Novais, "A critical analysis on friction force models in dynamical systems", MSc thesis, University of Minho
+    /// (2024), chapter 9: friction at the contact points of a telescopic joint, rebuilt from its list of symbols. The
+    /// defaults are chosen: a guide of filled PTFE with a wiper, on a chromed rod.
+    ///
+    /// # Example
+    /// ```
+    /// use stribeck::model::Law;
+    /// use stribeck::shock_absorber::GuideContact;
+    /// let mut contact = GuideContact { velocity: 0.3, spin_rate: 40.0, radius: 0.01, ..Default::default() };
+    /// contact.friction.model = 2.0; // Coulomb
+    /// contact.normal_force = 20.0;
+    /// contact.output();
+    /// assert!((contact.friction_force - 10.0 * 0.6).abs() < 1e-14); // speed 0.5 m/s, level 8 + 0.1 20 = 10 N
+    /// assert!((contact.friction_torque - 10.0 * 0.8 * 0.01).abs() < 1e-15);
+    /// ```
+    GuideContact: "Friction of a rod in its guide, by any law of the catalogue" {
+        /// Axial velocity of the rod relative to the guide.
+        velocity: input = real("m/s", 0.0).shown_in("mm/s"),
+        /// Spin of the rod relative to the guide.
+        spin_rate: input = real("rad/s", 0.0),
+        /// Normal force that presses the surfaces together.
+        normal_force: input = real("N", 0.0).at_least(0.0),
+        /// All other axial forces on the rod; only for laws that hold a load at rest.
+        external_force: input = real("N", 0.0),
+        /// Time derivative of the velocity; only for laws that ask for it.
+        acceleration: input = real("m/s2", 0.0),
+        /// Radius of the contact.
+        radius: tunable = real("m", 0.007).at_least(0.0).shown_in("mm"),
+        /// Friction levels.
+        levels: Levels,
+        /// Friction law.
+        friction: FrictionLaw,
+        /// What the friction law remembers: its states in their order, in SI units.
+        memory: [state; MEMORY] = BLANK_MEMORY,
+        /// Has the run begun?
+        started: state = boolean(false),
+        /// Energy taken out of the motion since the start.
+        dissipated_energy: state_output = real("J", 0.0),
+        /// Axial friction force; has the sign of the velocity when sliding.
+        friction_force: output = real("N", 0.0),
+        /// Friction torque about the axis; has the sign of the spin rate when sliding.
+        friction_torque: output = real("N.m", 0.0),
+        /// Power taken out of the motion.
+        dissipated_power: output = real("W", 0.0),
+        /// Is the contact sticking?
+        sticking: output = boolean(false),
+    }
+}
+
+impl<T: Evaluate> GuideContact<T> {
+    fn touch(&self) -> Touch<T> {
+        Touch {
+            velocity: self.velocity,
+            rim_velocity: self.radius * self.spin_rate,
+            normal_force: self.normal_force,
+            acceleration: self.acceleration,
+            external_force: self.external_force,
+            mass: self.friction.mass,
+        }
+    }
+
+    fn memory(&self) -> [T; MEMORY] {
+        if self.started.value() != 0.0 {
+            return self.memory;
+        }
+        self.friction.chosen().map_or(self.memory, |law| law.start().map(T::from))
+    }
+}
+
+impl<T: Evaluate> Law for GuideContact<T> {
+    fn output(&mut self) {
+        let touch = self.touch();
+        let answer = self.friction.force(&self.levels, &touch, &self.memory());
+        let [axial, around] = touch.direction();
+        self.friction_force = answer.force * axial;
+        self.friction_torque = self.radius * answer.force * around;
+        self.dissipated_power = answer.force * touch.signed_speed();
+        self.sticking = T::from(f64::from(u8::from(answer.sticking)));
+    }
+}
+
+impl Model for GuideContact {
+    fn check(&self) -> Result<(), Fault> {
+        self.levels.check("levels.")?;
+        self.friction.check(&self.levels)
+    }
+
+    fn step(&mut self, dt: f64) {
+        let mut memory = self.memory();
+        let answer = self.friction.advance(&self.levels, &self.touch(), &mut memory, dt);
+        self.memory = memory;
+        self.started = 1.0;
+        self.dissipated_energy += answer.energy;
+    }
+
+    fn rate(&self, rate: &mut Self) {
+        rate.memory = self.friction.rate(&self.levels, &self.touch(), &self.memory());
+        let answer = self.friction.force(&self.levels, &self.touch(), &self.memory());
+        rate.dissipated_energy = answer.force * self.touch().signed_speed();
+    }
+}

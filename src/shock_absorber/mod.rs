@@ -1,0 +1,27 @@
+//! The telescopic shock absorber and its parts, one per file. Each part is a model of its own, too.
+//!
+//! Sign: `length` is the distance of the eyes, `velocity` its time derivative, positive in extension; forces are positive
+//! when they push the eyes apart. Friction forces and damper resistances have the sign of `velocity`.
+
+crate::catalogue::family! {
+    strut::ShockAbsorber,
+    joint::TelescopicJoint,
+    contact::GuideContact,
+    spring::CoilSpring,
+    gas::GasSpring,
+    stops::EndStops,
+    damper::HydraulicDamper,
+    thermal::DamperTemperature,
+}
+
+mod coupling;
+mod law;
+
+/// Most internal steps within a communication step (chosen); beyond, they grow longer than wished.
+const MOST_SUBSTEPS: u32 = 10_000;
+
+/// Number of equal internal steps of at most `largest` that make up a step. A step that is longer by rounding alone does
+/// not need one more.
+fn substeps(dt: f64, largest: f64) -> u32 {
+    ((dt / largest - 1e-6).ceil() as u32).clamp(1, MOST_SUBSTEPS)
+}

@@ -1,0 +1,692 @@
+use crate::friction::Exchange;
+use crate::model::{Fault, Law, Model, boolean, real};
+use crate::number::Real;
+use crate::ramp;
+use crate::shock_absorber::contact::{FrictionLaw, Levels, Touch};
+use crate::shock_absorber::coupling;
+use crate::shock_absorber::damper::Hydraulics;
+use crate::shock_absorber::gas::GasChamber;
+use crate::shock_absorber::joint::{Guidance, NormalSum, SideConvention, SideLoad, Wrench};
+use crate::shock_absorber::law::{Answer, BLANK_MEMORY, Evaluate, MEMORY};
+use crate::shock_absorber::spring::Coil;
+use crate::shock_absorber::stops::{BumpStop, ReboundStop};
+use crate::shock_absorber::thermal::Heating;
+
+crate::choices! {
+    /// Which side loads act on the joint.
+    pub enum SideMode {
+        /// The four inputs.
+        Inputs,
+        /// What the spring does to the joint: offset of its line of action and side force.
+        Internal,
+        /// Both.
+        Sum,
+    }
+}
+
+crate::choices! {
+    /// How the inputs move within a step.
+    pub enum InputMode {
+        /// They are held.
+        Hold,
+        /// The length moves with the velocity.
+        Linear,
+    }
+}
+
+crate::choices! {
+    /// What the friction law remembers at the start.
+    pub enum FrictionStart {
+        /// Steady sliding at the first velocity.
+        Steady,
+        /// Contacts at rest, without load.
+        Zero,
+        /// The start values of memory_1 and memory_2.
+        Value,
+    }
+}
+
+crate::part! {
+    /// Dimensions.
+    Geometry {
+        /// Distance of the eyes at full extension (default chosen).
+        length_extended: fixed = real("m", 0.200).positive().shown_in("mm"),
+        /// Stroke from full extension to full compression.
+        stroke: fixed = real("m", 0.055).positive().shown_in("mm"),
+        /// Where the joint guides the rod.
+        guidance: (Guidance),
+        /// Radius of the rod, at the rod guide (default chosen).
+        r_1: fixed = real("m", 0.007).at_least(0.0).shown_in("mm"),
+        /// Radius of the piston (default chosen).
+        r_2: fixed = real("m", 0.0125).at_least(0.0).shown_in("mm"),
+    }
+}
+
+crate::part! {
+    /// Where the side load comes from, and what is made of it.
+    Side {
+        /// Side loads that act on the joint.
+        mode: fixed = SideMode::Sum.start(),
+        /// Meaning of the four side-load inputs.
+        convention: fixed = SideConvention::WrenchOnRod.start(),
+        /// Offset of the spring's line of action along m (default chosen).
+        offset_m: tunable = real("m", 0.003).shown_in("mm"),
+        /// Offset of the spring's line of action along n.
+        offset_n: tunable = real("m", 0.0).shown_in("mm"),
+        /// Side force of the spring along m, relative to its axial force; it acts at the upper eye.
+        force_ratio: tunable = real("1", 0.0),
+        /// How the load of the joint becomes the load of its contacts.
+        normal_sum: fixed = NormalSum::TwoPoint.start(),
+        /// Factor on the contact forces for the distribution of pressure; 4 / pi for a cosine over half the rim.
+        c_geo: tunable = real("1", 1.0).at_least(0.0),
+    }
+}
+
+crate::part! {
+    /// From the travel of the host to the length of the strut.
+    Adapter {
+        /// Length of the strut where the input length is 0.
+        length_offset: fixed = real("m", 0.0).shown_in("mm"),
+        /// Length of the strut per input length; -MR for wheel travel, -0.001 for millimetres of compression.
+        length_gain: fixed = real("1", 1.0),
+        /// Factor on force_travel, for the host's unit of force.
+        force_gain: fixed = real("1", 1.0),
+    }
+}
+
+crate::part! {
+    /// Numerical settings.
+    Numerics {
+        /// Largest internal step.
+        h_max: fixed = real("s", 1e-4).positive().shown_in("ms"),
+        /// How the inputs move within a step.
+        input_mode: fixed = InputMode::Hold.start(),
+        /// Mass that the strut carries or moves, whichever is smaller; for the advice step_limit only.
+        mass_ref: tunable = real("kg", 16.4).positive(),
+    }
+}
+
+crate::part! {
+    /// State at the start.
+    Start {
+        /// What the friction law remembers at the start.
+        friction_state: fixed = FrictionStart::Steady.start(),
+    }
+}
+
+crate::part! {
+    /// All that a strut's forces depend on besides its states.
+    Setting {
+        /// Distance of the eyes, or travel of the host: see adapter.
+        length: input = real("m", 0.1775).shown_in("mm"),
+        /// Time derivative of the length; positive in extension.
+        velocity: input = real("m/s", 0.0),
+        /// Load across the axis.
+        load: (SideLoad),
+        /// Spin of the rod relative to the tube, about the axis from tube to rod.
+        spin_rate: input = real("rad/s", 0.0),
+        /// All other forces along the strut, positive in extension; only for laws that hold a load at rest.
+        external_force: input = real("N", 0.0),
+        /// Time derivative of the velocity; only for laws that ask for it.
+        acceleration: input = real("m/s2", 0.0),
+        /// Ambient temperature; used if thermal.enabled is true.
+        temperature_ambient: input = real("K", 293.15).positive().nominal(300.0).shown_in("degC"),
+        /// Dimensions.
+        geom: Geometry,
+        /// Spring.
+        spring: Coil,
+        /// Gas.
+        gas: GasChamber,
+        /// Bump stop.
+        bump: BumpStop,
+        /// Rebound stop.
+        rebound: ReboundStop,
+        /// Damper.
+        damper: Hydraulics,
+        /// Friction law.
+        friction: FrictionLaw,
+        /// Contact of the rod with its guide and wiper.
+        c1: Levels,
+        /// Contact of the piston with the tube.
+        c2: Levels = &[("mu_s", 0.10), ("mu_k", 0.08), ("preload_s", 8.0), ("preload_k", 6.0)],
+        /// Side loads.
+        side: Side,
+        /// Heating of the damper.
+        thermal: Heating,
+        /// Travel of the host.
+        adapter: Adapter,
+        /// Numerical settings.
+        num: Numerics,
+        /// State at the start.
+        init: Start,
+    }
+}
+
+/// Motion of the strut, after the adapter.
+#[derive(Clone, Copy)]
+struct Motion<T> {
+    length: T,
+    velocity: T,
+}
+
+/// Axial forces without friction; positive pushes the eyes apart.
+struct Forces<T> {
+    spring: T,
+    gas: T,
+    bump: T,
+    rebound: T,
+}
+
+impl<T: Real> Forces<T> {
+    fn sum(&self) -> T {
+        self.spring + self.gas + self.bump + self.rebound
+    }
+}
+
+impl<T: Real> Setting<T> {
+    fn motion(&self) -> Motion<T> {
+        Motion {
+            length: self.adapter.length_offset + self.adapter.length_gain * self.length,
+            velocity: self.adapter.length_gain * self.velocity,
+        }
+    }
+
+    fn compression(&self, motion: &Motion<T>) -> T {
+        self.geom.length_extended - motion.length
+    }
+
+    fn forces(&self, motion: &Motion<T>) -> Forces<T> {
+        let compression = self.compression(motion);
+        Forces {
+            spring: self.spring.force(compression),
+            gas: self.gas.force(compression),
+            bump: self.bump.force(compression, motion.velocity),
+            rebound: self.rebound.force(compression, motion.velocity),
+        }
+    }
+
+    /// Load of the joint: the inputs and what the spring adds.
+    fn wrench(&self, spring_force: T) -> Wrench<T> {
+        let mode = SideMode::of(self.side.mode.value());
+        let mut wrench = self.load.wrench(SideConvention::of(self.side.convention.value()));
+        if mode == SideMode::Internal {
+            wrench = Wrench { force: [T::zero(); 2], moment: [T::zero(); 2] };
+        }
+        if mode != SideMode::Inputs {
+            wrench.force[0] = wrench.force[0] + self.side.force_ratio * spring_force;
+            wrench.moment[0] = wrench.moment[0] - self.side.offset_n * spring_force;
+            wrench.moment[1] = wrench.moment[1] + self.side.offset_m * spring_force;
+        }
+        wrench
+    }
+
+    /// Normal forces at rod guide and piston.
+    fn normal_forces(&self, motion: &Motion<T>) -> [T; 2] {
+        let wrench = self.wrench(self.spring.force(self.compression(motion)));
+        let sum = NormalSum::of(self.side.normal_sum.value());
+        let normal = self.geom.guidance.normal_forces(&wrench, motion.length, sum);
+        normal.map(|normal| self.side.c_geo * normal)
+    }
+
+    fn contacts(&self) -> [&Levels<T>; 2] {
+        [&self.c1, &self.c2]
+    }
+
+    fn radii(&self) -> [T; 2] {
+        [self.geom.r_1, self.geom.r_2]
+    }
+
+    /// What the two contacts feel. Mass and external force are theirs in proportion to what they can hold.
+    fn touches(&self, motion: &Motion<T>) -> [Touch<T>; 2] {
+        let normal = self.normal_forces(motion);
+        let levels = self.contacts();
+        let holds = [0, 1].map(|at| self.friction.levels(levels[at], normal[at])[1]);
+        let total = holds[0] + holds[1];
+        [0, 1].map(|at| {
+            let share = if total.value() > 0.0 { holds[at] / total } else { T::from(0.5) };
+            Touch {
+                velocity: motion.velocity,
+                rim_velocity: self.radii()[at] * self.spin_rate,
+                normal_force: normal[at],
+                acceleration: self.adapter.length_gain * self.acceleration,
+                external_force: share * self.external_force,
+                mass: share * self.friction.mass,
+            }
+        })
+    }
+
+    /// Velocity of the damper's piston.
+    fn piston(&self, motion: &Motion<T>, piston_velocity: T) -> T {
+        if self.damper.has_series() { piston_velocity } else { motion.velocity }
+    }
+
+    fn resistance(&self, piston_velocity: T, temperature: T) -> T {
+        self.thermal.factor(temperature) * self.damper.resistance(piston_velocity)
+    }
+}
+
+impl Setting {
+    /// What the two contacts remember before the run.
+    fn begin(&self, given: [&[f64; MEMORY]; 2]) -> [[f64; MEMORY]; 2] {
+        match FrictionStart::of(self.init.friction_state) {
+            FrictionStart::Steady => {
+                let touches = self.touches(&self.motion());
+                [0, 1].map(|at| self.friction.settled(self.contacts()[at], &touches[at]))
+            }
+            FrictionStart::Zero => [self.friction.fresh(); 2],
+            FrictionStart::Value => given.map(|memory| *memory),
+        }
+    }
+
+    /// Friction force along the axis after a step, if the strut moves so; nothing is changed.
+    fn friction_after(&self, motion: &Motion<f64>, memory: [&[f64; MEMORY]; 2], dt: f64) -> f64 {
+        let touches = self.touches(motion);
+        let force = |at: usize| {
+            let mut memory = *memory[at];
+            let answer = self.friction.advance(self.contacts()[at], &touches[at], &mut memory, dt);
+            answer.force * touches[at].direction()[0]
+        };
+        force(0) + force(1)
+    }
+
+    /// Friction force along the axis at this instant.
+    fn friction_now(&self, motion: &Motion<f64>, memory: [&[f64; MEMORY]; 2]) -> f64 {
+        let touches = self.touches(motion);
+        let force = |at: usize| {
+            let answer = self.friction.force(self.contacts()[at], &touches[at], memory[at]);
+            answer.force * touches[at].direction()[0]
+        };
+        force(0) + force(1)
+    }
+
+    /// Damper resistance at this instant and after a step at a held velocity.
+    fn resistance_after(&self, motion: &Motion<f64>, state: &OtherStates<f64>, dt: f64) -> f64 {
+        let mut piston = self.piston(motion, state.piston_velocity);
+        let factor = self.thermal.factor(state.temperature);
+        if dt > 0.0 {
+            self.damper.advance(&mut piston, motion.velocity, factor, dt);
+        }
+        factor * self.damper.resistance(piston)
+    }
+
+    /// Derivatives of the force: with respect to length and to velocity at this instant, and to a velocity that is held
+    /// over a step of `dt`.
+    fn tangents(&self, memory: [&[f64; MEMORY]; 2], state: &OtherStates<f64>, dt: f64) -> Tangents {
+        let here = self.motion();
+        let now = |motion: &Motion<f64>| {
+            self.forces(motion).sum() - self.friction_now(motion, memory) - self.resistance_after(motion, state, 0.0)
+        };
+        let later = |motion: &Motion<f64>| {
+            self.forces(motion).sum()
+                - self.friction_after(motion, memory, dt)
+                - self.resistance_after(motion, state, dt)
+        };
+        let difference = |force: &dyn Fn(&Motion<f64>) -> f64, d_length: f64, d_velocity: f64| {
+            let at = |side: f64| {
+                force(&Motion { length: here.length + side * d_length, velocity: here.velocity + side * d_velocity })
+            };
+            (at(1.0) - at(-1.0)) / (2.0 * (d_length + d_velocity))
+        };
+        let d_velocity = PROBE_VELOCITY.max(1e-6 * here.velocity.abs());
+        Tangents {
+            length: difference(&now, PROBE_LENGTH, 0.0),
+            velocity: difference(&now, 0.0, d_velocity),
+            held_velocity: difference(&later, 0.0, d_velocity),
+        }
+    }
+}
+
+/// Half widths of the central differences (chosen): far below the width of any friction law's transition, far above
+/// rounding.
+const PROBE_LENGTH: f64 = 1e-8;
+const PROBE_VELOCITY: f64 = 1e-8;
+
+/// Shortest step that the tangents of a step are taken over (chosen), for their digits.
+const SHORTEST_PROBE: f64 = 1e-6;
+
+struct Tangents {
+    length: f64,
+    velocity: f64,
+    held_velocity: f64,
+}
+
+/// States of the damper.
+struct OtherStates<T> {
+    piston_velocity: T,
+    temperature: T,
+}
+
+crate::model! {
+    /// Telescopic shock absorber with spring, gas, stops, damper and the friction of its joint under side load.
+    ///
+    /// # Equations
+    ///
+    /// ```text
+    /// x = d_0 - d
+    /// F = F_s + F_g + F_b + F_r + F_d - f_1 - f_2
+    /// F_s = F_p + k x
+    /// F_g = (p_0 (V_0 / (V_0 - A x))^n - p_a) A
+    /// F_d = -c v
+    /// f_k = phi_k(s_k) v / s_k,   tau_k = r_k phi_k(s_k) r_k w / s_k
+    /// s_k = (v^2 + (r_k w)^2)^(1/2)
+    /// N_1 = R / 2 + G / h,   N_2 = R / 2 - G / h
+    /// ```
+    ///
+    /// F_s, F_b, F_r and F_d have other forms, too, by `spring.mode`, `bump.mode` and `damper.mode`; phi is any scalar law
+    /// of the catalogue, chosen by `friction.model`, with the levels F_C = `preload_k` + `mu_k` N and
+    /// F_S = `preload_s` + `mu_s` N of each contact. The parts are models of their own, with all equations on their
+    /// pages: `TelescopicJoint` (contact forces), `GuideContact` (friction), `CoilSpring`, `GasSpring`, `EndStops`,
+    /// `HydraulicDamper`, `DamperTemperature`.
+    ///
+    /// | symbol   | variable               | unit  | meaning                                                  |
+    /// |----------|------------------------|-------|----------------------------------------------------------|
+    /// | d        | `length`               | m     | distance of the eyes                                     |
+    /// | v        | `velocity`             | m/s   | its time derivative                                      |
+    /// | R_m, R_n | `side_force_m`, `side_force_n` | N | force of the tube on the rod, at the tube's eye       |
+    /// | M_m, M_n | `side_moment_m`, `side_moment_n` | N.m | moment of the tube on the rod, about that eye     |
+    /// | w        | `spin_rate`            | rad/s | spin of the rod relative to the tube                     |
+    /// | d_0      | `geom.length_extended` | m     | distance of the eyes at full extension                   |
+    /// | h        | `overlap`              | m     | distance from piston to rod guide                        |
+    /// | r_k      | `geom.r_1`, `geom.r_2` | m     | radius of rod and piston                                 |
+    /// | F        | `force`                | N     | force of the strut                                       |
+    /// | f_k      | `friction_1`, `friction_2` | N | friction force at rod guide and piston                   |
+    /// | N_k      | `normal_1`, `normal_2` | N     | normal force at rod guide and piston                     |
+    ///
+    /// # Sign
+    /// `length` grows in extension, `velocity` is its derivative, and every force pushes the eyes apart when positive.
+    /// `friction_1` and `friction_2` are resistances with the sign of `velocity`; `force_friction` is their sum with the
+    /// opposite sign. `friction_torque` acts on the tube about the axis from tube to rod, and reversed on the rod.
+    /// A host with another travel uses the adapter: the strut's length is `adapter.length_offset` +
+    /// `adapter.length_gain` * `length`, and `force_travel` is the generalised force on that travel. With a motion ratio
+    /// MR = damper travel / wheel travel the gain is -MR; millimetres of compression have -0.001.
+    ///
+    /// # Step
+    /// Friction laws advance as on their own pages (LuGre exactly); damper and temperature in steps of at most `num.h_max`,
+    /// at most 10,000 per communication step. `num.input_mode` = Linear moves the length with the velocity within a step,
+    /// and leaves it there. All outputs follow the inputs at once. `dforce_dlength` is the derivative of `force` at this
+    /// instant, `dforce_dvelocity` that with respect to a velocity held over a step like the last one (before the first:
+    /// `num.h_max`), which includes what bristles and series stiffness add. `step_limit` is the largest communication step
+    /// that keeps `num.mass_ref` stable on the strut as it is now, for the order of exchange `friction.exchange`; they
+    /// are advice and have no derivatives. At the start friction is in steady sliding, unless `init.friction_state` says otherwise.
+    ///
+    /// # Errors
+    /// Refused: a parameter outside its bound; static levels below kinetic ones; tables that do not rise; a gas volume
+    /// that the rod fills; `adapter.length_gain` = 0; what the chosen law refuses. Parameters of laws that are not chosen
+    /// are ignored, as are those of modes that are not chosen.
+    ///
+    /// # Limits
+    /// Rigid bodies: no bending of the rod, no bearing friction in the eyes; axial friction acts on the axis. Stops, spring
+    /// and gas go on beyond the stroke. A law with memory remembers along the axis only. Most laws without memory do not
+    /// hold a load at rest unless `friction.mass` and `external_force` are given; LuGre and the other bristle laws do.
+    ///
+    /// # Source
+    /// F. Novais, "A critical analysis on friction force models in dynamical systems", MSc thesis, University of Minho
+    /// (2024), chapter 9, rebuilt from its lists of symbols and figures; LuGre parameters: its Table 7.1. Spring, travel
+    /// and masses: Zips Racing ZR26 (ZipsRacingElectric/Vehicle-Dynamics, MIT licence). All other defaults are chosen;
+    /// with them a strut has 21 N to 26 N of kinetic friction, within the 10 N to 70 N that rigs report (thesis, Table 2.1).
+    ///
+    /// # Example
+    /// ```
+    /// use stribeck::model::Law;
+    /// use stribeck::shock_absorber::ShockAbsorber;
+    /// let mut strut = ShockAbsorber::default();
+    /// strut.setting.friction.model = 1.0; // none
+    /// (strut.setting.length, strut.setting.velocity) = (0.1775, -0.2);
+    /// strut.output();
+    /// // 150 N + 45 N/mm 22.5 mm + gas + 1500 N.s/m 0.2 m/s
+    /// assert!((strut.force - 1625.2555).abs() < 1e-4);
+    /// assert_eq!(strut.force_damper, 300.0);
+    /// ```
+    ShockAbsorber: "Telescopic shock absorber with friction from its side load" {
+        /// Inputs and parameters.
+        setting: (Setting),
+        /// What the friction law at the rod guide remembers: its states in their order, in SI units.
+        memory_1: [state; MEMORY] = BLANK_MEMORY,
+        /// What the friction law at the piston remembers: its states in their order, in SI units.
+        memory_2: [state; MEMORY] = BLANK_MEMORY,
+        /// Velocity of the damper's piston behind its series stiffness; that of the strut if there is none.
+        piston_velocity: state = real("m/s", 0.0),
+        /// Has the run begun?
+        started: state = boolean(false),
+        /// Last communication step; 0 before the first.
+        step_size: state = real("s", 0.0).at_least(0.0).shown_in("ms"),
+        /// Temperature of the damper.
+        temperature: state_output = real("K", 293.15).positive().nominal(300.0).shown_in("degC"),
+        /// Energy taken out of the motion by friction and damper since the start.
+        energy_dissipated: state_output = real("J", 0.0),
+        /// Force of the strut; positive pushes the eyes apart.
+        force: output = real("N", 0.0),
+        /// The same with the other sign: positive pulls the eyes together.
+        force_tension: output = real("N", 0.0),
+        /// Part of the spring.
+        force_spring: output = real("N", 0.0),
+        /// Part of the gas.
+        force_gas: output = real("N", 0.0),
+        /// Part of the bump stop.
+        force_bump: output = real("N", 0.0),
+        /// Part of the rebound stop.
+        force_rebound: output = real("N", 0.0),
+        /// Part of the damper.
+        force_damper: output = real("N", 0.0),
+        /// Part of the friction.
+        force_friction: output = real("N", 0.0),
+        /// Force on the travel of the host, by virtual work: see adapter.
+        force_travel: output = real("N", 0.0),
+        /// Axial friction at the rod guide; has the sign of the velocity when sliding.
+        friction_1: output = real("N", 0.0),
+        /// Axial friction at the piston; has the sign of the velocity when sliding.
+        friction_2: output = real("N", 0.0),
+        /// Normal force at the rod guide.
+        normal_1: output = real("N", 0.0),
+        /// Normal force at the piston.
+        normal_2: output = real("N", 0.0),
+        /// Friction torque about the axis, on the tube; has the sign of the spin rate when sliding.
+        friction_torque: output = real("N.m", 0.0),
+        /// Compression from full extension.
+        compression: output = real("m", 0.0).shown_in("mm"),
+        /// Distance from piston to rod guide.
+        overlap: output = real("m", 0.0).shown_in("mm"),
+        /// Derivative of the force with respect to the length of the strut.
+        dforce_dlength: output = real("N/m", 0.0),
+        /// Derivative of the force after a step with respect to the velocity of the strut.
+        dforce_dvelocity: output = real("N.s/m", 0.0),
+        /// Largest communication step that is stable for num.mass_ref; advice to the master.
+        step_limit: output = real("s", 0.0).shown_in("ms"),
+        /// Power taken out of the motion by friction and damper.
+        power_dissipated: output = real("W", 0.0),
+        /// Do the contacts stick?
+        sticking: output = boolean(false),
+        /// Is the bump stop touched?
+        bump_active: output = boolean(false),
+        /// Is the overlap so short that the contact forces are regularised?
+        overlap_low: output = boolean(false),
+    }
+}
+
+impl<T: Evaluate> ShockAbsorber<T> {
+    fn has_started(&self) -> bool {
+        self.started.value() != 0.0
+    }
+
+    /// What the two contacts remember; before the run, what they will remember at its start.
+    fn memories(&self) -> [[T; MEMORY]; 2] {
+        let memories = [self.memory_1, self.memory_2];
+        if self.has_started() {
+            return memories;
+        }
+        let given = memories.map(|memory| memory.map(|number| number.value()));
+        self.setting.map(&|number: T| number.value()).begin([&given[0], &given[1]]).map(|memory| memory.map(T::from))
+    }
+
+    fn damper_state(&self) -> OtherStates<T> {
+        let settles =
+            !self.has_started() && FrictionStart::of(self.setting.init.friction_state.value()) == FrictionStart::Steady;
+        OtherStates {
+            piston_velocity: if settles { self.setting.motion().velocity } else { self.piston_velocity },
+            temperature: self.temperature,
+        }
+    }
+
+    fn write_forces(&mut self, motion: &Motion<T>, friction: [T; 2]) {
+        let setting = &self.setting;
+        let forces = setting.forces(motion);
+        let state = self.damper_state();
+        let piston = setting.piston(motion, state.piston_velocity);
+        let resistance = setting.resistance(piston, state.temperature);
+        self.force_spring = forces.spring;
+        self.force_gas = forces.gas;
+        self.force_bump = forces.bump;
+        self.force_rebound = forces.rebound;
+        self.force_damper = -resistance;
+        self.force_friction = -(friction[0] + friction[1]);
+        self.force = forces.sum() + self.force_damper + self.force_friction;
+        self.force_tension = -self.force;
+        self.force_travel = self.setting.adapter.force_gain * self.setting.adapter.length_gain * self.force;
+        self.power_dissipated = resistance * piston;
+    }
+
+    fn write_friction(&mut self, touches: &[Touch<T>; 2], answers: &[Answer<T>; 2]) {
+        let directions = touches.map(|touch| touch.direction());
+        let radii = self.setting.radii();
+        [self.friction_1, self.friction_2] = [0, 1].map(|at| answers[at].force * directions[at][0]);
+        let torque = [0, 1].map(|at| radii[at] * answers[at].force * directions[at][1]);
+        self.friction_torque = torque[0] + torque[1];
+        for (touch, answer) in touches.iter().zip(answers) {
+            self.power_dissipated = self.power_dissipated + answer.force * touch.signed_speed();
+        }
+        self.sticking = truth(self.sticks(touches, answers));
+    }
+
+    /// Does at least one contact stick, and none that is loaded slip?
+    fn sticks(&self, touches: &[Touch<T>; 2], answers: &[Answer<T>; 2]) -> bool {
+        let is_loaded = |at: usize| {
+            let [kinetic, _] = self.setting.friction.levels(self.setting.contacts()[at], touches[at].normal_force);
+            self.setting.friction.chosen().is_some() && kinetic.value() > 0.0
+        };
+        let loaded = [is_loaded(0), is_loaded(1)];
+        (loaded[0] || loaded[1]) && (0..2).all(|at| !loaded[at] || answers[at].sticking)
+    }
+
+    /// Tangents and the step that they allow.
+    fn write_advice(&mut self, memories: &[[T; MEMORY]; 2]) {
+        let setting = self.setting.map(&|number: T| number.value());
+        let memories = memories.map(|memory| memory.map(|number| number.value()));
+        let OtherStates { piston_velocity, temperature } = self.damper_state();
+        let state = OtherStates { piston_velocity: piston_velocity.value(), temperature: temperature.value() };
+        let dt =
+            if self.step_size.value() > 0.0 { self.step_size.value().max(SHORTEST_PROBE) } else { setting.num.h_max };
+        let tangents = setting.tangents([&memories[0], &memories[1]], &state, dt);
+        // What a held velocity adds over a step is the work of bristles: a stiffness.
+        let stiffness = -tangents.length + (tangents.velocity - tangents.held_velocity).max(0.0) / dt;
+        let exchange = Exchange::of(setting.friction.exchange);
+        self.dforce_dlength = T::from(tangents.length);
+        self.dforce_dvelocity = T::from(tangents.held_velocity);
+        self.step_limit = T::from(coupling::step_limit(stiffness, tangents.velocity, setting.num.mass_ref, exchange));
+    }
+}
+
+impl<T: Evaluate> Law for ShockAbsorber<T> {
+    fn output(&mut self) {
+        let motion = self.setting.motion();
+        let memories = self.memories();
+        let touches = self.setting.touches(&motion);
+        let answers =
+            [0, 1].map(|at| self.setting.friction.force(self.setting.contacts()[at], &touches[at], &memories[at]));
+        let friction = [0, 1].map(|at| answers[at].force * touches[at].direction()[0]);
+        self.write_forces(&motion, friction);
+        self.write_friction(&touches, &answers);
+        [self.normal_1, self.normal_2] = touches.map(|touch| touch.normal_force);
+        self.compression = self.setting.compression(&motion);
+        self.overlap = self.setting.geom.guidance.overlap(motion.length);
+        self.overlap_low = truth(self.setting.geom.guidance.is_low(motion.length));
+        self.bump_active = truth(self.setting.bump.is_active(self.compression));
+        self.write_advice(&memories);
+    }
+}
+
+fn truth<T: Real>(is_true: bool) -> T {
+    T::from(f64::from(u8::from(is_true)))
+}
+
+impl ShockAbsorber {
+    fn start(&mut self) {
+        if !self.has_started() {
+            self.piston_velocity = self.damper_state().piston_velocity;
+            [self.memory_1, self.memory_2] = self.memories();
+            self.started = 1.0;
+        }
+    }
+
+    /// One internal step at held inputs.
+    fn substep(&mut self, dt: f64) {
+        let setting = &self.setting;
+        let motion = setting.motion();
+        let touches = setting.touches(&motion);
+        let [c_1, c_2] = setting.contacts();
+        let friction = setting.friction.advance(c_1, &touches[0], &mut self.memory_1, dt).energy
+            + setting.friction.advance(c_2, &touches[1], &mut self.memory_2, dt).energy;
+        let factor = setting.thermal.factor(self.temperature);
+        let damper = setting.damper.advance(&mut self.piston_velocity, motion.velocity, factor, dt);
+        let power = (friction + damper) / dt;
+        self.temperature = setting.thermal.after(self.temperature, setting.temperature_ambient, power, dt);
+        self.energy_dissipated += friction + damper;
+    }
+}
+
+impl Model for ShockAbsorber {
+    fn check(&self) -> Result<(), Fault> {
+        let setting = &self.setting;
+        setting.c1.check("c1.")?;
+        setting.c2.check("c2.")?;
+        setting.friction.check(&setting.c1)?;
+        setting.friction.check(&setting.c2)?;
+        setting.spring.check()?;
+        setting.gas.check(setting.geom.stroke)?;
+        setting.damper.check()?;
+        if setting.adapter.length_gain == 0.0 {
+            return Err(Fault("adapter.length_gain = 0: must not be 0".into()));
+        }
+        Ok(())
+    }
+
+    fn step(&mut self, dt: f64) {
+        if InputMode::of(self.setting.num.input_mode) == InputMode::Linear {
+            return self.step_ramp(&ramp::held_inputs(self), dt);
+        }
+        self.start();
+        self.step_size = dt;
+        let count = super::substeps(dt, self.setting.num.h_max);
+        for _ in 0..count {
+            self.substep(dt / f64::from(count));
+        }
+    }
+
+    fn step_ramp(&mut self, slope: &Self, dt: f64) {
+        self.start();
+        self.step_size = dt;
+        let (begin, mut slope) = (*self, *slope);
+        if InputMode::of(self.setting.num.input_mode) == InputMode::Linear && slope.setting.length == 0.0 {
+            // The mean velocity of the step.
+            slope.setting.length = self.setting.velocity + 0.5 * slope.setting.velocity * dt;
+        }
+        let count = super::substeps(dt, self.setting.num.h_max);
+        let h = dt / f64::from(count);
+        for piece in 0..count {
+            ramp::set_inputs(self, &begin, &slope, (f64::from(piece) + 0.5) * h);
+            self.substep(h);
+        }
+        ramp::set_inputs(self, &begin, &slope, dt);
+    }
+
+    fn rate(&self, rate: &mut Self) {
+        let setting = &self.setting;
+        let motion = setting.motion();
+        let (touches, memories) = (setting.touches(&motion), self.memories());
+        [rate.memory_1, rate.memory_2] =
+            [0, 1].map(|at| setting.friction.rate(setting.contacts()[at], &touches[at], &memories[at]));
+        let mut now = *self;
+        now.output();
+        rate.energy_dissipated = now.power_dissipated;
+        rate.temperature = setting.thermal.rate(self.temperature, setting.temperature_ambient, now.power_dissipated);
+    }
+}

@@ -1,0 +1,150 @@
+use crate::laws::relaxation;
+use crate::model::{Law, Model, boolean, real};
+use crate::number::Real;
+
+crate::part! {
+    /// Heating of the damper.
+    Heating {
+        /// Does the temperature change, and with it the damper force?
+        enabled: fixed = boolean(false),
+        /// Relative loss of damper force per kelvin (default chosen).
+        beta: tunable = real("1/K", 0.003).at_least(0.0),
+        /// Temperature at which the damper's characteristic was measured.
+        temperature_ref: fixed = real("K", 293.15).positive().nominal(300.0).shown_in("degC"),
+        /// Heat capacity of the damper (default chosen: 0.6 kg of aluminium and oil).
+        capacity: fixed = real("J/K", 600.0).positive().nominal(500.0),
+        /// Heat flow to the surroundings per kelvin (default chosen).
+        conductance: tunable = real("W/K", 1.5).at_least(0.0),
+    }
+}
+
+impl<T: Real> Heating<T> {
+    /// Factor on the damper force.
+    pub fn factor(&self, temperature: T) -> T {
+        if self.enabled.value() == 0.0 {
+            return T::from(1.0);
+        }
+        (-self.beta * (temperature - self.temperature_ref)).exp()
+    }
+}
+
+impl Heating {
+    /// Temperature after a time in which the power and the ambient temperature are held.
+    pub(crate) fn after(&self, temperature: f64, ambient: f64, power: f64, dt: f64) -> f64 {
+        if self.enabled == 0.0 {
+            return temperature;
+        }
+        if self.conductance == 0.0 {
+            return temperature + power * dt / self.capacity;
+        }
+        let steady = ambient + power / self.conductance;
+        relaxation::after(temperature, steady, self.conductance * dt / self.capacity)
+    }
+
+    /// Time derivative of the temperature.
+    pub(crate) fn rate(&self, temperature: f64, ambient: f64, power: f64) -> f64 {
+        if self.enabled == 0.0 {
+            return 0.0;
+        }
+        (power - self.conductance * (temperature - ambient)) / self.capacity
+    }
+}
+
+crate::model! {
+    /// Temperature of a damper: what it dissipates heats it, and a hot damper is softer.
+    ///
+    /// # Equations
+    ///
+    /// ```text
+    /// C dT/dt = P - h (T - T_a)
+    /// s = exp(-beta (T - T_r))
+    /// ```
+    ///
+    /// | symbol | variable                  | unit | meaning                                              |
+    /// |--------|---------------------------|------|------------------------------------------------------|
+    /// | P      | `power`                   | W    | power dissipated in the damper                       |
+    /// | T_a    | `temperature_ambient`     | K    | ambient temperature                                  |
+    /// | T      | `temperature`             | K    | temperature of the damper                            |
+    /// | C      | `thermal.capacity`        | J/K  | heat capacity                                        |
+    /// | h      | `thermal.conductance`     | W/K  | heat flow to the surroundings per kelvin             |
+    /// | beta   | `thermal.beta`            | 1/K  | relative loss of force per kelvin                    |
+    /// | T_r    | `thermal.temperature_ref` | K    | temperature at which the characteristic was measured |
+    /// | s      | `force_factor`            | 1    | factor on the damper force                           |
+    ///
+    /// # Sign
+    /// `power` is positive when it heats.
+    ///
+    /// # Step
+    /// Exact for held inputs.
+    ///
+    /// # Errors
+    /// Refused: a parameter outside its bound.
+    ///
+    /// # Limits
+    /// One temperature for oil and body; the viscosity law is a plain exponential. Nothing happens unless
+    /// `thermal.enabled` is true.
+    ///
+    /// # Source
+    /// Heat balance. All defaults are chosen.
+    ///
+    /// # Example
+    /// ```
+    /// use stribeck::model::Model;
+    /// use stribeck::shock_absorber::DamperTemperature;
+    /// let mut damper = DamperTemperature { power: 60.0, ..Default::default() };
+    /// damper.thermal.enabled = 1.0;
+    /// damper.step(1e6);
+    /// assert!((damper.temperature - 333.15).abs() < 1e-9); // 60 W / 1.5 W/K above 293.15 K
+    /// ```
+    DamperTemperature: "Temperature of a damper, and what it does to its force" {
+        /// Power dissipated in the damper.
+        power: input = real("W", 0.0),
+        /// Ambient temperature.
+        temperature_ambient: input = real("K", 293.15).positive().nominal(300.0).shown_in("degC"),
+        /// Heating.
+        thermal: Heating,
+        /// Temperature of the damper.
+        temperature: state_output = real("K", 293.15).positive().nominal(300.0).shown_in("degC"),
+        /// Factor on the damper force.
+        force_factor: output = real("1", 1.0),
+    }
+}
+
+impl<T: Real> Law for DamperTemperature<T> {
+    fn output(&mut self) {
+        self.force_factor = self.thermal.factor(self.temperature);
+    }
+}
+
+impl Model for DamperTemperature {
+    fn step(&mut self, dt: f64) {
+        self.temperature = self.thermal.after(self.temperature, self.temperature_ambient, self.power, dt);
+    }
+
+    fn rate(&self, rate: &mut Self) {
+        rate.temperature = self.thermal.rate(self.temperature, self.temperature_ambient, self.power);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn insulated_damper_keeps_all_heat() {
+        let mut damper = DamperTemperature { power: 60.0, ..Default::default() };
+        (damper.thermal.enabled, damper.thermal.conductance) = (1.0, 0.0);
+        damper.step(100.0);
+        assert!((damper.temperature - 303.15).abs() < 1e-10);
+        damper.output();
+        assert!((damper.force_factor - (-0.03f64).exp()).abs() < 1e-14);
+    }
+
+    #[test]
+    fn disabled_heating_changes_nothing() {
+        let mut damper = DamperTemperature { power: 1e6, ..Default::default() };
+        damper.step(1e6);
+        damper.output();
+        assert_eq!([damper.temperature, damper.force_factor], [293.15, 1.0]);
+    }
+}

@@ -1,0 +1,147 @@
+//! The cars on struts that a closure gives, against the tables of a reference solution.
+
+mod common;
+
+use std::f64::consts::{FRAC_PI_2, TAU};
+
+use common::Bench;
+
+/// Force of a strut at a length and a velocity.
+type Strut<'a> = &'a dyn Fn(f64, f64) -> f64;
+
+/// A linear spring and a damper with two slopes, without friction: `force_0` at 177.5 mm.
+fn spring_and_damper(force_0: f64, stiffness: f64) -> impl Fn(f64, f64) -> f64 {
+    move |length, velocity| {
+        let damping = if velocity < 0.0 { 1500.0 } else { 2300.0 };
+        force_0 - stiffness * (length - 0.1775) - damping * velocity
+    }
+}
+
+/// A quarter car or one corner of a car: connects strut and road by the names with this prefix.
+fn exchange(car: &mut Bench, prefix: &str, road: &str, strut: Strut, now: [f64; 2], next: [f64; 2], h: f64) {
+    let name = |rest: &str| format!("{prefix}{rest}");
+    let (length, velocity) = (car.get(&name("length")), car.get(&name("velocity")));
+    car.set(&name("strut_force"), strut(length, velocity));
+    for (what, at, after) in [("height", now[0], next[0]), ("velocity", now[1], next[1])] {
+        let column = car.column(&name(&format!("{road}_{what}")));
+        car.instance.put(column, at);
+        car.instance.put_slope(column, (after - at) / h);
+    }
+}
+
+/// Amplitudes of the first harmonic of body height and wheel-body distance per amplitude of a sinusoidal road.
+fn transmissibility(frequency: f64, amplitude: f64, strut: Strut) -> [f64; 2] {
+    let mut car = Bench::new("QuarterCar", &[]);
+    let (w, periods, per_period) = (TAU * frequency, 8, 4000);
+    let h = 1.0 / (frequency * f64::from(per_period));
+    let road = |k: i32| {
+        let (sine, cosine) = (w * h * f64::from(k)).sin_cos();
+        [amplitude * sine, amplitude * w * cosine]
+    };
+    let mut harmonics = [[0.0; 2]; 2];
+    for k in 0..periods * per_period {
+        exchange(&mut car, "", "road", strut, road(k), road(k + 1), h);
+        car.step(h);
+        if k >= (periods - 1) * per_period {
+            let (sine, cosine) = (w * h * f64::from(k + 1)).sin_cos();
+            let body = car.get("body_height");
+            let travel = body - car.get("wheel_height");
+            for (harmonic, value) in harmonics.iter_mut().zip([body, travel]) {
+                harmonic[0] += 2.0 / f64::from(per_period) * value * cosine;
+                harmonic[1] += 2.0 / f64::from(per_period) * value * sine;
+            }
+        }
+    }
+    harmonics.map(|[a, b]| a.hypot(b) / amplitude)
+}
+
+fn assert_close(what: &str, value: f64, expected: f64, relative: f64) {
+    assert!((value / expected - 1.0).abs() <= relative, "{what}: {value}, expected {expected}");
+}
+
+/// Reference solution without friction, road amplitude 2 mm.
+#[test]
+fn quarter_car_transmits_as_the_reference() {
+    let strut = spring_and_damper(1325.2555, 45e3);
+    let table = [(1.0, 1.079, 0.047), (2.0, 1.350, 0.217), (3.9, 2.569, 1.232), (5.0, 2.069, 1.415)];
+    for (frequency, body, travel) in table {
+        let found = transmissibility(frequency, 2e-3, &strut);
+        assert_close(&format!("body at {frequency} Hz"), found[0], body, 0.01);
+        // The table has three digits.
+        assert_close(&format!("travel at {frequency} Hz"), found[1], travel, 0.01 + 5e-4 / travel);
+    }
+}
+
+/// A locked strut leaves one mass on the tyre: sqrt(k_t / (m_s + m_u)) / 2 pi = 5.66 Hz.
+#[test]
+fn quarter_car_with_a_locked_strut_is_one_mass_on_the_tyre() {
+    // Locked by a spring that is much stiffer than the tyre.
+    let strut = |length: f64, velocity: f64| 1325.2555 - 3e7 * (length - 0.1775) - 1e4 * velocity;
+    for frequency in [2.0, 4.0] {
+        let [body, travel] = transmissibility(frequency, 2e-3, &strut);
+        let ratio = frequency / 5.66;
+        // Its damping, 2 % of critical, needs more periods to forget the beginning than are simulated.
+        assert_close("body", body, 1.0 / (1.0 - ratio * ratio), 0.1);
+        assert!(travel < 2e-3 * body, "{travel}");
+    }
+}
+
+/// What is seen of a car that repeats its motion; of its front left corner in the last three.
+struct Ride {
+    heave: f64,
+    pitch: f64,
+    fastest: f64,
+    travel: f64,
+    least_load: f64,
+}
+
+const CORNERS: [&str; 4] = ["fl.", "fr.", "rl.", "rr."];
+
+/// The posts rise and fall, z = A (1 - cos(w t - phi)) / 2 with phi = 0 in front; peak to peak over the last period.
+fn four_post(frequency: f64, height: f64, phase: f64, struts: [Strut; 4]) -> Ride {
+    let mut car = Bench::new("FourPostCar", &[]);
+    let (w, periods, h) = (TAU * frequency, 6.0, 2e-4);
+    let post = |t: f64, phase: f64| {
+        let (sine, cosine) = (w * t - phase).sin_cos();
+        [0.5 * height * (1.0 - cosine), 0.5 * height * w * sine]
+    };
+    let mut range = [[f64::INFINITY, f64::NEG_INFINITY]; 3];
+    let (mut fastest, mut least_load) = (0.0f64, f64::INFINITY);
+    let steps = (periods / frequency / h).round() as u32;
+    for k in 0..steps {
+        let (t, next) = (f64::from(k) * h, f64::from(k + 1) * h);
+        for ((corner, strut), phase) in CORNERS.into_iter().zip(struts).zip([0.0, 0.0, phase, phase]) {
+            exchange(&mut car, corner, "post", strut, post(t, phase), post(next, phase), h);
+        }
+        car.step(h);
+        if t > (periods - 1.0) / frequency {
+            let corner = car.get("heave") - 0.8035 * car.get("pitch") + 0.61 * car.get("roll");
+            let values = [car.get("heave"), car.get("pitch"), corner - car.get("fl.wheel_height")];
+            for ([low, high], value) in range.iter_mut().zip(values) {
+                (*low, *high) = (low.min(value), high.max(value));
+            }
+            fastest = fastest.max(car.get("fl.velocity").abs());
+            least_load = least_load.min(car.get("fl.tyre_load"));
+        }
+    }
+    let [heave, pitch, travel] = range.map(|[low, high]| high - low);
+    Ride { heave, pitch: pitch.to_degrees(), fastest, travel, least_load }
+}
+
+/// Reference solution without friction: 40 mm, the rear axle a quarter of a period later.
+#[test]
+fn four_post_car_moves_as_the_reference() {
+    let (front, rear) = (spring_and_damper(1325.2555, 45e3), spring_and_damper(1100.2555, 35e3));
+    let struts: [Strut; 4] = [&front, &front, &rear, &rear];
+    let table = [(1.0, [30.77e-3, 2.319, 0.006, 1.86e-3, 622.0]), (2.0, [38.06e-3, 3.025, 0.058, 8.52e-3, 407.0])];
+    for (frequency, expected) in table {
+        let Ride { heave, pitch, fastest, travel, least_load } = four_post(frequency, 0.04, FRAC_PI_2, struts);
+        let found = [heave, pitch, fastest, travel, least_load];
+        let names = ["heave", "pitch", "damper velocity", "travel", "least load"];
+        for ((name, found), expected) in names.into_iter().zip(found).zip(expected) {
+            // The table gives the velocity to 1 mm/s.
+            let tolerance = if name == "damper velocity" { 0.01 + 5e-4 / expected } else { 0.01 };
+            assert_close(&format!("{name} at {frequency} Hz"), found, expected, tolerance);
+        }
+    }
+}
