@@ -504,6 +504,16 @@ typedef enum stribeck_bristle_start {
   STRIBECK_BRISTLE_START_STATIONARY = 2,
 } stribeck_bristle_start;
 
+/** Choices of a variable of the type BumpMode. */
+typedef enum stribeck_bump_mode {
+  /** Proportional to its compression. */
+  STRIBECK_BUMP_MODE_LINEAR = 1,
+  /** A power of its compression. */
+  STRIBECK_BUMP_MODE_POWER = 2,
+  /** A cubic polynomial of its compression. */
+  STRIBECK_BUMP_MODE_CUBIC = 3,
+} stribeck_bump_mode;
+
 /** Choices of a variable of the type CoulombViscousVariant. */
 typedef enum stribeck_coulomb_viscous_variant {
   /** The viscous part is proportional to velocity. */
@@ -511,6 +521,16 @@ typedef enum stribeck_coulomb_viscous_variant {
   /** The viscous part is a power of speed. */
   STRIBECK_COULOMB_VISCOUS_VARIANT_POWER = 2,
 } stribeck_coulomb_viscous_variant;
+
+/** Choices of a variable of the type DamperMode. */
+typedef enum stribeck_damper_mode {
+  /** Proportional to the velocity, with two coefficients. */
+  STRIBECK_DAMPER_MODE_LINEAR = 1,
+  /** A table over the velocity. */
+  STRIBECK_DAMPER_MODE_TABLE = 2,
+  /** Falling slope: c v / (1 + d |v|). */
+  STRIBECK_DAMPER_MODE_DEGRESSIVE = 3,
+} stribeck_damper_mode;
 
 /** Choices of a variable of the type ElementDistribution. */
 typedef enum stribeck_element_distribution {
@@ -528,6 +548,98 @@ typedef enum stribeck_exchange {
   STRIBECK_EXCHANGE_PARALLEL = 2,
 } stribeck_exchange;
 
+/** Choices of a variable of the type FrictionModel. */
+typedef enum stribeck_friction_model {
+  /** No friction. */
+  STRIBECK_FRICTION_MODEL_NONE = 1,
+  /** Coulomb friction */
+  STRIBECK_FRICTION_MODEL_COULOMB = 2,
+  /** Coulomb friction with stiction */
+  STRIBECK_FRICTION_MODEL_COULOMB_STICTION = 3,
+  /** Coulomb friction with a viscous part */
+  STRIBECK_FRICTION_MODEL_COULOMB_VISCOUS = 4,
+  /** Friction that falls with speed from the static to the kinetic level (Stribeck) */
+  STRIBECK_FRICTION_MODEL_STRIBECK = 5,
+  /** Coulomb friction with a linear transition, by its slope (Bernard) */
+  STRIBECK_FRICTION_MODEL_BERNARD = 6,
+  /** Coulomb friction with an exponential transition (Threlfall) */
+  STRIBECK_FRICTION_MODEL_THRELFALL = 7,
+  /** Coulomb friction with an exponential transition that ends at the Coulomb level (modified Threlfall) */
+  STRIBECK_FRICTION_MODEL_THRELFALL_MODIFIED = 8,
+  /** Coulomb friction with a transition band (Rooney and Deravi) */
+  STRIBECK_FRICTION_MODEL_ROONEY_DERAVI = 9,
+  /** Coulomb friction that is ramped in with speed (Ambrosio) */
+  STRIBECK_FRICTION_MODEL_AMBROSIO = 10,
+  /** Coulomb friction with a band of stiction (Karnopp) */
+  STRIBECK_FRICTION_MODEL_KARNOPP = 11,
+  /** Continuous friction law with a stiction peak (Bengisu and Akay) */
+  STRIBECK_FRICTION_MODEL_BENGISU_AKAY = 12,
+  /** Continuous friction law with a stiction peak, without exponentials (Hollars) */
+  STRIBECK_FRICTION_MODEL_HOLLARS = 13,
+  /** Smooth friction law with the Stribeck curve (Andersson) */
+  STRIBECK_FRICTION_MODEL_ANDERSSON = 14,
+  /** Continuous friction law that holds a load at rest (Awrejcewicz, Grzelczyk and Pyryev) */
+  STRIBECK_FRICTION_MODEL_AWREJCEWICZ = 15,
+  /** Smooth friction law that passes through the static level (Specker) */
+  STRIBECK_FRICTION_MODEL_SPECKER = 16,
+  /** Friction law with stiction made of three straight lines */
+  STRIBECK_FRICTION_MODEL_LINEAR_STICTION = 17,
+  /** Smooth friction law with a stiction peak (Brown and McPhee) */
+  STRIBECK_FRICTION_MODEL_BROWN_MC_PHEE = 18,
+  /** Pre-sliding displacement with hysteresis (Dahl) */
+  STRIBECK_FRICTION_MODEL_DAHL = 19,
+  /** Bristle friction with Stribeck effect (LuGre) */
+  STRIBECK_FRICTION_MODEL_LU_GRE = 20,
+  /** Stribeck friction that lags behind the velocity (Hess and Soom) */
+  STRIBECK_FRICTION_MODEL_FRICTIONAL_LAG = 21,
+  /** Stick, slip, lag and rising static friction with seven parameters (Armstrong-Helouvry) */
+  STRIBECK_FRICTION_MODEL_ARMSTRONG = 22,
+  /** Different friction while speeding up and slowing down (reconstructed) */
+  STRIBECK_FRICTION_MODEL_NON_REVERSIBLE = 23,
+  /** Hysteretic friction: stuck spring, two branches of sliding (reconstructed after Wojewoda) */
+  STRIBECK_FRICTION_MODEL_WOJEWODA = 24,
+  /** Pre-sliding displacement and breakaway peak in the sliding distance (Bliman-Sorine) */
+  STRIBECK_FRICTION_MODEL_BLIMAN_SORINE = 25,
+  /** Bond that breaks at the static level (reset integrator) */
+  STRIBECK_FRICTION_MODEL_RESET_INTEGRATOR = 26,
+  /** Pre-sliding displacement of sheared asperities (Dankowicz, reconstructed) */
+  STRIBECK_FRICTION_MODEL_DANKOWICZ = 27,
+  /** Bristle friction without drift below breakaway (elasto-plastic) */
+  STRIBECK_FRICTION_MODEL_ELASTO_PLASTIC = 28,
+  /** Bonds that snap and form again at random (bristle model) */
+  STRIBECK_FRICTION_MODEL_BRISTLE = 29,
+  /** Smooth friction law with a velocity-dependent lag (Specker, reconstructed) */
+  STRIBECK_FRICTION_MODEL_SPECKER_DYNAMIC = 30,
+  /** Elements that stick or slip, with hysteresis of pre-sliding (generalised Maxwell-slip, GMS) */
+  STRIBECK_FRICTION_MODEL_MAXWELL_SLIP = 31,
+  /** Bristle friction with hysteresis of pre-sliding (Leuven, in the form of Lampaert) */
+  STRIBECK_FRICTION_MODEL_LEUVEN = 32,
+  /** Bristle friction with dwell time (Gonthier) */
+  STRIBECK_FRICTION_MODEL_GONTHIER = 33,
+} stribeck_friction_model;
+
+/** Choices of a variable of the type FrictionStart. */
+typedef enum stribeck_friction_start {
+  /** Steady sliding at the first velocity. */
+  STRIBECK_FRICTION_START_STEADY = 1,
+  /** Contacts at rest, without load. */
+  STRIBECK_FRICTION_START_ZERO = 2,
+  /** The start values of memory_1 and memory_2. */
+  STRIBECK_FRICTION_START_VALUE = 3,
+} stribeck_friction_start;
+
+/** Choices of a variable of the type FrictionSwitch. */
+typedef enum stribeck_friction_switch {
+  /** The law as it is. */
+  STRIBECK_FRICTION_SWITCH_ON = 1,
+  /** The static level is the kinetic one, as if mu_s were mu_k and preload_s were preload_k. */
+  STRIBECK_FRICTION_SWITCH_NO_STICTION = 2,
+  /** The viscous part alone, as if coefficients and preloads were 0. */
+  STRIBECK_FRICTION_SWITCH_VISCOUS_ONLY = 3,
+  /** No friction, as if the model were None. */
+  STRIBECK_FRICTION_SWITCH_OFF = 4,
+} stribeck_friction_switch;
+
 /** Choices of a variable of the type FrictionalLagVariant. */
 typedef enum stribeck_frictional_lag_variant {
   /** The force follows the velocity of a time lag ago. */
@@ -536,6 +648,22 @@ typedef enum stribeck_frictional_lag_variant {
   STRIBECK_FRICTIONAL_LAG_VARIANT_FIRST_ORDER = 2,
 } stribeck_frictional_lag_variant;
 
+/** Choices of a variable of the type InputMode. */
+typedef enum stribeck_input_mode {
+  /** They are held. */
+  STRIBECK_INPUT_MODE_HOLD = 1,
+  /** The length moves with the velocity. */
+  STRIBECK_INPUT_MODE_LINEAR = 2,
+} stribeck_input_mode;
+
+/** Choices of a variable of the type Interpolation. */
+typedef enum stribeck_interpolation {
+  /** Straight lines. */
+  STRIBECK_INTERPOLATION_LINEAR = 1,
+  /** Monotone cubic: smooth, without overshoot. */
+  STRIBECK_INTERPOLATION_CUBIC = 2,
+} stribeck_interpolation;
+
 /** Choices of a variable of the type LiangVariant. */
 typedef enum stribeck_liang_variant {
   /** The deflection keeps its direction and is shortened: the force is continuous. */
@@ -543,6 +671,14 @@ typedef enum stribeck_liang_variant {
   /** The deflection takes the direction of the velocity, as printed: the force can jump. */
   STRIBECK_LIANG_VARIANT_PRINTED = 2,
 } stribeck_liang_variant;
+
+/** Choices of a variable of the type NormalSum. */
+typedef enum stribeck_normal_sum {
+  /** Each contact has its own load, found as a vector. */
+  STRIBECK_NORMAL_SUM_TWO_POINT = 1,
+  /** Magnitudes of force and bending moment over overlap are added and shared equally, as Adams does. */
+  STRIBECK_NORMAL_SUM_ADAMS = 2,
+} stribeck_normal_sum;
 
 /** Choices of a variable of the type RooneyDeraviVariant. */
 typedef enum stribeck_rooney_deravi_variant {
@@ -553,6 +689,32 @@ typedef enum stribeck_rooney_deravi_variant {
   /** Hyperbolic tangent for all velocities. */
   STRIBECK_ROONEY_DERAVI_VARIANT_TANH = 3,
 } stribeck_rooney_deravi_variant;
+
+/** Choices of a variable of the type SideConvention. */
+typedef enum stribeck_side_convention {
+  /** Transverse force and moment of the tube on the rod, reduced to the upper eye. */
+  STRIBECK_SIDE_CONVENTION_WRENCH_ON_ROD = 1,
+  /** Lagrange multipliers of the joint, of the rows m.d, n.d, m.a and n.a. */
+  STRIBECK_SIDE_CONVENTION_LAMBDA = 2,
+} stribeck_side_convention;
+
+/** Choices of a variable of the type SideMode. */
+typedef enum stribeck_side_mode {
+  /** The four inputs. */
+  STRIBECK_SIDE_MODE_INPUTS = 1,
+  /** What the spring does to the joint: offset of its line of action and side force. */
+  STRIBECK_SIDE_MODE_INTERNAL = 2,
+  /** Both. */
+  STRIBECK_SIDE_MODE_SUM = 3,
+} stribeck_side_mode;
+
+/** Choices of a variable of the type SpringMode. */
+typedef enum stribeck_spring_mode {
+  /** Proportional to the compression. */
+  STRIBECK_SPRING_MODE_LINEAR = 1,
+  /** Straight lines between the points of a table. */
+  STRIBECK_SPRING_MODE_TABLE = 2,
+} stribeck_spring_mode;
 
 /** Choices of a variable of the type StribeckCurve. */
 typedef enum stribeck_stribeck_curve {
@@ -3849,6 +4011,2452 @@ typedef enum stribeck_elasto_plastic_planar_variable {
   STRIBECK_ELASTO_PLASTIC_PLANAR_STICKING = 18,
 } stribeck_elasto_plastic_planar_variable;
 
+/** Guid of ShockAbsorber for fmi2Instantiate. */
+#define STRIBECK_SHOCK_ABSORBER_GUID "{39ecb89a-a1c4-643e-6274-5fa0257c6e3a}"
+
+/** ShockAbsorber: Telescopic shock absorber with friction from its side load. Columns of "ShockAbsorber". */
+typedef enum stribeck_shock_absorber_variable {
+  /** in [m]: Distance of the eyes, or travel of the host: see adapter. (default 0.1775) */
+  STRIBECK_SHOCK_ABSORBER_LENGTH = 0,
+  /** in [m/s]: Time derivative of the length; positive in extension. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_VELOCITY = 1,
+  /** in [N]: Transverse force of the tube on the rod along m, at the upper eye; or lambda_1. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_SIDE_FORCE_M = 2,
+  /** in [N]: Transverse force of the tube on the rod along n, at the upper eye; or lambda_2. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_SIDE_FORCE_N = 3,
+  /** in [N.m]: Moment of the tube on the rod about m, at the upper eye; or lambda_3. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_SIDE_MOMENT_M = 4,
+  /** in [N.m]: Moment of the tube on the rod about n, at the upper eye; or lambda_4. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_SIDE_MOMENT_N = 5,
+  /** in [rad/s]: Spin of the rod relative to the tube, about the axis from tube to rod. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_SPIN_RATE = 6,
+  /** in [N]: All other forces along the strut, positive in extension; only for laws that hold a load at rest.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_EXTERNAL_FORCE = 7,
+  /** in [m/s2]: Time derivative of the velocity; only for laws that ask for it. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_ACCELERATION = 8,
+  /** in [K]: Ambient temperature; used if thermal.enabled is true. (> 0, default 293.15) */
+  STRIBECK_SHOCK_ABSORBER_TEMPERATURE_AMBIENT = 9,
+  /** fixed [m]: Distance of the eyes at full extension (default chosen). (> 0, default 0.2) */
+  STRIBECK_SHOCK_ABSORBER_GEOM_LENGTH_EXTENDED = 10,
+  /** fixed [m]: Stroke from full extension to full compression. (> 0, default 0.055) */
+  STRIBECK_SHOCK_ABSORBER_GEOM_STROKE = 11,
+  /** fixed [m]: Distance from the eye of the tube to the rod guide. (> 0, default 0.125) */
+  STRIBECK_SHOCK_ABSORBER_GEOM_D_I = 12,
+  /** fixed [m]: Distance from the eye of the rod to the piston. (> 0, default 0.105) */
+  STRIBECK_SHOCK_ABSORBER_GEOM_D_J = 13,
+  /** fixed [m]: Overlap below which the contact forces are kept finite (default chosen). (>= 0, default 0.002) */
+  STRIBECK_SHOCK_ABSORBER_GEOM_H_REG = 14,
+  /** fixed [m]: Radius of the rod, at the rod guide (default chosen). (>= 0, default 0.007) */
+  STRIBECK_SHOCK_ABSORBER_GEOM_R_1 = 15,
+  /** fixed [m]: Radius of the piston (default chosen). (>= 0, default 0.0125) */
+  STRIBECK_SHOCK_ABSORBER_GEOM_R_2 = 16,
+  /** fixed [stribeck_spring_mode]: Form of the spring's characteristic. (default Linear) */
+  STRIBECK_SHOCK_ABSORBER_SPRING_MODE = 17,
+  /** tunable [N/m]: Stiffness. (>= 0, default 45000) */
+  STRIBECK_SHOCK_ABSORBER_SPRING_K = 18,
+  /** tunable [N]: Force at full extension. (default 150) */
+  STRIBECK_SHOCK_ABSORBER_SPRING_PRELOAD = 19,
+  /** fixed [Integer]: Number of points of the table in use. (>= 2, <= 16, default 3) */
+  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_N = 20,
+  /** tunable [m]: Compressions of the table, rising. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_1 = 21,
+  /** tunable [m]: Compressions of the table, rising. (default 0.03) */
+  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_2 = 22,
+  /** tunable [m]: Compressions of the table, rising. (default 0.055) */
+  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_3 = 23,
+  /** tunable [m]: Compressions of the table, rising. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_4 = 24,
+  /** tunable [m]: Compressions of the table, rising. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_5 = 25,
+  /** tunable [m]: Compressions of the table, rising. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_6 = 26,
+  /** tunable [m]: Compressions of the table, rising. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_7 = 27,
+  /** tunable [m]: Compressions of the table, rising. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_8 = 28,
+  /** tunable [m]: Compressions of the table, rising. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_9 = 29,
+  /** tunable [m]: Compressions of the table, rising. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_10 = 30,
+  /** tunable [m]: Compressions of the table, rising. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_11 = 31,
+  /** tunable [m]: Compressions of the table, rising. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_12 = 32,
+  /** tunable [m]: Compressions of the table, rising. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_13 = 33,
+  /** tunable [m]: Compressions of the table, rising. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_14 = 34,
+  /** tunable [m]: Compressions of the table, rising. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_15 = 35,
+  /** tunable [m]: Compressions of the table, rising. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_16 = 36,
+  /** tunable [N]: Forces of the table, without preload (the example is chosen). (default 0) */
+  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_F_1 = 37,
+  /** tunable [N]: Forces of the table, without preload (the example is chosen). (default 1350) */
+  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_F_2 = 38,
+  /** tunable [N]: Forces of the table, without preload (the example is chosen). (default 2850) */
+  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_F_3 = 39,
+  /** tunable [N]: Forces of the table, without preload (the example is chosen). (default 0) */
+  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_F_4 = 40,
+  /** tunable [N]: Forces of the table, without preload (the example is chosen). (default 0) */
+  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_F_5 = 41,
+  /** tunable [N]: Forces of the table, without preload (the example is chosen). (default 0) */
+  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_F_6 = 42,
+  /** tunable [N]: Forces of the table, without preload (the example is chosen). (default 0) */
+  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_F_7 = 43,
+  /** tunable [N]: Forces of the table, without preload (the example is chosen). (default 0) */
+  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_F_8 = 44,
+  /** tunable [N]: Forces of the table, without preload (the example is chosen). (default 0) */
+  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_F_9 = 45,
+  /** tunable [N]: Forces of the table, without preload (the example is chosen). (default 0) */
+  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_F_10 = 46,
+  /** tunable [N]: Forces of the table, without preload (the example is chosen). (default 0) */
+  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_F_11 = 47,
+  /** tunable [N]: Forces of the table, without preload (the example is chosen). (default 0) */
+  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_F_12 = 48,
+  /** tunable [N]: Forces of the table, without preload (the example is chosen). (default 0) */
+  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_F_13 = 49,
+  /** tunable [N]: Forces of the table, without preload (the example is chosen). (default 0) */
+  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_F_14 = 50,
+  /** tunable [N]: Forces of the table, without preload (the example is chosen). (default 0) */
+  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_F_15 = 51,
+  /** tunable [N]: Forces of the table, without preload (the example is chosen). (default 0) */
+  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_F_16 = 52,
+  /** fixed [Boolean]: Is there a gas force? (default true) */
+  STRIBECK_SHOCK_ABSORBER_GAS_ENABLED = 53,
+  /** tunable [Pa]: Absolute gas pressure at full extension. (>= 0, default 1000000) */
+  STRIBECK_SHOCK_ABSORBER_GAS_P0 = 54,
+  /** fixed [m3]: Gas volume at full extension. (> 0, default 3e-5) */
+  STRIBECK_SHOCK_ABSORBER_GAS_V0 = 55,
+  /** fixed [1]: Polytropic exponent. (>= 0, default 1.2) */
+  STRIBECK_SHOCK_ABSORBER_GAS_N = 56,
+  /** fixed [m]: Diameter of the rod. (>= 0, default 0.014) */
+  STRIBECK_SHOCK_ABSORBER_GAS_ROD_DIAMETER = 57,
+  /** tunable [Pa]: Ambient pressure. (>= 0, default 101325) */
+  STRIBECK_SHOCK_ABSORBER_GAS_P_AMBIENT = 58,
+  /** fixed [m]: Compression from full extension at which the bump stop is touched. (default 0.04) */
+  STRIBECK_SHOCK_ABSORBER_BUMP_GAP = 59,
+  /** fixed [stribeck_bump_mode]: Form of the bump stop's characteristic. (default Linear) */
+  STRIBECK_SHOCK_ABSORBER_BUMP_MODE = 60,
+  /** tunable [N/m]: Stiffness: of the linear form, and first coefficient of the cubic one. (>= 0, default 150000) */
+  STRIBECK_SHOCK_ABSORBER_BUMP_K = 61,
+  /** tunable [1]: Exponent of the power form. (>= 1, default 2.2) */
+  STRIBECK_SHOCK_ABSORBER_BUMP_N = 62,
+  /** tunable [m]: Compression at which the power form has the force F_ref. (> 0, default 0.01) */
+  STRIBECK_SHOCK_ABSORBER_BUMP_X_REF = 63,
+  /** tunable [N]: Force of the power form at x_ref. (>= 0, default 1500) */
+  STRIBECK_SHOCK_ABSORBER_BUMP_F_REF = 64,
+  /** tunable [N/m2]: Second coefficient of the cubic form. (>= 0, default 0) */
+  STRIBECK_SHOCK_ABSORBER_BUMP_K2 = 65,
+  /** tunable [N/m3]: Third coefficient of the cubic form. (>= 0, default 0) */
+  STRIBECK_SHOCK_ABSORBER_BUMP_K3 = 66,
+  /** tunable [N.s/m]: Damping while the stop is touched. (>= 0, default 0) */
+  STRIBECK_SHOCK_ABSORBER_BUMP_C = 67,
+  /** fixed [m]: Compression from full extension at which the rebound stop is touched. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_REBOUND_GAP = 68,
+  /** tunable [N/m]: Stiffness. (>= 0, default 1000000) */
+  STRIBECK_SHOCK_ABSORBER_REBOUND_K = 69,
+  /** tunable [N.s/m]: Damping while the stop is touched. (>= 0, default 0) */
+  STRIBECK_SHOCK_ABSORBER_REBOUND_C = 70,
+  /** fixed [stribeck_damper_mode]: Form of the damper's characteristic. (default Linear) */
+  STRIBECK_SHOCK_ABSORBER_DAMPER_MODE = 71,
+  /** tunable [N.s/m]: Damping coefficient in compression. (>= 0, default 1500) */
+  STRIBECK_SHOCK_ABSORBER_DAMPER_C_COMP = 72,
+  /** tunable [N.s/m]: Damping coefficient in extension (rebound). (>= 0, default 2300) */
+  STRIBECK_SHOCK_ABSORBER_DAMPER_C_REB = 73,
+  /** tunable [s/m]: Degression in compression. (>= 0, default 0) */
+  STRIBECK_SHOCK_ABSORBER_DAMPER_DEGR_COMP = 74,
+  /** tunable [s/m]: Degression in extension. (>= 0, default 0) */
+  STRIBECK_SHOCK_ABSORBER_DAMPER_DEGR_REB = 75,
+  /** fixed [Integer]: Number of points of the table in use. (>= 2, <= 16, default 11) */
+  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_N = 76,
+  /** tunable [m/s]: Velocities of the table, rising; positive in extension. (default -1) */
+  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_1 = 77,
+  /** tunable [m/s]: Velocities of the table, rising; positive in extension. (default -0.5) */
+  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_2 = 78,
+  /** tunable [m/s]: Velocities of the table, rising; positive in extension. (default -0.25) */
+  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_3 = 79,
+  /** tunable [m/s]: Velocities of the table, rising; positive in extension. (default -0.1) */
+  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_4 = 80,
+  /** tunable [m/s]: Velocities of the table, rising; positive in extension. (default -0.05) */
+  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_5 = 81,
+  /** tunable [m/s]: Velocities of the table, rising; positive in extension. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_6 = 82,
+  /** tunable [m/s]: Velocities of the table, rising; positive in extension. (default 0.05) */
+  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_7 = 83,
+  /** tunable [m/s]: Velocities of the table, rising; positive in extension. (default 0.1) */
+  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_8 = 84,
+  /** tunable [m/s]: Velocities of the table, rising; positive in extension. (default 0.25) */
+  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_9 = 85,
+  /** tunable [m/s]: Velocities of the table, rising; positive in extension. (default 0.5) */
+  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_10 = 86,
+  /** tunable [m/s]: Velocities of the table, rising; positive in extension. (default 1) */
+  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_11 = 87,
+  /** tunable [m/s]: Velocities of the table, rising; positive in extension. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_12 = 88,
+  /** tunable [m/s]: Velocities of the table, rising; positive in extension. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_13 = 89,
+  /** tunable [m/s]: Velocities of the table, rising; positive in extension. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_14 = 90,
+  /** tunable [m/s]: Velocities of the table, rising; positive in extension. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_15 = 91,
+  /** tunable [m/s]: Velocities of the table, rising; positive in extension. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_16 = 92,
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling. (default -1150) */
+  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_1 = 93,
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling. (default -700) */
+  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_2 = 94,
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling. (default -430) */
+  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_3 = 95,
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling. (default -210) */
+  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_4 = 96,
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling. (default -110) */
+  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_5 = 97,
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_6 = 98,
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling. (default 180) */
+  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_7 = 99,
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling. (default 340) */
+  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_8 = 100,
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling. (default 640) */
+  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_9 = 101,
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling. (default 950) */
+  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_10 = 102,
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling. (default 1500) */
+  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_11 = 103,
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_12 = 104,
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_13 = 105,
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_14 = 106,
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_15 = 107,
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_16 = 108,
+  /** fixed [stribeck_interpolation]: Curve through the points of the table. (default Linear) */
+  STRIBECK_SHOCK_ABSORBER_DAMPER_INTERPOLATION = 109,
+  /** tunable [1]: Factor on the damper force. (>= 0, default 1) */
+  STRIBECK_SHOCK_ABSORBER_DAMPER_SCALE = 110,
+  /** fixed [N/m]: Stiffness in series with the damper, of oil and top mount; 0 = rigid. (>= 0, default 0) */
+  STRIBECK_SHOCK_ABSORBER_DAMPER_K_SERIES = 111,
+  /** fixed [stribeck_friction_model]: Friction law; parameters that it does not have are ignored. (default LuGre) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_MODEL = 112,
+  /** tunable [stribeck_friction_switch]: Which parts of the friction act. (default On) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_SWITCH = 113,
+  /** tunable [1]: Friction in compression over friction in extension: (1 + asymmetry) / (1 - asymmetry).
+   *  (>= -0.99, <= 0.99, default 0) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ASYMMETRY = 114,
+  /** tunable [1]: Factor on all friction levels. (>= 0, default 1) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_SCALE = 115,
+  /** tunable [kg]: Effective mass of the host, for laws that know it; 0: the force of the printed law.
+   *  (>= 0, default 0) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_MASS = 116,
+  /** fixed [stribeck_exchange]: Order in which the master exchanges force and motion; matters where mass > 0.
+   *  (default Sequential) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_EXCHANGE = 117,
+  /** tunable [m/s]: Speed at which the excess of static over kinetic friction has fallen to 1/e.
+   *  (> 0, default 0.001) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_STRIBECK_VELOCITY = 118,
+  /** tunable [1]: Exponent of the falling level. (> 0, default 2) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_STRIBECK_EXPONENT = 119,
+  /** tunable [N/m]: Stiffness of the bristles. (> 0, default 100000) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_SIGMA_0 = 120,
+  /** tunable [N.s/m]: Damping of the bristles. (>= 0, default 316.22776601683796) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_SIGMA_1 = 121,
+  /** tunable [N.s/m]: Viscous friction coefficient. (>= 0, default 0.1) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_VISCOUS_COEFFICIENT = 122,
+  /** tunable [m/s]: Speed at which the damping of the bristles fades; 0 = constant damping. (>= 0, default 0) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_DAMPING_VELOCITY = 123,
+  /** fixed [stribeck_coulomb_viscous_variant]: Variant of the law. (default Linear) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_COULOMBVISCOUS_VARIANT = 124,
+  /** tunable [1]: Exponent of the viscous part. (> 0, default 1) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_VISCOUS_EXPONENT = 125,
+  /** fixed [stribeck_stribeck_curve]: How the level falls with speed. (default Gaussian) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_CURVE = 126,
+  /** tunable [N.s2/m2]: Quadratic friction coefficient; used by PoppStelter. (>= 0, default 0) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_QUADRATIC_COEFFICIENT = 127,
+  /** tunable [s/m]: Slope of the force at rest, relative to the level there. (> 0, default 2000) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_TRANSITION_SLOPE = 128,
+  /** fixed [stribeck_threlfall_variant]: Variant of the law. (default Printed) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_THRELFALL_VARIANT = 129,
+  /** tunable [m/s]: Velocity at which the regularised band around rest ends (default chosen). (>= 0, default 0.001) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_TRANSITION_VELOCITY = 130,
+  /** fixed [stribeck_rooney_deravi_variant]: Variant of the law. (default Linear) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ROONEYDERAVI_VARIANT = 131,
+  /** tunable [m/s]: Velocity at which the kinetic level is reached. (> 0, default 0.001) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_SLIDING_VELOCITY = 132,
+  /** fixed [stribeck_bengisu_akay_variant]: Variant of the law. (default Thesis) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_BENGISUAKAY_VARIANT = 133,
+  /** tunable [s/m]: Rate at which the excess of static over kinetic friction decays with speed (default chosen).
+   *  (> 0, default 500) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_STICTION_DECAY = 134,
+  /** tunable [s/m]: Viscous coefficient of friction, per normal force. (>= 0, default 0) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_MU_V = 135,
+  /** tunable [m/s]: Velocity at which the static level is reached (default chosen). (> 0, default 0.0005) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_PEAK_VELOCITY = 136,
+  /** tunable [N]: Normal force at which the viscous part is fully active (default chosen). (> 0, default 1) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_TRANSITION_NORMAL_FORCE = 137,
+  /** tunable [1]: Exponent of the transition to sliding; below 1 brittle, from 1 on ductile. (>= 0, default 1) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ALPHA = 138,
+  /** fixed [s]: Time by which the level of friction lags behind the velocity (default chosen). (>= 0, default 0.005) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_TIME_LAG = 139,
+  /** fixed [stribeck_frictional_lag_variant]: Variant of the law. (default Delay) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_FRICTIONALLAG_VARIANT = 140,
+  /** tunable [s]: Dwell time after which half of the rise of the static friction has come (default chosen).
+   *  (>= 0, default 2) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_GAMMA = 141,
+  /** tunable [1]: Coefficient of friction that a contact reaches when it comes to rest; not more than mu_s (default chosen).
+   *  (>= 0, default 0) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_MU_STOP = 142,
+  /** tunable [s/m]: Steepness of the curve while speeding up (default chosen). (> 0, default 500) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ACCELERATION_DECAY = 143,
+  /** tunable [s/m]: Steepness of the curve while slowing down (default chosen). (> 0, default 500) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_DECELERATION_DECAY = 144,
+  /** tunable [s/m]: Steepness of the curves for speeding up and slowing down (default chosen). (> 0, default 500) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_BRANCH_DECAY = 145,
+  /** fixed [stribeck_bliman_sorine_order]: Variant of the law. (default Second) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_BLIMANSORINE_VARIANT = 146,
+  /** tunable [1]: Level of the slow relaxation, as a coefficient of friction; second order (default calibrated).
+   *  (>= 0, default 0.2732050807568877) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_MU_2 = 147,
+  /** tunable [1]: Length of the fast relaxation as a part of that of the slow one; second order (default chosen).
+   *  (> 0, <= 1, default 0.5) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ETA = 148,
+  /** tunable [m]: Sliding distance in which the slow relaxation settles to 1/e (default calibrated).
+   *  (> 0, default 4.642141842225068e-5) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_EPS_F = 149,
+  /** tunable [m]: Shear deflection of the asperities in steady sliding (default f_C / sigma_0 of the thesis).
+   *  (> 0, default 9.81e-6) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_DELTA_T = 150,
+  /** tunable [1]: Part of the deflection of steady sliding up to which the contact is purely elastic.
+   *  (> 0, <= 1, default 0.7) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_BREAKAWAY_RATIO = 151,
+  /** tunable [Integer]: Exponent of the transition from elastic deflection to sliding; odd. (>= 1, <= 9, default 1) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_PLASTIC_EXPONENT = 152,
+  /** tunable [m]: Strain at which a bristle snaps (default f_s / sigma_0 of the thesis). (> 0, default 1.4715e-5) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_DELTA = 153,
+  /** fixed [Integer]: Number of bristles (default chosen). (>= 1, <= 64, default 25) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_BRISTLE_COUNT = 154,
+  /** fixed [Integer]: Seed of the random numbers. (>= 0, default 0) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_SEED = 155,
+  /** fixed [stribeck_bristle_start]: State of the bristles when the motion starts. (default Bonded) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_START = 156,
+  /** tunable [s]: Time constant of the force while sliding (default chosen). (> 0, default 0.001) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_SLIP_TIME = 157,
+  /** tunable [N/s]: Rate at which the slipping elements together approach their level (default chosen).
+   *  (> 0, default 1000) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ATTRACTION = 158,
+  /** fixed [stribeck_element_distribution]: Where the shares of the elements come from. (default Explicit) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_DISTRIBUTION = 159,
+  /** fixed [Integer]: Number of elements in use (default chosen). (>= 1, <= 16, default 4) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_COUNT = 160,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.5) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_1_STIFFNESS_SHARE = 161,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_1_STRENGTH_SHARE = 162,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.25) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_2_STIFFNESS_SHARE = 163,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.2) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_2_STRENGTH_SHARE = 164,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.15) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_3_STIFFNESS_SHARE = 165,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.3) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_3_STRENGTH_SHARE = 166,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_4_STIFFNESS_SHARE = 167,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.4) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_4_STRENGTH_SHARE = 168,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_5_STIFFNESS_SHARE = 169,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_5_STRENGTH_SHARE = 170,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_6_STIFFNESS_SHARE = 171,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_6_STRENGTH_SHARE = 172,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_7_STIFFNESS_SHARE = 173,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_7_STRENGTH_SHARE = 174,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_8_STIFFNESS_SHARE = 175,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_8_STRENGTH_SHARE = 176,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_9_STIFFNESS_SHARE = 177,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_9_STRENGTH_SHARE = 178,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_10_STIFFNESS_SHARE = 179,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_10_STRENGTH_SHARE = 180,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_11_STIFFNESS_SHARE = 181,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_11_STRENGTH_SHARE = 182,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_12_STIFFNESS_SHARE = 183,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_12_STRENGTH_SHARE = 184,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_13_STIFFNESS_SHARE = 185,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_13_STRENGTH_SHARE = 186,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_14_STIFFNESS_SHARE = 187,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_14_STRENGTH_SHARE = 188,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_15_STIFFNESS_SHARE = 189,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_15_STRENGTH_SHARE = 190,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_16_STIFFNESS_SHARE = 191,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_16_STRENGTH_SHARE = 192,
+  /** tunable [1]: Exponent of the approach to the steady level (default chosen). (>= 0.1, default 1) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_APPROACH_EXPONENT = 193,
+  /** tunable [1]: Strength of all elements together, as a multiple of the static level; not less than 1 (default chosen).
+   *  (> 0, default 1.2) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_HYSTERESIS_STRENGTH = 194,
+  /** tunable [s]: Time constant with which the static level rises at rest. (> 0, default 2) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_DWELL_TIME_CONSTANT = 195,
+  /** tunable [1]: Static coefficient of friction; not less than mu_k. (>= 0, default 0.15) */
+  STRIBECK_SHOCK_ABSORBER_C1_MU_S = 196,
+  /** tunable [1]: Kinetic coefficient of friction. (>= 0, default 0.1) */
+  STRIBECK_SHOCK_ABSORBER_C1_MU_K = 197,
+  /** tunable [N]: Breakaway force without normal force, as of a seal; not less than preload_k. (>= 0, default 10) */
+  STRIBECK_SHOCK_ABSORBER_C1_PRELOAD_S = 198,
+  /** tunable [N]: Sliding friction force without normal force, as of a seal. (>= 0, default 8) */
+  STRIBECK_SHOCK_ABSORBER_C1_PRELOAD_K = 199,
+  /** tunable [1]: Static coefficient of friction; not less than mu_k. (>= 0, default 0.1) */
+  STRIBECK_SHOCK_ABSORBER_C2_MU_S = 200,
+  /** tunable [1]: Kinetic coefficient of friction. (>= 0, default 0.08) */
+  STRIBECK_SHOCK_ABSORBER_C2_MU_K = 201,
+  /** tunable [N]: Breakaway force without normal force, as of a seal; not less than preload_k. (>= 0, default 8) */
+  STRIBECK_SHOCK_ABSORBER_C2_PRELOAD_S = 202,
+  /** tunable [N]: Sliding friction force without normal force, as of a seal. (>= 0, default 6) */
+  STRIBECK_SHOCK_ABSORBER_C2_PRELOAD_K = 203,
+  /** fixed [stribeck_side_mode]: Side loads that act on the joint. (default Sum) */
+  STRIBECK_SHOCK_ABSORBER_SIDE_MODE = 204,
+  /** fixed [stribeck_side_convention]: Meaning of the four side-load inputs. (default WrenchOnRod) */
+  STRIBECK_SHOCK_ABSORBER_SIDE_CONVENTION = 205,
+  /** tunable [m]: Offset of the spring's line of action along m (default chosen). (default 0.003) */
+  STRIBECK_SHOCK_ABSORBER_SIDE_OFFSET_M = 206,
+  /** tunable [m]: Offset of the spring's line of action along n. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_SIDE_OFFSET_N = 207,
+  /** tunable [1]: Side force of the spring along m, relative to its axial force; it acts at the upper eye.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_SIDE_FORCE_RATIO = 208,
+  /** fixed [stribeck_normal_sum]: How the load of the joint becomes the load of its contacts. (default TwoPoint) */
+  STRIBECK_SHOCK_ABSORBER_SIDE_NORMAL_SUM = 209,
+  /** tunable [1]: Factor on the contact forces for the distribution of pressure; 4 / pi for a cosine over half the rim.
+   *  (>= 0, default 1) */
+  STRIBECK_SHOCK_ABSORBER_SIDE_C_GEO = 210,
+  /** fixed [Boolean]: Does the temperature change, and with it the damper force? (default false) */
+  STRIBECK_SHOCK_ABSORBER_THERMAL_ENABLED = 211,
+  /** tunable [1/K]: Relative loss of damper force per kelvin (default chosen). (>= 0, default 0.003) */
+  STRIBECK_SHOCK_ABSORBER_THERMAL_BETA = 212,
+  /** fixed [K]: Temperature at which the damper's characteristic was measured. (> 0, default 293.15) */
+  STRIBECK_SHOCK_ABSORBER_THERMAL_TEMPERATURE_REF = 213,
+  /** fixed [J/K]: Heat capacity of the damper (default chosen: 0.6 kg of aluminium and oil). (> 0, default 600) */
+  STRIBECK_SHOCK_ABSORBER_THERMAL_CAPACITY = 214,
+  /** tunable [W/K]: Heat flow to the surroundings per kelvin (default chosen). (>= 0, default 1.5) */
+  STRIBECK_SHOCK_ABSORBER_THERMAL_CONDUCTANCE = 215,
+  /** fixed [m]: Length of the strut where the input length is 0. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_ADAPTER_LENGTH_OFFSET = 216,
+  /** fixed [1]: Length of the strut per input length; -MR for wheel travel, -0.001 for millimetres of compression.
+   *  (default 1) */
+  STRIBECK_SHOCK_ABSORBER_ADAPTER_LENGTH_GAIN = 217,
+  /** fixed [1]: Factor on force_travel, for the host's unit of force. (default 1) */
+  STRIBECK_SHOCK_ABSORBER_ADAPTER_FORCE_GAIN = 218,
+  /** fixed [s]: Largest internal step. (> 0, default 0.0001) */
+  STRIBECK_SHOCK_ABSORBER_NUM_H_MAX = 219,
+  /** fixed [stribeck_input_mode]: How the inputs move within a step. (default Hold) */
+  STRIBECK_SHOCK_ABSORBER_NUM_INPUT_MODE = 220,
+  /** tunable [kg]: Mass that the strut carries or moves, whichever is smaller; for the advice step_limit only.
+   *  (> 0, default 16.4) */
+  STRIBECK_SHOCK_ABSORBER_NUM_MASS_REF = 221,
+  /** fixed [stribeck_friction_start]: What the friction law remembers at the start. (default Steady) */
+  STRIBECK_SHOCK_ABSORBER_INIT_FRICTION_STATE = 222,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_1 = 223,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_2 = 224,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_3 = 225,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_4 = 226,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_5 = 227,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_6 = 228,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_7 = 229,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_8 = 230,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_9 = 231,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_10 = 232,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_11 = 233,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_12 = 234,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_13 = 235,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_14 = 236,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_15 = 237,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_16 = 238,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_17 = 239,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_18 = 240,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_19 = 241,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_20 = 242,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_21 = 243,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_22 = 244,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_23 = 245,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_24 = 246,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_25 = 247,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_26 = 248,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_27 = 249,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_28 = 250,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_29 = 251,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_30 = 252,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_31 = 253,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_32 = 254,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_33 = 255,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_34 = 256,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_35 = 257,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_36 = 258,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_37 = 259,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_38 = 260,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_39 = 261,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_40 = 262,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_41 = 263,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_42 = 264,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_43 = 265,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_44 = 266,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_45 = 267,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_46 = 268,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_47 = 269,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_48 = 270,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_49 = 271,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_50 = 272,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_51 = 273,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_52 = 274,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_53 = 275,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_54 = 276,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_55 = 277,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_56 = 278,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_57 = 279,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_58 = 280,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_59 = 281,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_60 = 282,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_61 = 283,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_62 = 284,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_63 = 285,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_64 = 286,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_65 = 287,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_66 = 288,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_67 = 289,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_68 = 290,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_69 = 291,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_70 = 292,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_71 = 293,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_72 = 294,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_73 = 295,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_74 = 296,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_75 = 297,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_76 = 298,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_77 = 299,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_78 = 300,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_79 = 301,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_80 = 302,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_81 = 303,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_82 = 304,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_83 = 305,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_84 = 306,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_85 = 307,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_86 = 308,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_87 = 309,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_88 = 310,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_89 = 311,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_90 = 312,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_91 = 313,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_92 = 314,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_93 = 315,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_94 = 316,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_95 = 317,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_96 = 318,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_97 = 319,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_98 = 320,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_99 = 321,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_100 = 322,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_101 = 323,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_102 = 324,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_103 = 325,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_104 = 326,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_105 = 327,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_106 = 328,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_107 = 329,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_108 = 330,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_109 = 331,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_110 = 332,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_111 = 333,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_112 = 334,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_113 = 335,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_114 = 336,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_115 = 337,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_116 = 338,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_117 = 339,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_118 = 340,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_119 = 341,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_120 = 342,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_121 = 343,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_122 = 344,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_123 = 345,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_124 = 346,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_125 = 347,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_126 = 348,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_127 = 349,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_128 = 350,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_129 = 351,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_130 = 352,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_131 = 353,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_132 = 354,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_133 = 355,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_134 = 356,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_135 = 357,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_136 = 358,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_137 = 359,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_138 = 360,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_139 = 361,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_140 = 362,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_141 = 363,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_142 = 364,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_143 = 365,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_144 = 366,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_145 = 367,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_146 = 368,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_147 = 369,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_148 = 370,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_149 = 371,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_150 = 372,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_151 = 373,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_152 = 374,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_153 = 375,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_154 = 376,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_155 = 377,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_156 = 378,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_157 = 379,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_158 = 380,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_159 = 381,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_160 = 382,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_161 = 383,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_162 = 384,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_163 = 385,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_164 = 386,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_165 = 387,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_166 = 388,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_167 = 389,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_168 = 390,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_169 = 391,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_170 = 392,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_171 = 393,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_172 = 394,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_173 = 395,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_174 = 396,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_175 = 397,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_176 = 398,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_177 = 399,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_178 = 400,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_179 = 401,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_180 = 402,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_181 = 403,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_182 = 404,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_183 = 405,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_184 = 406,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_185 = 407,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_186 = 408,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_187 = 409,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_188 = 410,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_189 = 411,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_190 = 412,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_191 = 413,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_192 = 414,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_193 = 415,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_194 = 416,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_195 = 417,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_196 = 418,
+  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_197 = 419,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_1 = 420,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_2 = 421,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_3 = 422,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_4 = 423,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_5 = 424,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_6 = 425,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_7 = 426,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_8 = 427,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_9 = 428,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_10 = 429,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_11 = 430,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_12 = 431,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_13 = 432,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_14 = 433,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_15 = 434,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_16 = 435,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_17 = 436,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_18 = 437,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_19 = 438,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_20 = 439,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_21 = 440,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_22 = 441,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_23 = 442,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_24 = 443,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_25 = 444,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_26 = 445,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_27 = 446,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_28 = 447,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_29 = 448,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_30 = 449,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_31 = 450,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_32 = 451,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_33 = 452,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_34 = 453,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_35 = 454,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_36 = 455,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_37 = 456,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_38 = 457,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_39 = 458,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_40 = 459,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_41 = 460,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_42 = 461,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_43 = 462,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_44 = 463,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_45 = 464,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_46 = 465,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_47 = 466,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_48 = 467,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_49 = 468,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_50 = 469,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_51 = 470,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_52 = 471,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_53 = 472,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_54 = 473,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_55 = 474,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_56 = 475,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_57 = 476,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_58 = 477,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_59 = 478,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_60 = 479,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_61 = 480,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_62 = 481,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_63 = 482,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_64 = 483,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_65 = 484,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_66 = 485,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_67 = 486,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_68 = 487,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_69 = 488,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_70 = 489,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_71 = 490,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_72 = 491,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_73 = 492,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_74 = 493,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_75 = 494,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_76 = 495,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_77 = 496,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_78 = 497,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_79 = 498,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_80 = 499,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_81 = 500,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_82 = 501,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_83 = 502,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_84 = 503,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_85 = 504,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_86 = 505,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_87 = 506,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_88 = 507,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_89 = 508,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_90 = 509,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_91 = 510,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_92 = 511,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_93 = 512,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_94 = 513,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_95 = 514,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_96 = 515,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_97 = 516,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_98 = 517,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_99 = 518,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_100 = 519,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_101 = 520,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_102 = 521,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_103 = 522,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_104 = 523,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_105 = 524,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_106 = 525,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_107 = 526,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_108 = 527,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_109 = 528,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_110 = 529,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_111 = 530,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_112 = 531,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_113 = 532,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_114 = 533,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_115 = 534,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_116 = 535,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_117 = 536,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_118 = 537,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_119 = 538,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_120 = 539,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_121 = 540,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_122 = 541,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_123 = 542,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_124 = 543,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_125 = 544,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_126 = 545,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_127 = 546,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_128 = 547,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_129 = 548,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_130 = 549,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_131 = 550,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_132 = 551,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_133 = 552,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_134 = 553,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_135 = 554,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_136 = 555,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_137 = 556,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_138 = 557,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_139 = 558,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_140 = 559,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_141 = 560,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_142 = 561,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_143 = 562,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_144 = 563,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_145 = 564,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_146 = 565,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_147 = 566,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_148 = 567,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_149 = 568,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_150 = 569,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_151 = 570,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_152 = 571,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_153 = 572,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_154 = 573,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_155 = 574,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_156 = 575,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_157 = 576,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_158 = 577,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_159 = 578,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_160 = 579,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_161 = 580,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_162 = 581,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_163 = 582,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_164 = 583,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_165 = 584,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_166 = 585,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_167 = 586,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_168 = 587,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_169 = 588,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_170 = 589,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_171 = 590,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_172 = 591,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_173 = 592,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_174 = 593,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_175 = 594,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_176 = 595,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_177 = 596,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_178 = 597,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_179 = 598,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_180 = 599,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_181 = 600,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_182 = 601,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_183 = 602,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_184 = 603,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_185 = 604,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_186 = 605,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_187 = 606,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_188 = 607,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_189 = 608,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_190 = 609,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_191 = 610,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_192 = 611,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_193 = 612,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_194 = 613,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_195 = 614,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_196 = 615,
+  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_197 = 616,
+  /** state [m/s]: Velocity of the damper's piston behind its series stiffness; that of the strut if there is none.
+   *  (default 0) */
+  STRIBECK_SHOCK_ABSORBER_PISTON_VELOCITY = 617,
+  /** state [Boolean]: Has the run begun? (default false) */
+  STRIBECK_SHOCK_ABSORBER_STARTED = 618,
+  /** state [s]: Last communication step; 0 before the first. (>= 0, default 0) */
+  STRIBECK_SHOCK_ABSORBER_STEP_SIZE = 619,
+  /** state, out [K]: Temperature of the damper. (> 0, default 293.15) */
+  STRIBECK_SHOCK_ABSORBER_TEMPERATURE = 620,
+  /** state, out [J]: Energy taken out of the motion by friction and damper since the start. (default 0) */
+  STRIBECK_SHOCK_ABSORBER_ENERGY_DISSIPATED = 621,
+  /** out [N]: Force of the strut; positive pushes the eyes apart. */
+  STRIBECK_SHOCK_ABSORBER_FORCE = 622,
+  /** out [N]: The same with the other sign: positive pulls the eyes together. */
+  STRIBECK_SHOCK_ABSORBER_FORCE_TENSION = 623,
+  /** out [N]: Part of the spring. */
+  STRIBECK_SHOCK_ABSORBER_FORCE_SPRING = 624,
+  /** out [N]: Part of the gas. */
+  STRIBECK_SHOCK_ABSORBER_FORCE_GAS = 625,
+  /** out [N]: Part of the bump stop. */
+  STRIBECK_SHOCK_ABSORBER_FORCE_BUMP = 626,
+  /** out [N]: Part of the rebound stop. */
+  STRIBECK_SHOCK_ABSORBER_FORCE_REBOUND = 627,
+  /** out [N]: Part of the damper. */
+  STRIBECK_SHOCK_ABSORBER_FORCE_DAMPER = 628,
+  /** out [N]: Part of the friction. */
+  STRIBECK_SHOCK_ABSORBER_FORCE_FRICTION = 629,
+  /** out [N]: Force on the travel of the host, by virtual work: see adapter. */
+  STRIBECK_SHOCK_ABSORBER_FORCE_TRAVEL = 630,
+  /** out [N]: Axial friction at the rod guide; has the sign of the velocity when sliding. */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_1 = 631,
+  /** out [N]: Axial friction at the piston; has the sign of the velocity when sliding. */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_2 = 632,
+  /** out [N]: Normal force at the rod guide. */
+  STRIBECK_SHOCK_ABSORBER_NORMAL_1 = 633,
+  /** out [N]: Normal force at the piston. */
+  STRIBECK_SHOCK_ABSORBER_NORMAL_2 = 634,
+  /** out [N.m]: Friction torque about the axis, on the tube; has the sign of the spin rate when sliding. */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_TORQUE = 635,
+  /** out [m]: Compression from full extension. */
+  STRIBECK_SHOCK_ABSORBER_COMPRESSION = 636,
+  /** out [m]: Distance from piston to rod guide. */
+  STRIBECK_SHOCK_ABSORBER_OVERLAP = 637,
+  /** out [N/m]: Derivative of the force with respect to the length of the strut. */
+  STRIBECK_SHOCK_ABSORBER_DFORCE_DLENGTH = 638,
+  /** out [N.s/m]: Derivative of the force after a step with respect to the velocity of the strut. */
+  STRIBECK_SHOCK_ABSORBER_DFORCE_DVELOCITY = 639,
+  /** out [s]: Largest communication step that is stable for num.mass_ref; advice to the master. */
+  STRIBECK_SHOCK_ABSORBER_STEP_LIMIT = 640,
+  /** out [W]: Power taken out of the motion by friction and damper. */
+  STRIBECK_SHOCK_ABSORBER_POWER_DISSIPATED = 641,
+  /** out [Boolean]: Do the contacts stick? */
+  STRIBECK_SHOCK_ABSORBER_STICKING = 642,
+  /** out [Boolean]: Is the bump stop touched? */
+  STRIBECK_SHOCK_ABSORBER_BUMP_ACTIVE = 643,
+  /** out [Boolean]: Is the overlap so short that the contact forces are regularised? */
+  STRIBECK_SHOCK_ABSORBER_OVERLAP_LOW = 644,
+} stribeck_shock_absorber_variable;
+
+/** Guid of TelescopicJoint for fmi2Instantiate. */
+#define STRIBECK_TELESCOPIC_JOINT_GUID "{efa57d15-be77-ff43-076f-3b47b7852394}"
+
+/** TelescopicJoint: Contact forces of a telescopic joint, from its side load. Columns of "TelescopicJoint". */
+typedef enum stribeck_telescopic_joint_variable {
+  /** in [m]: Distance of the eyes. (default 0.1775) */
+  STRIBECK_TELESCOPIC_JOINT_LENGTH = 0,
+  /** in [N]: Transverse force of the tube on the rod along m, at the upper eye; or lambda_1. (default 0) */
+  STRIBECK_TELESCOPIC_JOINT_SIDE_FORCE_M = 1,
+  /** in [N]: Transverse force of the tube on the rod along n, at the upper eye; or lambda_2. (default 0) */
+  STRIBECK_TELESCOPIC_JOINT_SIDE_FORCE_N = 2,
+  /** in [N.m]: Moment of the tube on the rod about m, at the upper eye; or lambda_3. (default 0) */
+  STRIBECK_TELESCOPIC_JOINT_SIDE_MOMENT_M = 3,
+  /** in [N.m]: Moment of the tube on the rod about n, at the upper eye; or lambda_4. (default 0) */
+  STRIBECK_TELESCOPIC_JOINT_SIDE_MOMENT_N = 4,
+  /** fixed [stribeck_side_convention]: Meaning of the four side loads. (default WrenchOnRod) */
+  STRIBECK_TELESCOPIC_JOINT_CONVENTION = 5,
+  /** fixed [stribeck_normal_sum]: How the contact forces are summed up. (default TwoPoint) */
+  STRIBECK_TELESCOPIC_JOINT_NORMAL_SUM = 6,
+  /** fixed [m]: Distance from the eye of the tube to the rod guide. (> 0, default 0.125) */
+  STRIBECK_TELESCOPIC_JOINT_GEOM_D_I = 7,
+  /** fixed [m]: Distance from the eye of the rod to the piston. (> 0, default 0.105) */
+  STRIBECK_TELESCOPIC_JOINT_GEOM_D_J = 8,
+  /** fixed [m]: Overlap below which the contact forces are kept finite (default chosen). (>= 0, default 0.002) */
+  STRIBECK_TELESCOPIC_JOINT_GEOM_H_REG = 9,
+  /** out [N]: Normal force at the rod guide. */
+  STRIBECK_TELESCOPIC_JOINT_NORMAL_1 = 10,
+  /** out [N]: Normal force at the piston. */
+  STRIBECK_TELESCOPIC_JOINT_NORMAL_2 = 11,
+  /** out [N]: Force on the rod at the rod guide along m. */
+  STRIBECK_TELESCOPIC_JOINT_FORCE_1_M = 12,
+  /** out [N]: Force on the rod at the rod guide along n. */
+  STRIBECK_TELESCOPIC_JOINT_FORCE_1_N = 13,
+  /** out [N]: Force on the rod at the piston along m. */
+  STRIBECK_TELESCOPIC_JOINT_FORCE_2_M = 14,
+  /** out [N]: Force on the rod at the piston along n. */
+  STRIBECK_TELESCOPIC_JOINT_FORCE_2_N = 15,
+  /** out [m]: Distance from piston to rod guide. */
+  STRIBECK_TELESCOPIC_JOINT_OVERLAP = 16,
+  /** out [Boolean]: Is the overlap so short that the contact forces are regularised? */
+  STRIBECK_TELESCOPIC_JOINT_OVERLAP_LOW = 17,
+} stribeck_telescopic_joint_variable;
+
+/** Guid of GuideContact for fmi2Instantiate. */
+#define STRIBECK_GUIDE_CONTACT_GUID "{b9dc18b7-ed67-079d-025d-d29ac873e2c6}"
+
+/** GuideContact: Friction of a rod in its guide, by any law of the catalogue. Columns of "GuideContact". */
+typedef enum stribeck_guide_contact_variable {
+  /** in [m/s]: Axial velocity of the rod relative to the guide. (default 0) */
+  STRIBECK_GUIDE_CONTACT_VELOCITY = 0,
+  /** in [rad/s]: Spin of the rod relative to the guide. (default 0) */
+  STRIBECK_GUIDE_CONTACT_SPIN_RATE = 1,
+  /** in [N]: Normal force that presses the surfaces together. (>= 0, default 0) */
+  STRIBECK_GUIDE_CONTACT_NORMAL_FORCE = 2,
+  /** in [N]: All other axial forces on the rod; only for laws that hold a load at rest. (default 0) */
+  STRIBECK_GUIDE_CONTACT_EXTERNAL_FORCE = 3,
+  /** in [m/s2]: Time derivative of the velocity; only for laws that ask for it. (default 0) */
+  STRIBECK_GUIDE_CONTACT_ACCELERATION = 4,
+  /** tunable [m]: Radius of the contact. (>= 0, default 0.007) */
+  STRIBECK_GUIDE_CONTACT_RADIUS = 5,
+  /** tunable [1]: Static coefficient of friction; not less than mu_k. (>= 0, default 0.15) */
+  STRIBECK_GUIDE_CONTACT_LEVELS_MU_S = 6,
+  /** tunable [1]: Kinetic coefficient of friction. (>= 0, default 0.1) */
+  STRIBECK_GUIDE_CONTACT_LEVELS_MU_K = 7,
+  /** tunable [N]: Breakaway force without normal force, as of a seal; not less than preload_k. (>= 0, default 10) */
+  STRIBECK_GUIDE_CONTACT_LEVELS_PRELOAD_S = 8,
+  /** tunable [N]: Sliding friction force without normal force, as of a seal. (>= 0, default 8) */
+  STRIBECK_GUIDE_CONTACT_LEVELS_PRELOAD_K = 9,
+  /** fixed [stribeck_friction_model]: Friction law; parameters that it does not have are ignored. (default LuGre) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_MODEL = 10,
+  /** tunable [stribeck_friction_switch]: Which parts of the friction act. (default On) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_SWITCH = 11,
+  /** tunable [1]: Friction in compression over friction in extension: (1 + asymmetry) / (1 - asymmetry).
+   *  (>= -0.99, <= 0.99, default 0) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_ASYMMETRY = 12,
+  /** tunable [1]: Factor on all friction levels. (>= 0, default 1) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_SCALE = 13,
+  /** tunable [kg]: Effective mass of the host, for laws that know it; 0: the force of the printed law.
+   *  (>= 0, default 0) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_MASS = 14,
+  /** fixed [stribeck_exchange]: Order in which the master exchanges force and motion; matters where mass > 0.
+   *  (default Sequential) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_EXCHANGE = 15,
+  /** tunable [m/s]: Speed at which the excess of static over kinetic friction has fallen to 1/e.
+   *  (> 0, default 0.001) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_STRIBECK_VELOCITY = 16,
+  /** tunable [1]: Exponent of the falling level. (> 0, default 2) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_STRIBECK_EXPONENT = 17,
+  /** tunable [N/m]: Stiffness of the bristles. (> 0, default 100000) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_SIGMA_0 = 18,
+  /** tunable [N.s/m]: Damping of the bristles. (>= 0, default 316.22776601683796) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_SIGMA_1 = 19,
+  /** tunable [N.s/m]: Viscous friction coefficient. (>= 0, default 0.1) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_VISCOUS_COEFFICIENT = 20,
+  /** tunable [m/s]: Speed at which the damping of the bristles fades; 0 = constant damping. (>= 0, default 0) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_DAMPING_VELOCITY = 21,
+  /** fixed [stribeck_coulomb_viscous_variant]: Variant of the law. (default Linear) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_COULOMBVISCOUS_VARIANT = 22,
+  /** tunable [1]: Exponent of the viscous part. (> 0, default 1) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_VISCOUS_EXPONENT = 23,
+  /** fixed [stribeck_stribeck_curve]: How the level falls with speed. (default Gaussian) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_CURVE = 24,
+  /** tunable [N.s2/m2]: Quadratic friction coefficient; used by PoppStelter. (>= 0, default 0) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_QUADRATIC_COEFFICIENT = 25,
+  /** tunable [s/m]: Slope of the force at rest, relative to the level there. (> 0, default 2000) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_TRANSITION_SLOPE = 26,
+  /** fixed [stribeck_threlfall_variant]: Variant of the law. (default Printed) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_THRELFALL_VARIANT = 27,
+  /** tunable [m/s]: Velocity at which the regularised band around rest ends (default chosen). (>= 0, default 0.001) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_TRANSITION_VELOCITY = 28,
+  /** fixed [stribeck_rooney_deravi_variant]: Variant of the law. (default Linear) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_ROONEYDERAVI_VARIANT = 29,
+  /** tunable [m/s]: Velocity at which the kinetic level is reached. (> 0, default 0.001) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_SLIDING_VELOCITY = 30,
+  /** fixed [stribeck_bengisu_akay_variant]: Variant of the law. (default Thesis) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_BENGISUAKAY_VARIANT = 31,
+  /** tunable [s/m]: Rate at which the excess of static over kinetic friction decays with speed (default chosen).
+   *  (> 0, default 500) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_STICTION_DECAY = 32,
+  /** tunable [s/m]: Viscous coefficient of friction, per normal force. (>= 0, default 0) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_MU_V = 33,
+  /** tunable [m/s]: Velocity at which the static level is reached (default chosen). (> 0, default 0.0005) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_PEAK_VELOCITY = 34,
+  /** tunable [N]: Normal force at which the viscous part is fully active (default chosen). (> 0, default 1) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_TRANSITION_NORMAL_FORCE = 35,
+  /** tunable [1]: Exponent of the transition to sliding; below 1 brittle, from 1 on ductile. (>= 0, default 1) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_ALPHA = 36,
+  /** fixed [s]: Time by which the level of friction lags behind the velocity (default chosen). (>= 0, default 0.005) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_TIME_LAG = 37,
+  /** fixed [stribeck_frictional_lag_variant]: Variant of the law. (default Delay) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_FRICTIONALLAG_VARIANT = 38,
+  /** tunable [s]: Dwell time after which half of the rise of the static friction has come (default chosen).
+   *  (>= 0, default 2) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_GAMMA = 39,
+  /** tunable [1]: Coefficient of friction that a contact reaches when it comes to rest; not more than mu_s (default chosen).
+   *  (>= 0, default 0) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_MU_STOP = 40,
+  /** tunable [s/m]: Steepness of the curve while speeding up (default chosen). (> 0, default 500) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_ACCELERATION_DECAY = 41,
+  /** tunable [s/m]: Steepness of the curve while slowing down (default chosen). (> 0, default 500) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_DECELERATION_DECAY = 42,
+  /** tunable [s/m]: Steepness of the curves for speeding up and slowing down (default chosen). (> 0, default 500) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_BRANCH_DECAY = 43,
+  /** fixed [stribeck_bliman_sorine_order]: Variant of the law. (default Second) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_BLIMANSORINE_VARIANT = 44,
+  /** tunable [1]: Level of the slow relaxation, as a coefficient of friction; second order (default calibrated).
+   *  (>= 0, default 0.2732050807568877) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_MU_2 = 45,
+  /** tunable [1]: Length of the fast relaxation as a part of that of the slow one; second order (default chosen).
+   *  (> 0, <= 1, default 0.5) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_ETA = 46,
+  /** tunable [m]: Sliding distance in which the slow relaxation settles to 1/e (default calibrated).
+   *  (> 0, default 4.642141842225068e-5) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_EPS_F = 47,
+  /** tunable [m]: Shear deflection of the asperities in steady sliding (default f_C / sigma_0 of the thesis).
+   *  (> 0, default 9.81e-6) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_DELTA_T = 48,
+  /** tunable [1]: Part of the deflection of steady sliding up to which the contact is purely elastic.
+   *  (> 0, <= 1, default 0.7) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_BREAKAWAY_RATIO = 49,
+  /** tunable [Integer]: Exponent of the transition from elastic deflection to sliding; odd. (>= 1, <= 9, default 1) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_PLASTIC_EXPONENT = 50,
+  /** tunable [m]: Strain at which a bristle snaps (default f_s / sigma_0 of the thesis). (> 0, default 1.4715e-5) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_DELTA = 51,
+  /** fixed [Integer]: Number of bristles (default chosen). (>= 1, <= 64, default 25) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_BRISTLE_COUNT = 52,
+  /** fixed [Integer]: Seed of the random numbers. (>= 0, default 0) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_SEED = 53,
+  /** fixed [stribeck_bristle_start]: State of the bristles when the motion starts. (default Bonded) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_START = 54,
+  /** tunable [s]: Time constant of the force while sliding (default chosen). (> 0, default 0.001) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_SLIP_TIME = 55,
+  /** tunable [N/s]: Rate at which the slipping elements together approach their level (default chosen).
+   *  (> 0, default 1000) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_ATTRACTION = 56,
+  /** fixed [stribeck_element_distribution]: Where the shares of the elements come from. (default Explicit) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_DISTRIBUTION = 57,
+  /** fixed [Integer]: Number of elements in use (default chosen). (>= 1, <= 16, default 4) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_COUNT = 58,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.5) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_1_STIFFNESS_SHARE = 59,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_1_STRENGTH_SHARE = 60,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.25) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_2_STIFFNESS_SHARE = 61,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.2) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_2_STRENGTH_SHARE = 62,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.15) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_3_STIFFNESS_SHARE = 63,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.3) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_3_STRENGTH_SHARE = 64,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_4_STIFFNESS_SHARE = 65,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.4) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_4_STRENGTH_SHARE = 66,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_5_STIFFNESS_SHARE = 67,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_5_STRENGTH_SHARE = 68,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_6_STIFFNESS_SHARE = 69,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_6_STRENGTH_SHARE = 70,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_7_STIFFNESS_SHARE = 71,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_7_STRENGTH_SHARE = 72,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_8_STIFFNESS_SHARE = 73,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_8_STRENGTH_SHARE = 74,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_9_STIFFNESS_SHARE = 75,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_9_STRENGTH_SHARE = 76,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_10_STIFFNESS_SHARE = 77,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_10_STRENGTH_SHARE = 78,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_11_STIFFNESS_SHARE = 79,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_11_STRENGTH_SHARE = 80,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_12_STIFFNESS_SHARE = 81,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_12_STRENGTH_SHARE = 82,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_13_STIFFNESS_SHARE = 83,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_13_STRENGTH_SHARE = 84,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_14_STIFFNESS_SHARE = 85,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_14_STRENGTH_SHARE = 86,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_15_STIFFNESS_SHARE = 87,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_15_STRENGTH_SHARE = 88,
+  /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_16_STIFFNESS_SHARE = 89,
+  /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_16_STRENGTH_SHARE = 90,
+  /** tunable [1]: Exponent of the approach to the steady level (default chosen). (>= 0.1, default 1) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_APPROACH_EXPONENT = 91,
+  /** tunable [1]: Strength of all elements together, as a multiple of the static level; not less than 1 (default chosen).
+   *  (> 0, default 1.2) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_HYSTERESIS_STRENGTH = 92,
+  /** tunable [s]: Time constant with which the static level rises at rest. (> 0, default 2) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_DWELL_TIME_CONSTANT = 93,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_1 = 94,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_2 = 95,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_3 = 96,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_4 = 97,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_5 = 98,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_6 = 99,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_7 = 100,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_8 = 101,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_9 = 102,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_10 = 103,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_11 = 104,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_12 = 105,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_13 = 106,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_14 = 107,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_15 = 108,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_16 = 109,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_17 = 110,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_18 = 111,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_19 = 112,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_20 = 113,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_21 = 114,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_22 = 115,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_23 = 116,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_24 = 117,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_25 = 118,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_26 = 119,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_27 = 120,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_28 = 121,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_29 = 122,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_30 = 123,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_31 = 124,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_32 = 125,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_33 = 126,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_34 = 127,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_35 = 128,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_36 = 129,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_37 = 130,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_38 = 131,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_39 = 132,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_40 = 133,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_41 = 134,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_42 = 135,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_43 = 136,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_44 = 137,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_45 = 138,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_46 = 139,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_47 = 140,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_48 = 141,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_49 = 142,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_50 = 143,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_51 = 144,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_52 = 145,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_53 = 146,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_54 = 147,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_55 = 148,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_56 = 149,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_57 = 150,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_58 = 151,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_59 = 152,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_60 = 153,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_61 = 154,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_62 = 155,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_63 = 156,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_64 = 157,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_65 = 158,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_66 = 159,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_67 = 160,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_68 = 161,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_69 = 162,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_70 = 163,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_71 = 164,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_72 = 165,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_73 = 166,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_74 = 167,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_75 = 168,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_76 = 169,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_77 = 170,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_78 = 171,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_79 = 172,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_80 = 173,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_81 = 174,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_82 = 175,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_83 = 176,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_84 = 177,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_85 = 178,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_86 = 179,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_87 = 180,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_88 = 181,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_89 = 182,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_90 = 183,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_91 = 184,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_92 = 185,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_93 = 186,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_94 = 187,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_95 = 188,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_96 = 189,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_97 = 190,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_98 = 191,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_99 = 192,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_100 = 193,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_101 = 194,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_102 = 195,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_103 = 196,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_104 = 197,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_105 = 198,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_106 = 199,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_107 = 200,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_108 = 201,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_109 = 202,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_110 = 203,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_111 = 204,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_112 = 205,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_113 = 206,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_114 = 207,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_115 = 208,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_116 = 209,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_117 = 210,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_118 = 211,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_119 = 212,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_120 = 213,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_121 = 214,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_122 = 215,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_123 = 216,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_124 = 217,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_125 = 218,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_126 = 219,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_127 = 220,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_128 = 221,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_129 = 222,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_130 = 223,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_131 = 224,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_132 = 225,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_133 = 226,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_134 = 227,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_135 = 228,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_136 = 229,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_137 = 230,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_138 = 231,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_139 = 232,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_140 = 233,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_141 = 234,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_142 = 235,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_143 = 236,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_144 = 237,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_145 = 238,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_146 = 239,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_147 = 240,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_148 = 241,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_149 = 242,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_150 = 243,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_151 = 244,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_152 = 245,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_153 = 246,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_154 = 247,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_155 = 248,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_156 = 249,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_157 = 250,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_158 = 251,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_159 = 252,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_160 = 253,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_161 = 254,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_162 = 255,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_163 = 256,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_164 = 257,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_165 = 258,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_166 = 259,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_167 = 260,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_168 = 261,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_169 = 262,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_170 = 263,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_171 = 264,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_172 = 265,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_173 = 266,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_174 = 267,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_175 = 268,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_176 = 269,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_177 = 270,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_178 = 271,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_179 = 272,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_180 = 273,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_181 = 274,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_182 = 275,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_183 = 276,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_184 = 277,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_185 = 278,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_186 = 279,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_187 = 280,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_188 = 281,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_189 = 282,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_190 = 283,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_191 = 284,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_192 = 285,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_193 = 286,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_194 = 287,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_195 = 288,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_196 = 289,
+  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_197 = 290,
+  /** state [Boolean]: Has the run begun? (default false) */
+  STRIBECK_GUIDE_CONTACT_STARTED = 291,
+  /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
+  STRIBECK_GUIDE_CONTACT_DISSIPATED_ENERGY = 292,
+  /** out [N]: Axial friction force; has the sign of the velocity when sliding. */
+  STRIBECK_GUIDE_CONTACT_FRICTION_FORCE = 293,
+  /** out [N.m]: Friction torque about the axis; has the sign of the spin rate when sliding. */
+  STRIBECK_GUIDE_CONTACT_FRICTION_TORQUE = 294,
+  /** out [W]: Power taken out of the motion. */
+  STRIBECK_GUIDE_CONTACT_DISSIPATED_POWER = 295,
+  /** out [Boolean]: Is the contact sticking? */
+  STRIBECK_GUIDE_CONTACT_STICKING = 296,
+} stribeck_guide_contact_variable;
+
+/** Guid of CoilSpring for fmi2Instantiate. */
+#define STRIBECK_COIL_SPRING_GUID "{911da05a-51f9-52d6-72cb-b1d73ba1fce7}"
+
+/** CoilSpring: Coil spring with preload, linear or from a table. Columns of "CoilSpring". */
+typedef enum stribeck_coil_spring_variable {
+  /** in [m]: Compression from full extension. (default 0) */
+  STRIBECK_COIL_SPRING_COMPRESSION = 0,
+  /** fixed [stribeck_spring_mode]: Form of the spring's characteristic. (default Linear) */
+  STRIBECK_COIL_SPRING_SPRING_MODE = 1,
+  /** tunable [N/m]: Stiffness. (>= 0, default 45000) */
+  STRIBECK_COIL_SPRING_SPRING_K = 2,
+  /** tunable [N]: Force at full extension. (default 150) */
+  STRIBECK_COIL_SPRING_SPRING_PRELOAD = 3,
+  /** fixed [Integer]: Number of points of the table in use. (>= 2, <= 16, default 3) */
+  STRIBECK_COIL_SPRING_SPRING_TAB_N = 4,
+  /** tunable [m]: Compressions of the table, rising. (default 0) */
+  STRIBECK_COIL_SPRING_SPRING_TAB_X_1 = 5,
+  /** tunable [m]: Compressions of the table, rising. (default 0.03) */
+  STRIBECK_COIL_SPRING_SPRING_TAB_X_2 = 6,
+  /** tunable [m]: Compressions of the table, rising. (default 0.055) */
+  STRIBECK_COIL_SPRING_SPRING_TAB_X_3 = 7,
+  /** tunable [m]: Compressions of the table, rising. (default 0) */
+  STRIBECK_COIL_SPRING_SPRING_TAB_X_4 = 8,
+  /** tunable [m]: Compressions of the table, rising. (default 0) */
+  STRIBECK_COIL_SPRING_SPRING_TAB_X_5 = 9,
+  /** tunable [m]: Compressions of the table, rising. (default 0) */
+  STRIBECK_COIL_SPRING_SPRING_TAB_X_6 = 10,
+  /** tunable [m]: Compressions of the table, rising. (default 0) */
+  STRIBECK_COIL_SPRING_SPRING_TAB_X_7 = 11,
+  /** tunable [m]: Compressions of the table, rising. (default 0) */
+  STRIBECK_COIL_SPRING_SPRING_TAB_X_8 = 12,
+  /** tunable [m]: Compressions of the table, rising. (default 0) */
+  STRIBECK_COIL_SPRING_SPRING_TAB_X_9 = 13,
+  /** tunable [m]: Compressions of the table, rising. (default 0) */
+  STRIBECK_COIL_SPRING_SPRING_TAB_X_10 = 14,
+  /** tunable [m]: Compressions of the table, rising. (default 0) */
+  STRIBECK_COIL_SPRING_SPRING_TAB_X_11 = 15,
+  /** tunable [m]: Compressions of the table, rising. (default 0) */
+  STRIBECK_COIL_SPRING_SPRING_TAB_X_12 = 16,
+  /** tunable [m]: Compressions of the table, rising. (default 0) */
+  STRIBECK_COIL_SPRING_SPRING_TAB_X_13 = 17,
+  /** tunable [m]: Compressions of the table, rising. (default 0) */
+  STRIBECK_COIL_SPRING_SPRING_TAB_X_14 = 18,
+  /** tunable [m]: Compressions of the table, rising. (default 0) */
+  STRIBECK_COIL_SPRING_SPRING_TAB_X_15 = 19,
+  /** tunable [m]: Compressions of the table, rising. (default 0) */
+  STRIBECK_COIL_SPRING_SPRING_TAB_X_16 = 20,
+  /** tunable [N]: Forces of the table, without preload (the example is chosen). (default 0) */
+  STRIBECK_COIL_SPRING_SPRING_TAB_F_1 = 21,
+  /** tunable [N]: Forces of the table, without preload (the example is chosen). (default 1350) */
+  STRIBECK_COIL_SPRING_SPRING_TAB_F_2 = 22,
+  /** tunable [N]: Forces of the table, without preload (the example is chosen). (default 2850) */
+  STRIBECK_COIL_SPRING_SPRING_TAB_F_3 = 23,
+  /** tunable [N]: Forces of the table, without preload (the example is chosen). (default 0) */
+  STRIBECK_COIL_SPRING_SPRING_TAB_F_4 = 24,
+  /** tunable [N]: Forces of the table, without preload (the example is chosen). (default 0) */
+  STRIBECK_COIL_SPRING_SPRING_TAB_F_5 = 25,
+  /** tunable [N]: Forces of the table, without preload (the example is chosen). (default 0) */
+  STRIBECK_COIL_SPRING_SPRING_TAB_F_6 = 26,
+  /** tunable [N]: Forces of the table, without preload (the example is chosen). (default 0) */
+  STRIBECK_COIL_SPRING_SPRING_TAB_F_7 = 27,
+  /** tunable [N]: Forces of the table, without preload (the example is chosen). (default 0) */
+  STRIBECK_COIL_SPRING_SPRING_TAB_F_8 = 28,
+  /** tunable [N]: Forces of the table, without preload (the example is chosen). (default 0) */
+  STRIBECK_COIL_SPRING_SPRING_TAB_F_9 = 29,
+  /** tunable [N]: Forces of the table, without preload (the example is chosen). (default 0) */
+  STRIBECK_COIL_SPRING_SPRING_TAB_F_10 = 30,
+  /** tunable [N]: Forces of the table, without preload (the example is chosen). (default 0) */
+  STRIBECK_COIL_SPRING_SPRING_TAB_F_11 = 31,
+  /** tunable [N]: Forces of the table, without preload (the example is chosen). (default 0) */
+  STRIBECK_COIL_SPRING_SPRING_TAB_F_12 = 32,
+  /** tunable [N]: Forces of the table, without preload (the example is chosen). (default 0) */
+  STRIBECK_COIL_SPRING_SPRING_TAB_F_13 = 33,
+  /** tunable [N]: Forces of the table, without preload (the example is chosen). (default 0) */
+  STRIBECK_COIL_SPRING_SPRING_TAB_F_14 = 34,
+  /** tunable [N]: Forces of the table, without preload (the example is chosen). (default 0) */
+  STRIBECK_COIL_SPRING_SPRING_TAB_F_15 = 35,
+  /** tunable [N]: Forces of the table, without preload (the example is chosen). (default 0) */
+  STRIBECK_COIL_SPRING_SPRING_TAB_F_16 = 36,
+  /** out [N]: Force of the spring; positive pushes its ends apart. */
+  STRIBECK_COIL_SPRING_FORCE = 37,
+} stribeck_coil_spring_variable;
+
+/** Guid of GasSpring for fmi2Instantiate. */
+#define STRIBECK_GAS_SPRING_GUID "{1232d972-fc8b-e2aa-49b8-15359d36c1c2}"
+
+/** GasSpring: Gas force on the rod of a shock absorber. Columns of "GasSpring". */
+typedef enum stribeck_gas_spring_variable {
+  /** in [m]: Compression from full extension. (default 0) */
+  STRIBECK_GAS_SPRING_COMPRESSION = 0,
+  /** fixed [Boolean]: Is there a gas force? (default true) */
+  STRIBECK_GAS_SPRING_GAS_ENABLED = 1,
+  /** tunable [Pa]: Absolute gas pressure at full extension. (>= 0, default 1000000) */
+  STRIBECK_GAS_SPRING_GAS_P0 = 2,
+  /** fixed [m3]: Gas volume at full extension. (> 0, default 3e-5) */
+  STRIBECK_GAS_SPRING_GAS_V0 = 3,
+  /** fixed [1]: Polytropic exponent. (>= 0, default 1.2) */
+  STRIBECK_GAS_SPRING_GAS_N = 4,
+  /** fixed [m]: Diameter of the rod. (>= 0, default 0.014) */
+  STRIBECK_GAS_SPRING_GAS_ROD_DIAMETER = 5,
+  /** tunable [Pa]: Ambient pressure. (>= 0, default 101325) */
+  STRIBECK_GAS_SPRING_GAS_P_AMBIENT = 6,
+  /** out [N]: Gas force on the rod; positive pushes it out. */
+  STRIBECK_GAS_SPRING_FORCE = 7,
+} stribeck_gas_spring_variable;
+
+/** Guid of EndStops for fmi2Instantiate. */
+#define STRIBECK_END_STOPS_GUID "{65b9349c-2a8f-c068-1e61-86f99f55edce}"
+
+/** EndStops: Bump stop and rebound stop of a shock absorber. Columns of "EndStops". */
+typedef enum stribeck_end_stops_variable {
+  /** in [m]: Compression from full extension. (default 0) */
+  STRIBECK_END_STOPS_COMPRESSION = 0,
+  /** in [m/s]: Velocity of extension. (default 0) */
+  STRIBECK_END_STOPS_VELOCITY = 1,
+  /** fixed [m]: Compression from full extension at which the bump stop is touched. (default 0.04) */
+  STRIBECK_END_STOPS_BUMP_GAP = 2,
+  /** fixed [stribeck_bump_mode]: Form of the bump stop's characteristic. (default Linear) */
+  STRIBECK_END_STOPS_BUMP_MODE = 3,
+  /** tunable [N/m]: Stiffness: of the linear form, and first coefficient of the cubic one. (>= 0, default 150000) */
+  STRIBECK_END_STOPS_BUMP_K = 4,
+  /** tunable [1]: Exponent of the power form. (>= 1, default 2.2) */
+  STRIBECK_END_STOPS_BUMP_N = 5,
+  /** tunable [m]: Compression at which the power form has the force F_ref. (> 0, default 0.01) */
+  STRIBECK_END_STOPS_BUMP_X_REF = 6,
+  /** tunable [N]: Force of the power form at x_ref. (>= 0, default 1500) */
+  STRIBECK_END_STOPS_BUMP_F_REF = 7,
+  /** tunable [N/m2]: Second coefficient of the cubic form. (>= 0, default 0) */
+  STRIBECK_END_STOPS_BUMP_K2 = 8,
+  /** tunable [N/m3]: Third coefficient of the cubic form. (>= 0, default 0) */
+  STRIBECK_END_STOPS_BUMP_K3 = 9,
+  /** tunable [N.s/m]: Damping while the stop is touched. (>= 0, default 0) */
+  STRIBECK_END_STOPS_BUMP_C = 10,
+  /** fixed [m]: Compression from full extension at which the rebound stop is touched. (default 0) */
+  STRIBECK_END_STOPS_REBOUND_GAP = 11,
+  /** tunable [N/m]: Stiffness. (>= 0, default 1000000) */
+  STRIBECK_END_STOPS_REBOUND_K = 12,
+  /** tunable [N.s/m]: Damping while the stop is touched. (>= 0, default 0) */
+  STRIBECK_END_STOPS_REBOUND_C = 13,
+  /** out [N]: Force of the bump stop; positive pushes the eyes apart. */
+  STRIBECK_END_STOPS_FORCE_BUMP = 14,
+  /** out [N]: Force of the rebound stop; negative pulls the eyes together. */
+  STRIBECK_END_STOPS_FORCE_REBOUND = 15,
+  /** out [Boolean]: Is the bump stop touched? */
+  STRIBECK_END_STOPS_BUMP_ACTIVE = 16,
+} stribeck_end_stops_variable;
+
+/** Guid of HydraulicDamper for fmi2Instantiate. */
+#define STRIBECK_HYDRAULIC_DAMPER_GUID "{44efe0d6-b958-0c24-9ed3-5969b7c416ee}"
+
+/** HydraulicDamper: Hydraulic damper, linear, degressive or from a table. Columns of "HydraulicDamper". */
+typedef enum stribeck_hydraulic_damper_variable {
+  /** in [m/s]: Velocity of extension. (default 0) */
+  STRIBECK_HYDRAULIC_DAMPER_VELOCITY = 0,
+  /** fixed [stribeck_damper_mode]: Form of the damper's characteristic. (default Linear) */
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_MODE = 1,
+  /** tunable [N.s/m]: Damping coefficient in compression. (>= 0, default 1500) */
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_C_COMP = 2,
+  /** tunable [N.s/m]: Damping coefficient in extension (rebound). (>= 0, default 2300) */
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_C_REB = 3,
+  /** tunable [s/m]: Degression in compression. (>= 0, default 0) */
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_DEGR_COMP = 4,
+  /** tunable [s/m]: Degression in extension. (>= 0, default 0) */
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_DEGR_REB = 5,
+  /** fixed [Integer]: Number of points of the table in use. (>= 2, <= 16, default 11) */
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_N = 6,
+  /** tunable [m/s]: Velocities of the table, rising; positive in extension. (default -1) */
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_1 = 7,
+  /** tunable [m/s]: Velocities of the table, rising; positive in extension. (default -0.5) */
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_2 = 8,
+  /** tunable [m/s]: Velocities of the table, rising; positive in extension. (default -0.25) */
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_3 = 9,
+  /** tunable [m/s]: Velocities of the table, rising; positive in extension. (default -0.1) */
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_4 = 10,
+  /** tunable [m/s]: Velocities of the table, rising; positive in extension. (default -0.05) */
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_5 = 11,
+  /** tunable [m/s]: Velocities of the table, rising; positive in extension. (default 0) */
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_6 = 12,
+  /** tunable [m/s]: Velocities of the table, rising; positive in extension. (default 0.05) */
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_7 = 13,
+  /** tunable [m/s]: Velocities of the table, rising; positive in extension. (default 0.1) */
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_8 = 14,
+  /** tunable [m/s]: Velocities of the table, rising; positive in extension. (default 0.25) */
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_9 = 15,
+  /** tunable [m/s]: Velocities of the table, rising; positive in extension. (default 0.5) */
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_10 = 16,
+  /** tunable [m/s]: Velocities of the table, rising; positive in extension. (default 1) */
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_11 = 17,
+  /** tunable [m/s]: Velocities of the table, rising; positive in extension. (default 0) */
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_12 = 18,
+  /** tunable [m/s]: Velocities of the table, rising; positive in extension. (default 0) */
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_13 = 19,
+  /** tunable [m/s]: Velocities of the table, rising; positive in extension. (default 0) */
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_14 = 20,
+  /** tunable [m/s]: Velocities of the table, rising; positive in extension. (default 0) */
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_15 = 21,
+  /** tunable [m/s]: Velocities of the table, rising; positive in extension. (default 0) */
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_16 = 22,
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling. (default -1150) */
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_1 = 23,
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling. (default -700) */
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_2 = 24,
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling. (default -430) */
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_3 = 25,
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling. (default -210) */
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_4 = 26,
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling. (default -110) */
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_5 = 27,
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling. (default 0) */
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_6 = 28,
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling. (default 180) */
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_7 = 29,
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling. (default 340) */
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_8 = 30,
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling. (default 640) */
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_9 = 31,
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling. (default 950) */
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_10 = 32,
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling. (default 1500) */
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_11 = 33,
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling. (default 0) */
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_12 = 34,
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling. (default 0) */
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_13 = 35,
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling. (default 0) */
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_14 = 36,
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling. (default 0) */
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_15 = 37,
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling. (default 0) */
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_16 = 38,
+  /** fixed [stribeck_interpolation]: Curve through the points of the table. (default Linear) */
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_INTERPOLATION = 39,
+  /** tunable [1]: Factor on the damper force. (>= 0, default 1) */
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_SCALE = 40,
+  /** fixed [N/m]: Stiffness in series with the damper, of oil and top mount; 0 = rigid. (>= 0, default 0) */
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_K_SERIES = 41,
+  /** fixed [s]: Largest internal step (default chosen). (> 0, default 0.0001) */
+  STRIBECK_HYDRAULIC_DAMPER_STEP_SIZE = 42,
+  /** state [m/s]: Velocity of the piston behind the series stiffness; the velocity itself if there is none.
+   *  (default 0) */
+  STRIBECK_HYDRAULIC_DAMPER_PISTON_VELOCITY = 43,
+  /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
+  STRIBECK_HYDRAULIC_DAMPER_DISSIPATED_ENERGY = 44,
+  /** out [N]: Force of the damper; positive pushes its ends apart. */
+  STRIBECK_HYDRAULIC_DAMPER_FORCE = 45,
+  /** out [W]: Power taken out of the motion. */
+  STRIBECK_HYDRAULIC_DAMPER_DISSIPATED_POWER = 46,
+} stribeck_hydraulic_damper_variable;
+
+/** Guid of DamperTemperature for fmi2Instantiate. */
+#define STRIBECK_DAMPER_TEMPERATURE_GUID "{56511930-e600-469a-1df6-0a11faccb430}"
+
+/** DamperTemperature: Temperature of a damper, and what it does to its force. Columns of "DamperTemperature". */
+typedef enum stribeck_damper_temperature_variable {
+  /** in [W]: Power dissipated in the damper. (default 0) */
+  STRIBECK_DAMPER_TEMPERATURE_POWER = 0,
+  /** in [K]: Ambient temperature. (> 0, default 293.15) */
+  STRIBECK_DAMPER_TEMPERATURE_TEMPERATURE_AMBIENT = 1,
+  /** fixed [Boolean]: Does the temperature change, and with it the damper force? (default false) */
+  STRIBECK_DAMPER_TEMPERATURE_THERMAL_ENABLED = 2,
+  /** tunable [1/K]: Relative loss of damper force per kelvin (default chosen). (>= 0, default 0.003) */
+  STRIBECK_DAMPER_TEMPERATURE_THERMAL_BETA = 3,
+  /** fixed [K]: Temperature at which the damper's characteristic was measured. (> 0, default 293.15) */
+  STRIBECK_DAMPER_TEMPERATURE_THERMAL_TEMPERATURE_REF = 4,
+  /** fixed [J/K]: Heat capacity of the damper (default chosen: 0.6 kg of aluminium and oil). (> 0, default 600) */
+  STRIBECK_DAMPER_TEMPERATURE_THERMAL_CAPACITY = 5,
+  /** tunable [W/K]: Heat flow to the surroundings per kelvin (default chosen). (>= 0, default 1.5) */
+  STRIBECK_DAMPER_TEMPERATURE_THERMAL_CONDUCTANCE = 6,
+  /** state, out [K]: Temperature of the damper. (> 0, default 293.15) */
+  STRIBECK_DAMPER_TEMPERATURE_TEMPERATURE = 7,
+  /** out [1]: Factor on the damper force. */
+  STRIBECK_DAMPER_TEMPERATURE_FORCE_FACTOR = 8,
+} stribeck_damper_temperature_variable;
+
 /** Guid of BeltRig for fmi2Instantiate. */
 #define STRIBECK_BELT_RIG_GUID "{3dabeb13-1982-d2f0-f079-ea700753fb2e}"
 
@@ -3871,5 +6479,170 @@ typedef enum stribeck_belt_rig_variable {
   /** out [N]: Spring force on the block. */
   STRIBECK_BELT_RIG_EXTERNAL_FORCE = 7,
 } stribeck_belt_rig_variable;
+
+/** Guid of QuarterCar for fmi2Instantiate. */
+#define STRIBECK_QUARTER_CAR_GUID "{e8f94c15-64dc-e831-6b22-33cba3acb245}"
+
+/** QuarterCar: Quarter car: body, wheel and tyre, driven by the force of a strut. Columns of "QuarterCar". */
+typedef enum stribeck_quarter_car_variable {
+  /** in [m]: Height of the road under the wheel. (default 0) */
+  STRIBECK_QUARTER_CAR_ROAD_HEIGHT = 0,
+  /** in [m/s]: Rate of the road's height. (default 0) */
+  STRIBECK_QUARTER_CAR_ROAD_VELOCITY = 1,
+  /** fixed [kg]: Mass of the body, without the wheels. (> 0, default 52.91) */
+  STRIBECK_QUARTER_CAR_BODY_MASS = 2,
+  /** fixed [1]: Damper travel per wheel travel. (> 0, default 1.011) */
+  STRIBECK_QUARTER_CAR_MOTION_RATIO = 3,
+  /** fixed [m]: Length of the strut at rest, eye to eye. (> 0, default 0.1775) */
+  STRIBECK_QUARTER_CAR_STATIC_LENGTH = 4,
+  /** fixed [N]: Force of the strut at rest: its spring seat counts as adjusted so that this force balances the weight.
+   *  (default 1325.2555) */
+  STRIBECK_QUARTER_CAR_STATIC_FORCE = 5,
+  /** fixed [kg]: Mass of the wheel and of what moves with it. (> 0, default 16.36) */
+  STRIBECK_QUARTER_CAR_WHEEL_MASS = 6,
+  /** fixed [N/m]: Stiffness of the tyre. (>= 0, default 87563.5) */
+  STRIBECK_QUARTER_CAR_TYRE_STIFFNESS = 7,
+  /** fixed [N.s/m]: Damping of the tyre. (>= 0, default 95.8) */
+  STRIBECK_QUARTER_CAR_TYRE_DAMPING = 8,
+  /** state, out [m]: Height of the body above its height at rest. (default 0) */
+  STRIBECK_QUARTER_CAR_BODY_HEIGHT = 9,
+  /** state, out [m/s]: Vertical velocity of the body. (default 0) */
+  STRIBECK_QUARTER_CAR_BODY_VELOCITY = 10,
+  /** in [N]: Force of the strut; positive pushes its eyes apart. (default 1325.2555) */
+  STRIBECK_QUARTER_CAR_STRUT_FORCE = 11,
+  /** state, out [m]: Height of the wheel above its height at rest. (default 0) */
+  STRIBECK_QUARTER_CAR_WHEEL_HEIGHT = 12,
+  /** state, out [m/s]: Vertical velocity of the wheel. (default 0) */
+  STRIBECK_QUARTER_CAR_WHEEL_VELOCITY = 13,
+  /** out [m]: Length of the strut, eye to eye. */
+  STRIBECK_QUARTER_CAR_LENGTH = 14,
+  /** out [m/s]: Rate of the strut's length; positive as it extends. */
+  STRIBECK_QUARTER_CAR_VELOCITY = 15,
+  /** out [N]: Vertical force of the tyre on the ground; 0 while the wheel is off the ground. */
+  STRIBECK_QUARTER_CAR_TYRE_LOAD = 16,
+} stribeck_quarter_car_variable;
+
+/** Guid of FourPostCar for fmi2Instantiate. */
+#define STRIBECK_FOUR_POST_CAR_GUID "{6f0739c2-0e6f-67c6-c556-897c39f34bfb}"
+
+/** FourPostCar: Car on four posts, driven by the forces of four struts. Columns of "FourPostCar". */
+typedef enum stribeck_four_post_car_variable {
+  /** fixed [kg]: Mass of the body, without the wheels. (> 0, default 223.2) */
+  STRIBECK_FOUR_POST_CAR_BODY_MASS = 0,
+  /** fixed [kg.m2]: Moment of inertia of the body about its lateral axis. (> 0, default 126.29) */
+  STRIBECK_FOUR_POST_CAR_PITCH_INERTIA = 1,
+  /** fixed [kg.m2]: Moment of inertia of the body about its longitudinal axis. (> 0, default 26.46) */
+  STRIBECK_FOUR_POST_CAR_ROLL_INERTIA = 2,
+  /** fixed [m]: Distance between the axles. (> 0, default 1.528) */
+  STRIBECK_FOUR_POST_CAR_WHEELBASE = 3,
+  /** fixed [m]: Distance of the front axle ahead of the body's centre of gravity. (>= 0, default 0.8035) */
+  STRIBECK_FOUR_POST_CAR_CG_TO_FRONT = 4,
+  /** state, out [m]: Height of the centre of gravity above its height at rest. (default 0) */
+  STRIBECK_FOUR_POST_CAR_HEAVE = 5,
+  /** state, out [m/s]: Vertical velocity of the centre of gravity. (default 0) */
+  STRIBECK_FOUR_POST_CAR_HEAVE_RATE = 6,
+  /** state, out [rad]: Pitch angle; positive nose down. (default 0) */
+  STRIBECK_FOUR_POST_CAR_PITCH = 7,
+  /** state, out [rad/s]: Rate of the pitch angle. (default 0) */
+  STRIBECK_FOUR_POST_CAR_PITCH_RATE = 8,
+  /** state, out [rad]: Roll angle; positive lowers the right side. (default 0) */
+  STRIBECK_FOUR_POST_CAR_ROLL = 9,
+  /** state, out [rad/s]: Rate of the roll angle. (default 0) */
+  STRIBECK_FOUR_POST_CAR_ROLL_RATE = 10,
+  /** fixed [m]: Distance between the wheels of the axle. (> 0, default 1.22) */
+  STRIBECK_FOUR_POST_CAR_FRONT_TRACK = 11,
+  /** fixed [1]: Damper travel per wheel travel. (> 0, default 1.011) */
+  STRIBECK_FOUR_POST_CAR_FRONT_MOTION_RATIO = 12,
+  /** fixed [m]: Length of the strut at rest, eye to eye. (> 0, default 0.1775) */
+  STRIBECK_FOUR_POST_CAR_FRONT_STATIC_LENGTH = 13,
+  /** fixed [N]: Force of the strut at rest: its spring seat counts as adjusted so that this force balances the weight.
+   *  (default 1325.2555) */
+  STRIBECK_FOUR_POST_CAR_FRONT_STATIC_FORCE = 14,
+  /** fixed [kg]: Mass of the wheel and of what moves with it. (> 0, default 16.36) */
+  STRIBECK_FOUR_POST_CAR_FRONT_WHEEL_MASS = 15,
+  /** fixed [N/m]: Stiffness of the tyre. (>= 0, default 87563.5) */
+  STRIBECK_FOUR_POST_CAR_FRONT_TYRE_STIFFNESS = 16,
+  /** fixed [N.s/m]: Damping of the tyre. (>= 0, default 95.8) */
+  STRIBECK_FOUR_POST_CAR_FRONT_TYRE_DAMPING = 17,
+  /** fixed [m]: Distance between the wheels of the axle. (> 0, default 1.2) */
+  STRIBECK_FOUR_POST_CAR_REAR_TRACK = 18,
+  /** fixed [1]: Damper travel per wheel travel. (> 0, default 1.004) */
+  STRIBECK_FOUR_POST_CAR_REAR_MOTION_RATIO = 19,
+  /** fixed [m]: Length of the strut at rest, eye to eye. (> 0, default 0.1775) */
+  STRIBECK_FOUR_POST_CAR_REAR_STATIC_LENGTH = 20,
+  /** fixed [N]: Force of the strut at rest: its spring seat counts as adjusted so that this force balances the weight.
+   *  (default 1100.2555) */
+  STRIBECK_FOUR_POST_CAR_REAR_STATIC_FORCE = 21,
+  /** fixed [kg]: Mass of the wheel and of what moves with it. (> 0, default 16.36) */
+  STRIBECK_FOUR_POST_CAR_REAR_WHEEL_MASS = 22,
+  /** fixed [N/m]: Stiffness of the tyre. (>= 0, default 87563.5) */
+  STRIBECK_FOUR_POST_CAR_REAR_TYRE_STIFFNESS = 23,
+  /** fixed [N.s/m]: Damping of the tyre. (>= 0, default 95.8) */
+  STRIBECK_FOUR_POST_CAR_REAR_TYRE_DAMPING = 24,
+  /** in [m]: Height of the post under the wheel. (default 0) */
+  STRIBECK_FOUR_POST_CAR_FL_POST_HEIGHT = 25,
+  /** in [m/s]: Rate of the post's height. (default 0) */
+  STRIBECK_FOUR_POST_CAR_FL_POST_VELOCITY = 26,
+  /** in [N]: Force of the strut; positive pushes its eyes apart. (default 1325.2555) */
+  STRIBECK_FOUR_POST_CAR_FL_STRUT_FORCE = 27,
+  /** state, out [m]: Height of the wheel above its height at rest. (default 0) */
+  STRIBECK_FOUR_POST_CAR_FL_WHEEL_HEIGHT = 28,
+  /** state, out [m/s]: Vertical velocity of the wheel. (default 0) */
+  STRIBECK_FOUR_POST_CAR_FL_WHEEL_VELOCITY = 29,
+  /** out [m]: Length of the strut, eye to eye. */
+  STRIBECK_FOUR_POST_CAR_FL_LENGTH = 30,
+  /** out [m/s]: Rate of the strut's length; positive as it extends. */
+  STRIBECK_FOUR_POST_CAR_FL_VELOCITY = 31,
+  /** out [N]: Vertical force of the tyre on the ground; 0 while the wheel is off the ground. */
+  STRIBECK_FOUR_POST_CAR_FL_TYRE_LOAD = 32,
+  /** in [m]: Height of the post under the wheel. (default 0) */
+  STRIBECK_FOUR_POST_CAR_FR_POST_HEIGHT = 33,
+  /** in [m/s]: Rate of the post's height. (default 0) */
+  STRIBECK_FOUR_POST_CAR_FR_POST_VELOCITY = 34,
+  /** in [N]: Force of the strut; positive pushes its eyes apart. (default 1325.2555) */
+  STRIBECK_FOUR_POST_CAR_FR_STRUT_FORCE = 35,
+  /** state, out [m]: Height of the wheel above its height at rest. (default 0) */
+  STRIBECK_FOUR_POST_CAR_FR_WHEEL_HEIGHT = 36,
+  /** state, out [m/s]: Vertical velocity of the wheel. (default 0) */
+  STRIBECK_FOUR_POST_CAR_FR_WHEEL_VELOCITY = 37,
+  /** out [m]: Length of the strut, eye to eye. */
+  STRIBECK_FOUR_POST_CAR_FR_LENGTH = 38,
+  /** out [m/s]: Rate of the strut's length; positive as it extends. */
+  STRIBECK_FOUR_POST_CAR_FR_VELOCITY = 39,
+  /** out [N]: Vertical force of the tyre on the ground; 0 while the wheel is off the ground. */
+  STRIBECK_FOUR_POST_CAR_FR_TYRE_LOAD = 40,
+  /** in [m]: Height of the post under the wheel. (default 0) */
+  STRIBECK_FOUR_POST_CAR_RL_POST_HEIGHT = 41,
+  /** in [m/s]: Rate of the post's height. (default 0) */
+  STRIBECK_FOUR_POST_CAR_RL_POST_VELOCITY = 42,
+  /** in [N]: Force of the strut; positive pushes its eyes apart. (default 1100.2555) */
+  STRIBECK_FOUR_POST_CAR_RL_STRUT_FORCE = 43,
+  /** state, out [m]: Height of the wheel above its height at rest. (default 0) */
+  STRIBECK_FOUR_POST_CAR_RL_WHEEL_HEIGHT = 44,
+  /** state, out [m/s]: Vertical velocity of the wheel. (default 0) */
+  STRIBECK_FOUR_POST_CAR_RL_WHEEL_VELOCITY = 45,
+  /** out [m]: Length of the strut, eye to eye. */
+  STRIBECK_FOUR_POST_CAR_RL_LENGTH = 46,
+  /** out [m/s]: Rate of the strut's length; positive as it extends. */
+  STRIBECK_FOUR_POST_CAR_RL_VELOCITY = 47,
+  /** out [N]: Vertical force of the tyre on the ground; 0 while the wheel is off the ground. */
+  STRIBECK_FOUR_POST_CAR_RL_TYRE_LOAD = 48,
+  /** in [m]: Height of the post under the wheel. (default 0) */
+  STRIBECK_FOUR_POST_CAR_RR_POST_HEIGHT = 49,
+  /** in [m/s]: Rate of the post's height. (default 0) */
+  STRIBECK_FOUR_POST_CAR_RR_POST_VELOCITY = 50,
+  /** in [N]: Force of the strut; positive pushes its eyes apart. (default 1100.2555) */
+  STRIBECK_FOUR_POST_CAR_RR_STRUT_FORCE = 51,
+  /** state, out [m]: Height of the wheel above its height at rest. (default 0) */
+  STRIBECK_FOUR_POST_CAR_RR_WHEEL_HEIGHT = 52,
+  /** state, out [m/s]: Vertical velocity of the wheel. (default 0) */
+  STRIBECK_FOUR_POST_CAR_RR_WHEEL_VELOCITY = 53,
+  /** out [m]: Length of the strut, eye to eye. */
+  STRIBECK_FOUR_POST_CAR_RR_LENGTH = 54,
+  /** out [m/s]: Rate of the strut's length; positive as it extends. */
+  STRIBECK_FOUR_POST_CAR_RR_VELOCITY = 55,
+  /** out [N]: Vertical force of the tyre on the ground; 0 while the wheel is off the ground. */
+  STRIBECK_FOUR_POST_CAR_RR_TYRE_LOAD = 56,
+} stribeck_four_post_car_variable;
 
 #endif /* STRIBECK_H */

@@ -460,8 +460,8 @@ pub trait Model: Described + Law {
         [0.0; 2]
     }
 
-    /// Which branches of its equations a model with rates is in, one bit each: a tyre is on the ground or not. Its steps
-    /// are divided where this changes.
+    /// Which branches of its equations a model with rates is in, one bit each: a tyre is on the ground or not. Its
+    /// steps are divided where this changes.
     fn branches(&self) -> u32 {
         0
     }
@@ -758,8 +758,8 @@ pub const fn ports<const COLUMNS: usize>(table: &[Variable]) -> [Port; COLUMNS] 
 /// Start values by the name of a column: those of the first parts of an array, one after the other.
 pub type Starts<'a> = &'a [(&'a str, &'a [f64])];
 
-/// As [`graft_all`]; then the first parts get start values of their own. A name that the part does not have, more values
-/// than parts, or a value outside its bound does not compile.
+/// As [`graft_all`]; then the first parts get start values of their own. A name that the part does not have, more
+/// values than parts, or a value outside its bound does not compile.
 pub const fn graft_with(
     table: &mut [Variable],
     at: usize,
@@ -863,8 +863,8 @@ macro_rules! choices {
 }
 
 /// Declares a part: columns that a model contains once (`stop: BumpStop`), several times (`element: [Element; 4]`), or
-/// once and under the names of the part itself (`time_stepping: (TimeStepping)`). A part may have start values of its own,
-/// `rear: Axle = &[("stiffness", 2.0)]`, and so may the first parts of an array,
+/// once and under the names of the part itself (`time_stepping: (TimeStepping)`). A part may have start values of its
+/// own, `rear: Axle = &[("stiffness", 2.0)]`, and so may the first parts of an array,
 /// `element: [Element; 4] = &[("stiffness", &[3.0, 2.0])]`. Parameters and states may be arrays of numbers:
 /// `point: [tunable; 3] = [real("m", 0.0); 3]`.
 /// The syntax of the fields is that of [`model!`](crate::model!).

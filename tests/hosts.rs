@@ -6,22 +6,47 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 
 use common::Bench;
 
-/// Force of a strut at a length and a velocity.
-type Strut<'a> = &'a dyn Fn(f64, f64) -> f64;
+/// Force of a strut over a step, which begins at this length and velocity.
+type Strut<'a> = Box<dyn FnMut(f64, f64, f64) -> f64 + 'a>;
 
 /// A linear spring and a damper with two slopes, without friction: `force_0` at 177.5 mm.
-fn spring_and_damper(force_0: f64, stiffness: f64) -> impl Fn(f64, f64) -> f64 {
-    move |length, velocity| {
+fn spring_and_damper(force_0: f64, stiffness: f64) -> impl FnMut(f64, f64, f64) -> f64 {
+    move |length, velocity, _| {
         let damping = if velocity < 0.0 { 1500.0 } else { 2300.0 };
         force_0 - stiffness * (length - 0.1775) - damping * velocity
     }
 }
 
+/// The same spring and damper as a `ShockAbsorber` without gas, with a friction that does not depend on the load: LuGre
+/// with this kinetic level and a static one 30 % higher, or none.
+fn shock_absorber(stiffness: f64, kinetic: f64) -> impl FnMut(f64, f64, f64) -> f64 {
+    let mut strut = Bench::new("ShockAbsorber", &[("spring.k", stiffness), ("gas.enabled", 0.0)]);
+    for name in ["c1.mu_s", "c1.mu_k", "c2.mu_s", "c2.mu_k", "c2.preload_s", "c2.preload_k"] {
+        strut.set(name, 0.0);
+    }
+    strut.set("c1.preload_s", 1.3 * kinetic);
+    strut.set("c1.preload_k", kinetic);
+    if kinetic == 0.0 {
+        strut.set("friction.model", 1.0);
+    }
+    move |length, velocity, h| {
+        strut.set("length", length);
+        strut.set("velocity", velocity);
+        strut.step(h);
+        strut.get("force")
+    }
+}
+
+/// Force of that shock absorber at rest.
+fn static_force(stiffness: f64) -> f64 {
+    150.0 + 0.0225 * stiffness
+}
+
 /// A quarter car or one corner of a car: connects strut and road by the names with this prefix.
-fn exchange(car: &mut Bench, prefix: &str, road: &str, strut: Strut, now: [f64; 2], next: [f64; 2], h: f64) {
+fn exchange(car: &mut Bench, prefix: &str, road: &str, strut: &mut Strut, now: [f64; 2], next: [f64; 2], h: f64) {
     let name = |rest: &str| format!("{prefix}{rest}");
     let (length, velocity) = (car.get(&name("length")), car.get(&name("velocity")));
-    car.set(&name("strut_force"), strut(length, velocity));
+    car.set(&name("strut_force"), strut(length, velocity, h));
     for (what, at, after) in [("height", now[0], next[0]), ("velocity", now[1], next[1])] {
         let column = car.column(&name(&format!("{road}_{what}")));
         car.instance.put(column, at);
@@ -30,8 +55,8 @@ fn exchange(car: &mut Bench, prefix: &str, road: &str, strut: Strut, now: [f64; 
 }
 
 /// Amplitudes of the first harmonic of body height and wheel-body distance per amplitude of a sinusoidal road.
-fn transmissibility(frequency: f64, amplitude: f64, strut: Strut) -> [f64; 2] {
-    let mut car = Bench::new("QuarterCar", &[]);
+fn transmissibility(frequency: f64, amplitude: f64, static_force: f64, mut strut: Strut) -> [f64; 2] {
+    let mut car = Bench::new("QuarterCar", &[("static_force", static_force)]);
     let (w, periods, per_period) = (TAU * frequency, 8, 4000);
     let h = 1.0 / (frequency * f64::from(per_period));
     let road = |k: i32| {
@@ -40,7 +65,7 @@ fn transmissibility(frequency: f64, amplitude: f64, strut: Strut) -> [f64; 2] {
     };
     let mut harmonics = [[0.0; 2]; 2];
     for k in 0..periods * per_period {
-        exchange(&mut car, "", "road", strut, road(k), road(k + 1), h);
+        exchange(&mut car, "", "road", &mut strut, road(k), road(k + 1), h);
         car.step(h);
         if k >= (periods - 1) * per_period {
             let (sine, cosine) = (w * h * f64::from(k + 1)).sin_cos();
@@ -59,16 +84,39 @@ fn assert_close(what: &str, value: f64, expected: f64, relative: f64) {
     assert!((value / expected - 1.0).abs() <= relative, "{what}: {value}, expected {expected}");
 }
 
+fn assert_transmits(
+    expected: &[(f64, f64, f64)],
+    tolerance: f64,
+    static_force: f64,
+    strut: impl Fn() -> Strut<'static>,
+) {
+    for (frequency, body, travel) in expected {
+        let found = transmissibility(*frequency, 2e-3, static_force, strut());
+        assert_close(&format!("body at {frequency} Hz"), found[0], *body, tolerance);
+        // The tables have three digits.
+        assert_close(&format!("travel at {frequency} Hz"), found[1], *travel, tolerance + 5e-4 / travel);
+    }
+}
+
 /// Reference solution without friction, road amplitude 2 mm.
+const FRICTIONLESS: [(f64, f64, f64); 4] =
+    [(1.0, 1.079, 0.047), (2.0, 1.350, 0.217), (3.9, 2.569, 1.232), (5.0, 2.069, 1.415)];
+
 #[test]
 fn quarter_car_transmits_as_the_reference() {
-    let strut = spring_and_damper(1325.2555, 45e3);
-    let table = [(1.0, 1.079, 0.047), (2.0, 1.350, 0.217), (3.9, 2.569, 1.232), (5.0, 2.069, 1.415)];
-    for (frequency, body, travel) in table {
-        let found = transmissibility(frequency, 2e-3, &strut);
-        assert_close(&format!("body at {frequency} Hz"), found[0], body, 0.01);
-        // The table has three digits.
-        assert_close(&format!("travel at {frequency} Hz"), found[1], travel, 0.01 + 5e-4 / travel);
+    assert_transmits(&FRICTIONLESS, 0.01, 1325.2555, || Box::new(spring_and_damper(1325.2555, 45e3)));
+}
+
+/// Less motion below the body's frequency, more above it: no damping can do both.
+#[test]
+fn friction_in_the_shock_absorber_transmits_as_the_reference() {
+    let tables = [
+        (0.0, FRICTIONLESS),
+        (20.0, [(1.0, 1.047, 0.015), (2.0, 1.216, 0.072), (3.9, 2.436, 0.997), (5.0, 2.254, 1.390)]),
+        (50.0, [(1.0, 1.047, 0.015), (2.0, 1.215, 0.068), (3.9, 2.446, 0.744), (5.0, 2.588, 1.381)]),
+    ];
+    for (kinetic, table) in tables {
+        assert_transmits(&table, 0.01, static_force(45e3), || Box::new(shock_absorber(45e3, kinetic)));
     }
 }
 
@@ -76,9 +124,9 @@ fn quarter_car_transmits_as_the_reference() {
 #[test]
 fn quarter_car_with_a_locked_strut_is_one_mass_on_the_tyre() {
     // Locked by a spring that is much stiffer than the tyre.
-    let strut = |length: f64, velocity: f64| 1325.2555 - 3e7 * (length - 0.1775) - 1e4 * velocity;
+    let strut = |length: f64, velocity: f64, _: f64| 1325.2555 - 3e7 * (length - 0.1775) - 1e4 * velocity;
     for frequency in [2.0, 4.0] {
-        let [body, travel] = transmissibility(frequency, 2e-3, &strut);
+        let [body, travel] = transmissibility(frequency, 2e-3, 1325.2555, Box::new(strut));
         let ratio = frequency / 5.66;
         // Its damping, 2 % of critical, needs more periods to forget the beginning than are simulated.
         assert_close("body", body, 1.0 / (1.0 - ratio * ratio), 0.1);
@@ -98,8 +146,10 @@ struct Ride {
 const CORNERS: [&str; 4] = ["fl.", "fr.", "rl.", "rr."];
 
 /// The posts rise and fall, z = A (1 - cos(w t - phi)) / 2 with phi = 0 in front; peak to peak over the last period.
-fn four_post(frequency: f64, height: f64, phase: f64, struts: [Strut; 4]) -> Ride {
-    let mut car = Bench::new("FourPostCar", &[]);
+fn four_post(frequency: f64, phase: f64, static_forces: [f64; 2], mut struts: [Strut; 4]) -> Ride {
+    let [front, rear] = static_forces;
+    let mut car = Bench::new("FourPostCar", &[("front.static_force", front), ("rear.static_force", rear)]);
+    let height = 0.04;
     let (w, periods, h) = (TAU * frequency, 6.0, 2e-4);
     let post = |t: f64, phase: f64| {
         let (sine, cosine) = (w * t - phase).sin_cos();
@@ -110,7 +160,7 @@ fn four_post(frequency: f64, height: f64, phase: f64, struts: [Strut; 4]) -> Rid
     let steps = (periods / frequency / h).round() as u32;
     for k in 0..steps {
         let (t, next) = (f64::from(k) * h, f64::from(k + 1) * h);
-        for ((corner, strut), phase) in CORNERS.into_iter().zip(struts).zip([0.0, 0.0, phase, phase]) {
+        for ((corner, strut), phase) in CORNERS.into_iter().zip(&mut struts).zip([0.0, 0.0, phase, phase]) {
             exchange(&mut car, corner, "post", strut, post(t, phase), post(next, phase), h);
         }
         car.step(h);
@@ -128,20 +178,45 @@ fn four_post(frequency: f64, height: f64, phase: f64, struts: [Strut; 4]) -> Rid
     Ride { heave, pitch: pitch.to_degrees(), fastest, travel, least_load }
 }
 
+fn assert_rides(
+    frequency: f64,
+    expected: &[f64],
+    tolerance: f64,
+    static_forces: [f64; 2],
+    strut: impl Fn(usize) -> Strut<'static>,
+) {
+    let struts = [0, 0, 1, 1].map(strut);
+    let Ride { heave, pitch, fastest, travel, least_load } = four_post(frequency, FRAC_PI_2, static_forces, struts);
+    let found = [heave, pitch, fastest, travel, least_load];
+    let names = ["heave", "pitch", "damper velocity", "travel", "least load"];
+    for ((name, found), expected) in names.into_iter().zip(found).zip(expected.iter().copied()) {
+        // The table gives the velocity to 1 mm/s.
+        let rounding = if name == "damper velocity" { 5e-4 / expected } else { 0.0 };
+        assert_close(&format!("{name} at {frequency} Hz"), found, expected, tolerance + rounding);
+    }
+}
+
+const STIFFNESSES: [f64; 2] = [45e3, 35e3];
+
 /// Reference solution without friction: 40 mm, the rear axle a quarter of a period later.
 #[test]
 fn four_post_car_moves_as_the_reference() {
-    let (front, rear) = (spring_and_damper(1325.2555, 45e3), spring_and_damper(1100.2555, 35e3));
-    let struts: [Strut; 4] = [&front, &front, &rear, &rear];
-    let table = [(1.0, [30.77e-3, 2.319, 0.006, 1.86e-3, 622.0]), (2.0, [38.06e-3, 3.025, 0.058, 8.52e-3, 407.0])];
-    for (frequency, expected) in table {
-        let Ride { heave, pitch, fastest, travel, least_load } = four_post(frequency, 0.04, FRAC_PI_2, struts);
-        let found = [heave, pitch, fastest, travel, least_load];
-        let names = ["heave", "pitch", "damper velocity", "travel", "least load"];
-        for ((name, found), expected) in names.into_iter().zip(found).zip(expected) {
-            // The table gives the velocity to 1 mm/s.
-            let tolerance = if name == "damper velocity" { 0.01 + 5e-4 / expected } else { 0.01 };
-            assert_close(&format!("{name} at {frequency} Hz"), found, expected, tolerance);
-        }
+    let forces = [1325.2555, 1100.2555];
+    let strut = |axle: usize| -> Strut { Box::new(spring_and_damper(forces[axle], STIFFNESSES[axle])) };
+    assert_rides(1.0, &[30.77e-3, 2.319, 0.006, 1.86e-3, 622.0], 0.01, forces, strut);
+    assert_rides(2.0, &[38.06e-3, 3.025, 0.058, 8.52e-3, 407.0], 0.01, forces, strut);
+}
+
+/// The reference gives no least load with friction.
+#[test]
+fn four_post_car_with_friction_moves_as_the_reference() {
+    let forces = STIFFNESSES.map(static_force);
+    for (kinetic, expected) in [
+        (0.0, [38.06e-3, 3.025, 0.058, 8.52e-3]),
+        (20.0, [37.06e-3, 2.935, 0.051, 7.57e-3]),
+        (50.0, [35.91e-3, 2.826, 0.042, 5.94e-3]),
+    ] {
+        let strut = |axle: usize| -> Strut { Box::new(shock_absorber(STIFFNESSES[axle], kinetic)) };
+        assert_rides(2.0, &expected, 0.01, forces, strut);
     }
 }

@@ -6,6 +6,7 @@ use stribeck::model::{ModelType, Preset, Variable};
 
 use crate::curve::{self, Curve, Law, Motion, Steady};
 use crate::figure::{self, Axis, Figure, Line, Style};
+use crate::sweep::{self, Sweep};
 use crate::text;
 
 /// Two branches of a curve are one if they are closer than this, relative to the range of the force.
@@ -15,6 +16,7 @@ const SAME: f64 = 0.02;
 pub fn html(model: &'static ModelType, family: Family) -> Result<String> {
     let figures = match family {
         Family::Friction => of_law(&Law::new(model, None)?),
+        Family::ShockAbsorber => of_part(model),
         Family::Host => of_host(model),
     };
     let figures = figures.with_context(|| format!("cannot draw the diagrams of {}", model.name))?;
@@ -146,6 +148,17 @@ fn over_displacement(law: &Law, range: f64) -> Result<Option<Figure>> {
     Ok(Some(Figure { caption, axes, lines }))
 }
 
+fn of_part(model: &'static ModelType) -> Result<Vec<Figure>> {
+    let Sweep { across, answer, curve } = sweep::of(model)?;
+    let [across, answer] = [across, answer].map(|column| &model.table[column]);
+    let lines = vec![line("", Style::First, curve)];
+    let with =
+        model.presets.first().map_or(String::new(), |preset| format!(", with the parameter set {}", preset.name));
+    let caption = format!("{} over {} in a cycle{with}.", capitalised(&words(answer)), words(across));
+    let axes = [axis(across, &lines, 0), axis(answer, &lines, 1)];
+    Ok(vec![Figure { caption, axes, lines }])
+}
+
 fn of_host(model: &'static ModelType) -> Result<Vec<Figure>> {
     let Motion { with, states, times, values } = curve::motion(model)?;
     let states = states.map(|column| &model.table[column]);
@@ -213,6 +226,9 @@ mod tests {
                 let [low, high] = curve::limits(figure.lines.iter().map(|line| &line.points), 1);
                 assert!(high > low, "{}", model.name);
             }
+        }
+        for (model, _) in documented(Family::ShockAbsorber) {
+            assert_eq!(of_part(model).unwrap().len(), 1, "{}", model.name);
         }
         for (model, _) in documented(Family::Host) {
             assert_eq!(of_host(model).unwrap().len(), 2, "{}", model.name);

@@ -17,6 +17,7 @@ mod readme;
 mod rules;
 #[cfg(test)]
 mod specimen;
+mod sweep;
 mod text;
 mod typeset;
 mod xml;

@@ -40,7 +40,7 @@ pub fn entries() -> Vec<Entry> {
         let entry = move |(model, documentation)| Entry { model, family, documentation };
         catalogue::documented(family).map(entry)
     };
-    of(Family::Friction).chain(of(Family::Host)).collect()
+    of(Family::Friction).chain(of(Family::ShockAbsorber)).chain(of(Family::Host)).collect()
 }
 
 /// Writes one FMU and returns its size in bytes.

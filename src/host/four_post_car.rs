@@ -45,6 +45,7 @@ crate::model! {
     /// | v_rk       | `fl.post_velocity`     | m/s   | rate of the post's height                          |
     /// | z_uk       | `fl.wheel_height`      | m     | height of the wheel above its height at rest       |
     /// | dz_uk/dt   | `fl.wheel_velocity`    | m/s   | vertical velocity of the wheel                     |
+    /// | z_k        |                        | m     | height of the body above the wheel                 |
     /// | l_k        | `fl.length`            | m     | length of the strut                                |
     /// | dl_k/dt    | `fl.velocity`          | m/s   | rate of the strut's length                         |
     /// | f_tk       | `fl.tyre_load`         | N     | force of the tyre on the post                      |
@@ -70,30 +71,31 @@ crate::model! {
     /// The corners are `fl`, `fr`, `rl`, `rr` (front left to rear right), the axles `front` and `rear`.
     ///
     /// # Sign
-    /// Axes as in ISO 8855: x forward, y left, z up. `pitch` is positive nose down, `roll` lowers the right side. A strut
-    /// force is positive if it pushes the eyes of the strut apart; a strut's velocity is positive as it extends.
+    /// Axes as in ISO 8855: x forward, y left, z up. `pitch` is positive nose down, `roll` lowers the right side. A
+    /// strut force is positive if it pushes the eyes of the strut apart; a strut's velocity is positive as it extends.
     ///
     /// # Step
     /// As that of `QuarterCar`: the inputs are held or move linearly, and error control divides the step (order 5,
-    /// relative error 1e-10 per piece), also where tyres lift off or land. Lengths and velocities of the struts follow from
-    /// states alone, so the struts close no algebraic loop. A tyre load follows its post at once, and no strut force.
+    /// relative error 1e-10 per piece), also where tyres lift off or land. Lengths and velocities of the struts follow
+    /// from states alone, so the struts close no algebraic loop. A tyre load follows its post at once, and no strut
+    /// force.
     ///
     /// # Errors
     /// Refused: a parameter outside its bound; `cg_to_front` > `wheelbase`; a step that would take more than a million
     /// pieces, as with `QuarterCar`.
     ///
     /// # Limits
-    /// Small angles; the body is rigid; no anti-roll bars; wheels move vertically only. The horizontal spring-dampers of a
-    /// contact patch, which would restrain a change of track, have nothing to act on here. A post that is held over
-    /// steps is a staircase: give input derivatives. For the step of the coupling see `QuarterCar`.
+    /// Small angles; the body is rigid; no anti-roll bars; wheels move vertically only. The horizontal spring-dampers
+    /// of a contact patch, which would restrain a change of track, have nothing to act on here. A post that is held
+    /// over steps is a staircase: give input derivatives. For the step of the coupling see `QuarterCar`.
     ///
     /// # Source
-    /// Equations: rigid-body dynamics about a rest position. Defaults: the car ZR26 in Zips Racing's "Vehicle-Dynamics" (2025,
-    /// MIT licence): 288.64 kg with driver, 48 % of it in front, wheels of 16.36 kg, wheelbase, tracks, lever ratios, tyre
-    /// stiffness; its moments of inertia, which the source gives for the car, are used for the body. Derived: a body of
-    /// 223.2 kg with its centre of gravity 0.8035 m behind the front axle. Chosen: tyre damping (4 % of critical), and
-    /// struts of 177.5 mm at rest, with the force of the default shock absorber in front and of one with a spring of
-    /// 35 kN/m (`spring.k`) in the rear.
+    /// Equations: rigid-body dynamics about a rest position. Defaults: the car ZR26 in Zips Racing's repository
+    /// "Vehicle-Dynamics" (commit 0e8bbc8, MIT licence): 288.64 kg with driver, 48 % of it in front, wheels of 16.36
+    /// kg, wheelbase, tracks, lever ratios, tyre stiffness; its moments of inertia, which the source gives for the car,
+    /// are used for the body. Derived: a body of 223.2 kg with its centre of gravity 0.8035 m behind the front axle.
+    /// Chosen: tyre damping (4 % of critical), and struts of 177.5 mm at rest, with the force of the default shock
+    /// absorber in front and of one with a spring of 35 kN/m (`spring.k`) in the rear.
     ///
     /// # Example
     /// ```

@@ -7,11 +7,11 @@ use crate::ramp::set_inputs;
 /// Error allowed in a piece of a step, relative to the larger of the state and its nominal value (chosen).
 const TOLERANCE: f64 = 1e-10;
 
-/// Length of a piece in s within which the model may change its branch (chosen: where the rate of the rate jumps by j, it
-/// leaves an error of less than j times its square, 1e-10 m/s for a wheel that lands at 1 m/s).
+/// Length of a piece in s within which the model may change its branch (chosen: where the rate of the rate jumps by j,
+/// it leaves an error of less than j times its square, 1e-10 m/s for a wheel that lands at 1 m/s).
 const CHANGE: f64 = 1e-7;
 
-/// A step is divided into at most so many pieces (chosen: one to two seconds of computation for a four-post car).
+/// A step is divided into at most so many pieces (chosen: a few seconds of computation).
 const MOST_PIECES: u32 = 1_000_000;
 
 /// Advances the `N` states of `model` by `dt` while its inputs are held.
@@ -21,8 +21,8 @@ pub(crate) fn held<M: Model, const N: usize>(model: &mut M, dt: f64) {
     advance::<M, N>(model, &slope, dt);
 }
 
-/// Advances the `N` states of `model` by `dt` while its inputs move with `slope`. What would take too many pieces becomes
-/// NaN, which the caller refuses.
+/// Advances the `N` states of `model` by `dt` while its inputs move with `slope`. What would take too many pieces
+/// becomes NaN, which the caller refuses.
 pub(crate) fn advance<M: Model, const N: usize>(model: &mut M, slope: &M, dt: f64) {
     let columns = states::<M, N>();
     let begin = *model;

@@ -40,33 +40,34 @@ crate::model! {
     /// | g       |                  | m/s2  | 9.81, the acceleration of gravity                 |
     ///
     /// # Sign
-    /// Heights are positive up. `strut_force` is positive if it pushes the eyes of the strut apart: it lifts the body and
-    /// presses the wheel down. `velocity` is positive as the strut extends.
+    /// Heights are positive up. `strut_force` is positive if it pushes the eyes of the strut apart: it lifts the body
+    /// and presses the wheel down. `velocity` is positive as the strut extends.
     ///
     /// # Step
     /// The inputs are held over a step, or move linearly. The step is divided by error control (Dormand and Prince,
-    /// order 5) to a relative error of 1e-10 per piece, also where the tyre lifts off or lands; with the defaults a piece
-    /// is about 1 ms long. `length` and `velocity` follow from states alone: the strut closes no algebraic loop.
+    /// order 5) to a relative error of 1e-10 per piece, also where the tyre lifts off or lands; with the defaults a
+    /// piece is about 1 ms long. `length` and `velocity` follow from states alone: the strut closes no algebraic loop.
     /// `tyre_load` follows the road at once, and never the strut force.
     ///
     /// # Errors
-    /// Refused: a parameter outside its bound; a step that would take more than a million pieces, which is reported as one
-    /// that is not finite. With the defaults that is a step of some minutes on a tyre without damping and of hours on
-    /// the others.
+    /// Refused: a parameter outside its bound; a step that would take more than a million pieces, which is reported as
+    /// one that is not finite. With the defaults that is a step of some minutes on a tyre without damping and of hours
+    /// on the others.
     ///
     /// # Limits
     /// The body does not pitch or roll, and the strut's lever ratio is constant. Road height and road velocity are two
-    /// inputs: a master that holds them over its steps makes the road a staircase, one that gives input derivatives does
-    /// not. The strut force is what the master delivers: held over a step, it makes the coupling a method of first order,
-    /// stable for steps shorter than 2 `wheel_mass` / c for a damper c at the wheel, and half of that if both models step
-    /// at once. The weight does not have to agree with `static_force`: heights count from the rest position in which it
-    /// does.
+    /// inputs: a master that holds them over its steps makes the road a staircase, one that gives input derivatives
+    /// does not. The strut force is what the master delivers: held over a step, it makes the coupling a method of first
+    /// order, stable for steps shorter than 2 `wheel_mass` / c for a damper c at the wheel, and half of that if both
+    /// models step at once. The weight does not have to agree with `static_force`: heights count from the rest position
+    /// in which it does.
     ///
     /// # Source
-    /// The usual model of two masses, with a tyre that cannot pull. Defaults: front corner of the car ZR26 in Zips Racing's
-    /// "Vehicle-Dynamics" (2025, MIT licence): 288.64 kg with driver, 48 % of it in front, less 16.36 kg per wheel; tyre
-    /// stiffness and lever ratio. Tyre damping is chosen: 4 % of the critical damping of the wheel on its tyre. `static_length`
-    /// and `static_force` are those of the default shock absorber at 22.5 mm of its travel, both chosen.
+    /// The usual model of two masses, with a tyre that cannot pull. Defaults: front corner of the car ZR26 in Zips
+    /// Racing's repository "Vehicle-Dynamics" (commit 0e8bbc8, MIT licence): 288.64 kg with driver, 48 % of it in
+    /// front, less 16.36 kg per wheel; tyre stiffness and lever ratio. Tyre damping is chosen: 4 % of the critical
+    /// damping of the wheel on its tyre. `static_length` and `static_force` are those of the default shock absorber at
+    /// 22.5 mm of its travel, both chosen.
     ///
     /// # Example
     /// ```
@@ -166,8 +167,8 @@ mod tests {
         }
     }
 
-    /// The springs as the car feels them, taken from its rates. The source of the parameters gives the frequencies of each
-    /// mass alone: the body on both springs in series, the wheel between them.
+    /// The springs as the car feels them, taken from its rates. The source of the parameters gives the frequencies of
+    /// each mass alone: the body on both springs in series, the wheel between them.
     #[test]
     fn frequencies_are_those_of_the_source() {
         let stiffness = |body: f64, wheel: f64| {

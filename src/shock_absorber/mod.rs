@@ -4,14 +4,14 @@
 //! when they push the eyes apart. Friction forces and damper resistances have the sign of `velocity`.
 
 crate::catalogue::family! {
-    strut::ShockAbsorber,
-    joint::TelescopicJoint,
-    contact::GuideContact,
-    spring::CoilSpring,
-    gas::GasSpring,
-    stops::EndStops,
-    damper::HydraulicDamper,
-    thermal::DamperTemperature,
+    shock_absorber::ShockAbsorber,
+    telescopic_joint::TelescopicJoint,
+    guide_contact::GuideContact,
+    coil_spring::CoilSpring,
+    gas_spring::GasSpring,
+    end_stops::EndStops,
+    hydraulic_damper::HydraulicDamper,
+    damper_temperature::DamperTemperature,
 }
 
 mod coupling;

@@ -1,16 +1,16 @@
 use crate::friction::Exchange;
-use crate::model::{Fault, Law, Model, boolean, real};
+use crate::model::{Fault, Law, Model, Preset, boolean, real};
 use crate::number::Real;
 use crate::ramp;
-use crate::shock_absorber::contact::{FrictionLaw, Levels, Touch};
+use crate::shock_absorber::coil_spring::Coil;
 use crate::shock_absorber::coupling;
-use crate::shock_absorber::damper::Hydraulics;
-use crate::shock_absorber::gas::GasChamber;
-use crate::shock_absorber::joint::{Guidance, NormalSum, SideConvention, SideLoad, Wrench};
+use crate::shock_absorber::damper_temperature::Heating;
+use crate::shock_absorber::end_stops::{BumpStop, ReboundStop};
+use crate::shock_absorber::gas_spring::GasChamber;
+use crate::shock_absorber::guide_contact::{FrictionLaw, Levels, Touch};
+use crate::shock_absorber::hydraulic_damper::Hydraulics;
 use crate::shock_absorber::law::{Answer, BLANK_MEMORY, Evaluate, MEMORY};
-use crate::shock_absorber::spring::Coil;
-use crate::shock_absorber::stops::{BumpStop, ReboundStop};
-use crate::shock_absorber::thermal::Heating;
+use crate::shock_absorber::telescopic_joint::{Guidance, NormalSum, SideConvention, SideLoad, Wrench};
 
 crate::choices! {
     /// Which side loads act on the joint.
@@ -634,6 +634,25 @@ impl ShockAbsorber {
 }
 
 impl Model for ShockAbsorber {
+    const PRESETS: &'static [Preset] = &[
+        Preset { name: "front", source: "Formula Student, front axle: the start values", values: &[] },
+        Preset {
+            name: "rear",
+            source: "Formula Student, rear axle: spring of Zips Racing ZR26 (MIT licence), the rest as in front",
+            values: &[("spring.k", 35_000.0)],
+        },
+        Preset {
+            name: "damper_table",
+            source: "Example of a digressive damper: the table of the start values",
+            values: &[("damper.mode", 2.0)],
+        },
+        Preset {
+            name: "frictionless",
+            source: "Example without friction: the start values otherwise",
+            values: &[("friction.model", 1.0)],
+        },
+    ];
+
     fn check(&self) -> Result<(), Fault> {
         let setting = &self.setting;
         setting.c1.check("c1.")?;

@@ -1,5 +1,5 @@
 use crate::laws::relaxation;
-use crate::model::{Law, Model, boolean, real};
+use crate::model::{Law, Model, Preset, boolean, real};
 use crate::number::Real;
 
 crate::part! {
@@ -117,6 +117,12 @@ impl<T: Real> Law for DamperTemperature<T> {
 }
 
 impl Model for DamperTemperature {
+    const PRESETS: &'static [Preset] = &[Preset {
+        name: "heating",
+        source: "Example with 50 W, heating switched on",
+        values: &[("power", 50.0), ("thermal.enabled", 1.0)],
+    }];
+
     fn step(&mut self, dt: f64) {
         self.temperature = self.thermal.after(self.temperature, self.temperature_ambient, self.power, dt);
     }

@@ -1,7 +1,7 @@
 use crate::laws::{root, table};
 use crate::model::{Column, Fault, Law, Model, integer, real};
 use crate::number::{Dual, Real};
-use crate::shock_absorber::spring::{POINTS, check_rising, points};
+use crate::shock_absorber::coil_spring::{POINTS, check_rising, points};
 
 crate::choices! {
     /// Form of a damper's characteristic.

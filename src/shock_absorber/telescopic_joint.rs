@@ -1,4 +1,4 @@
-use crate::model::{Law, Model, boolean, real};
+use crate::model::{Law, Model, Preset, boolean, real};
 use crate::number::Real;
 
 crate::choices! {
@@ -189,10 +189,6 @@ crate::model! {
         normal_sum: fixed = NormalSum::TwoPoint.start(),
         /// Dimensions.
         geom: Guidance,
-        /// Distance from piston to rod guide.
-        overlap: output = real("m", 0.0).shown_in("mm"),
-        /// Is the overlap so short that the contact forces are regularised?
-        overlap_low: output = boolean(false),
         /// Normal force at the rod guide.
         normal_1: output = real("N", 0.0),
         /// Normal force at the piston.
@@ -205,6 +201,10 @@ crate::model! {
         force_2_m: output = real("N", 0.0),
         /// Force on the rod at the piston along n.
         force_2_n: output = real("N", 0.0),
+        /// Distance from piston to rod guide.
+        overlap: output = real("m", 0.0).shown_in("mm"),
+        /// Is the overlap so short that the contact forces are regularised?
+        overlap_low: output = boolean(false),
     }
 }
 
@@ -221,6 +221,12 @@ impl<T: Real> Law for TelescopicJoint<T> {
 }
 
 impl Model for TelescopicJoint {
+    const PRESETS: &'static [Preset] = &[Preset {
+        name: "side_force",
+        source: "Example of a side load of 100 N at the upper eye",
+        values: &[("side_force_m", 100.0)],
+    }];
+
     fn step(&mut self, _dt: f64) {}
 }
 

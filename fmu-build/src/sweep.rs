@@ -1,0 +1,103 @@
+//! How a part of the shock absorber answers when it is moved: force over velocity, over travel, or over what it depends on.
+
+use std::f64::consts::TAU;
+
+use anyhow::{Context, Result};
+use stribeck::instance::Instance;
+use stribeck::model::{Kind, ModelType, Role};
+
+use crate::curve::Curve;
+
+/// Share of the travel and period of the motion.
+const STEPS: u32 = 1000;
+const PERIOD: f64 = 0.5;
+
+/// One cycle of a moved model.
+pub struct Sweep {
+    /// Column along the abscissa: what is moved.
+    pub across: usize,
+    /// Column along the ordinate: the first output.
+    pub answer: usize,
+    /// The points.
+    pub curve: Curve,
+}
+
+/// What is moved, and how far to both sides of its start value.
+enum Motion {
+    /// A travel, and its velocity if that is an input, too.
+    Travel { travel: usize, velocity: Option<usize>, amplitude: f64 },
+    /// An input alone, slowly.
+    Slow { input: usize, amplitude: f64 },
+}
+
+/// Moves a model over one cycle, with the values of its first preset if it has one.
+pub fn of(model: &'static ModelType) -> Result<Sweep> {
+    let motion = Motion::of(model)?;
+    let is_result = |column: &usize| model.table[*column].role == Role::Output;
+    let answer = (0..model.table.len()).find(is_result).context("a part needs an output")?;
+    let across = motion.shown();
+    let mut instance = Instance::new(model);
+    if let Some(preset) = model.presets.first() {
+        instance.apply(preset.name);
+    }
+    let start: Vec<f64> = instance.row().to_vec();
+    let mut curve = Curve::new();
+    // The first cycle wears off how it began.
+    for step in 0..=2 * STEPS {
+        motion.put(&mut instance, &start, f64::from(step) * PERIOD / f64::from(STEPS));
+        instance.step(motion.time_step())?;
+        if step >= STEPS {
+            curve.push([instance.row()[across], instance.row()[answer]]);
+        }
+    }
+    Ok(Sweep { across, answer, curve })
+}
+
+impl Motion {
+    fn of(model: &ModelType) -> Result<Motion> {
+        let velocity = model.find("velocity");
+        if let Some(travel) = model.find("length").or_else(|| model.find("compression")) {
+            // Over the stroke and a little beyond, where the travel begins at 0; else to both sides of the start.
+            return Ok(Motion::Travel { travel, velocity, amplitude: 0.02 });
+        }
+        if let Some(input) = velocity {
+            return Ok(Motion::Slow { input, amplitude: 0.3 });
+        }
+        let is_input = |column: &usize| {
+            model.table[*column].role == Role::Input && matches!(model.table[*column].kind, Kind::Real(_))
+        };
+        let input = (0..model.table.len()).find(is_input).context("a part needs an input")?;
+        Ok(Motion::Slow { input, amplitude: 50.0 })
+    }
+
+    /// Force over velocity says most; without the velocity, over the travel.
+    fn shown(&self) -> usize {
+        match *self {
+            Motion::Travel { travel, velocity, .. } => velocity.unwrap_or(travel),
+            Motion::Slow { input, .. } => input,
+        }
+    }
+
+    fn put(&self, instance: &mut Instance, start: &[f64], time: f64) {
+        let phase = TAU * time / PERIOD;
+        match *self {
+            Motion::Travel { travel, velocity, amplitude } => {
+                // A compression begins at full extension.
+                let middle = if start[travel] == 0.0 { 0.03 } else { start[travel] };
+                instance.put(travel, middle + amplitude * phase.sin());
+                if let Some(velocity) = velocity {
+                    instance.put(velocity, amplitude * TAU / PERIOD * phase.cos());
+                }
+            }
+            Motion::Slow { input, amplitude } => instance.put(input, start[input] + amplitude * phase.sin()),
+        }
+    }
+
+    /// What is moved slowly has come to rest at each point.
+    fn time_step(&self) -> f64 {
+        match self {
+            Motion::Travel { .. } => PERIOD / f64::from(STEPS),
+            Motion::Slow { .. } => 1e4,
+        }
+    }
+}
