@@ -78,22 +78,22 @@ crate::part! {
     ///
     /// # Sign
     /// Axes of ISO 8855 at the contact point: x forward, y left, z up; F_z pushes the tyre up. The side slip alpha is
-    /// positive when the contact point moves to the left, kappa is positive when driving, gamma is positive when the top
-    /// leans to the right (a positive rotation about x). With these axes the stiffness of side slip is negative
+    /// positive when the contact point moves to the left, kappa is positive when driving, gamma is positive when the
+    /// top leans to the right (a positive rotation about x). With these axes the stiffness of side slip is negative
     /// (`pky1` < 0): a tyre that slips to the left is pushed to the right. The rolling resistance holds for V > 0.
     ///
     /// # Limits
     /// Without load, all forces and moments are zero. Where a quotient above has the denominator 0 (no friction, no
-    /// stiffness), it counts as 0. Neither turn slip nor inflation pressure, nor speeds near 0. Far above the nominal load
-    /// the linear terms in df can change the sign of friction or stiffness: the formula is a fit and not a law.
+    /// stiffness), it counts as 0. Neither turn slip nor inflation pressure, nor speeds near 0. Far above the nominal
+    /// load the linear terms in df can change the sign of friction or stiffness: the formula is a fit and not a law.
     ///
     /// # Source
     /// H. B. Pacejka, "Tyre and Vehicle Dynamics", 2nd ed., Butterworth-Heinemann (2006), section 4.3.2, equations
     /// (4.E1) to (4.E78), without turn slip, in the form that Magic Formula 5.2 and PAC2002 share: camber enters as an
-    /// angle, side slip as an angle. The start values are those of the Magic Formula 5.2 set of Open-Car-Dynamics (TUMFTM,
-    /// Apache License 2.0), for a nominal load of 3000 N, with five changes: the nominal load is scaled to 700 N, the
-    /// friction scale 0.97 is 1, the shifts without camber are switched off, and radius and reference speed are chosen. That
-    /// set has no moments, so their coefficients are 0.
+    /// angle, side slip as an angle. The start values are those of the Magic Formula 5.2 set of Open-Car-Dynamics
+    /// (TUMFTM, Apache License 2.0), for a nominal load of 3000 N, with five changes: the nominal load is scaled to 700
+    /// N, the friction scale 0.97 is 1, the shifts without camber are switched off, and radius and reference speed are
+    /// chosen. That set has no moments, so their coefficients are 0.
     MagicFormula {
         /// Nominal load F_z0 of the set.
         fnomin: fixed = real("N", 3000.0).positive().nominal(1e3),
