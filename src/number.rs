@@ -27,6 +27,10 @@ pub trait Real:
     fn sin(self) -> Self;
     /// Square root; `self` must not be negative.
     fn sqrt(self) -> Self;
+    /// Cosine.
+    fn cos(self) -> Self;
+    /// Arc tangent.
+    fn atan(self) -> Self;
     /// `self` to a constant power; `self` must not be negative.
     fn powf(self, exponent: Self) -> Self;
 
@@ -76,6 +80,12 @@ impl Real for f64 {
     }
     fn sqrt(self) -> f64 {
         f64::sqrt(self)
+    }
+    fn cos(self) -> f64 {
+        f64::cos(self)
+    }
+    fn atan(self) -> f64 {
+        f64::atan(self)
     }
     fn powf(self, exponent: f64) -> f64 {
         f64::powf(self, exponent)
@@ -184,6 +194,12 @@ impl Real for Dual {
         let value = self.value.sqrt();
         self.chain(value, 0.5 / value)
     }
+    fn cos(self) -> Dual {
+        self.chain(self.value.cos(), -self.value.sin())
+    }
+    fn atan(self) -> Dual {
+        self.chain(self.value.atan(), 1.0 / (1.0 + self.value * self.value))
+    }
     fn powf(self, exponent: Dual) -> Dual {
         let value = self.value.powf(exponent.value);
         let by_base = self.chain(value, exponent.value * self.value.powf(exponent.value - 1.0));
@@ -206,6 +222,7 @@ mod tests {
             (-x.abs() / two).exp() * (x * two).tanh() * (x + two).sin()
                 - x.abs().powf(T::from(1.5) + x / T::from(10.0)) / (x + T::from(5.0))
                 + x.limited(T::from(0.25))
+                + (x * two).cos() * (x / two).atan()
         }
         for x in [-2.0, -0.7, 0.2, 1.3] {
             let exact = expression(Dual { value: x, slope: 1.0 }).slope;

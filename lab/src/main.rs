@@ -1,12 +1,16 @@
-//! `stribeck`: the bench. Looks at models without an importer.
+//! `stribeck`: the bench. Looks at models without an importer, and reads the files of dampers and tyres.
+
+mod damper;
+mod tyre;
 
 use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
+use lab::parameter_set::text_of;
 use stribeck::catalogue;
 use stribeck::model::{Kind, ModelType, Variable};
 
-/// Friction force models: look at them without an importer.
+/// Friction force models: look at them without an importer, and read the files of dampers and tyres.
 #[derive(Parser)]
 #[command(name = "stribeck", version)]
 struct Arguments {
@@ -23,6 +27,10 @@ enum Task {
         /// Name of the model, as `stribeck models` lists it.
         model: String,
     },
+    /// Makes a parameter set of the ShockAbsorber from a damper test: damper table, friction.
+    Damper(damper::Arguments),
+    /// Makes a parameter set of the tyres of DoubleTrackCar from a tyre property file (.tir).
+    Tyre(tyre::Arguments),
 }
 
 fn main() -> ExitCode {
@@ -40,6 +48,18 @@ fn main() -> ExitCode {
                 return ExitCode::FAILURE;
             }
         },
+        Task::Damper(arguments) => {
+            if let Err(error) = damper::run(&arguments) {
+                eprintln!("stribeck: {}: {error}", arguments.file.display());
+                return ExitCode::FAILURE;
+            }
+        }
+        Task::Tyre(arguments) => {
+            if let Err(error) = tyre::run(&arguments) {
+                eprintln!("stribeck: {error}");
+                return ExitCode::FAILURE;
+            }
+        }
     }
     ExitCode::SUCCESS
 }
@@ -76,9 +96,7 @@ fn presets(model: &ModelType) -> String {
 fn in_unit(variable: &Variable, value: f64) -> String {
     match variable.kind {
         Kind::Real(unit) if unit.name != "1" => format!("{value} {}", unit.name),
-        Kind::Real(_) | Kind::Integer => value.to_string(),
-        Kind::Boolean => (value != 0.0).to_string(),
-        Kind::Enumeration(choices) => choices.items[value as usize - 1].name.to_string(),
+        _ => text_of(variable, value),
     }
 }
 

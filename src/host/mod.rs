@@ -7,4 +7,8 @@ crate::catalogue::family! {
     belt_rig::BeltRig,
     quarter_car::QuarterCar,
     four_post_car::FourPostCar,
+    double_track_car::DoubleTrackCar,
 }
+
+mod magic_formula;
+pub use magic_formula::{Contact, MagicFormula, Side, Wrench};

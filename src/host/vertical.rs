@@ -156,7 +156,8 @@ impl Corner {
         matches!(self, Corner::FrontLeft | Corner::FrontRight)
     }
 
-    fn is_left(self) -> bool {
+    /// Is it on the left side?
+    pub fn is_left(self) -> bool {
         matches!(self, Corner::FrontLeft | Corner::RearLeft)
     }
 }

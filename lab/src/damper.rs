@@ -1,0 +1,99 @@
+//! `stribeck damper`: from a damper test to a parameter set.
+
+use std::path::PathBuf;
+
+use clap::{Args, ValueEnum};
+use lab::dyno::{Damper, DynoError, ForceSign, Options, Test, find_damper};
+
+#[derive(Args)]
+pub struct Arguments {
+    /// Table with the columns velocity and force, perhaps displacement and temperature; units in brackets.
+    pub file: PathBuf,
+    /// Parameter set to write: set.csv or set.ssv.
+    #[arg(long)]
+    out: Option<PathBuf>,
+    /// Points of the damper table, 0 included (3 to 16).
+    #[arg(long, default_value_t = Options::default().points)]
+    points: usize,
+    /// Velocity and displacement in the file are positive in compression.
+    #[arg(long)]
+    compression_positive: bool,
+    /// Refuse a file whose force has another sign than this one.
+    #[arg(long)]
+    force_sign: Option<Sign>,
+    /// Speed below which samples tell friction from damping, in m/s.
+    #[arg(long, default_value_t = Options::default().low_speed)]
+    low_speed: f64,
+    /// Gas force, in N, mean of both ends of the stroke: tells the friction of the two directions apart.
+    #[arg(long)]
+    gas_force: Option<f64>,
+}
+
+#[derive(Clone, Copy, ValueEnum)]
+enum Sign {
+    /// The force has the sign of the velocity in the file.
+    Resistance,
+    /// The force has the opposite sign.
+    Reaction,
+}
+
+impl From<Sign> for ForceSign {
+    fn from(sign: Sign) -> ForceSign {
+        match sign {
+            Sign::Resistance => ForceSign::Resistance,
+            Sign::Reaction => ForceSign::Reaction,
+        }
+    }
+}
+
+pub fn run(arguments: &Arguments) -> Result<(), DynoError> {
+    let options = Options {
+        compression_positive: arguments.compression_positive,
+        force_sign: arguments.force_sign.map(ForceSign::from),
+        points: arguments.points,
+        low_speed: arguments.low_speed,
+        gas_force: arguments.gas_force,
+    };
+    let test = Test::load(&arguments.file)?;
+    let damper = find_damper(&test, &options)?;
+    print!("{}", report(&test, &damper));
+    if let Some(out) = &arguments.out {
+        let name = out.file_stem().unwrap_or_default().to_string_lossy();
+        damper.parameter_set(&name)?.save(out)?;
+        println!("\n{}", out.display());
+    }
+    Ok(())
+}
+
+/// What was found, in words and numbers.
+fn report(test: &Test, damper: &Damper) -> String {
+    let mut text = format!("{} samples; the force is the {}\n\n", test.velocity.len(), damper.force_sign);
+    text += "velocity (extension > 0)   resistance\n";
+    for (velocity, force) in &damper.table {
+        text += &format!("{velocity:>16.4} m/s {force:>12.1} N\n");
+    }
+    text += "\n";
+    if let Some(friction) = damper.friction {
+        let level = friction.level;
+        text += &format!("friction    {:.1} N, standard deviation {:.1} N", level.value, level.deviation);
+        text += &friction.asymmetry.map_or_else(
+            || "; the same in both directions, for want of the gas force\n".into(),
+            |asymmetry| {
+                let [compression, extension] = [1.0 + asymmetry, 1.0 - asymmetry].map(|share| share * level.value);
+                format!("; {compression:.1} N in compression, {extension:.1} N in extension\n")
+            },
+        );
+    }
+    if let Some(gas) = damper.gas_force {
+        text += &format!("gas force   {:.1} N, standard deviation {:.1} N\n", gas.value, gas.deviation);
+    }
+    if let Some(gradient) = damper.gradient {
+        let [value, deviation] = [gradient.value, gradient.deviation];
+        text += &format!("gradient    {value:.0} N/m, standard deviation {deviation:.0} N/m (gas, lag of the oil)\n");
+    }
+    text += &format!("difference  {:.1} N (root mean square), {:.1} N (largest)\n", damper.rms_error, damper.max_error);
+    for warning in &damper.warnings {
+        text += &format!("warning: {warning}\n");
+    }
+    text
+}

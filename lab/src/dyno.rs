@@ -1,0 +1,594 @@
+//! Damper files: what a damper dynamometer has measured becomes a parameter set of the shock absorber.
+//!
+//! The damper is moved to and fro without its spring and without side load; the file has velocity and force, either of
+//! whole strokes (a loop test) or at the peaks of several speeds (a peak-velocity plot).
+//!
+//! # Equations
+//! With the resistance r (the force that has the sign of the velocity) and the velocity v, positive in extension:
+//!
+//! ```text
+//! r(v, x) = F_d(v) + sgn(v) F_C (1 - alpha sgn(v)) - F_g + g (x - x_c)
+//! ```
+//!
+//! | symbol | unit | meaning                                                                             |
+//! |--------|------|-------------------------------------------------------------------------------------|
+//! | F_d    | N    | damper table, monotone, 0 at rest                                                   |
+//! | F_C    | N    | friction, mean of both directions: half the jump of r at v = 0                      |
+//! | alpha  | 1    | asymmetry of friction: F_C (1 + alpha) in compression, F_C (1 - alpha) in extension |
+//! | F_g    | N    | gas force, mean of both ends of the stroke: minus the mean of r at v = 0            |
+//! | x, x_c | m    | displacement and its centre, positive in extension                                  |
+//! | g      | N/m  | force in proportion to displacement: gradient of the gas force, lag of the oil      |
+//!
+//! At v = 0 a polynomial through the samples below the low speed is extended to rest, on each side. g comes from the
+//! gap between the two branches of a stroke at equal speed, and is removed first. All fits are by least squares with
+//! Tukey's weights, so that single wild samples do not count; the standard deviations are those of the fits.
+//!
+//! # Sign
+//! Dynamometers differ: [`Options::compression_positive`] turns velocity and displacement. A damper takes energy out,
+//! so the sign of the force can be found in the file; [`Options::force_sign`] demands one.
+//!
+//! # Limits
+//! * F_g and alpha enter the same mean: alpha is told only if the gas force is known ([`Options::gas_force`]).
+//! * Below breakaway friction is not yet developed. With displacement, samples within a millimetre after the end of a
+//!   stroke are left out of the fits at low speed; without it they make the friction look smaller.
+//! * g is that of middle speeds. Oil lags in proportion to the slope of F_d, so where the damper bends much, a part of
+//!   the lag at low speed counts as friction: test slowly, with long strokes.
+//! * The level above sliding (stiction) is not seen in such tests: see [`Damper::parameter_set`].
+//!
+//! # Source
+//! The equation is a balance of forces. Weights: A. E. Beaton, J. W. Tukey, "The fitting of power series, meaning
+//! polynomials, illustrated on band-spectroscopic data", Technometrics 16 (1974). The windows are chosen.
+
+mod file;
+mod regression;
+
+use std::fmt;
+
+use stribeck::catalogue;
+use stribeck::model::ModelType;
+use thiserror::Error;
+
+pub use file::{FileError, Test};
+use regression::{isotonic, local, regress};
+
+use crate::parameter_set::{ParameterSet, SetError, choice};
+
+/// The largest table of the shock absorber.
+pub const MOST_POINTS: usize = 16;
+
+/// A range of temperature that changes the oil notably, K (chosen).
+const WARM_UP: f64 = 10.0;
+
+/// Travel after the end of a stroke in which friction develops, m (chosen: several times the breakaway travel).
+const BREAKAWAY: f64 = 1e-3;
+
+/// How the force in the file is counted.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ForceSign {
+    /// The force has the sign of the velocity in the file.
+    Resistance,
+    /// The force has the opposite sign: it is what the damper does to the machine.
+    Reaction,
+}
+
+impl fmt::Display for ForceSign {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        f.write_str(match self {
+            ForceSign::Resistance => "resistance",
+            ForceSign::Reaction => "reaction",
+        })
+    }
+}
+
+/// What must be known beside the file.
+#[derive(Clone, Copy, Debug)]
+pub struct Options {
+    /// Velocity and displacement in the file are positive in compression.
+    pub compression_positive: bool,
+    /// Sign of the force that the file must have; found in the file if not given.
+    pub force_sign: Option<ForceSign>,
+    /// Points of the table, 0 included: 3 to [`MOST_POINTS`].
+    pub points: usize,
+    /// Speed below which samples tell friction from damping, m/s.
+    pub low_speed: f64,
+    /// Gas force, N, mean of both ends of the stroke, if known: only then can the asymmetry of friction be told.
+    pub gas_force: Option<f64>,
+}
+
+impl Default for Options {
+    /// 11 points, 0.05 m/s (chosen).
+    fn default() -> Options {
+        Options { compression_positive: false, force_sign: None, points: 11, low_speed: 0.05, gas_force: None }
+    }
+}
+
+/// A value with its standard deviation.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Estimate {
+    /// Value.
+    pub value: f64,
+    /// Standard deviation.
+    pub deviation: f64,
+}
+
+/// Friction of the damper.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Friction {
+    /// Mean of both directions, N.
+    pub level: Estimate,
+    /// alpha, if the gas force was known.
+    pub asymmetry: Option<f64>,
+}
+
+/// What a file tells about a damper.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Damper {
+    /// Velocity in m/s, positive in extension, and resistance of the damper in N, without friction and gas force.
+    pub table: Vec<(f64, f64)>,
+    /// Friction, if the samples tell it.
+    pub friction: Option<Friction>,
+    /// Gas force, N, mean of both ends of the stroke, positive pushes the eyes apart, if the samples tell it.
+    pub gas_force: Option<Estimate>,
+    /// Resistance in proportion to displacement, N/m, if the file has strokes with displacement.
+    pub gradient: Option<Estimate>,
+    /// How the force in the file is counted.
+    pub force_sign: ForceSign,
+    /// Root mean square of the difference between the samples and table, friction and gas force, N.
+    pub rms_error: f64,
+    /// Largest difference, N.
+    pub max_error: f64,
+    /// What the user should know.
+    pub warnings: Vec<String>,
+}
+
+/// Why no damper was found in a test.
+#[derive(Debug, Error)]
+pub enum DynoError {
+    /// The file cannot be read.
+    #[error(transparent)]
+    File(#[from] FileError),
+    /// An option is outside its range.
+    #[error("{name} = {value}: must be {wanted}")]
+    Option {
+        /// The option.
+        name: &'static str,
+        /// Its value.
+        value: f64,
+        /// What it must be.
+        wanted: &'static str,
+    },
+    /// There are too few samples in one direction.
+    #[error("{count} samples in {direction}: a damper table needs at least 2 in each direction")]
+    OneDirection {
+        /// `extension` or `compression`.
+        direction: &'static str,
+        /// Samples in this direction.
+        count: usize,
+    },
+    /// Velocity and force are not those of one damper.
+    #[error(
+        "force and velocity agree in sign in {percent:.0} % of the samples above half of the highest speed: \
+         neither a resistance (100 %) nor a reaction (0 %)"
+    )]
+    Incoherent {
+        /// Share of the samples in which the signs agree.
+        percent: f64,
+    },
+    /// The force has the other sign.
+    #[error(
+        "the force in the file is the {found}, not the {wanted}: set the force sign to {found}, or turn the velocity"
+    )]
+    ForceSign {
+        /// What the file has.
+        found: ForceSign,
+        /// What was demanded.
+        wanted: ForceSign,
+    },
+    /// Displacement and velocity do not belong together.
+    #[error("the displacement falls where the velocity is positive: the two columns count in opposite directions")]
+    Displacement,
+    /// The result is no parameter set of the shock absorber.
+    #[error(transparent)]
+    Set(#[from] SetError),
+    /// The library has no shock absorber.
+    #[error("the library has no model {0}")]
+    NoModel(&'static str),
+}
+
+/// One sample, turned to this project's signs.
+#[derive(Clone, Copy)]
+struct Sample {
+    velocity: f64,
+    resistance: f64,
+    displacement: f64,
+}
+
+impl Sample {
+    fn is_extension(&self) -> bool {
+        self.velocity > 0.0
+    }
+}
+
+/// Finds the damper in a test.
+///
+/// # Errors
+/// Refused: options outside their range, a direction without samples, signs that contradict each other.
+pub fn find_damper(test: &Test, options: &Options) -> Result<Damper, DynoError> {
+    check(options)?;
+    let force_sign = force_sign(test, options)?;
+    let mut samples = samples(test, options, force_sign);
+    let mut warnings = warnings_of(test);
+    let gradient = if test.displacement.is_some() { remove_gradient(&mut samples) } else { None };
+    if test.displacement.is_some() && gradient.is_none() {
+        warnings.push("the displacement does not tell the two branches of a stroke apart: not used".into());
+    }
+    let rest = sides_at_rest(&samples, options.low_speed, gradient.is_some());
+    let (friction, gas_force) = match rest {
+        Ok(sides) => friction_and_gas(sides, options.gas_force, &mut warnings),
+        Err(direction) => {
+            warnings.push(format!(
+                "too few samples below {} m/s in {direction}: friction and gas force cannot be told, the table \
+                 contains them; the set leaves the friction at its defaults",
+                options.low_speed
+            ));
+            (None, None)
+        }
+    };
+    let offset = Offset { gas: gas_force.map_or(0.0, |gas| gas.value), friction };
+    let table = table(&samples, &offset, options.points, &mut warnings);
+    let [rms_error, max_error] = errors(&samples, &offset, &table);
+    Ok(Damper { table, friction, gas_force, gradient, force_sign, rms_error, max_error, warnings })
+}
+
+fn check(options: &Options) -> Result<(), DynoError> {
+    let refuse = |name, value, wanted| Err(DynoError::Option { name, value, wanted });
+    if !(3..=MOST_POINTS).contains(&options.points) {
+        return refuse("points", options.points as f64, "3 to 16");
+    }
+    if !(options.low_speed > 0.0 && options.low_speed.is_finite()) {
+        return refuse("low speed", options.low_speed, "> 0 m/s and finite");
+    }
+    match options.gas_force {
+        Some(gas) if !gas.is_finite() => refuse("gas force", gas, "finite"),
+        _ => Ok(()),
+    }
+}
+
+fn median(mut values: Vec<f64>) -> f64 {
+    values.sort_by(f64::total_cmp);
+    values[values.len() / 2]
+}
+
+/// Sign of the force, in agreement with the option. Velocity and force stay as they are in the file here: turning both
+/// changes nothing.
+fn force_sign(test: &Test, options: &Options) -> Result<ForceSign, DynoError> {
+    let half = |direction: f64| test.velocity.iter().fold(0.0, |most: f64, v| most.max(direction * v)) / 2.0;
+    let at_speed = |direction: f64| -> Vec<f64> {
+        let half = half(direction);
+        let pairs = test.velocity.iter().zip(&test.force);
+        pairs.filter(|(velocity, _)| direction * **velocity > half).map(|(_, force)| *force).collect()
+    };
+    let count = |direction: f64| test.velocity.iter().filter(|velocity| direction * **velocity > 0.0).count();
+    let names = if options.compression_positive { ["compression", "extension"] } else { ["extension", "compression"] };
+    for (direction, name) in [1.0, -1.0].into_iter().zip(names) {
+        if count(direction) < 2 {
+            return Err(DynoError::OneDirection { direction: name, count: count(direction) });
+        }
+    }
+    let [up, down] = [at_speed(1.0), at_speed(-1.0)];
+    let centre = (median(up.clone()) + median(down.clone())) / 2.0;
+    let agree =
+        up.iter().filter(|force| **force > centre).count() + down.iter().filter(|force| **force < centre).count();
+    let percent = 100.0 * agree as f64 / (up.len() + down.len()) as f64;
+    let found = match percent {
+        90.0.. => ForceSign::Resistance,
+        ..=10.0 => ForceSign::Reaction,
+        _ => return Err(DynoError::Incoherent { percent }),
+    };
+    if let Some(displacement) = &test.displacement
+        && climb(&test.velocity, displacement) < 0.0
+    {
+        return Err(DynoError::Displacement);
+    }
+    match options.force_sign {
+        Some(wanted) if wanted != found => Err(DynoError::ForceSign { found, wanted }),
+        _ => Ok(found),
+    }
+}
+
+/// Positive if the displacement mostly grows while the velocity is positive.
+fn climb(velocity: &[f64], displacement: &[f64]) -> f64 {
+    let moves = displacement.windows(2).zip(velocity.windows(2));
+    moves.map(|(x, v)| (x[1] - x[0]) * (v[0] + v[1])).sum()
+}
+
+/// The samples in this project's signs. Those at rest tell nothing.
+fn samples(test: &Test, options: &Options, force_sign: ForceSign) -> Vec<Sample> {
+    let motion = if options.compression_positive { -1.0 } else { 1.0 };
+    let force = if force_sign == ForceSign::Reaction { -motion } else { motion };
+    let displacement = |at: usize| test.displacement.as_ref().map_or(0.0, |displacement| motion * displacement[at]);
+    let pairs = test.velocity.iter().zip(&test.force).enumerate();
+    let all = pairs.map(|(at, (velocity, measured))| Sample {
+        velocity: motion * velocity,
+        resistance: force * measured,
+        displacement: displacement(at),
+    });
+    all.filter(|sample| sample.velocity != 0.0).collect()
+}
+
+fn warnings_of(test: &Test) -> Vec<String> {
+    let Some(temperature) = &test.temperature else { return Vec::new() };
+    let low = temperature.iter().copied().fold(f64::INFINITY, f64::min);
+    let high = temperature.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    if high - low <= WARM_UP {
+        return Vec::new();
+    }
+    let [low_c, high_c] = [low, high].map(|kelvin| kelvin - 273.15);
+    vec![format!(
+        "the temperature runs from {low_c:.1} to {high_c:.1} degC: damping and friction of a warm damper are smaller; \
+         the table is a mean over the test"
+    )]
+}
+
+fn centre_and_stroke(samples: &[Sample]) -> (f64, f64) {
+    let low = samples.iter().map(|sample| sample.displacement).fold(f64::INFINITY, f64::min);
+    let high = samples.iter().map(|sample| sample.displacement).fold(f64::NEG_INFINITY, f64::max);
+    ((low + high) / 2.0, high - low)
+}
+
+fn top_speed(samples: &[Sample]) -> f64 {
+    samples.iter().fold(0.0, |most, sample| sample.velocity.abs().max(most))
+}
+
+/// Takes the force in proportion to displacement out of the samples, and returns its slope: from the speeds at which
+/// both branches of a stroke are far apart in displacement. None if displacement and velocity do not vary separately.
+fn remove_gradient(samples: &mut [Sample]) -> Option<Estimate> {
+    const FEWEST: usize = 20; // chosen: a loop has more samples, a peak-velocity plot less
+    let (centre, stroke) = centre_and_stroke(samples);
+    if stroke == 0.0 {
+        return None;
+    }
+    let slope = |is_extension: bool| {
+        let side: Vec<Sample> =
+            samples.iter().copied().filter(|sample| sample.is_extension() == is_extension).collect();
+        let top = top_speed(&side);
+        let side = side.iter().filter(|sample| (0.3..0.9).contains(&(sample.velocity.abs() / top)));
+        let (rows, values): (Vec<[f64; 5]>, Vec<f64>) = side
+            .map(|sample| {
+                let u = sample.velocity.abs() / top - 0.6;
+                ([1.0, u, u * u, u * u * u, (sample.displacement - centre) / stroke], sample.resistance)
+            })
+            .unzip();
+        if rows.len() < FEWEST { None } else { regress(&rows, &values).map(|estimates| estimates[4]) }
+    };
+    let [first, second] = [slope(true)?, slope(false)?];
+    let gradient = mean(first, second).map(|value| value / stroke);
+    for sample in samples {
+        sample.resistance -= gradient.value * (sample.displacement - centre);
+    }
+    Some(gradient)
+}
+
+impl Estimate {
+    fn map(self, scale: impl Fn(f64) -> f64) -> Estimate {
+        Estimate { value: scale(self.value), deviation: scale(self.deviation).abs() }
+    }
+}
+
+/// Mean of two independent estimates.
+fn mean(first: Estimate, second: Estimate) -> Estimate {
+    Estimate { value: (first.value + second.value) / 2.0, deviation: first.deviation.hypot(second.deviation) / 2.0 }
+}
+
+/// Resistance at rest when coming from extension and from compression; else the direction that has too few samples.
+fn sides_at_rest(samples: &[Sample], low_speed: f64, with_displacement: bool) -> Result<[Estimate; 2], &'static str> {
+    // A fifth of the range at most: further up the damper bends. Close to rest the sign of the velocity is noise.
+    let window = low_speed.min(0.2 * top_speed(samples));
+    let (centre, stroke) = centre_and_stroke(samples);
+    let developed = |sample: &Sample| {
+        let travel = stroke / 2.0 + sample.velocity.signum() * (sample.displacement - centre);
+        !with_displacement || travel > BREAKAWAY.min(0.1 * stroke)
+    };
+    let side = |is_extension: bool| {
+        let near = samples.iter().filter(|sample| sample.is_extension() == is_extension && developed(sample));
+        let near = near.filter(|sample| (0.05..=1.0).contains(&(sample.velocity.abs() / window)));
+        let near: Vec<(f64, f64)> = near.map(|sample| (sample.velocity, sample.resistance)).collect();
+        local(&near, 0.0).ok_or(if is_extension { "extension" } else { "compression" })
+    };
+    Ok([side(true)?, side(false)?])
+}
+
+fn friction_and_gas(
+    [extension, compression]: [Estimate; 2],
+    known_gas: Option<f64>,
+    warnings: &mut Vec<String>,
+) -> (Option<Friction>, Option<Estimate>) {
+    let level = mean(extension, compression.map(|value| -value));
+    let gas = mean(extension, compression).map(|value| -value);
+    if level.value <= 0.0 {
+        warnings.push(format!("the gap at rest is {:.1} N: no friction was found", 2.0 * level.value));
+        return (None, Some(gas));
+    }
+    if level.value < 2.0 * level.deviation {
+        warnings.push(format!("friction {:.1} N is within its uncertainty ({:.1} N)", level.value, level.deviation));
+    }
+    let Some(known) = known_gas else {
+        if gas.value < -3.0 * gas.deviation - 1.0 {
+            warnings.push(format!(
+                "at rest the damper pulls with {:.1} N, but gas pushes: are velocities positive in compression?",
+                -gas.value
+            ));
+        }
+        return (Some(Friction { level, asymmetry: None }), Some(gas));
+    };
+    // The mean at rest is F_g + alpha F_C.
+    let asymmetry = (gas.value - known) / level.value;
+    if asymmetry.abs() >= 1.0 {
+        warnings.push(format!("a gas force of {known} N would make friction negative in one direction: not used"));
+        return (Some(Friction { level, asymmetry: None }), Some(gas));
+    }
+    (Some(Friction { level, asymmetry: Some(asymmetry) }), Some(Estimate { value: known, deviation: 0.0 }))
+}
+
+/// What is no hydraulic damping.
+struct Offset {
+    gas: f64,
+    friction: Option<Friction>,
+}
+
+impl Offset {
+    fn at(&self, velocity: f64) -> f64 {
+        let sign = velocity.signum();
+        let of = |friction: Friction| friction.level.value * (sign - friction.asymmetry.unwrap_or(0.0));
+        self.friction.map_or(0.0, of) - self.gas
+    }
+}
+
+/// The damper table: monotone, 0 at rest.
+fn table(samples: &[Sample], offset: &Offset, points: usize, warnings: &mut Vec<String>) -> Vec<(f64, f64)> {
+    let mut correction: f64 = 0.0;
+    let mut side = |is_extension| {
+        let curve = curve(hydraulic(samples, offset, is_extension));
+        let (speeds, forces): (Vec<f64>, Vec<f64>) = curve.into_iter().unzip();
+        let monotone = isotonic(&forces);
+        let moved = forces.iter().zip(&monotone).map(|(force, monotone)| (force - monotone).abs());
+        correction = moved.fold(correction, f64::max);
+        let curve: Vec<(f64, f64)> = [(0.0, 0.0)].into_iter().chain(speeds.into_iter().zip(monotone)).collect();
+        polyline(&curve, (points - 1) / 2)
+    };
+    let [compression, extension] = [side(false), side(true)];
+    if correction > 0.0 {
+        warnings.push(format!("the measured curve is not monotone: points were moved by up to {correction:.1} N"));
+    }
+    let compression = compression.into_iter().rev().map(|(speed, force)| (-speed, -force));
+    compression.chain([(0.0, 0.0)]).chain(extension).collect()
+}
+
+/// Speed and hydraulic resistance of one direction, both positive, in the order of speed.
+fn hydraulic(samples: &[Sample], offset: &Offset, is_extension: bool) -> Vec<(f64, f64)> {
+    let side = samples.iter().filter(|sample| sample.is_extension() == is_extension);
+    let speed_and_force = |sample: &Sample| {
+        let force = sample.resistance - offset.at(sample.velocity);
+        (sample.velocity.abs(), sample.velocity.signum() * force)
+    };
+    let mut side: Vec<(f64, f64)> = side.map(speed_and_force).collect();
+    side.sort_by(|a, b| a.0.total_cmp(&b.0));
+    side
+}
+
+/// The curve through samples in the order of speed: their own points if they are few, else local fits at speeds that
+/// are denser near rest.
+fn curve(samples: Vec<(f64, f64)>) -> Vec<(f64, f64)> {
+    const FITS: usize = 24; // chosen
+    const SLOWEST: f64 = 0.02; // of the highest speed; below it noise decides (chosen)
+    // One wild velocity must not stretch the table.
+    let top = samples[(samples.len() - 1) * 199 / 200].0;
+    let groups = groups(&samples, 0.005 * top);
+    if groups.len() <= 2 * FITS {
+        return groups;
+    }
+    let speed = |fit: usize| top * (fit as f64 / FITS as f64).powi(2);
+    let fit = |fit: usize| {
+        let [at, reach] = [speed(fit), (speed(fit) - speed(fit - 1)) / 2.0];
+        let near: Vec<(f64, f64)> = samples.iter().copied().filter(|sample| (sample.0 - at).abs() <= reach).collect();
+        local(&near, at).map(|force| (at, force.value))
+    };
+    (1..=FITS).filter(|number| speed(*number) >= SLOWEST * top).filter_map(fit).collect()
+}
+
+/// The `slots` points of a curve, beside its first, whose connection by straight lines is nearest to all its points;
+/// the last is always one of them. By dynamic programming.
+fn polyline(curve: &[(f64, f64)], slots: usize) -> Vec<(f64, f64)> {
+    let last = curve.len() - 1;
+    let slots = slots.min(last);
+    // Sum of the squares left by the best line that ends in a point, and the point before it; one row per line more.
+    let mut rows = vec![vec![(f64::INFINITY, 0); curve.len()]];
+    rows[0][0].0 = 0.0;
+    for slot in 1..=slots {
+        let before = &rows[slot - 1];
+        let best = |end: usize| {
+            let ways = (0..end).map(|start| (before[start].0 + misfit(&curve[start..=end]), start));
+            ways.min_by(|a, b| a.0.total_cmp(&b.0)).unwrap_or((f64::INFINITY, 0))
+        };
+        let row = (0..curve.len()).map(best).collect();
+        rows.push(row);
+    }
+    let mut points = Vec::new();
+    let mut end = last;
+    for slot in (1..=slots).rev() {
+        points.push(curve[end]);
+        end = rows[slot][end].1;
+    }
+    points.reverse();
+    points
+}
+
+/// Sum of the squared distances of points from the line between the first and the last.
+fn misfit(points: &[(f64, f64)]) -> f64 {
+    let line = [points[0], points[points.len() - 1]];
+    points.iter().map(|point| (point.1 - interpolate(&line, point.0)).powi(2)).sum()
+}
+
+/// Samples of nearly equal speed, each group as its medians.
+fn groups(sorted: &[(f64, f64)], width: f64) -> Vec<(f64, f64)> {
+    let mut groups = Vec::new();
+    let mut rest = sorted;
+    while let [first, ..] = rest {
+        let count = rest.partition_point(|sample| sample.0 <= first.0 + width);
+        let (group, others) = rest.split_at(count);
+        let [speeds, forces]: [Vec<f64>; 2] =
+            [group.iter().map(|sample| sample.0).collect(), group.iter().map(|sample| sample.1).collect()];
+        groups.push((median(speeds), median(forces)));
+        rest = others;
+    }
+    groups
+}
+
+/// Root mean square and largest difference between the samples and the result.
+fn errors(samples: &[Sample], offset: &Offset, table: &[(f64, f64)]) -> [f64; 2] {
+    let difference =
+        |sample: &Sample| sample.resistance - offset.at(sample.velocity) - interpolate(table, sample.velocity);
+    let squares: f64 = samples.iter().map(|sample| difference(sample).powi(2)).sum();
+    let largest = samples.iter().map(|sample| difference(sample).abs()).fold(0.0, f64::max);
+    [(squares / samples.len() as f64).sqrt(), largest]
+}
+
+/// Straight lines between the points, and on beyond the ends: as the shock absorber reads its table.
+fn interpolate(table: &[(f64, f64)], velocity: f64) -> f64 {
+    let above = table.partition_point(|point| point.0 <= velocity).clamp(1, table.len() - 1);
+    let [(v_0, f_0), (v_1, f_1)] = [table[above - 1], table[above]];
+    f_0 + (f_1 - f_0) * (velocity - v_0) / (v_1 - v_0)
+}
+
+impl Damper {
+    /// The parameter set of the shock absorber. The friction is that of both contacts together, without side load: the
+    /// preloads of the contacts, static and kinetic, keep the proportions that they have in the defaults.
+    pub fn parameter_set(&self, name: &str) -> Result<ParameterSet, DynoError> {
+        const SHOCK_ABSORBER: &str = "ShockAbsorber";
+        let model = catalogue::by_name(SHOCK_ABSORBER).ok_or(DynoError::NoModel(SHOCK_ABSORBER))?;
+        let mut values = vec![
+            ("damper.mode".to_owned(), choice(model, "damper.mode", "Table")?),
+            ("damper.tab_n".to_owned(), self.table.len() as f64),
+        ];
+        for ((velocity, force), index) in self.table.iter().zip(1..) {
+            values.push((format!("damper.tab_v[{index}]"), *velocity));
+            values.push((format!("damper.tab_f[{index}]"), *force));
+        }
+        if let Some(friction) = self.friction {
+            values.extend(preloads(model, friction.level.value)?);
+            values.extend(friction.asymmetry.map(|asymmetry| ("friction.asymmetry".to_owned(), asymmetry)));
+        }
+        Ok(ParameterSet::new(model, name, values)?)
+    }
+}
+
+/// Preloads of the contacts for a kinetic friction force.
+fn preloads(model: &'static ModelType, level: f64) -> Result<Vec<(String, f64)>, DynoError> {
+    let names = ["c1.preload_k", "c2.preload_k", "c1.preload_s", "c2.preload_s"];
+    let starts = ParameterSet::starts(model, names)?;
+    let scale = level / (starts[0] + starts[1]);
+    Ok(names.into_iter().zip(starts).map(|(name, start)| (name.to_owned(), start * scale)).collect())
+}
+
+#[cfg(test)]
+mod tests;

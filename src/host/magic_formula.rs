@@ -1,0 +1,758 @@
+//! Forces and moments of a rolling tyre.
+
+use crate::model::real;
+use crate::number::Real;
+
+crate::choices! {
+    /// The side of the car that a set of tyre coefficients was measured for.
+    pub enum Side {
+        /// The set describes a left tyre; right tyres are its mirror image.
+        Left,
+        /// The set describes a right tyre; left tyres are its mirror image.
+        Right,
+    }
+}
+
+crate::part! {
+    /// Magic Formula 5.2: forces and moments of a rolling tyre in steady state, in pure and in combined slip.
+    ///
+    /// The columns have the names of the keys of tyre property files, in lower case.
+    ///
+    /// # Equations
+    ///
+    /// ```text
+    /// F_z0' = lfzo fnomin,   df = (F_z - F_z0') / F_z0'
+    /// gamma_x = lgax gamma,  gamma_y = lgay gamma,  gamma_z = lgaz gamma
+    /// S(C, E, x) = C atan(x - E (x - atan x)),  E <= 1 everywhere
+    /// ```
+    ///
+    /// Longitudinal force in pure slip:
+    ///
+    /// ```text
+    /// F_x0 = D_x sin S(C_x, E_x, B_x k_x) + S_Vx,  k_x = kappa + S_Hx
+    /// C_x  = pcx1 lcx,  D_x = mu_x F_z,  B_x = K_x / (C_x D_x)
+    /// mu_x = (pdx1 + pdx2 df) (1 - pdx3 gamma_x^2) lmux
+    /// E_x  = (pex1 + pex2 df + pex3 df^2) (1 - pex4 sgn k_x) lex
+    /// K_x  = F_z (pkx1 + pkx2 df) exp(pkx3 df) lkx
+    /// S_Hx = (phx1 + phx2 df) lhx,  S_Vx = F_z (pvx1 + pvx2 df) lvx lmux
+    /// ```
+    ///
+    /// Lateral force in pure slip:
+    ///
+    /// ```text
+    /// F_y0 = D_y sin S(C_y, E_y, B_y a_y) + S_Vy,  a_y = alpha + S_Hy
+    /// C_y  = pcy1 lcy,  D_y = mu_y F_z,  B_y = K_y / (C_y D_y)
+    /// mu_y = (pdy1 + pdy2 df) (1 - pdy3 gamma_y^2) lmuy
+    /// E_y  = (pey1 + pey2 df) (1 - (pey3 + pey4 gamma_y) sgn a_y) ley
+    /// K_y  = pky1 F_z0' sin(2 atan(F_z / (pky2 F_z0'))) (1 - pky3 |gamma_y|) lky
+    /// S_Hy = (phy1 + phy2 df) lhy + phy3 gamma_y
+    /// S_Vy = F_z ((pvy1 + pvy2 df) lvy + (pvy3 + pvy4 df) gamma_y) lmuy
+    /// ```
+    ///
+    /// Combined slip:
+    ///
+    /// ```text
+    /// F_x  = F_x0 G(rcx1, rex1 + rex2 df, B_xa, alpha, rhx1),       B_xa = rbx1 cos(atan(rbx2 kappa)) lxal
+    /// F_y  = F_y0 G(rcy1, rey1 + rey2 df, B_yk, kappa, S_Hyk) + S_Vyk
+    /// B_yk = rby1 cos(atan(rby2 (alpha - rby3))) lyka,              S_Hyk = rhy1 + rhy2 df
+    /// S_Vyk = mu_y F_z (rvy1 + rvy2 df + rvy3 gamma) cos(atan(rvy4 alpha)) sin(rvy5 atan(rvy6 kappa)) lvyka
+    /// G(C, E, B, x, s) = cos S(C, E, B (x + s)) / cos S(C, E, B s)
+    /// ```
+    ///
+    /// Moments; k_e(a) = atan sqrt(tan^2 a + (K_x / K_y)^2 kappa^2) sgn a:
+    ///
+    /// ```text
+    /// M_z  = -t (F_y - S_Vyk) + M_zr + s F_x
+    /// t    = D_t cos S(C_t, E_t, B_t k_e(a_t)) cos alpha
+    /// M_zr = D_r cos(atan(B_r k_e(a_r))) cos alpha
+    /// a_t  = alpha + qhz1 + qhz2 df + (qhz3 + qhz4 df) gamma_z,     a_r = alpha + S_Hy + S_Vy / K_y
+    /// B_t  = (qbz1 + qbz2 df + qbz3 df^2) (1 + qbz4 gamma_z + qbz5 |gamma_z|) lky / lmuy
+    /// C_t  = qcz1,  D_t = F_z (qdz1 + qdz2 df) (1 + qdz3 gamma_z + qdz4 gamma_z^2) R_0 / F_z0' ltr
+    /// E_t  = (qez1 + qez2 df + qez3 df^2) (1 + (qez4 + qez5 gamma_z) (2 / pi) atan(B_t C_t a_t))
+    /// B_r  = qbz9 lky / lmuy + qbz10 B_y C_y
+    /// D_r  = F_z ((qdz6 + qdz7 df) lres + (qdz8 + qdz9 df) gamma_z) R_0 lmuy
+    /// s    = (ssz1 + ssz2 F_y / F_z0' + (ssz3 + ssz4 df) gamma) R_0 ls
+    /// M_x  = R_0 F_z (qsx1 lvmx - qsx2 gamma + qsx3 F_y / F_z0') lmx
+    /// M_y  = -R_0 F_z (qsy1 + qsy2 F_x / F_z0' + qsy3 |V / V_0| + qsy4 (V / V_0)^4) lmy
+    /// ```
+    ///
+    /// # Sign
+    /// Axes of ISO 8855 at the contact point: x forward, y left, z up; F_z pushes the tyre up. The side slip alpha is
+    /// positive when the contact point moves to the left, kappa is positive when driving, gamma is positive when the
+    /// top leans to the right (a positive rotation about x). With these axes the stiffness of side slip is negative
+    /// (`pky1` < 0): a tyre that slips to the left is pushed to the right. The rolling resistance holds for V > 0.
+    ///
+    /// # Limits
+    /// Without load, all forces and moments are zero. Where a quotient above has the denominator 0 (no friction, no
+    /// stiffness), it counts as 0. Neither turn slip nor inflation pressure, nor speeds near 0. Far above the nominal
+    /// load the linear terms in df can change the sign of friction or stiffness: the formula is a fit and not a law.
+    ///
+    /// # Source
+    /// H. B. Pacejka, "Tyre and Vehicle Dynamics", 2nd ed., Butterworth-Heinemann (2006), section 4.3.2, equations
+    /// (4.E1) to (4.E78), without turn slip, in the form that Magic Formula 5.2 and PAC2002 share: camber enters as an
+    /// angle, side slip as an angle. The start values are those of the Magic Formula 5.2 set of Open-Car-Dynamics
+    /// (TUMFTM, Apache License 2.0), for a nominal load of 3000 N, with five changes: the nominal load is scaled to 700
+    /// N, the friction scale 0.97 is 1, the shifts without camber are switched off, and radius and reference speed are
+    /// chosen. That set has no moments, so their coefficients are 0.
+    MagicFormula {
+        /// Nominal load F_z0 of the set.
+        fnomin: fixed = real("N", 3000.0).positive().nominal(1e3),
+        /// Radius R_0 of the tyre without load; chosen.
+        unloaded_radius: fixed = real("m", 0.2).positive().nominal(0.1),
+        /// Reference speed V_0 of the rolling resistance; chosen.
+        longvl: fixed = real("m/s", 16.7).positive().nominal(10.0),
+        /// Scale factor of the nominal load; 700 N here, for Formula Student.
+        lfzo: fixed = real("1", 7.0 / 30.0).positive(),
+        /// Scale factor of the shape of F_x.
+        lcx: fixed = real("1", 1.0),
+        /// Scale factor of the longitudinal friction; 0.97 in the source.
+        lmux: fixed = real("1", 1.0).positive(),
+        /// Scale factor of the curvature of F_x.
+        lex: fixed = real("1", 1.0),
+        /// Scale factor of the slip stiffness.
+        lkx: fixed = real("1", 1.0),
+        /// Scale factor of the horizontal shift of F_x; 1 in the source.
+        lhx: fixed = real("1", 0.0),
+        /// Scale factor of the vertical shift of F_x; 1 in the source.
+        lvx: fixed = real("1", 0.0),
+        /// Scale factor of the camber in F_x.
+        lgax: fixed = real("1", 1.0),
+        /// Scale factor of the shape of F_y.
+        lcy: fixed = real("1", 1.0),
+        /// Scale factor of the lateral friction; 0.97 in the source.
+        lmuy: fixed = real("1", 1.0).positive(),
+        /// Scale factor of the curvature of F_y.
+        ley: fixed = real("1", 1.0),
+        /// Scale factor of the cornering stiffness.
+        lky: fixed = real("1", 1.0),
+        /// Scale factor of the horizontal shift of F_y; 1 in the source.
+        lhy: fixed = real("1", 0.0),
+        /// Scale factor of the vertical shift of F_y; 1 in the source.
+        lvy: fixed = real("1", 0.0),
+        /// Scale factor of the camber in F_y.
+        lgay: fixed = real("1", 1.0),
+        /// Scale factor of the pneumatic trail.
+        ltr: fixed = real("1", 1.0),
+        /// Scale factor of the residual torque.
+        lres: fixed = real("1", 1.0),
+        /// Scale factor of the camber in M_z.
+        lgaz: fixed = real("1", 1.0),
+        /// Scale factor of the influence of the side slip on F_x.
+        lxal: fixed = real("1", 1.0),
+        /// Scale factor of the influence of the longitudinal slip on F_y.
+        lyka: fixed = real("1", 1.0),
+        /// Scale factor of the side force that longitudinal slip induces.
+        lvyka: fixed = real("1", 1.0),
+        /// Scale factor of the moment arm of F_x.
+        ls: fixed = real("1", 1.0),
+        /// Scale factor of the overturning couple.
+        lmx: fixed = real("1", 1.0),
+        /// Scale factor of the vertical shift of the overturning couple.
+        lvmx: fixed = real("1", 1.0),
+        /// Scale factor of the rolling resistance.
+        lmy: fixed = real("1", 1.0),
+        /// Shape factor of F_x.
+        pcx1: fixed = real("1", 1.6),
+        /// Longitudinal friction at the nominal load.
+        pdx1: fixed = real("1", 1.5),
+        /// Change of the longitudinal friction with load.
+        pdx2: fixed = real("1", -0.04),
+        /// Change of the longitudinal friction with the square of camber.
+        pdx3: fixed = real("1", 0.1),
+        /// Curvature of F_x at the nominal load.
+        pex1: fixed = real("1", 0.7),
+        /// Change of the curvature of F_x with load.
+        pex2: fixed = real("1", -0.17),
+        /// Change of the curvature of F_x with the square of load.
+        pex3: fixed = real("1", 0.023),
+        /// Change of the curvature of F_x with the sign of slip.
+        pex4: fixed = real("1", -0.14),
+        /// Slip stiffness per load at the nominal load.
+        pkx1: fixed = real("1", 30.7).nominal(10.0),
+        /// Change of the slip stiffness with load.
+        pkx2: fixed = real("1", 0.27),
+        /// Exponent of the slip stiffness with load.
+        pkx3: fixed = real("1", 0.13),
+        /// Horizontal shift of F_x at the nominal load.
+        phx1: fixed = real("1", 0.0),
+        /// Change of the horizontal shift of F_x with load.
+        phx2: fixed = real("1", 0.0),
+        /// Vertical shift of F_x per load at the nominal load.
+        pvx1: fixed = real("1", 0.0),
+        /// Change of the vertical shift of F_x with load.
+        pvx2: fixed = real("1", 0.0),
+        /// Stiffness of the reduction of F_x by side slip.
+        rbx1: fixed = real("1", 17.4).nominal(10.0),
+        /// Change of the stiffness of the reduction of F_x with longitudinal slip.
+        rbx2: fixed = real("1", 12.9).nominal(10.0),
+        /// Shape factor of the reduction of F_x.
+        rcx1: fixed = real("1", 1.1),
+        /// Curvature of the reduction of F_x.
+        rex1: fixed = real("1", 0.0),
+        /// Change of the curvature of the reduction of F_x with load.
+        rex2: fixed = real("1", 0.0),
+        /// Shift of the reduction of F_x.
+        rhx1: fixed = real("1", 0.001),
+        /// Shape factor of F_y.
+        pcy1: fixed = real("1", 1.5),
+        /// Lateral friction at the nominal load.
+        pdy1: fixed = real("1", 1.2),
+        /// Change of the lateral friction with load.
+        pdy2: fixed = real("1", -0.09),
+        /// Change of the lateral friction with the square of camber.
+        pdy3: fixed = real("1", 0.1),
+        /// Curvature of F_y at the nominal load.
+        pey1: fixed = real("1", 0.1),
+        /// Change of the curvature of F_y with load.
+        pey2: fixed = real("1", -1.2),
+        /// Change of the curvature of F_y with the sign of side slip.
+        pey3: fixed = real("1", 0.05),
+        /// Change of the curvature of F_y with camber and the sign of side slip.
+        pey4: fixed = real("1", -8.1),
+        /// Largest cornering stiffness per nominal load; negative for these axes.
+        pky1: fixed = real("1", -75.5).nominal(10.0),
+        /// Load of the largest cornering stiffness per nominal load; not 0.
+        pky2: fixed = real("1", 4.65),
+        /// Change of the cornering stiffness with camber.
+        pky3: fixed = real("1", -0.6),
+        /// Horizontal shift of F_y at the nominal load.
+        phy1: fixed = real("1", 0.003),
+        /// Change of the horizontal shift of F_y with load.
+        phy2: fixed = real("1", -0.0006),
+        /// Change of the horizontal shift of F_y with camber.
+        phy3: fixed = real("1", 0.004),
+        /// Vertical shift of F_y per load at the nominal load.
+        pvy1: fixed = real("1", 0.04),
+        /// Change of the vertical shift of F_y with load.
+        pvy2: fixed = real("1", -0.02),
+        /// Change of the vertical shift of F_y with camber.
+        pvy3: fixed = real("1", -0.97),
+        /// Change of the vertical shift of F_y with camber and load.
+        pvy4: fixed = real("1", -0.41),
+        /// Stiffness of the reduction of F_y by longitudinal slip.
+        rby1: fixed = real("1", 20.6).nominal(10.0),
+        /// Change of the stiffness of the reduction of F_y with side slip.
+        rby2: fixed = real("1", -23.5).nominal(10.0),
+        /// Side slip at which that stiffness is largest.
+        rby3: fixed = real("1", 0.001),
+        /// Shape factor of the reduction of F_y.
+        rcy1: fixed = real("1", 1.0),
+        /// Curvature of the reduction of F_y.
+        rey1: fixed = real("1", 0.0),
+        /// Change of the curvature of the reduction of F_y with load.
+        rey2: fixed = real("1", 0.0),
+        /// Shift of the reduction of F_y.
+        rhy1: fixed = real("1", -0.02),
+        /// Change of the shift of the reduction of F_y with load.
+        rhy2: fixed = real("1", 0.0),
+        /// Side force induced by longitudinal slip, at the nominal load.
+        rvy1: fixed = real("1", 0.16),
+        /// Change of the induced side force with load.
+        rvy2: fixed = real("1", 0.03),
+        /// Change of the induced side force with camber.
+        rvy3: fixed = real("1", 27.5).nominal(10.0),
+        /// Change of the induced side force with side slip.
+        rvy4: fixed = real("1", -29.7).nominal(10.0),
+        /// Shape factor of the induced side force.
+        rvy5: fixed = real("1", 0.03),
+        /// Stiffness of the induced side force.
+        rvy6: fixed = real("1", 0.0),
+        /// Stiffness of the trail at the nominal load.
+        qbz1: fixed = real("1", 0.0),
+        /// Change of the stiffness of the trail with load.
+        qbz2: fixed = real("1", 0.0),
+        /// Change of the stiffness of the trail with the square of load.
+        qbz3: fixed = real("1", 0.0),
+        /// Change of the stiffness of the trail with camber.
+        qbz4: fixed = real("1", 0.0),
+        /// Change of the stiffness of the trail with the size of camber.
+        qbz5: fixed = real("1", 0.0),
+        /// Stiffness of the residual torque.
+        qbz9: fixed = real("1", 0.0),
+        /// Stiffness of the residual torque per that of F_y.
+        qbz10: fixed = real("1", 0.0),
+        /// Shape factor of the trail.
+        qcz1: fixed = real("1", 0.0),
+        /// Largest trail per radius at the nominal load; 0: no trail in the source.
+        qdz1: fixed = real("1", 0.0),
+        /// Change of the largest trail with load.
+        qdz2: fixed = real("1", 0.0),
+        /// Change of the largest trail with camber.
+        qdz3: fixed = real("1", 0.0),
+        /// Change of the largest trail with the square of camber.
+        qdz4: fixed = real("1", 0.0),
+        /// Largest residual torque per radius and load.
+        qdz6: fixed = real("1", 0.0),
+        /// Change of the residual torque with load.
+        qdz7: fixed = real("1", 0.0),
+        /// Change of the residual torque with camber.
+        qdz8: fixed = real("1", 0.0),
+        /// Change of the residual torque with camber and load.
+        qdz9: fixed = real("1", 0.0),
+        /// Curvature of the trail at the nominal load.
+        qez1: fixed = real("1", 0.0),
+        /// Change of the curvature of the trail with load.
+        qez2: fixed = real("1", 0.0),
+        /// Change of the curvature of the trail with the square of load.
+        qez3: fixed = real("1", 0.0),
+        /// Change of the curvature of the trail with side slip.
+        qez4: fixed = real("1", 0.0),
+        /// Change of the curvature of the trail with side slip and camber.
+        qez5: fixed = real("1", 0.0),
+        /// Horizontal shift of the trail at the nominal load.
+        qhz1: fixed = real("1", 0.0),
+        /// Change of the horizontal shift of the trail with load.
+        qhz2: fixed = real("1", 0.0),
+        /// Change of the horizontal shift of the trail with camber.
+        qhz3: fixed = real("1", 0.0),
+        /// Change of the horizontal shift of the trail with camber and load.
+        qhz4: fixed = real("1", 0.0),
+        /// Moment arm of F_x per radius.
+        ssz1: fixed = real("1", 0.0),
+        /// Change of the moment arm with F_y.
+        ssz2: fixed = real("1", 0.0),
+        /// Change of the moment arm with camber.
+        ssz3: fixed = real("1", 0.0),
+        /// Change of the moment arm with camber and load.
+        ssz4: fixed = real("1", 0.0),
+        /// Overturning couple per radius and load.
+        qsx1: fixed = real("1", 0.0),
+        /// Change of the overturning couple with camber.
+        qsx2: fixed = real("1", 0.0),
+        /// Change of the overturning couple with F_y.
+        qsx3: fixed = real("1", 0.0),
+        /// Rolling resistance per radius and load.
+        qsy1: fixed = real("1", 0.0),
+        /// Change of the rolling resistance with F_x.
+        qsy2: fixed = real("1", 0.0),
+        /// Change of the rolling resistance with speed.
+        qsy3: fixed = real("1", 0.0),
+        /// Change of the rolling resistance with the fourth power of speed.
+        qsy4: fixed = real("1", 0.0),
+        /// Side that the set was measured for; tyres on the other side are mirrored.
+        side: fixed = Side::Left.start(),
+    }
+}
+
+/// How a tyre touches the road.
+#[derive(Clone, Copy, Debug)]
+pub struct Contact<T = f64> {
+    /// Load F_z, N.
+    pub load: T,
+    /// Longitudinal slip kappa; -1 for a locked wheel.
+    pub longitudinal_slip: T,
+    /// Side slip alpha, rad; positive when the contact point moves to the left.
+    pub side_slip: T,
+    /// Camber gamma, rad; positive when the top leans to the right.
+    pub camber: T,
+    /// Forward speed V, m/s.
+    pub speed: T,
+}
+
+/// Forces and moments of the road on the tyre, at the contact point, in the axes of the wheel.
+#[derive(Clone, Copy, Debug)]
+pub struct Wrench<T = f64> {
+    /// Longitudinal force, N.
+    pub force_x: T,
+    /// Lateral force, N.
+    pub force_y: T,
+    /// Overturning couple, N.m.
+    pub moment_x: T,
+    /// Rolling resistance moment, N.m.
+    pub moment_y: T,
+    /// Aligning torque, N.m.
+    pub moment_z: T,
+}
+
+/// The curve of a force in pure slip, and what combined slip and the moments need of it.
+struct Curve<T> {
+    force: T,
+    friction: T,
+    stiffness: T,
+    shift: T,
+    vertical_shift: T,
+}
+
+impl<T: Real> MagicFormula<T> {
+    /// Forces and moments of a tyre on one side of the car.
+    pub fn wrench_on(&self, side: Side, contact: &Contact<T>) -> Wrench<T> {
+        if Side::of(self.side.value()) == side {
+            return self.wrench(contact);
+        }
+        let mirrored = Contact { side_slip: -contact.side_slip, camber: -contact.camber, ..*contact };
+        let wrench = self.wrench(&mirrored);
+        Wrench { force_y: -wrench.force_y, moment_x: -wrench.moment_x, moment_z: -wrench.moment_z, ..wrench }
+    }
+
+    /// Forces and moments of a tyre on the side that the set was measured for.
+    pub fn wrench(&self, contact: &Contact<T>) -> Wrench<T> {
+        let zero = T::zero();
+        if contact.load.value() <= 0.0 {
+            return Wrench { force_x: zero, force_y: zero, moment_x: zero, moment_y: zero, moment_z: zero };
+        }
+        let longitudinal = self.pure_longitudinal(contact);
+        let lateral = self.pure_lateral(contact);
+        let force_x = longitudinal.force * self.reduction_of_force_x(contact);
+        let induced = self.induced_force(contact, lateral.friction);
+        let force_y = lateral.force * self.reduction_of_force_y(contact) + induced;
+        Wrench {
+            force_x,
+            force_y,
+            moment_x: self.overturning_couple(contact, force_y),
+            moment_y: self.rolling_resistance(contact, force_x),
+            moment_z: self.aligning_torque(contact, &longitudinal, &lateral, force_y - induced)
+                + self.moment_arm(contact, force_y) * force_x,
+        }
+    }
+
+    /// F_z0'.
+    fn nominal_load(&self) -> T {
+        self.lfzo * self.fnomin
+    }
+
+    /// df.
+    fn load_change(&self, contact: &Contact<T>) -> T {
+        contact.load / self.nominal_load() - T::from(1.0)
+    }
+
+    fn pure_longitudinal(&self, contact: &Contact<T>) -> Curve<T> {
+        let (one, load, df) = (T::from(1.0), contact.load, self.load_change(contact));
+        let gamma = self.lgax * contact.camber;
+        let shift = (self.phx1 + self.phx2 * df) * self.lhx;
+        let vertical_shift = load * (self.pvx1 + self.pvx2 * df) * self.lvx * self.lmux;
+        let slip = contact.longitudinal_slip + shift;
+        let friction = (self.pdx1 + self.pdx2 * df) * (one - self.pdx3 * gamma * gamma) * self.lmux;
+        let curvature = (self.pex1 + self.pex2 * df + self.pex3 * df * df) * (one - self.pex4 * slip.sign()) * self.lex;
+        let stiffness = load * (self.pkx1 + self.pkx2 * df) * (self.pkx3 * df).exp() * self.lkx;
+        let shape = self.pcx1 * self.lcx;
+        let force = sine(shape, curvature, friction * load, stiffness, slip) + vertical_shift;
+        Curve { force, friction, stiffness, shift, vertical_shift }
+    }
+
+    fn pure_lateral(&self, contact: &Contact<T>) -> Curve<T> {
+        let (one, load, df) = (T::from(1.0), contact.load, self.load_change(contact));
+        let gamma = self.lgay * contact.camber;
+        let shift = (self.phy1 + self.phy2 * df) * self.lhy + self.phy3 * gamma;
+        let vertical_shift =
+            load * ((self.pvy1 + self.pvy2 * df) * self.lvy + (self.pvy3 + self.pvy4 * df) * gamma) * self.lmuy;
+        let slip = contact.side_slip + shift;
+        let friction = (self.pdy1 + self.pdy2 * df) * (one - self.pdy3 * gamma * gamma) * self.lmuy;
+        let curvature = (self.pey1 + self.pey2 * df) * (one - (self.pey3 + self.pey4 * gamma) * slip.sign()) * self.ley;
+        let stiffness = self.cornering_stiffness(load) * (one - self.pky3 * gamma.abs());
+        let shape = self.pcy1 * self.lcy;
+        let force = sine(shape, curvature, friction * load, stiffness, slip) + vertical_shift;
+        Curve { force, friction, stiffness, shift, vertical_shift }
+    }
+
+    /// Slope of the lateral force over the side slip at 0, without camber: K_y.
+    pub fn cornering_stiffness(&self, load: T) -> T {
+        let bend = T::from(2.0) * (load / (self.pky2 * self.nominal_load())).atan();
+        self.pky1 * self.nominal_load() * bend.sin() * self.lky
+    }
+
+    /// What side slip leaves of the longitudinal force.
+    fn reduction_of_force_x(&self, contact: &Contact<T>) -> T {
+        let curvature = self.rex1 + self.rex2 * self.load_change(contact);
+        let stiffness = self.rbx1 * (self.rbx2 * contact.longitudinal_slip).atan().cos() * self.lxal;
+        reduction(self.rcx1, curvature, stiffness, contact.side_slip, self.rhx1)
+    }
+
+    /// What longitudinal slip leaves of the lateral force.
+    fn reduction_of_force_y(&self, contact: &Contact<T>) -> T {
+        let df = self.load_change(contact);
+        let stiffness = self.rby1 * (self.rby2 * (contact.side_slip - self.rby3)).atan().cos() * self.lyka;
+        let shift = self.rhy1 + self.rhy2 * df;
+        reduction(self.rcy1, self.rey1 + self.rey2 * df, stiffness, contact.longitudinal_slip, shift)
+    }
+
+    /// S_Vyk.
+    fn induced_force(&self, contact: &Contact<T>, friction: T) -> T {
+        let level = self.rvy1 + self.rvy2 * self.load_change(contact) + self.rvy3 * contact.camber;
+        let by_side_slip = (self.rvy4 * contact.side_slip).atan().cos();
+        let by_slip = (self.rvy5 * (self.rvy6 * contact.longitudinal_slip).atan()).sin();
+        friction * contact.load * level * by_side_slip * by_slip * self.lvyka
+    }
+
+    /// -t (F_y - S_Vyk) + M_zr.
+    fn aligning_torque(&self, contact: &Contact<T>, longitudinal: &Curve<T>, lateral: &Curve<T>, force_y: T) -> T {
+        let slip = quotient(longitudinal.stiffness, lateral.stiffness) * contact.longitudinal_slip;
+        let trail = self.trail(contact, slip);
+        (self.residual_torque(contact, lateral, slip) - trail * force_y) * contact.side_slip.cos()
+    }
+
+    /// t / cos alpha, for a longitudinal slip that is scaled to be like a side slip.
+    fn trail(&self, contact: &Contact<T>, slip: T) -> T {
+        let (one, df) = (T::from(1.0), self.load_change(contact));
+        let gamma = self.lgaz * contact.camber;
+        let side_slip = contact.side_slip + self.qhz1 + self.qhz2 * df + (self.qhz3 + self.qhz4 * df) * gamma;
+        let stiffness = (self.qbz1 + self.qbz2 * df + self.qbz3 * df * df)
+            * (one + self.qbz4 * gamma + self.qbz5 * gamma.abs())
+            * self.lky
+            / self.lmuy;
+        let bend = T::from(std::f64::consts::FRAC_2_PI) * (stiffness * self.qcz1 * side_slip).atan();
+        let curvature =
+            (self.qez1 + self.qez2 * df + self.qez3 * df * df) * (one + (self.qez4 + self.qez5 * gamma) * bend);
+        let largest = contact.load
+            * (self.qdz1 + self.qdz2 * df)
+            * (one + self.qdz3 * gamma + self.qdz4 * gamma * gamma)
+            * self.unloaded_radius
+            / self.nominal_load()
+            * self.ltr;
+        largest * phase(self.qcz1, curvature, stiffness * equivalent(side_slip, slip)).cos()
+    }
+
+    /// M_zr / cos alpha, for a longitudinal slip that is scaled to be like a side slip.
+    fn residual_torque(&self, contact: &Contact<T>, lateral: &Curve<T>, slip: T) -> T {
+        let df = self.load_change(contact);
+        let gamma = self.lgaz * contact.camber;
+        let side_slip = contact.side_slip + lateral.shift + quotient(lateral.vertical_shift, lateral.stiffness);
+        // B_y C_y = K_y / D_y
+        let stiffness = self.qbz9 * self.lky / self.lmuy
+            + self.qbz10 * quotient(lateral.stiffness, lateral.friction * contact.load);
+        let level = (self.qdz6 + self.qdz7 * df) * self.lres + (self.qdz8 + self.qdz9 * df) * gamma;
+        let largest = contact.load * level * self.unloaded_radius * self.lmuy;
+        largest * (stiffness * equivalent(side_slip, slip)).atan().cos()
+    }
+
+    /// s.
+    fn moment_arm(&self, contact: &Contact<T>, force_y: T) -> T {
+        let by_camber = (self.ssz3 + self.ssz4 * self.load_change(contact)) * contact.camber;
+        (self.ssz1 + self.ssz2 * force_y / self.nominal_load() + by_camber) * self.unloaded_radius * self.ls
+    }
+
+    /// M_x.
+    fn overturning_couple(&self, contact: &Contact<T>, force_y: T) -> T {
+        let level = self.qsx1 * self.lvmx - self.qsx2 * contact.camber + self.qsx3 * force_y / self.nominal_load();
+        self.unloaded_radius * contact.load * level * self.lmx
+    }
+
+    /// M_y.
+    fn rolling_resistance(&self, contact: &Contact<T>, force_x: T) -> T {
+        let speed = contact.speed / self.longvl;
+        let square = speed * speed;
+        let level = self.qsy1
+            + self.qsy2 * force_x / self.nominal_load()
+            + self.qsy3 * speed.abs()
+            + self.qsy4 * square * square;
+        -self.unloaded_radius * contact.load * level * self.lmy
+    }
+}
+
+/// The angle S of the Magic Formula.
+fn phase<T: Real>(shape: T, curvature: T, x: T) -> T {
+    let one = T::from(1.0);
+    let curvature = if curvature > one { one } else { curvature };
+    shape * (x - curvature * (x - x.atan())).atan()
+}
+
+/// The curve of a force: its peak, its slope at 0, its shape.
+fn sine<T: Real>(shape: T, curvature: T, peak: T, stiffness: T, slip: T) -> T {
+    peak * phase(shape, curvature, quotient(stiffness, shape * peak) * slip).sin()
+}
+
+/// The weight G of combined slip; exactly 1 without slip.
+fn reduction<T: Real>(shape: T, curvature: T, stiffness: T, slip: T, shift: T) -> T {
+    if slip.is(0.0) {
+        return T::from(1.0);
+    }
+    let weight = |x: T| phase(shape, curvature, stiffness * x).cos();
+    quotient(weight(slip + shift), weight(shift))
+}
+
+/// The side slip that stands for both slips in trail and residual torque, which are even functions of it.
+fn equivalent<T: Real>(side_slip: T, slip: T) -> T {
+    if slip.is(0.0) {
+        return side_slip;
+    }
+    let tangent = side_slip.sin() / side_slip.cos();
+    (tangent * tangent + slip * slip).powf(T::from(0.5)).atan()
+}
+
+/// a / b, and 0 for b = 0: a tyre without friction or stiffness has no force to be divided.
+fn quotient<T: Real>(a: T, b: T) -> T {
+    if b.value() == 0.0 { T::zero() } else { a / b }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::{Columns, row_of_mut, start};
+    use crate::number::Dual;
+
+    const LOAD: f64 = 700.0;
+
+    /// The built-in set, with the given coefficients changed.
+    fn tyre(changes: &[(&str, f64)]) -> MagicFormula {
+        let mut tyre: MagicFormula = start();
+        for (name, value) in changes {
+            let column = MagicFormula::TABLE.iter().position(|variable| variable.path.to_string() == *name).unwrap();
+            row_of_mut(&mut tyre)[column] = *value;
+        }
+        tyre
+    }
+
+    /// Without any term that tells left from right or driving from braking.
+    fn symmetric() -> MagicFormula {
+        tyre(&[("pey3", 0.0), ("pex4", 0.0), ("rhx1", 0.0), ("rhy1", 0.0), ("rby3", 0.0), ("rvy1", 0.0), ("rvy2", 0.0)])
+    }
+
+    fn contact(longitudinal_slip: f64, side_slip: f64) -> Contact {
+        Contact { load: LOAD, longitudinal_slip, side_slip, camber: 0.0, speed: 20.0 }
+    }
+
+    fn grid(limit: f64) -> impl Iterator<Item = f64> {
+        (-40..=40).map(move |i| limit * f64::from(i) / 40.0)
+    }
+
+    /// Computed with another program from the same set: symmetric part, 700 N, nominal load 700 N.
+    #[test]
+    fn lateral_force_of_the_sample_set_at_four_side_slips() {
+        let forces = [(0.02, -400.079), (0.05, -730.387), (0.10, -839.639), (0.15, -822.635)];
+        let tyre = symmetric();
+        for (side_slip, force) in forces {
+            assert!((tyre.wrench(&contact(0.0, side_slip)).force_y - force).abs() < 5e-4, "{side_slip}");
+        }
+    }
+
+    #[test]
+    fn forces_are_odd_in_their_own_slip_and_even_in_the_other() {
+        let tyre = symmetric();
+        for (kappa, alpha) in grid(0.3).flat_map(|kappa| grid(0.4).map(move |alpha| (kappa, alpha))) {
+            let at = |kappa, alpha| tyre.wrench(&contact(kappa, alpha));
+            let here = at(kappa, alpha);
+            assert!((here.force_y + at(kappa, -alpha).force_y).abs() < 1e-9);
+            assert!((here.force_y - at(-kappa, alpha).force_y).abs() < 1e-9);
+            assert!((here.force_x + at(-kappa, alpha).force_x).abs() < 1e-9);
+            assert!((here.force_x - at(kappa, -alpha).force_x).abs() < 1e-9);
+        }
+    }
+
+    /// The slope at zero is the cornering stiffness, from the dual numbers and from differences.
+    #[test]
+    fn slope_at_zero_is_the_stiffness() {
+        for load in [100.0, 700.0, 1400.0] {
+            let tyre = symmetric();
+            // K_y and K_x of Pacejka's (4.E25) and (4.E15), at the load.
+            let nominal = 700.0;
+            let k_y = -75.5 * nominal * (2.0 * (load / (4.65f64 * nominal)).atan()).sin();
+            let df = load / nominal - 1.0;
+            let k_x = load * (30.7 + 0.27 * df) * (0.13 * df).exp();
+            let at = |kappa, alpha| tyre.wrench(&Contact { load, ..contact(kappa, alpha) });
+            let h = 1e-6;
+            assert!((at(0.0, h).force_y / h / k_y - 1.0).abs() < 1e-6, "{load}");
+            assert!((at(h, 0.0).force_x / h / k_x - 1.0).abs() < 1e-6, "{load}");
+            assert!((tyre.cornering_stiffness(load) / k_y - 1.0).abs() < 1e-14);
+            let dual = tyre.map(&|value| Dual::from(value));
+            let moving = Contact {
+                load: Dual::from(load),
+                longitudinal_slip: Dual::from(0.0),
+                side_slip: Dual { value: 0.0, slope: 1.0 },
+                camber: Dual::from(0.0),
+                speed: Dual::from(20.0),
+            };
+            assert!((dual.wrench(&moving).force_y.slope / k_y - 1.0).abs() < 1e-12, "{load}");
+        }
+    }
+
+    /// The largest force over a fine grid of slips is the friction times the load.
+    #[test]
+    fn peak_is_friction_times_load() {
+        for load in [300.0, 700.0, 1200.0] {
+            let df = load / 700.0 - 1.0;
+            let tyre = symmetric();
+            let slips = || (0..20_000).map(|i| f64::from(i) * 5e-5);
+            let at = |kappa, alpha| tyre.wrench(&Contact { load, ..contact(kappa, alpha) });
+            let lateral = slips().map(|alpha| at(0.0, alpha).force_y.abs()).fold(0.0, f64::max);
+            let longitudinal = slips().map(|kappa| at(kappa, 0.0).force_x.abs()).fold(0.0, f64::max);
+            assert!((lateral / ((1.2 - 0.09 * df) * load) - 1.0).abs() < 1e-6, "{load}: {lateral}");
+            assert!((longitudinal / ((1.5 - 0.04 * df) * load) - 1.0).abs() < 1e-6, "{load}: {longitudinal}");
+        }
+    }
+
+    /// The formula of combined slip is a fit, but it must stay near the ellipse of friction.
+    #[test]
+    fn combined_force_stays_in_the_ellipse_of_friction() {
+        let tyre = symmetric();
+        let mut largest: f64 = 0.0;
+        for (kappa, alpha) in grid(1.0).flat_map(|kappa| grid(0.5).map(move |alpha| (kappa, alpha))) {
+            let wrench = tyre.wrench(&contact(kappa, alpha));
+            largest = largest.max((wrench.force_x / (1.5 * LOAD)).hypot(wrench.force_y / (1.2 * LOAD)));
+        }
+        assert!(largest <= 1.0 + 1e-9, "{largest}");
+        assert!(largest > 0.999, "{largest}");
+    }
+
+    /// Combined slip with one slip going to zero is pure slip: no jump where the weight is taken as exactly 1.
+    #[test]
+    fn combined_slip_goes_over_into_pure_slip() {
+        let tyre = tyre(&[]);
+        for slip in [-0.2, -0.03, 0.01, 0.1] {
+            let [pure, nearly] = [0.0, 1e-12].map(|kappa| tyre.wrench(&contact(kappa, slip)).force_y);
+            assert!((pure - nearly).abs() < 1e-6, "{pure} {nearly}");
+            let [pure, nearly] = [0.0, 1e-12].map(|alpha| tyre.wrench(&contact(slip, alpha)).force_x);
+            assert!((pure - nearly).abs() < 1e-6, "{pure} {nearly}");
+        }
+    }
+
+    /// For small slip the aligning torque is the side force on the trail: M_z = -t K_y alpha, t = qdz1 R_0 at the
+    /// nominal load. The moments without slip follow from their definition.
+    #[test]
+    fn moments_at_small_slip() {
+        let changes =
+            [("qdz1", 0.1), ("qcz1", 1.2), ("qbz1", 9.0), ("pey3", 0.0), ("qsy1", 0.02), ("qsx3", 0.5), ("qsx2", 0.3)];
+        let tyre = tyre(&changes);
+        let alpha = 1e-6;
+        let wrench = tyre.wrench(&contact(0.0, alpha));
+        let stiffness = -75.5 * 700.0 * (2.0 * (1.0 / 4.65f64).atan()).sin();
+        assert!((wrench.moment_z / (-0.1 * 0.2 * stiffness * alpha) - 1.0).abs() < 1e-6);
+        assert!(wrench.moment_z > 0.0, "the torque turns the wheel towards its direction of motion");
+        assert!((wrench.moment_y + 0.02 * 0.2 * LOAD).abs() < 1e-12);
+        assert!((wrench.moment_x - 0.5 * 0.2 * wrench.force_y).abs() < 1e-12);
+        let leaning = tyre.wrench(&Contact { camber: 0.1, ..contact(0.0, 0.0) });
+        assert!((leaning.moment_x - 0.2 * (0.5 * leaning.force_y - 0.3 * 0.1 * LOAD)).abs() < 1e-12);
+    }
+
+    /// A longitudinal force off the centre line makes a torque about z.
+    #[test]
+    fn longitudinal_force_turns_by_its_arm() {
+        let [without, with] = [0.0, 0.03].map(|arm| tyre(&[("ssz1", arm)]).wrench(&contact(0.05, 0.0)));
+        assert!((with.moment_z - without.moment_z - 0.03 * 0.2 * with.force_x).abs() < 1e-12);
+    }
+
+    /// Shifts point to one side; the tyre of the other side is its mirror image.
+    #[test]
+    fn other_side_is_the_mirror_image() {
+        let tyre = tyre(&[("lhy", 1.0), ("lvy", 1.0), ("qdz1", 0.1), ("qcz1", 1.0), ("qbz1", 5.0), ("qsx1", 0.1)]);
+        let left = tyre.wrench_on(Side::Left, &Contact { camber: 0.02, ..contact(0.01, 0.03) });
+        let right = tyre.wrench_on(Side::Right, &Contact { camber: -0.02, ..contact(0.01, -0.03) });
+        assert_eq!([left.force_x, left.moment_y], [right.force_x, right.moment_y]);
+        assert_eq!([left.force_y, left.moment_x, left.moment_z], [-right.force_y, -right.moment_x, -right.moment_z]);
+        assert!(tyre.wrench_on(Side::Left, &contact(0.0, 0.0)).force_y.abs() > 10.0);
+    }
+
+    /// Also where a quotient of the formula loses its denominator.
+    #[test]
+    fn finite_for_every_contact() {
+        let tyres = [
+            tyre(&[]),
+            tyre(&[("pky1", 0.0), ("pkx1", 0.0), ("pkx2", 0.0), ("qbz10", 1.0), ("qdz6", 0.1)]),
+            tyre(&[("pdy1", 0.0), ("pdy2", 0.0), ("pdx1", 0.0), ("pdx2", 0.0), ("qbz10", 1.0)]),
+            tyre(&[("pcy1", 0.0), ("pcx1", 0.0), ("rcx1", 0.0), ("rcy1", 0.0)]),
+            tyre(&[("pky2", 0.0)]),
+        ];
+        let slips = [-10.0, -1.0, -0.1, 0.0, 1e-300, 0.5, 10.0];
+        for tyre in &tyres {
+            for load in [-10.0, 0.0, 1e-300, 1.0, 700.0, 1e4] {
+                for (kappa, alpha) in slips.iter().flat_map(|kappa| slips.map(|alpha| (*kappa, alpha))) {
+                    for camber in [-0.3, 0.0, 0.3] {
+                        let wrench = tyre.wrench(&Contact { load, camber, ..contact(kappa, alpha) });
+                        let Wrench { force_x, force_y, moment_x, moment_y, moment_z } = wrench;
+                        let sum = force_x + force_y + moment_x + moment_y + moment_z;
+                        assert!(sum.is_finite(), "{load} {kappa} {alpha} {camber}: {wrench:?}");
+                        assert!(load > 0.0 || sum == 0.0);
+                    }
+                }
+            }
+        }
+    }
+}
