@@ -8,7 +8,7 @@ import numpy
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
-from pictures import BLUE, GREY, RED, _axes, _over_time, _save
+from pictures import BLUE, GREY, RED, labelled, over_time, save
 
 
 @dataclass(frozen=True)
@@ -27,7 +27,7 @@ class Quantity:
 def draw_runs(
     title: str,
     runs: Mapping[str, Mapping[str, numpy.ndarray]],
-    over_time: Sequence[Quantity],
+    rows: Sequence[Quantity],
     loops: Sequence[tuple[Quantity, Quantity]],
     path: Path,
 ) -> None:
@@ -38,34 +38,34 @@ def draw_runs(
     figure = Figure(figsize=(12, 7.2), layout="constrained")
     figure.suptitle(title, x=0.02, horizontalalignment="left")
     left, right = figure.subfigures(1, 2, width_ratios=[1.5, 1])
-    rows, panels = left.subplots(len(over_time), 1), right.subplots(len(loops), 1)
+    upper, panels = left.subplots(len(rows), 1), right.subplots(len(loops), 1)
     first = next(iter(runs.values()))
-    for axes, quantity in zip(rows, over_time, strict=True):
-        _axes(axes, "time [s]" if quantity is over_time[-1] else "", quantity.label)
-    _over_time(first["time"], *rows)
+    for axes, quantity in zip(upper, rows, strict=True):
+        labelled(axes, "time [s]" if quantity is rows[-1] else "", quantity.label)
+    over_time(first["time"], *upper)
     for axes, (across, up) in zip(panels, loops, strict=True):
-        _axes(axes, across.label, up.label).xaxis.set_major_locator(MaxNLocator(6))
+        labelled(axes, across.label, up.label).xaxis.set_major_locator(MaxNLocator(6))
     colours = [RED, BLUE] if len(runs) > 1 else [BLUE]
     for at, (run, colour) in enumerate(zip(runs.values(), colours, strict=True)):
-        _draw_run(run, rows, over_time, panels, loops, {"color": colour, "linewidth": 1.2, "zorder": 4 - at})
-    lines = dict(zip(runs, rows[0].get_lines(), strict=True))
+        _draw_run(run, upper, rows, panels, loops, {"color": colour, "linewidth": 1.2, "zorder": 4 - at})
+    lines = dict(zip(runs, upper[0].get_lines(), strict=True))
     if "road_height" in first:
         road = {"color": GREY, "linestyle": "--", "linewidth": 1}
-        lines["road"] = rows[0].plot(first["time"], over_time[0].factor * first["road_height"], **road)[0]
-    left.align_ylabels(rows)
+        lines["road"] = upper[0].plot(first["time"], rows[0].factor * first["road_height"], **road)[0]
+    left.align_ylabels(upper)
     figure.legend(lines.values(), lines.keys(), loc="outside upper right", ncols=3, frameon=False)
-    _save(figure, path)
+    save(figure, path)
 
 
 def _draw_run(
     run: Mapping[str, numpy.ndarray],
-    rows: Sequence[Axes],
-    over_time: Sequence[Quantity],
+    upper: Sequence[Axes],
+    rows: Sequence[Quantity],
     panels: Sequence[Axes],
     loops: Sequence[tuple[Quantity, Quantity]],
     look: Mapping[str, object],
 ) -> None:
-    for axes, quantity in zip(rows, over_time, strict=True):
+    for axes, quantity in zip(upper, rows, strict=True):
         axes.plot(run["time"], quantity.of(run), **look)
     for axes, (across, up) in zip(panels, loops, strict=True):
         axes.plot(across.of(run), up.of(run), **look)

@@ -3,7 +3,7 @@
 
     python examples/mujoco/plugin/run_plugin.py --step 1e-3
 
-Builds the plugin (see build.py), drives over the bump with it and with the FMU, and prints how far the two are apart:
+Builds the plugin (see build_plugin.py), drives over the bump with it and with the FMU, and prints how far the two are apart:
 both exchange force and motion once per step, so the motions are the same. Writes <out>.csv.
 """
 
@@ -23,7 +23,7 @@ sys.path.append(str(Path(__file__).resolve().parents[2] / "fmpy"))
 sys.path.append(str(Path(__file__).resolve().parents[2] / "multibody"))
 
 import mjcf
-from build import build
+from build_plugin import build
 from coupling import FMUS, main, numbers_of, path_of, write_csv
 from hosted_strut import open_strut
 from mujoco_host import QuarterCar, simulate

@@ -10,7 +10,7 @@
 //     </actuator>
 //
 // The tendon runs from eye to eye. Keys are the parameters of the ShockAbsorber; an enumeration takes the number of the
-// choice, from 1, a truth value 0 or 1. build.py compiles this file, quarter_car.py uses it.
+// choice, from 1, a truth value 0 or 1. build_plugin.py compiles this file, run_plugin.py uses it.
 //
 // What the strut remembers lies in MuJoCo's plugin state, so that copies of the simulation, mj_setState and repeated
 // calls of mj_forward do what they should: `compute` always begins where the last complete step ended.

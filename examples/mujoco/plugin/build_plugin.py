@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Compiles the actuator plugin against the headers and the library in the mujoco package, and against libstribeck.
 
-    python examples/mujoco/plugin/build.py
+    python examples/mujoco/plugin/build_plugin.py
 
 Needs cargo and a C++ compiler: c++, or what CXX names. Linux and macOS.
 """
