@@ -3,8 +3,8 @@
 
     python examples/mujoco/plugin/run_plugin.py --step 1e-3
 
-Builds the plugin (see build_plugin.py), drives over the bump with it and with the FMU, and prints how far the two are apart:
-both exchange force and motion once per step, so the motions are the same. Writes <out>.csv.
+Builds the plugin (see build_plugin.py), drives over the bump with it and with the FMU, and prints how far the two are
+apart: both exchange force and motion once per step, so the motions are the same. Writes <out>.csv.
 """
 
 import sys
