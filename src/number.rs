@@ -25,12 +25,12 @@ pub trait Real:
     fn tanh(self) -> Self;
     /// Sine.
     fn sin(self) -> Self;
-    /// Square root; `self` must not be negative.
-    fn sqrt(self) -> Self;
     /// Cosine.
     fn cos(self) -> Self;
     /// Arc tangent.
     fn atan(self) -> Self;
+    /// Square root; `self` must not be negative.
+    fn sqrt(self) -> Self;
     /// `self` to a constant power; `self` must not be negative.
     fn powf(self, exponent: Self) -> Self;
 
@@ -78,14 +78,14 @@ impl Real for f64 {
     fn sin(self) -> f64 {
         f64::sin(self)
     }
-    fn sqrt(self) -> f64 {
-        f64::sqrt(self)
-    }
     fn cos(self) -> f64 {
         f64::cos(self)
     }
     fn atan(self) -> f64 {
         f64::atan(self)
+    }
+    fn sqrt(self) -> f64 {
+        f64::sqrt(self)
     }
     fn powf(self, exponent: f64) -> f64 {
         f64::powf(self, exponent)
@@ -190,15 +190,15 @@ impl Real for Dual {
     fn sin(self) -> Dual {
         self.chain(self.value.sin(), self.value.cos())
     }
-    fn sqrt(self) -> Dual {
-        let value = self.value.sqrt();
-        self.chain(value, 0.5 / value)
-    }
     fn cos(self) -> Dual {
         self.chain(self.value.cos(), -self.value.sin())
     }
     fn atan(self) -> Dual {
         self.chain(self.value.atan(), 1.0 / (1.0 + self.value * self.value))
+    }
+    fn sqrt(self) -> Dual {
+        let value = self.value.sqrt();
+        self.chain(value, 0.5 / value)
     }
     fn powf(self, exponent: Dual) -> Dual {
         let value = self.value.powf(exponent.value);
