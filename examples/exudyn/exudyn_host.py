@@ -5,7 +5,7 @@ import numpy
 from coupling import CouplingError
 from exudyn.utilities import RigidBodyInertia
 from hosted_strut import UNLOADED, Strut, Wrench
-from report import Recorder, Run
+from report import Recorder, Run, steps_of
 from suspension import BUMP, DOUBLE_WISHBONE, GRAVITY, GUIDED, MACPHERSON, SPRUNG_MASS, TYRE, Body, Suspension
 from tqdm import tqdm
 
@@ -263,7 +263,7 @@ def simulate(
     side_loads: bool = False,
 ) -> Run:
     """Drives over the bump."""
-    steps = round(time / step)
+    steps = len(steps_of(time, step))
     car = QuarterCar(kind)
     car.tyre()
     with tqdm(total=steps, desc=label, unit="step", leave=False, disable=None) as progress:

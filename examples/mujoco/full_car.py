@@ -33,7 +33,7 @@ from coupling import main, positive, write_csv
 from friction_pictures import Quantity, draw_runs
 from hosted_strut import Strut, open_strut
 from magic_formula import LateralTyre
-from report import cases_of, strut_options
+from report import cases_of, steps_of, strut_options
 from suspension import CORNERS, DOUBLE_WISHBONE, SPRUNG_MASS, TYRE, Body, strut_parameters
 
 # Chosen: a car of middle size whose corners carry the same mass as the quarter cars.
@@ -228,7 +228,7 @@ def simulate(
     car = FullCar(step, manoeuvre)
     with ExitStack() as stack:
         struts = [stack.enter_context(open_strut(parameters, DOUBLE_WISHBONE.length(), **where)) for _ in CORNERS]
-        steps = tqdm(range(round(time / step)), desc=label, unit="step", leave=False, disable=None)
+        steps = tqdm(steps_of(time, step), desc=label, unit="step", leave=False, disable=None)
         rows = [car.advance(struts, at * step) for at in steps]
     return dict(zip([heading.split()[0] for heading in columns()], numpy.array(rows).T, strict=True))
 

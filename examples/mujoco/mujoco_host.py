@@ -4,7 +4,7 @@ import mjcf
 import mujoco
 import numpy
 from hosted_strut import UNLOADED, Strut, Wrench
-from report import Recorder, Run
+from report import Recorder, Run, steps_of
 from suspension import BUMP, DOUBLE_WISHBONE, GUIDED, MACPHERSON, TYRE, Suspension
 from tqdm import tqdm
 
@@ -70,11 +70,10 @@ def simulate(
     side_loads: bool = False,
 ) -> Run:
     """Drives over the bump."""
-    steps = round(time / step)
     suspension, build = SUSPENSIONS[kind]
     car = QuarterCar(suspension, build("fl", suspension), step)
     recorder = Recorder()
-    for at in tqdm(range(steps), desc=label, unit="step", leave=False, disable=None):
+    for at in tqdm(steps_of(time, step), desc=label, unit="step", leave=False, disable=None):
         length, velocity = car.look()
         force = strut.advance(length, velocity, step, car.wrench(length) if side_loads else UNLOADED)
         normal_1, normal_2 = strut.contact_loads()

@@ -114,6 +114,31 @@ class FmuStrut(Strut):
         return self.seen[0]
 
 
+# Parameters of the law inside the host, what it asks of others, and those that do not matter to it.
+NATIVE = (
+    "geom.length_extended",
+    "spring.k",
+    "spring.preload",
+    "damper.c_comp",
+    "damper.c_reb",
+    "friction.sigma_0",
+    "friction.sigma_1",
+    "friction.viscous_coefficient",
+    "friction.stribeck_velocity",
+    "c1.preload_k",
+    "c1.preload_s",
+    "c2.preload_k",
+    "c2.preload_s",
+)
+CHOICES = {
+    "friction.model": ["LuGre", "None"],
+    "damper.mode": ["Linear"],
+    "gas.enabled": [False],
+    "init.friction_state": ["Zero"],
+}
+WITHOUT_EFFECT = ("geom.", "bump.gap", "side.offset_m")
+
+
 class NativeStrut(Strut):
     """Spring, damper with two slopes and LuGre friction at two contacts: what a user would write into the host.
 
@@ -124,10 +149,9 @@ class NativeStrut(Strut):
     """
 
     def __init__(self, parameters: Mapping[str, object]):
-        number = {name: float(value) for name, value in parameters.items() if _is_number(value)}
-        law = str(parameters["friction.model"])
-        if law not in ("LuGre", "None"):
-            raise CouplingError(f"friction.model = {law}: the law inside the host is LuGre or None")
+        _refuse_unknown(parameters)
+        law = parameters["friction.model"]
+        number = {name: _number(name, parameters[name]) for name in NATIVE}
         self.extended = number["geom.length_extended"]
         self.stiffness, self.preload = number["spring.k"], number["spring.preload"]
         self.compression_damping, self.rebound_damping = number["damper.c_comp"], number["damper.c_reb"]
@@ -185,9 +209,16 @@ def open_strut(
             strut.close()
 
 
-def _is_number(value: object) -> bool:
+def _number(name: str, value: object) -> float:
     try:
-        float(value)
-    except (TypeError, ValueError):
-        return False
-    return True
+        return float(value)
+    except ValueError:
+        raise CouplingError(f"{name} = '{value}': must be a number") from None
+
+
+def _refuse_unknown(parameters: Mapping[str, object]) -> None:
+    for name, value in parameters.items():
+        choices = CHOICES.get(name, [value] if name in NATIVE or name.startswith(WITHOUT_EFFECT) else [])
+        if value not in choices:
+            wanted = f"must be {' or '.join(map(str, choices))}" if choices else f"it has {', '.join(NATIVE)}"
+            raise CouplingError(f"{name} = {value}: not in the law inside the host; {wanted}")

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy
-from coupling import FMUS, parameter, positive, write_csv
+from coupling import FMUS, CouplingError, parameter, positive, write_csv
 from friction_pictures import Quantity, draw_runs
 from suspension import BUMP
 
@@ -50,7 +50,7 @@ class Run:
     normal_2: numpy.ndarray
 
     def rest_height(self) -> float:
-        """Height of the body just before the bump."""
+        """Height of the body just before the bump, or at the end of a run that ends before it."""
         return float(numpy.interp(BUMP.start, self.time, self.body_height))
 
     def largest_stroke(self) -> float:
@@ -84,6 +84,14 @@ class Recorder:
     def run(self, label: str, design_length: float) -> Run:
         """What was recorded."""
         return Run(label, design_length, *numpy.array(self.rows).T)
+
+
+def steps_of(time: float, step: float) -> range:
+    """The steps of a run."""
+    steps = round(time / step)
+    if steps < 1:
+        raise CouplingError(f"time = {time} s: must be at least one step of {step} s")
+    return range(steps)
 
 
 def strut_options(about: str, out: str) -> argparse.ArgumentParser:

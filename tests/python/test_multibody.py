@@ -237,8 +237,13 @@ def test_the_native_law_refuses_what_it_does_not_know():
     strut = NativeStrut(strut_parameters(MACPHERSON))
     with pytest.raises(CouplingError, match="does not know side loads"):
         strut.advance(0.44, 0.0, 1e-3, Wrench(force_m=1.0))
-    with pytest.raises(CouplingError, match=r"friction.model = Dahl: .* LuGre or None"):
-        NativeStrut(strut_parameters(MACPHERSON) | {"friction.model": "Dahl"})
+    for changes, reason in (
+        ({"friction.model": "Dahl"}, r"friction.model = Dahl: .* LuGre or None"),
+        ({"damper.mode": "Degressive"}, r"damper.mode = Degressive: .* must be Linear"),
+        ({"friction.scale": 2.0}, r"friction.scale = 2.0: .* it has geom.length_extended, spring.k"),
+    ):
+        with pytest.raises(CouplingError, match=reason):
+            NativeStrut(strut_parameters(MACPHERSON) | changes)
 
 
 plugin_only = pytest.mark.skipif(sys.platform == "win32", reason="the plugin's script knows Linux and macOS")
@@ -371,6 +376,7 @@ def test_programs_name_what_is_wrong(tmp_path):
     command = [sys.executable, str(PROJECT / "examples" / "mujoco" / "quarter_car.py"), "--time", "0.1"]
     for options, reason in (
         (["--law", "Nonsense"], "friction.model = 'Nonsense': must be one of None,"),
+        (["--step", "1"], "time = 0.1 s: must be at least one step of 1.0 s"),
         (["--native", "--suspension", "macpherson", "--side-loads"], "does not know side loads"),
     ):
         done = subprocess.run([*command, *options], cwd=tmp_path, capture_output=True, text=True, timeout=100)

@@ -27,7 +27,7 @@ from build_plugin import build
 from coupling import FMUS, main, numbers_of, path_of, write_csv
 from hosted_strut import open_strut
 from mujoco_host import QuarterCar, simulate
-from report import cases_of, quarter_car_options
+from report import cases_of, quarter_car_options, steps_of
 from suspension import DOUBLE_WISHBONE, strut_parameters
 
 PLUGIN = "stribeck.shock_absorber"
@@ -59,7 +59,7 @@ def simulate_plugin(
     load_plugin()
     car = QuarterCar(DOUBLE_WISHBONE, parts(parameters, fmus), step)
     rows = []
-    for at in tqdm(range(round(time / step)), desc=label, unit="step", leave=False, disable=None):
+    for at in tqdm(steps_of(time, step), desc=label, unit="step", leave=False, disable=None):
         seen = [at * step, *car.look(), car.body_height()]
         car.move(at * step)
         rows.append([*seen, float(car.data.actuator_force[0])])
