@@ -4050,9 +4050,9 @@ typedef enum stribeck_shock_absorber_variable {
   STRIBECK_SHOCK_ABSORBER_GEOM_LENGTH_EXTENDED = 10,
   /** fixed [m]: Stroke from full extension to full compression. (> 0, default 0.055) */
   STRIBECK_SHOCK_ABSORBER_GEOM_STROKE = 11,
-  /** fixed [m]: Distance from the eye of the tube to the rod guide. (> 0, default 0.125) */
+  /** fixed [m]: Distance from the eye of the tube to the rod guide (default chosen). (> 0, default 0.125) */
   STRIBECK_SHOCK_ABSORBER_GEOM_D_I = 12,
-  /** fixed [m]: Distance from the eye of the rod to the piston. (> 0, default 0.105) */
+  /** fixed [m]: Distance from the eye of the rod to the piston (default chosen). (> 0, default 0.105) */
   STRIBECK_SHOCK_ABSORBER_GEOM_D_J = 13,
   /** fixed [m]: Overlap below which the contact forces are kept finite (default chosen). (>= 0, default 0.002) */
   STRIBECK_SHOCK_ABSORBER_GEOM_H_REG = 14,
@@ -4064,97 +4064,98 @@ typedef enum stribeck_shock_absorber_variable {
   STRIBECK_SHOCK_ABSORBER_SPRING_MODE = 17,
   /** tunable [N/m]: Stiffness. (>= 0, default 45000) */
   STRIBECK_SHOCK_ABSORBER_SPRING_K = 18,
-  /** tunable [N]: Force at full extension. (default 150) */
+  /** tunable [N]: Force at full extension (default chosen). (default 150) */
   STRIBECK_SHOCK_ABSORBER_SPRING_PRELOAD = 19,
-  /** fixed [Integer]: Number of points of the table in use. (>= 2, <= 16, default 3) */
+  /** fixed [Integer]: Number of points of the table in use (default chosen). (>= 2, <= 16, default 3) */
   STRIBECK_SHOCK_ABSORBER_SPRING_TAB_N = 20,
-  /** tunable [m]: Compressions of the table, rising. (default 0) */
+  /** tunable [m]: Compressions of the table, rising (default chosen). (default 0) */
   STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_1 = 21,
-  /** tunable [m]: Compressions of the table, rising. (default 0.03) */
+  /** tunable [m]: Compressions of the table, rising (default chosen). (default 0.03) */
   STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_2 = 22,
-  /** tunable [m]: Compressions of the table, rising. (default 0.055) */
+  /** tunable [m]: Compressions of the table, rising (default chosen). (default 0.055) */
   STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_3 = 23,
-  /** tunable [m]: Compressions of the table, rising. (default 0) */
+  /** tunable [m]: Compressions of the table, rising (default chosen). (default 0) */
   STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_4 = 24,
-  /** tunable [m]: Compressions of the table, rising. (default 0) */
+  /** tunable [m]: Compressions of the table, rising (default chosen). (default 0) */
   STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_5 = 25,
-  /** tunable [m]: Compressions of the table, rising. (default 0) */
+  /** tunable [m]: Compressions of the table, rising (default chosen). (default 0) */
   STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_6 = 26,
-  /** tunable [m]: Compressions of the table, rising. (default 0) */
+  /** tunable [m]: Compressions of the table, rising (default chosen). (default 0) */
   STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_7 = 27,
-  /** tunable [m]: Compressions of the table, rising. (default 0) */
+  /** tunable [m]: Compressions of the table, rising (default chosen). (default 0) */
   STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_8 = 28,
-  /** tunable [m]: Compressions of the table, rising. (default 0) */
+  /** tunable [m]: Compressions of the table, rising (default chosen). (default 0) */
   STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_9 = 29,
-  /** tunable [m]: Compressions of the table, rising. (default 0) */
+  /** tunable [m]: Compressions of the table, rising (default chosen). (default 0) */
   STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_10 = 30,
-  /** tunable [m]: Compressions of the table, rising. (default 0) */
+  /** tunable [m]: Compressions of the table, rising (default chosen). (default 0) */
   STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_11 = 31,
-  /** tunable [m]: Compressions of the table, rising. (default 0) */
+  /** tunable [m]: Compressions of the table, rising (default chosen). (default 0) */
   STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_12 = 32,
-  /** tunable [m]: Compressions of the table, rising. (default 0) */
+  /** tunable [m]: Compressions of the table, rising (default chosen). (default 0) */
   STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_13 = 33,
-  /** tunable [m]: Compressions of the table, rising. (default 0) */
+  /** tunable [m]: Compressions of the table, rising (default chosen). (default 0) */
   STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_14 = 34,
-  /** tunable [m]: Compressions of the table, rising. (default 0) */
+  /** tunable [m]: Compressions of the table, rising (default chosen). (default 0) */
   STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_15 = 35,
-  /** tunable [m]: Compressions of the table, rising. (default 0) */
+  /** tunable [m]: Compressions of the table, rising (default chosen). (default 0) */
   STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_16 = 36,
-  /** tunable [N]: Forces of the table, without preload (the example is chosen). (default 0) */
+  /** tunable [N]: Forces of the table, without preload (default chosen). (default 0) */
   STRIBECK_SHOCK_ABSORBER_SPRING_TAB_F_1 = 37,
-  /** tunable [N]: Forces of the table, without preload (the example is chosen). (default 1350) */
+  /** tunable [N]: Forces of the table, without preload (default chosen). (default 1350) */
   STRIBECK_SHOCK_ABSORBER_SPRING_TAB_F_2 = 38,
-  /** tunable [N]: Forces of the table, without preload (the example is chosen). (default 2850) */
+  /** tunable [N]: Forces of the table, without preload (default chosen). (default 2850) */
   STRIBECK_SHOCK_ABSORBER_SPRING_TAB_F_3 = 39,
-  /** tunable [N]: Forces of the table, without preload (the example is chosen). (default 0) */
+  /** tunable [N]: Forces of the table, without preload (default chosen). (default 0) */
   STRIBECK_SHOCK_ABSORBER_SPRING_TAB_F_4 = 40,
-  /** tunable [N]: Forces of the table, without preload (the example is chosen). (default 0) */
+  /** tunable [N]: Forces of the table, without preload (default chosen). (default 0) */
   STRIBECK_SHOCK_ABSORBER_SPRING_TAB_F_5 = 41,
-  /** tunable [N]: Forces of the table, without preload (the example is chosen). (default 0) */
+  /** tunable [N]: Forces of the table, without preload (default chosen). (default 0) */
   STRIBECK_SHOCK_ABSORBER_SPRING_TAB_F_6 = 42,
-  /** tunable [N]: Forces of the table, without preload (the example is chosen). (default 0) */
+  /** tunable [N]: Forces of the table, without preload (default chosen). (default 0) */
   STRIBECK_SHOCK_ABSORBER_SPRING_TAB_F_7 = 43,
-  /** tunable [N]: Forces of the table, without preload (the example is chosen). (default 0) */
+  /** tunable [N]: Forces of the table, without preload (default chosen). (default 0) */
   STRIBECK_SHOCK_ABSORBER_SPRING_TAB_F_8 = 44,
-  /** tunable [N]: Forces of the table, without preload (the example is chosen). (default 0) */
+  /** tunable [N]: Forces of the table, without preload (default chosen). (default 0) */
   STRIBECK_SHOCK_ABSORBER_SPRING_TAB_F_9 = 45,
-  /** tunable [N]: Forces of the table, without preload (the example is chosen). (default 0) */
+  /** tunable [N]: Forces of the table, without preload (default chosen). (default 0) */
   STRIBECK_SHOCK_ABSORBER_SPRING_TAB_F_10 = 46,
-  /** tunable [N]: Forces of the table, without preload (the example is chosen). (default 0) */
+  /** tunable [N]: Forces of the table, without preload (default chosen). (default 0) */
   STRIBECK_SHOCK_ABSORBER_SPRING_TAB_F_11 = 47,
-  /** tunable [N]: Forces of the table, without preload (the example is chosen). (default 0) */
+  /** tunable [N]: Forces of the table, without preload (default chosen). (default 0) */
   STRIBECK_SHOCK_ABSORBER_SPRING_TAB_F_12 = 48,
-  /** tunable [N]: Forces of the table, without preload (the example is chosen). (default 0) */
+  /** tunable [N]: Forces of the table, without preload (default chosen). (default 0) */
   STRIBECK_SHOCK_ABSORBER_SPRING_TAB_F_13 = 49,
-  /** tunable [N]: Forces of the table, without preload (the example is chosen). (default 0) */
+  /** tunable [N]: Forces of the table, without preload (default chosen). (default 0) */
   STRIBECK_SHOCK_ABSORBER_SPRING_TAB_F_14 = 50,
-  /** tunable [N]: Forces of the table, without preload (the example is chosen). (default 0) */
+  /** tunable [N]: Forces of the table, without preload (default chosen). (default 0) */
   STRIBECK_SHOCK_ABSORBER_SPRING_TAB_F_15 = 51,
-  /** tunable [N]: Forces of the table, without preload (the example is chosen). (default 0) */
+  /** tunable [N]: Forces of the table, without preload (default chosen). (default 0) */
   STRIBECK_SHOCK_ABSORBER_SPRING_TAB_F_16 = 52,
   /** fixed [Boolean]: Is there a gas force? (default true) */
   STRIBECK_SHOCK_ABSORBER_GAS_ENABLED = 53,
-  /** tunable [Pa]: Absolute gas pressure at full extension. (>= 0, default 1000000) */
+  /** tunable [Pa]: Absolute gas pressure at full extension (default chosen). (>= 0, default 1000000) */
   STRIBECK_SHOCK_ABSORBER_GAS_P0 = 54,
-  /** fixed [m3]: Gas volume at full extension. (> 0, default 3e-5) */
+  /** fixed [m3]: Gas volume at full extension (default chosen). (> 0, default 3e-5) */
   STRIBECK_SHOCK_ABSORBER_GAS_V0 = 55,
-  /** fixed [1]: Polytropic exponent. (>= 0, default 1.2) */
+  /** fixed [1]: Polytropic exponent (default chosen). (>= 0, default 1.2) */
   STRIBECK_SHOCK_ABSORBER_GAS_N = 56,
-  /** fixed [m]: Diameter of the rod. (>= 0, default 0.014) */
+  /** fixed [m]: Diameter of the rod (default chosen). (>= 0, default 0.014) */
   STRIBECK_SHOCK_ABSORBER_GAS_ROD_DIAMETER = 57,
   /** tunable [Pa]: Ambient pressure. (>= 0, default 101325) */
   STRIBECK_SHOCK_ABSORBER_GAS_P_AMBIENT = 58,
-  /** fixed [m]: Compression from full extension at which the bump stop is touched. (default 0.04) */
+  /** fixed [m]: Compression from full extension at which the bump stop is touched (default chosen). (default 0.04) */
   STRIBECK_SHOCK_ABSORBER_BUMP_GAP = 59,
   /** fixed [stribeck_bump_mode]: Form of the bump stop's characteristic. (default Linear) */
   STRIBECK_SHOCK_ABSORBER_BUMP_MODE = 60,
-  /** tunable [N/m]: Stiffness: of the linear form, and first coefficient of the cubic one. (>= 0, default 150000) */
+  /** tunable [N/m]: Stiffness: of the linear form, and first coefficient of the cubic one (default chosen).
+   *  (>= 0, default 150000) */
   STRIBECK_SHOCK_ABSORBER_BUMP_K = 61,
-  /** tunable [1]: Exponent of the power form. (>= 1, default 2.2) */
+  /** tunable [1]: Exponent of the power form (default chosen). (>= 1, default 2.2) */
   STRIBECK_SHOCK_ABSORBER_BUMP_N = 62,
-  /** tunable [m]: Compression at which the power form has the force F_ref. (> 0, default 0.01) */
+  /** tunable [m]: Compression at which the power form has the force F_ref (default chosen). (> 0, default 0.01) */
   STRIBECK_SHOCK_ABSORBER_BUMP_X_REF = 63,
-  /** tunable [N]: Force of the power form at x_ref. (>= 0, default 1500) */
+  /** tunable [N]: Force of the power form at x_ref (default chosen). (>= 0, default 1500) */
   STRIBECK_SHOCK_ABSORBER_BUMP_F_REF = 64,
   /** tunable [N/m2]: Second coefficient of the cubic form. (>= 0, default 0) */
   STRIBECK_SHOCK_ABSORBER_BUMP_K2 = 65,
@@ -4164,85 +4165,101 @@ typedef enum stribeck_shock_absorber_variable {
   STRIBECK_SHOCK_ABSORBER_BUMP_C = 67,
   /** fixed [m]: Compression from full extension at which the rebound stop is touched. (default 0) */
   STRIBECK_SHOCK_ABSORBER_REBOUND_GAP = 68,
-  /** tunable [N/m]: Stiffness. (>= 0, default 1000000) */
+  /** tunable [N/m]: Stiffness (default chosen). (>= 0, default 1000000) */
   STRIBECK_SHOCK_ABSORBER_REBOUND_K = 69,
   /** tunable [N.s/m]: Damping while the stop is touched. (>= 0, default 0) */
   STRIBECK_SHOCK_ABSORBER_REBOUND_C = 70,
   /** fixed [stribeck_damper_mode]: Form of the damper's characteristic. (default Linear) */
   STRIBECK_SHOCK_ABSORBER_DAMPER_MODE = 71,
-  /** tunable [N.s/m]: Damping coefficient in compression. (>= 0, default 1500) */
+  /** tunable [N.s/m]: Damping coefficient in compression (default chosen). (>= 0, default 1500) */
   STRIBECK_SHOCK_ABSORBER_DAMPER_C_COMP = 72,
-  /** tunable [N.s/m]: Damping coefficient in extension (rebound). (>= 0, default 2300) */
+  /** tunable [N.s/m]: Damping coefficient in extension, the rebound (default chosen). (>= 0, default 2300) */
   STRIBECK_SHOCK_ABSORBER_DAMPER_C_REB = 73,
   /** tunable [s/m]: Degression in compression. (>= 0, default 0) */
   STRIBECK_SHOCK_ABSORBER_DAMPER_DEGR_COMP = 74,
   /** tunable [s/m]: Degression in extension. (>= 0, default 0) */
   STRIBECK_SHOCK_ABSORBER_DAMPER_DEGR_REB = 75,
-  /** fixed [Integer]: Number of points of the table in use. (>= 2, <= 16, default 11) */
+  /** fixed [Integer]: Number of points of the table in use (default chosen). (>= 2, <= 16, default 11) */
   STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_N = 76,
-  /** tunable [m/s]: Velocities of the table, rising; positive in extension. (default -1) */
+  /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default -1) */
   STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_1 = 77,
-  /** tunable [m/s]: Velocities of the table, rising; positive in extension. (default -0.5) */
+  /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default -0.5) */
   STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_2 = 78,
-  /** tunable [m/s]: Velocities of the table, rising; positive in extension. (default -0.25) */
+  /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default -0.25) */
   STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_3 = 79,
-  /** tunable [m/s]: Velocities of the table, rising; positive in extension. (default -0.1) */
+  /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default -0.1) */
   STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_4 = 80,
-  /** tunable [m/s]: Velocities of the table, rising; positive in extension. (default -0.05) */
+  /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default -0.05) */
   STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_5 = 81,
-  /** tunable [m/s]: Velocities of the table, rising; positive in extension. (default 0) */
+  /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default 0) */
   STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_6 = 82,
-  /** tunable [m/s]: Velocities of the table, rising; positive in extension. (default 0.05) */
+  /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default 0.05) */
   STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_7 = 83,
-  /** tunable [m/s]: Velocities of the table, rising; positive in extension. (default 0.1) */
+  /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default 0.1) */
   STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_8 = 84,
-  /** tunable [m/s]: Velocities of the table, rising; positive in extension. (default 0.25) */
+  /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default 0.25) */
   STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_9 = 85,
-  /** tunable [m/s]: Velocities of the table, rising; positive in extension. (default 0.5) */
+  /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default 0.5) */
   STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_10 = 86,
-  /** tunable [m/s]: Velocities of the table, rising; positive in extension. (default 1) */
+  /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default 1) */
   STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_11 = 87,
-  /** tunable [m/s]: Velocities of the table, rising; positive in extension. (default 0) */
+  /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default 0) */
   STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_12 = 88,
-  /** tunable [m/s]: Velocities of the table, rising; positive in extension. (default 0) */
+  /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default 0) */
   STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_13 = 89,
-  /** tunable [m/s]: Velocities of the table, rising; positive in extension. (default 0) */
+  /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default 0) */
   STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_14 = 90,
-  /** tunable [m/s]: Velocities of the table, rising; positive in extension. (default 0) */
+  /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default 0) */
   STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_15 = 91,
-  /** tunable [m/s]: Velocities of the table, rising; positive in extension. (default 0) */
+  /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default 0) */
   STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_16 = 92,
-  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling. (default -1150) */
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
+   *  (default -1150) */
   STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_1 = 93,
-  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling. (default -700) */
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
+   *  (default -700) */
   STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_2 = 94,
-  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling. (default -430) */
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
+   *  (default -430) */
   STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_3 = 95,
-  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling. (default -210) */
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
+   *  (default -210) */
   STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_4 = 96,
-  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling. (default -110) */
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
+   *  (default -110) */
   STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_5 = 97,
-  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling. (default 0) */
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
+   *  (default 0) */
   STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_6 = 98,
-  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling. (default 180) */
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
+   *  (default 180) */
   STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_7 = 99,
-  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling. (default 340) */
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
+   *  (default 340) */
   STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_8 = 100,
-  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling. (default 640) */
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
+   *  (default 640) */
   STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_9 = 101,
-  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling. (default 950) */
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
+   *  (default 950) */
   STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_10 = 102,
-  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling. (default 1500) */
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
+   *  (default 1500) */
   STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_11 = 103,
-  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling. (default 0) */
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
+   *  (default 0) */
   STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_12 = 104,
-  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling. (default 0) */
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
+   *  (default 0) */
   STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_13 = 105,
-  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling. (default 0) */
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
+   *  (default 0) */
   STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_14 = 106,
-  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling. (default 0) */
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
+   *  (default 0) */
   STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_15 = 107,
-  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling. (default 0) */
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
+   *  (default 0) */
   STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_16 = 108,
   /** fixed [stribeck_interpolation]: Curve through the points of the table. (default Linear) */
   STRIBECK_SHOCK_ABSORBER_DAMPER_INTERPOLATION = 109,
@@ -4432,21 +4449,23 @@ typedef enum stribeck_shock_absorber_variable {
   STRIBECK_SHOCK_ABSORBER_FRICTION_HYSTERESIS_STRENGTH = 194,
   /** tunable [s]: Time constant with which the static level rises at rest. (> 0, default 2) */
   STRIBECK_SHOCK_ABSORBER_FRICTION_DWELL_TIME_CONSTANT = 195,
-  /** tunable [1]: Static coefficient of friction; not less than mu_k. (>= 0, default 0.15) */
+  /** tunable [1]: Static coefficient of friction; not less than mu_k (default chosen). (>= 0, default 0.15) */
   STRIBECK_SHOCK_ABSORBER_C1_MU_S = 196,
-  /** tunable [1]: Kinetic coefficient of friction. (>= 0, default 0.1) */
+  /** tunable [1]: Kinetic coefficient of friction (default chosen). (>= 0, default 0.1) */
   STRIBECK_SHOCK_ABSORBER_C1_MU_K = 197,
-  /** tunable [N]: Breakaway force without normal force, as of a seal; not less than preload_k. (>= 0, default 10) */
+  /** tunable [N]: Breakaway force without normal force, as of a seal; not less than preload_k (default chosen).
+   *  (>= 0, default 10) */
   STRIBECK_SHOCK_ABSORBER_C1_PRELOAD_S = 198,
-  /** tunable [N]: Sliding friction force without normal force, as of a seal. (>= 0, default 8) */
+  /** tunable [N]: Sliding friction force without normal force, as of a seal (default chosen). (>= 0, default 8) */
   STRIBECK_SHOCK_ABSORBER_C1_PRELOAD_K = 199,
-  /** tunable [1]: Static coefficient of friction; not less than mu_k. (>= 0, default 0.1) */
+  /** tunable [1]: Static coefficient of friction; not less than mu_k (default chosen). (>= 0, default 0.1) */
   STRIBECK_SHOCK_ABSORBER_C2_MU_S = 200,
-  /** tunable [1]: Kinetic coefficient of friction. (>= 0, default 0.08) */
+  /** tunable [1]: Kinetic coefficient of friction (default chosen). (>= 0, default 0.08) */
   STRIBECK_SHOCK_ABSORBER_C2_MU_K = 201,
-  /** tunable [N]: Breakaway force without normal force, as of a seal; not less than preload_k. (>= 0, default 8) */
+  /** tunable [N]: Breakaway force without normal force, as of a seal; not less than preload_k (default chosen).
+   *  (>= 0, default 8) */
   STRIBECK_SHOCK_ABSORBER_C2_PRELOAD_S = 202,
-  /** tunable [N]: Sliding friction force without normal force, as of a seal. (>= 0, default 6) */
+  /** tunable [N]: Sliding friction force without normal force, as of a seal (default chosen). (>= 0, default 6) */
   STRIBECK_SHOCK_ABSORBER_C2_PRELOAD_K = 203,
   /** fixed [stribeck_side_mode]: Side loads that act on the joint. (default Sum) */
   STRIBECK_SHOCK_ABSORBER_SIDE_MODE = 204,
@@ -4468,7 +4487,8 @@ typedef enum stribeck_shock_absorber_variable {
   STRIBECK_SHOCK_ABSORBER_THERMAL_ENABLED = 211,
   /** tunable [1/K]: Relative loss of damper force per kelvin (default chosen). (>= 0, default 0.003) */
   STRIBECK_SHOCK_ABSORBER_THERMAL_BETA = 212,
-  /** fixed [K]: Temperature at which the damper's characteristic was measured. (> 0, default 293.15) */
+  /** fixed [K]: Temperature at which the damper's characteristic was measured (default chosen).
+   *  (> 0, default 293.15) */
   STRIBECK_SHOCK_ABSORBER_THERMAL_TEMPERATURE_REF = 213,
   /** fixed [J/K]: Heat capacity of the damper (default chosen: 0.6 kg of aluminium and oil). (> 0, default 600) */
   STRIBECK_SHOCK_ABSORBER_THERMAL_CAPACITY = 214,
@@ -4481,7 +4501,7 @@ typedef enum stribeck_shock_absorber_variable {
   STRIBECK_SHOCK_ABSORBER_ADAPTER_LENGTH_GAIN = 217,
   /** fixed [1]: Factor on force_travel, for the host's unit of force. (default 1) */
   STRIBECK_SHOCK_ABSORBER_ADAPTER_FORCE_GAIN = 218,
-  /** fixed [s]: Largest internal step. (> 0, default 0.0001) */
+  /** fixed [s]: Largest internal step (default chosen). (> 0, default 0.0001) */
   STRIBECK_SHOCK_ABSORBER_NUM_H_MAX = 219,
   /** fixed [stribeck_input_mode]: How the inputs move within a step. (default Hold) */
   STRIBECK_SHOCK_ABSORBER_NUM_INPUT_MODE = 220,
@@ -5553,9 +5573,9 @@ typedef enum stribeck_telescopic_joint_variable {
   STRIBECK_TELESCOPIC_JOINT_CONVENTION = 5,
   /** fixed [stribeck_normal_sum]: How the contact forces are summed up. (default TwoPoint) */
   STRIBECK_TELESCOPIC_JOINT_NORMAL_SUM = 6,
-  /** fixed [m]: Distance from the eye of the tube to the rod guide. (> 0, default 0.125) */
+  /** fixed [m]: Distance from the eye of the tube to the rod guide (default chosen). (> 0, default 0.125) */
   STRIBECK_TELESCOPIC_JOINT_GEOM_D_I = 7,
-  /** fixed [m]: Distance from the eye of the rod to the piston. (> 0, default 0.105) */
+  /** fixed [m]: Distance from the eye of the rod to the piston (default chosen). (> 0, default 0.105) */
   STRIBECK_TELESCOPIC_JOINT_GEOM_D_J = 8,
   /** fixed [m]: Overlap below which the contact forces are kept finite (default chosen). (>= 0, default 0.002) */
   STRIBECK_TELESCOPIC_JOINT_GEOM_H_REG = 9,
@@ -5594,13 +5614,14 @@ typedef enum stribeck_guide_contact_variable {
   STRIBECK_GUIDE_CONTACT_ACCELERATION = 4,
   /** tunable [m]: Radius of the contact. (>= 0, default 0.007) */
   STRIBECK_GUIDE_CONTACT_RADIUS = 5,
-  /** tunable [1]: Static coefficient of friction; not less than mu_k. (>= 0, default 0.15) */
+  /** tunable [1]: Static coefficient of friction; not less than mu_k (default chosen). (>= 0, default 0.15) */
   STRIBECK_GUIDE_CONTACT_LEVELS_MU_S = 6,
-  /** tunable [1]: Kinetic coefficient of friction. (>= 0, default 0.1) */
+  /** tunable [1]: Kinetic coefficient of friction (default chosen). (>= 0, default 0.1) */
   STRIBECK_GUIDE_CONTACT_LEVELS_MU_K = 7,
-  /** tunable [N]: Breakaway force without normal force, as of a seal; not less than preload_k. (>= 0, default 10) */
+  /** tunable [N]: Breakaway force without normal force, as of a seal; not less than preload_k (default chosen).
+   *  (>= 0, default 10) */
   STRIBECK_GUIDE_CONTACT_LEVELS_PRELOAD_S = 8,
-  /** tunable [N]: Sliding friction force without normal force, as of a seal. (>= 0, default 8) */
+  /** tunable [N]: Sliding friction force without normal force, as of a seal (default chosen). (>= 0, default 8) */
   STRIBECK_GUIDE_CONTACT_LEVELS_PRELOAD_K = 9,
   /** fixed [stribeck_friction_model]: Friction law; parameters that it does not have are ignored. (default LuGre) */
   STRIBECK_GUIDE_CONTACT_FRICTION_MODEL = 10,
@@ -6203,73 +6224,73 @@ typedef enum stribeck_coil_spring_variable {
   STRIBECK_COIL_SPRING_SPRING_MODE = 1,
   /** tunable [N/m]: Stiffness. (>= 0, default 45000) */
   STRIBECK_COIL_SPRING_SPRING_K = 2,
-  /** tunable [N]: Force at full extension. (default 150) */
+  /** tunable [N]: Force at full extension (default chosen). (default 150) */
   STRIBECK_COIL_SPRING_SPRING_PRELOAD = 3,
-  /** fixed [Integer]: Number of points of the table in use. (>= 2, <= 16, default 3) */
+  /** fixed [Integer]: Number of points of the table in use (default chosen). (>= 2, <= 16, default 3) */
   STRIBECK_COIL_SPRING_SPRING_TAB_N = 4,
-  /** tunable [m]: Compressions of the table, rising. (default 0) */
+  /** tunable [m]: Compressions of the table, rising (default chosen). (default 0) */
   STRIBECK_COIL_SPRING_SPRING_TAB_X_1 = 5,
-  /** tunable [m]: Compressions of the table, rising. (default 0.03) */
+  /** tunable [m]: Compressions of the table, rising (default chosen). (default 0.03) */
   STRIBECK_COIL_SPRING_SPRING_TAB_X_2 = 6,
-  /** tunable [m]: Compressions of the table, rising. (default 0.055) */
+  /** tunable [m]: Compressions of the table, rising (default chosen). (default 0.055) */
   STRIBECK_COIL_SPRING_SPRING_TAB_X_3 = 7,
-  /** tunable [m]: Compressions of the table, rising. (default 0) */
+  /** tunable [m]: Compressions of the table, rising (default chosen). (default 0) */
   STRIBECK_COIL_SPRING_SPRING_TAB_X_4 = 8,
-  /** tunable [m]: Compressions of the table, rising. (default 0) */
+  /** tunable [m]: Compressions of the table, rising (default chosen). (default 0) */
   STRIBECK_COIL_SPRING_SPRING_TAB_X_5 = 9,
-  /** tunable [m]: Compressions of the table, rising. (default 0) */
+  /** tunable [m]: Compressions of the table, rising (default chosen). (default 0) */
   STRIBECK_COIL_SPRING_SPRING_TAB_X_6 = 10,
-  /** tunable [m]: Compressions of the table, rising. (default 0) */
+  /** tunable [m]: Compressions of the table, rising (default chosen). (default 0) */
   STRIBECK_COIL_SPRING_SPRING_TAB_X_7 = 11,
-  /** tunable [m]: Compressions of the table, rising. (default 0) */
+  /** tunable [m]: Compressions of the table, rising (default chosen). (default 0) */
   STRIBECK_COIL_SPRING_SPRING_TAB_X_8 = 12,
-  /** tunable [m]: Compressions of the table, rising. (default 0) */
+  /** tunable [m]: Compressions of the table, rising (default chosen). (default 0) */
   STRIBECK_COIL_SPRING_SPRING_TAB_X_9 = 13,
-  /** tunable [m]: Compressions of the table, rising. (default 0) */
+  /** tunable [m]: Compressions of the table, rising (default chosen). (default 0) */
   STRIBECK_COIL_SPRING_SPRING_TAB_X_10 = 14,
-  /** tunable [m]: Compressions of the table, rising. (default 0) */
+  /** tunable [m]: Compressions of the table, rising (default chosen). (default 0) */
   STRIBECK_COIL_SPRING_SPRING_TAB_X_11 = 15,
-  /** tunable [m]: Compressions of the table, rising. (default 0) */
+  /** tunable [m]: Compressions of the table, rising (default chosen). (default 0) */
   STRIBECK_COIL_SPRING_SPRING_TAB_X_12 = 16,
-  /** tunable [m]: Compressions of the table, rising. (default 0) */
+  /** tunable [m]: Compressions of the table, rising (default chosen). (default 0) */
   STRIBECK_COIL_SPRING_SPRING_TAB_X_13 = 17,
-  /** tunable [m]: Compressions of the table, rising. (default 0) */
+  /** tunable [m]: Compressions of the table, rising (default chosen). (default 0) */
   STRIBECK_COIL_SPRING_SPRING_TAB_X_14 = 18,
-  /** tunable [m]: Compressions of the table, rising. (default 0) */
+  /** tunable [m]: Compressions of the table, rising (default chosen). (default 0) */
   STRIBECK_COIL_SPRING_SPRING_TAB_X_15 = 19,
-  /** tunable [m]: Compressions of the table, rising. (default 0) */
+  /** tunable [m]: Compressions of the table, rising (default chosen). (default 0) */
   STRIBECK_COIL_SPRING_SPRING_TAB_X_16 = 20,
-  /** tunable [N]: Forces of the table, without preload (the example is chosen). (default 0) */
+  /** tunable [N]: Forces of the table, without preload (default chosen). (default 0) */
   STRIBECK_COIL_SPRING_SPRING_TAB_F_1 = 21,
-  /** tunable [N]: Forces of the table, without preload (the example is chosen). (default 1350) */
+  /** tunable [N]: Forces of the table, without preload (default chosen). (default 1350) */
   STRIBECK_COIL_SPRING_SPRING_TAB_F_2 = 22,
-  /** tunable [N]: Forces of the table, without preload (the example is chosen). (default 2850) */
+  /** tunable [N]: Forces of the table, without preload (default chosen). (default 2850) */
   STRIBECK_COIL_SPRING_SPRING_TAB_F_3 = 23,
-  /** tunable [N]: Forces of the table, without preload (the example is chosen). (default 0) */
+  /** tunable [N]: Forces of the table, without preload (default chosen). (default 0) */
   STRIBECK_COIL_SPRING_SPRING_TAB_F_4 = 24,
-  /** tunable [N]: Forces of the table, without preload (the example is chosen). (default 0) */
+  /** tunable [N]: Forces of the table, without preload (default chosen). (default 0) */
   STRIBECK_COIL_SPRING_SPRING_TAB_F_5 = 25,
-  /** tunable [N]: Forces of the table, without preload (the example is chosen). (default 0) */
+  /** tunable [N]: Forces of the table, without preload (default chosen). (default 0) */
   STRIBECK_COIL_SPRING_SPRING_TAB_F_6 = 26,
-  /** tunable [N]: Forces of the table, without preload (the example is chosen). (default 0) */
+  /** tunable [N]: Forces of the table, without preload (default chosen). (default 0) */
   STRIBECK_COIL_SPRING_SPRING_TAB_F_7 = 27,
-  /** tunable [N]: Forces of the table, without preload (the example is chosen). (default 0) */
+  /** tunable [N]: Forces of the table, without preload (default chosen). (default 0) */
   STRIBECK_COIL_SPRING_SPRING_TAB_F_8 = 28,
-  /** tunable [N]: Forces of the table, without preload (the example is chosen). (default 0) */
+  /** tunable [N]: Forces of the table, without preload (default chosen). (default 0) */
   STRIBECK_COIL_SPRING_SPRING_TAB_F_9 = 29,
-  /** tunable [N]: Forces of the table, without preload (the example is chosen). (default 0) */
+  /** tunable [N]: Forces of the table, without preload (default chosen). (default 0) */
   STRIBECK_COIL_SPRING_SPRING_TAB_F_10 = 30,
-  /** tunable [N]: Forces of the table, without preload (the example is chosen). (default 0) */
+  /** tunable [N]: Forces of the table, without preload (default chosen). (default 0) */
   STRIBECK_COIL_SPRING_SPRING_TAB_F_11 = 31,
-  /** tunable [N]: Forces of the table, without preload (the example is chosen). (default 0) */
+  /** tunable [N]: Forces of the table, without preload (default chosen). (default 0) */
   STRIBECK_COIL_SPRING_SPRING_TAB_F_12 = 32,
-  /** tunable [N]: Forces of the table, without preload (the example is chosen). (default 0) */
+  /** tunable [N]: Forces of the table, without preload (default chosen). (default 0) */
   STRIBECK_COIL_SPRING_SPRING_TAB_F_13 = 33,
-  /** tunable [N]: Forces of the table, without preload (the example is chosen). (default 0) */
+  /** tunable [N]: Forces of the table, without preload (default chosen). (default 0) */
   STRIBECK_COIL_SPRING_SPRING_TAB_F_14 = 34,
-  /** tunable [N]: Forces of the table, without preload (the example is chosen). (default 0) */
+  /** tunable [N]: Forces of the table, without preload (default chosen). (default 0) */
   STRIBECK_COIL_SPRING_SPRING_TAB_F_15 = 35,
-  /** tunable [N]: Forces of the table, without preload (the example is chosen). (default 0) */
+  /** tunable [N]: Forces of the table, without preload (default chosen). (default 0) */
   STRIBECK_COIL_SPRING_SPRING_TAB_F_16 = 36,
   /** out [N]: Force of the spring; positive pushes its ends apart. */
   STRIBECK_COIL_SPRING_FORCE = 37,
@@ -6284,13 +6305,13 @@ typedef enum stribeck_gas_spring_variable {
   STRIBECK_GAS_SPRING_COMPRESSION = 0,
   /** fixed [Boolean]: Is there a gas force? (default true) */
   STRIBECK_GAS_SPRING_GAS_ENABLED = 1,
-  /** tunable [Pa]: Absolute gas pressure at full extension. (>= 0, default 1000000) */
+  /** tunable [Pa]: Absolute gas pressure at full extension (default chosen). (>= 0, default 1000000) */
   STRIBECK_GAS_SPRING_GAS_P0 = 2,
-  /** fixed [m3]: Gas volume at full extension. (> 0, default 3e-5) */
+  /** fixed [m3]: Gas volume at full extension (default chosen). (> 0, default 3e-5) */
   STRIBECK_GAS_SPRING_GAS_V0 = 3,
-  /** fixed [1]: Polytropic exponent. (>= 0, default 1.2) */
+  /** fixed [1]: Polytropic exponent (default chosen). (>= 0, default 1.2) */
   STRIBECK_GAS_SPRING_GAS_N = 4,
-  /** fixed [m]: Diameter of the rod. (>= 0, default 0.014) */
+  /** fixed [m]: Diameter of the rod (default chosen). (>= 0, default 0.014) */
   STRIBECK_GAS_SPRING_GAS_ROD_DIAMETER = 5,
   /** tunable [Pa]: Ambient pressure. (>= 0, default 101325) */
   STRIBECK_GAS_SPRING_GAS_P_AMBIENT = 6,
@@ -6307,17 +6328,18 @@ typedef enum stribeck_end_stops_variable {
   STRIBECK_END_STOPS_COMPRESSION = 0,
   /** in [m/s]: Velocity of extension. (default 0) */
   STRIBECK_END_STOPS_VELOCITY = 1,
-  /** fixed [m]: Compression from full extension at which the bump stop is touched. (default 0.04) */
+  /** fixed [m]: Compression from full extension at which the bump stop is touched (default chosen). (default 0.04) */
   STRIBECK_END_STOPS_BUMP_GAP = 2,
   /** fixed [stribeck_bump_mode]: Form of the bump stop's characteristic. (default Linear) */
   STRIBECK_END_STOPS_BUMP_MODE = 3,
-  /** tunable [N/m]: Stiffness: of the linear form, and first coefficient of the cubic one. (>= 0, default 150000) */
+  /** tunable [N/m]: Stiffness: of the linear form, and first coefficient of the cubic one (default chosen).
+   *  (>= 0, default 150000) */
   STRIBECK_END_STOPS_BUMP_K = 4,
-  /** tunable [1]: Exponent of the power form. (>= 1, default 2.2) */
+  /** tunable [1]: Exponent of the power form (default chosen). (>= 1, default 2.2) */
   STRIBECK_END_STOPS_BUMP_N = 5,
-  /** tunable [m]: Compression at which the power form has the force F_ref. (> 0, default 0.01) */
+  /** tunable [m]: Compression at which the power form has the force F_ref (default chosen). (> 0, default 0.01) */
   STRIBECK_END_STOPS_BUMP_X_REF = 6,
-  /** tunable [N]: Force of the power form at x_ref. (>= 0, default 1500) */
+  /** tunable [N]: Force of the power form at x_ref (default chosen). (>= 0, default 1500) */
   STRIBECK_END_STOPS_BUMP_F_REF = 7,
   /** tunable [N/m2]: Second coefficient of the cubic form. (>= 0, default 0) */
   STRIBECK_END_STOPS_BUMP_K2 = 8,
@@ -6327,7 +6349,7 @@ typedef enum stribeck_end_stops_variable {
   STRIBECK_END_STOPS_BUMP_C = 10,
   /** fixed [m]: Compression from full extension at which the rebound stop is touched. (default 0) */
   STRIBECK_END_STOPS_REBOUND_GAP = 11,
-  /** tunable [N/m]: Stiffness. (>= 0, default 1000000) */
+  /** tunable [N/m]: Stiffness (default chosen). (>= 0, default 1000000) */
   STRIBECK_END_STOPS_REBOUND_K = 12,
   /** tunable [N.s/m]: Damping while the stop is touched. (>= 0, default 0) */
   STRIBECK_END_STOPS_REBOUND_C = 13,
@@ -6348,79 +6370,95 @@ typedef enum stribeck_hydraulic_damper_variable {
   STRIBECK_HYDRAULIC_DAMPER_VELOCITY = 0,
   /** fixed [stribeck_damper_mode]: Form of the damper's characteristic. (default Linear) */
   STRIBECK_HYDRAULIC_DAMPER_DAMPER_MODE = 1,
-  /** tunable [N.s/m]: Damping coefficient in compression. (>= 0, default 1500) */
+  /** tunable [N.s/m]: Damping coefficient in compression (default chosen). (>= 0, default 1500) */
   STRIBECK_HYDRAULIC_DAMPER_DAMPER_C_COMP = 2,
-  /** tunable [N.s/m]: Damping coefficient in extension (rebound). (>= 0, default 2300) */
+  /** tunable [N.s/m]: Damping coefficient in extension, the rebound (default chosen). (>= 0, default 2300) */
   STRIBECK_HYDRAULIC_DAMPER_DAMPER_C_REB = 3,
   /** tunable [s/m]: Degression in compression. (>= 0, default 0) */
   STRIBECK_HYDRAULIC_DAMPER_DAMPER_DEGR_COMP = 4,
   /** tunable [s/m]: Degression in extension. (>= 0, default 0) */
   STRIBECK_HYDRAULIC_DAMPER_DAMPER_DEGR_REB = 5,
-  /** fixed [Integer]: Number of points of the table in use. (>= 2, <= 16, default 11) */
+  /** fixed [Integer]: Number of points of the table in use (default chosen). (>= 2, <= 16, default 11) */
   STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_N = 6,
-  /** tunable [m/s]: Velocities of the table, rising; positive in extension. (default -1) */
+  /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default -1) */
   STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_1 = 7,
-  /** tunable [m/s]: Velocities of the table, rising; positive in extension. (default -0.5) */
+  /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default -0.5) */
   STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_2 = 8,
-  /** tunable [m/s]: Velocities of the table, rising; positive in extension. (default -0.25) */
+  /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default -0.25) */
   STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_3 = 9,
-  /** tunable [m/s]: Velocities of the table, rising; positive in extension. (default -0.1) */
+  /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default -0.1) */
   STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_4 = 10,
-  /** tunable [m/s]: Velocities of the table, rising; positive in extension. (default -0.05) */
+  /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default -0.05) */
   STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_5 = 11,
-  /** tunable [m/s]: Velocities of the table, rising; positive in extension. (default 0) */
+  /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default 0) */
   STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_6 = 12,
-  /** tunable [m/s]: Velocities of the table, rising; positive in extension. (default 0.05) */
+  /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default 0.05) */
   STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_7 = 13,
-  /** tunable [m/s]: Velocities of the table, rising; positive in extension. (default 0.1) */
+  /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default 0.1) */
   STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_8 = 14,
-  /** tunable [m/s]: Velocities of the table, rising; positive in extension. (default 0.25) */
+  /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default 0.25) */
   STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_9 = 15,
-  /** tunable [m/s]: Velocities of the table, rising; positive in extension. (default 0.5) */
+  /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default 0.5) */
   STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_10 = 16,
-  /** tunable [m/s]: Velocities of the table, rising; positive in extension. (default 1) */
+  /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default 1) */
   STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_11 = 17,
-  /** tunable [m/s]: Velocities of the table, rising; positive in extension. (default 0) */
+  /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default 0) */
   STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_12 = 18,
-  /** tunable [m/s]: Velocities of the table, rising; positive in extension. (default 0) */
+  /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default 0) */
   STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_13 = 19,
-  /** tunable [m/s]: Velocities of the table, rising; positive in extension. (default 0) */
+  /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default 0) */
   STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_14 = 20,
-  /** tunable [m/s]: Velocities of the table, rising; positive in extension. (default 0) */
+  /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default 0) */
   STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_15 = 21,
-  /** tunable [m/s]: Velocities of the table, rising; positive in extension. (default 0) */
+  /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default 0) */
   STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_16 = 22,
-  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling. (default -1150) */
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
+   *  (default -1150) */
   STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_1 = 23,
-  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling. (default -700) */
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
+   *  (default -700) */
   STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_2 = 24,
-  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling. (default -430) */
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
+   *  (default -430) */
   STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_3 = 25,
-  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling. (default -210) */
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
+   *  (default -210) */
   STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_4 = 26,
-  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling. (default -110) */
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
+   *  (default -110) */
   STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_5 = 27,
-  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling. (default 0) */
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
+   *  (default 0) */
   STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_6 = 28,
-  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling. (default 180) */
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
+   *  (default 180) */
   STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_7 = 29,
-  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling. (default 340) */
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
+   *  (default 340) */
   STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_8 = 30,
-  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling. (default 640) */
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
+   *  (default 640) */
   STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_9 = 31,
-  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling. (default 950) */
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
+   *  (default 950) */
   STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_10 = 32,
-  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling. (default 1500) */
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
+   *  (default 1500) */
   STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_11 = 33,
-  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling. (default 0) */
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
+   *  (default 0) */
   STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_12 = 34,
-  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling. (default 0) */
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
+   *  (default 0) */
   STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_13 = 35,
-  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling. (default 0) */
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
+   *  (default 0) */
   STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_14 = 36,
-  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling. (default 0) */
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
+   *  (default 0) */
   STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_15 = 37,
-  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling. (default 0) */
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
+   *  (default 0) */
   STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_16 = 38,
   /** fixed [stribeck_interpolation]: Curve through the points of the table. (default Linear) */
   STRIBECK_HYDRAULIC_DAMPER_DAMPER_INTERPOLATION = 39,
@@ -6454,7 +6492,8 @@ typedef enum stribeck_damper_temperature_variable {
   STRIBECK_DAMPER_TEMPERATURE_THERMAL_ENABLED = 2,
   /** tunable [1/K]: Relative loss of damper force per kelvin (default chosen). (>= 0, default 0.003) */
   STRIBECK_DAMPER_TEMPERATURE_THERMAL_BETA = 3,
-  /** fixed [K]: Temperature at which the damper's characteristic was measured. (> 0, default 293.15) */
+  /** fixed [K]: Temperature at which the damper's characteristic was measured (default chosen).
+   *  (> 0, default 293.15) */
   STRIBECK_DAMPER_TEMPERATURE_THERMAL_TEMPERATURE_REF = 4,
   /** fixed [J/K]: Heat capacity of the damper (default chosen: 0.6 kg of aluminium and oil). (> 0, default 600) */
   STRIBECK_DAMPER_TEMPERATURE_THERMAL_CAPACITY = 5,
