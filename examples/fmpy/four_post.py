@@ -23,7 +23,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy
-from car_pictures import draw_four_post, draw_laws
+from car_pictures import draw_four_post
 from coupling import main, number, positive
 from vehicle import (
     FOUR_POST_CAR,
@@ -138,10 +138,7 @@ def program() -> None:
     report(runs, options.frequency)
     if options.laws:
         laws = run_laws(FOUR_POST_CAR, posts(options.frequency, options.stroke, delay), options)
-        table, gallery = Path(f"{options.out}_laws.csv"), Path(f"{options.out}_laws.png")
-        draw_laws(laws, 1.0 / options.frequency, gallery)
-        report_laws(laws, table)
-        written += [table, gallery]
+        written += report_laws(laws, 1.0 / options.frequency, options.out)
     print("", picture, *written, sep="\n")
 
 

@@ -15,6 +15,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 import numpy
+from car_pictures import draw_laws
 from coupling import Fmu, command_line, not_negative, open_fmu, parameter, path_of, positive, variables_of, write_csv
 from fmpy.fmi2 import fmi2FMUstate
 from tqdm import tqdm
@@ -240,10 +241,14 @@ def coupled_fmus(layout: Layout, excitation: Excitation, choice: Choice) -> Iter
         yield Coupled(car, struts, excitation)
 
 
+def number_of(layout: Layout, name: str, chosen: Mapping[str, object], fmus: Path) -> float:
+    """A parameter of the car: what the user chose, or its default."""
+    return float(chosen.get(name, variables_of(path_of(layout.car, fmus))[name].start))
+
+
 def rest_force(layout: Layout, axle: str, choice: Choice) -> float:
     """Force of a strut at rest at the length that it has in the car, without its friction."""
-    name = f"{axle}static_length"
-    length = choice.car.get(name, variables_of(path_of(layout.car, choice.fmus))[name].start)
+    length = number_of(layout, f"{axle}static_length", choice.car, choice.fmus)
     state = {"friction.model": "None", "length": length, "velocity": 0.0}
     with open_fmu(path_of(STRUT, choice.fmus), choice.of_axle(layout, axle) | state) as strut:
         return strut.slave.getReal(strut.references("force"))[0]
@@ -350,15 +355,20 @@ def run_laws(layout: Layout, excitation: Excitation, options: argparse.Namespace
     ]
 
 
-def report_laws(runs: Sequence[Run], path: Path) -> None:
-    """Prints and writes evaluations of the law and run time, absolute and relative to the lowest."""
+def report_laws(runs: Sequence[Run], last: float, out: str) -> list[Path]:
+    """Prints and writes evaluations of the law and run time, absolute and relative to the lowest; draws the laws.
+
+    `last` is how many seconds at the end are drawn. Returns the files.
+    """
     heading = ["law", "evaluations", "run time [s]", "evaluations, relative", "run time, relative"]
     fewest, shortest = min(run.evaluations for run in runs), min(run.seconds for run in runs)
     rows = [(run.label, run.evaluations, run.seconds, run.evaluations / fewest, run.seconds / shortest) for run in runs]
-    path.parent.mkdir(parents=True, exist_ok=True)
-    with path.open("w", encoding="utf-8", newline="") as file:
-        writer = csv.writer(file, lineterminator="\n")
-        writer.writerows([heading, *rows])
+    table, picture = Path(f"{out}_laws.csv"), Path(f"{out}_laws.png")
+    table.parent.mkdir(parents=True, exist_ok=True)
+    with table.open("w", encoding="utf-8", newline="") as file:
+        csv.writer(file, lineterminator="\n").writerows([heading, *rows])
+    draw_laws(runs, last, picture)
     print(f"\n{'law':19} {'evaluations':>11} {'relative':>9} {'run time':>10} {'relative':>9}")
     for law, evaluations, seconds, more, longer in rows:
         print(f"{law:19} {evaluations:11} {more:9.2f} {seconds:8.2f} s {longer:9.2f}")
+    return [table, picture]
