@@ -1,6 +1,6 @@
 use crate::host::integrate;
 use crate::host::magic_formula::{Contact, MagicFormula, Side, Wrench};
-use crate::host::vertical::{Axle, Body, Corner, GRAVITY, Load, Motion, Place, Wheel};
+use crate::host::vertical::{Axle, Body, Car, Corner, GRAVITY, Load, Motion, Wheel};
 use crate::model::{Fault, Law, Model, real};
 use crate::number::Real;
 
@@ -225,23 +225,27 @@ crate::model! {
     }
 }
 
-impl<T: Real> RollingWheel<T> {
-    fn ground(&self) -> Motion<T> {
-        Motion { height: self.road_height, velocity: self.road_velocity }
-    }
-}
-
 impl<T: Real> DoubleTrackCar<T> {
     fn rolling_axle(&self, corner: Corner) -> &RollingAxle<T> {
         if corner.is_front() { &self.front } else { &self.rear }
     }
 
-    fn axle(&self, corner: Corner) -> &Axle<T> {
-        &self.rolling_axle(corner).axle
+    fn corner(&self, corner: Corner) -> &RollingWheel<T> {
+        match corner {
+            Corner::FrontLeft => &self.fl,
+            Corner::FrontRight => &self.fr,
+            Corner::RearLeft => &self.rl,
+            Corner::RearRight => &self.rr,
+        }
     }
 
-    fn corner(&self, corner: Corner) -> &RollingWheel<T> {
-        [&self.fl, &self.fr, &self.rl, &self.rr][corner as usize]
+    fn corner_mut(&mut self, corner: Corner) -> &mut RollingWheel<T> {
+        match corner {
+            Corner::FrontLeft => &mut self.fl,
+            Corner::FrontRight => &mut self.fr,
+            Corner::RearLeft => &mut self.rl,
+            Corner::RearRight => &mut self.rr,
+        }
     }
 
     /// Mass of the car.
@@ -250,28 +254,19 @@ impl<T: Real> DoubleTrackCar<T> {
         self.body.body_mass + two * (self.front.axle.suspension.wheel_mass + self.rear.axle.suspension.wheel_mass)
     }
 
-    /// Place of a wheel, seen from the centre of gravity of the car and not of its body.
-    fn place(&self, corner: Corner) -> Place<T> {
-        let place = |corner| self.body.place(corner, self.axle(corner));
-        let moment = |corner| place(corner).x * self.axle(corner).suspension.wheel_mass;
-        let ahead = Corner::ALL.into_iter().fold(T::zero(), |sum, corner| sum + moment(corner)) / self.mass();
-        let Place { x, y } = place(corner);
-        Place { x: x - ahead, y }
-    }
-
-    /// Load of a tyre.
-    fn load(&self, corner: Corner) -> T {
-        let (axle, wheel) = (self.axle(corner), self.corner(corner));
-        wheel.wheel.load(&axle.suspension, wheel.ground(), self.body.static_load(corner, axle))
+    /// Distance of a wheel ahead of the centre of gravity of the car, which is not that of its body.
+    fn ahead(&self, corner: Corner) -> T {
+        let moment = |corner| self.place(corner).x * self.axle(corner).suspension.wheel_mass;
+        let moments = Corner::ALL.into_iter().fold(T::zero(), |sum, corner| sum + moment(corner));
+        self.place(corner).x - moments / self.mass()
     }
 
     /// Forces and moments of the road on a tyre.
     fn wrench(&self, corner: Corner) -> Wrench<T> {
-        let wheel = self.corner(corner);
         let contact = Contact {
-            load: self.load(corner),
+            load: self.tyre_load(corner),
             longitudinal_slip: T::zero(),
-            side_slip: wheel.side_slip,
+            side_slip: self.corner(corner).side_slip,
             camber: T::zero(),
             speed: self.speed,
         };
@@ -279,17 +274,39 @@ impl<T: Real> DoubleTrackCar<T> {
     }
 }
 
+impl<T: Real> Car<T> for DoubleTrackCar<T> {
+    fn body(&self) -> &Body<T> {
+        &self.body
+    }
+
+    fn axle(&self, corner: Corner) -> &Axle<T> {
+        &self.rolling_axle(corner).axle
+    }
+
+    fn wheel(&self, corner: Corner) -> &Wheel<T> {
+        &self.corner(corner).wheel
+    }
+
+    fn wheel_mut(&mut self, corner: Corner) -> &mut Wheel<T> {
+        &mut self.corner_mut(corner).wheel
+    }
+
+    fn ground(&self, corner: Corner) -> Motion<T> {
+        let RollingWheel { road_height, road_velocity, .. } = *self.corner(corner);
+        Motion { height: road_height, velocity: road_velocity }
+    }
+}
+
 impl<T: Real> Law for DoubleTrackCar<T> {
     fn output(&mut self) {
-        let forces = Corner::ALL.map(|corner| self.wrench(corner).force_y);
-        self.lateral_acceleration = (forces[0] + forces[1] + forces[2] + forces[3]) / self.mass();
-        let DoubleTrackCar { body, front, rear, fl, fr, rl, rr, .. } = self;
-        let axles = [&front.axle, &front.axle, &rear.axle, &rear.axle];
-        for (((corner, axle), wheel), force) in Corner::ALL.into_iter().zip(axles).zip([fl, fr, rl, rr]).zip(forces) {
-            let motion = body.at(body.place(corner, axle));
-            wheel.wheel.output(&axle.suspension, motion, wheel.ground(), body.static_load(corner, axle));
-            wheel.lateral_force = force;
+        self.output_wheels();
+        let mut sum = T::zero();
+        for corner in Corner::ALL {
+            let force = self.wrench(corner).force_y;
+            self.corner_mut(corner).lateral_force = force;
+            sum = sum + force;
         }
+        self.lateral_acceleration = sum / self.mass();
     }
 }
 
@@ -336,7 +353,7 @@ impl DoubleTrackCar {
         let axle = |left: Corner, right: Corner| {
             let [left_wrench, right_wrench] = [left, right].map(|corner| self.wrench(corner));
             let force = left_wrench.force_y + right_wrench.force_y;
-            AxleForce { x: self.place(left).x, force, torque: left_wrench.moment_z + right_wrench.moment_z }
+            AxleForce { x: self.ahead(left), force, torque: left_wrench.moment_z + right_wrench.moment_z }
         };
         let axles = [axle(Corner::FrontLeft, Corner::FrontRight), axle(Corner::RearLeft, Corner::RearRight)];
         let moment: f64 = axles.iter().map(|axle| axle.x * axle.force + axle.torque).sum();
@@ -347,11 +364,7 @@ impl DoubleTrackCar {
     /// Right-hand sides of (5), (6) and (7).
     fn load_of_body(&self, motion: &PlaneMotion) -> Load<f64> {
         let Body { body_mass, wheelbase, cg_to_front, roll, .. } = self.body;
-        let lift = |corner| {
-            let axle = self.axle(corner);
-            (self.body.place(corner, axle), self.corner(corner).wheel.lift(&axle.suspension))
-        };
-        let mut load = Load::of(Corner::ALL.map(lift));
+        let mut load = self.strut_load();
         for corner in [Corner::FrontLeft, Corner::RearLeft] {
             let axle = self.rolling_axle(corner);
             load.roll_moment += motion.on_body(corner, axle) * (self.cg_height - axle.roll_centre_height);
@@ -373,17 +386,9 @@ impl DoubleTrackCar {
 
     /// Right-hand side of (3).
     fn side_slip_rate(&self, corner: Corner) -> f64 {
-        let path = ((self.lateral_velocity + self.place(corner).x * self.yaw_rate) / self.speed).atan();
+        let path = ((self.lateral_velocity + self.ahead(corner) * self.yaw_rate) / self.speed).atan();
         let steered = if corner.is_front() { path - self.steering_angle } else { path };
         self.speed / self.relaxation_length * (steered - self.corner(corner).side_slip)
-    }
-
-    /// Right-hand side of (8), per mass.
-    fn wheel_acceleration(&self, corner: Corner, motion: &PlaneMotion) -> f64 {
-        let (axle, wheel) = (self.axle(corner), self.corner(corner));
-        let static_load = self.body.static_load(corner, axle);
-        wheel.wheel.acceleration(&axle.suspension, wheel.ground(), static_load)
-            + self.link_force(corner, motion) / axle.suspension.wheel_mass
     }
 }
 
@@ -404,7 +409,7 @@ impl Model for DoubleTrackCar {
     }
 
     fn branches(&self) -> u32 {
-        Corner::ALL.into_iter().fold(0, |bits, corner| 2 * bits + u32::from(self.load(corner) > 0.0))
+        self.wheels_on_ground()
     }
 
     fn rate(&self, rate: &mut Self) {
@@ -416,11 +421,12 @@ impl Model for DoubleTrackCar {
         rate.lateral_velocity = motion.acceleration - self.speed * self.yaw_rate;
         rate.yaw_rate = motion.yaw_acceleration;
         self.body.rate(self.load_of_body(&motion), &mut rate.body);
-        let wheels = [&mut rate.fl, &mut rate.fr, &mut rate.rl, &mut rate.rr];
-        for (corner, rate) in Corner::ALL.into_iter().zip(wheels) {
+        for corner in Corner::ALL {
+            let by_links = self.link_force(corner, &motion) / self.axle(corner).suspension.wheel_mass;
+            let rate = rate.corner_mut(corner);
             rate.side_slip = self.side_slip_rate(corner);
-            rate.wheel.wheel_height = self.corner(corner).wheel.wheel_velocity;
-            rate.wheel.wheel_velocity = self.wheel_acceleration(corner, &motion);
+            rate.wheel.wheel_height = self.wheel(corner).wheel_velocity;
+            rate.wheel.wheel_velocity = self.wheel_acceleration(corner) + by_links;
         }
     }
 }

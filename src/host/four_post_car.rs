@@ -1,5 +1,5 @@
 use crate::host::integrate;
-use crate::host::vertical::{Axle, Body, Corner, Load, Motion, Wheel};
+use crate::host::vertical::{Axle, Body, Car, Corner, Motion, Wheel};
 use crate::model::{Fault, Law, Model, real};
 use crate::number::Real;
 
@@ -126,17 +126,7 @@ crate::model! {
     }
 }
 
-impl<T: Real> Post<T> {
-    fn ground(&self) -> Motion<T> {
-        Motion { height: self.post_height, velocity: self.post_velocity }
-    }
-}
-
 impl<T: Real> FourPostCar<T> {
-    fn axle(&self, corner: Corner) -> &Axle<T> {
-        if corner.is_front() { &self.front } else { &self.rear }
-    }
-
     fn post(&self, corner: Corner) -> &Post<T> {
         match corner {
             Corner::FrontLeft => &self.fl,
@@ -147,34 +137,37 @@ impl<T: Real> FourPostCar<T> {
     }
 }
 
-impl FourPostCar {
-    fn lift(&self, corner: Corner) -> f64 {
-        self.post(corner).wheel.lift(&self.axle(corner).suspension)
+impl<T: Real> Car<T> for FourPostCar<T> {
+    fn body(&self) -> &Body<T> {
+        &self.body
     }
 
-    fn is_on_post(&self, corner: Corner) -> bool {
-        let (axle, post) = (self.axle(corner), self.post(corner));
-        post.wheel.is_on(&axle.suspension, post.ground(), self.body.static_load(corner, axle))
+    fn axle(&self, corner: Corner) -> &Axle<T> {
+        if corner.is_front() { &self.front } else { &self.rear }
     }
 
-    fn wheel_acceleration(&self, corner: Corner) -> f64 {
-        let (axle, post) = (self.axle(corner), self.post(corner));
-        post.wheel.acceleration(&axle.suspension, post.ground(), self.body.static_load(corner, axle))
+    fn wheel(&self, corner: Corner) -> &Wheel<T> {
+        &self.post(corner).wheel
+    }
+
+    fn wheel_mut(&mut self, corner: Corner) -> &mut Wheel<T> {
+        match corner {
+            Corner::FrontLeft => &mut self.fl.wheel,
+            Corner::FrontRight => &mut self.fr.wheel,
+            Corner::RearLeft => &mut self.rl.wheel,
+            Corner::RearRight => &mut self.rr.wheel,
+        }
+    }
+
+    fn ground(&self, corner: Corner) -> Motion<T> {
+        let Post { post_height, post_velocity, .. } = *self.post(corner);
+        Motion { height: post_height, velocity: post_velocity }
     }
 }
 
 impl<T: Real> Law for FourPostCar<T> {
     fn output(&mut self) {
-        let FourPostCar { body, front, rear, fl, fr, rl, rr } = self;
-        for (corner, axle, post) in [
-            (Corner::FrontLeft, &*front, fl),
-            (Corner::FrontRight, front, fr),
-            (Corner::RearLeft, rear, rl),
-            (Corner::RearRight, rear, rr),
-        ] {
-            let motion = body.at(body.place(corner, axle));
-            post.wheel.output(&axle.suspension, motion, post.ground(), body.static_load(corner, axle));
-        }
+        self.output_wheels();
     }
 }
 
@@ -192,16 +185,15 @@ impl Model for FourPostCar {
     }
 
     fn branches(&self) -> u32 {
-        Corner::ALL.into_iter().fold(0, |bits, corner| 2 * bits + u32::from(self.is_on_post(corner)))
+        self.wheels_on_ground()
     }
 
     fn rate(&self, rate: &mut Self) {
-        let force = |corner| (self.body.place(corner, self.axle(corner)), self.lift(corner));
-        self.body.rate(Load::of(Corner::ALL.map(force)), &mut rate.body);
-        let posts = [&mut rate.fl, &mut rate.fr, &mut rate.rl, &mut rate.rr];
-        for (corner, rate) in Corner::ALL.into_iter().zip(posts) {
-            rate.wheel.wheel_height = self.post(corner).wheel.wheel_velocity;
-            rate.wheel.wheel_velocity = self.wheel_acceleration(corner);
+        self.body.rate(self.strut_load(), &mut rate.body);
+        for corner in Corner::ALL {
+            let rate = rate.wheel_mut(corner);
+            rate.wheel_height = self.wheel(corner).wheel_velocity;
+            rate.wheel_velocity = self.wheel_acceleration(corner);
         }
     }
 }

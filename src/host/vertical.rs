@@ -217,6 +217,61 @@ impl Body {
     }
 }
 
+/// A car on four wheels: what follows from its parts and from the ground under it.
+pub trait Car<T: Real> {
+    /// The body.
+    fn body(&self) -> &Body<T>;
+    /// The axle of a corner.
+    fn axle(&self, corner: Corner) -> &Axle<T>;
+    /// The wheel of a corner.
+    fn wheel(&self, corner: Corner) -> &Wheel<T>;
+    /// The wheel of a corner, to write.
+    fn wheel_mut(&mut self, corner: Corner) -> &mut Wheel<T>;
+    /// The ground under a wheel.
+    fn ground(&self, corner: Corner) -> Motion<T>;
+
+    /// Place of a wheel, seen from the body's centre of gravity.
+    fn place(&self, corner: Corner) -> Place<T> {
+        self.body().place(corner, self.axle(corner))
+    }
+
+    /// Load of a tyre at rest.
+    fn static_load(&self, corner: Corner) -> T {
+        self.body().static_load(corner, self.axle(corner))
+    }
+
+    /// Load of a tyre.
+    fn tyre_load(&self, corner: Corner) -> T {
+        self.wheel(corner).load(&self.axle(corner).suspension, self.ground(corner), self.static_load(corner))
+    }
+
+    /// What the struts do to the body.
+    fn strut_load(&self) -> Load<T> {
+        let lift = |corner| self.wheel(corner).lift(&self.axle(corner).suspension);
+        Load::of(Corner::ALL.map(|corner| (self.place(corner), lift(corner))))
+    }
+
+    /// Acceleration of a wheel by its strut and its tyre.
+    fn wheel_acceleration(&self, corner: Corner) -> T {
+        let suspension = &self.axle(corner).suspension;
+        self.wheel(corner).acceleration(suspension, self.ground(corner), self.static_load(corner))
+    }
+
+    /// One bit for each wheel: is it on the ground?
+    fn wheels_on_ground(&self) -> u32 {
+        Corner::ALL.into_iter().fold(0, |bits, corner| 2 * bits + u32::from(self.tyre_load(corner) > T::zero()))
+    }
+
+    /// Computes the outputs of the wheels.
+    fn output_wheels(&mut self) {
+        for corner in Corner::ALL {
+            let (suspension, body) = (self.axle(corner).suspension, self.body().at(self.place(corner)));
+            let (ground, static_load) = (self.ground(corner), self.static_load(corner));
+            self.wheel_mut(corner).output(&suspension, body, ground, static_load);
+        }
+    }
+}
+
 impl<T: Real> Load<T> {
     /// Sum of forces that act upwards on the body at the places of the wheels.
     pub fn of(forces: [(Place<T>, T); 4]) -> Load<T> {
