@@ -29,6 +29,8 @@ pub trait Real:
     fn cos(self) -> Self;
     /// Arc tangent.
     fn atan(self) -> Self;
+    /// Square root; `self` must not be negative.
+    fn sqrt(self) -> Self;
     /// `self` to a constant power; `self` must not be negative.
     fn powf(self, exponent: Self) -> Self;
 
@@ -81,6 +83,9 @@ impl Real for f64 {
     }
     fn atan(self) -> f64 {
         f64::atan(self)
+    }
+    fn sqrt(self) -> f64 {
+        f64::sqrt(self)
     }
     fn powf(self, exponent: f64) -> f64 {
         f64::powf(self, exponent)
@@ -190,6 +195,10 @@ impl Real for Dual {
     }
     fn atan(self) -> Dual {
         self.chain(self.value.atan(), 1.0 / (1.0 + self.value * self.value))
+    }
+    fn sqrt(self) -> Dual {
+        let value = self.value.sqrt();
+        self.chain(value, 0.5 / value)
     }
     fn powf(self, exponent: Dual) -> Dual {
         let value = self.value.powf(exponent.value);

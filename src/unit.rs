@@ -49,6 +49,12 @@ const fn unit(
 }
 
 impl Unit {
+    /// The base units it is made of, each with its exponent.
+    pub fn base_units(&self) -> impl Iterator<Item = (&'static str, i8)> {
+        let exponents = [("kg", self.kg), ("m", self.m), ("s", self.s), ("K", self.kelvin), ("rad", self.rad)];
+        exponents.into_iter().filter(|(_, exponent)| *exponent != 0)
+    }
+
     const fn per_kelvin(mut self, power: i8) -> Unit {
         self.kelvin = -power;
         self

@@ -95,6 +95,7 @@ struct Slave {
     component: fmi2Component,
     inputs: Vec<fmi2ValueReference>,
     given: Vec<f64>,
+    start: f64,
     reals: Vec<fmi2ValueReference>,
 }
 
@@ -114,6 +115,7 @@ impl Slave {
         let inputs = || reals().filter(|(variable, _)| variable.role == Role::Input);
         Slave {
             component,
+            start: inputs().next().map_or(0.0, |(variable, _)| variable.start),
             inputs: inputs().map(|(_, reference)| reference).collect(),
             given: inputs().map(|(variable, _)| variable.start).collect(),
             reals: reals().map(|(_, reference)| reference).collect(),
@@ -124,7 +126,7 @@ impl Slave {
     fn run(&mut self, values: &mut [f64]) {
         for k in 0..10_000 {
             let (time, dt) = (f64::from(k) * 1e-3, 1e-3);
-            self.given[0] = 0.002 * f64::sin(3.0 * time);
+            self.given[0] = self.start + 0.002 * f64::sin(3.0 * time);
             // SAFETY: a live component, and slices with their lengths.
             let statuses = unsafe {
                 [

@@ -434,8 +434,9 @@ fn reset_is_fresh_and_restored_is_the_same_future() {
             let mut random = Random(seed);
             for step in 0..1000 {
                 for column in &inputs {
-                    let value = 0.01 * random.signed();
-                    let value = if model.table[*column].admits(value) { value } else { -value };
+                    let start = model.table[*column].start;
+                    let value = start + 0.01 * random.signed();
+                    let value = if model.table[*column].admits(value) { value } else { 2.0 * start - value };
                     bench.instance.put(*column, value);
                     if step % 7 == 0 {
                         bench.instance.put_slope(*column, 1e-3 * random.next());

@@ -698,7 +698,8 @@ fn a_restored_state_has_the_same_future() {
             let mut bits = Vec::new();
             for k in from..from + 1000 {
                 for (column, variable) in model.table.iter().enumerate().filter(|(_, v)| v.role == Role::Input) {
-                    let value = if variable.bound.admits(-1.0) { 0.01 * f64::from(k).sin() } else { 5.0 };
+                    let swing = if variable.bound.admits(-1.0) { f64::from(k).sin() } else { 1.0 };
+                    let value = variable.start + 0.01 * swing;
                     // SAFETY: one reference, one value.
                     assert_eq!(unsafe { fmi2SetReal(importer.c, &(column as u32), 1, &value) }, fmi2OK);
                 }

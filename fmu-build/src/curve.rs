@@ -379,9 +379,9 @@ pub struct Motion {
 /// Lets a host move by itself.
 pub fn motion(model: &'static ModelType) -> Result<Motion> {
     const STEP: f64 = 1e-3;
-    let is_state = |column: &usize| model.table[*column].role == Role::StateOutput;
-    let states: Vec<usize> = (0..model.table.len()).filter(is_state).collect();
-    let states = *states.first_chunk().context("a host needs two states that are outputs")?;
+    let is_output = |column: &usize| model.table[*column].role.is_output();
+    let states: Vec<usize> = (0..model.table.len()).filter(is_output).collect();
+    let states = *states.first_chunk().context("a host needs two outputs")?;
     let mut host = Instance::new(model);
     let mut connection = Connection::of(&mut host)?;
     host.put(states[0], host.row()[states[0]] + connection.lifted_by());
@@ -402,10 +402,15 @@ pub fn motion(model: &'static ModelType) -> Result<Motion> {
 enum Connection {
     Contact(Contact),
     Struts(Vec<Strut>),
+    /// It moves by itself.
+    Nothing,
 }
 
 impl Connection {
     fn of(host: &mut Instance) -> Result<Connection> {
+        if host.model().table.iter().all(|variable| variable.role != Role::Input) {
+            return Ok(Connection::Nothing);
+        }
         let struts = Strut::all(host)?;
         Ok(if struts.is_empty() { Connection::Contact(Contact::of(host.model())?) } else { Connection::Struts(struts) })
     }
@@ -414,14 +419,15 @@ impl Connection {
         match self {
             Connection::Contact(_) => "with Coulomb friction and stiction in the contact",
             Connection::Struts(_) => "on linear struts (45 kN/m, 1900 N.s/m), let go 20 mm above rest",
+            Connection::Nothing => "as it moves by itself",
         }
     }
 
     /// A belt carries its block away; a car must be lifted to move.
     fn lifted_by(&self) -> f64 {
         match self {
-            Connection::Contact(_) => 0.0,
             Connection::Struts(_) => 0.02,
+            Connection::Contact(_) | Connection::Nothing => 0.0,
         }
     }
 
@@ -429,7 +435,7 @@ impl Connection {
     fn steps(&self) -> u32 {
         match self {
             Connection::Contact(_) => 40_000,
-            Connection::Struts(_) => 1_000,
+            Connection::Struts(_) | Connection::Nothing => 1_000,
         }
     }
 
@@ -437,6 +443,7 @@ impl Connection {
         match self {
             Connection::Contact(contact) => contact.act(host, dt)?,
             Connection::Struts(struts) => struts.iter().for_each(|strut| strut.act(host)),
+            Connection::Nothing => {}
         }
         Ok(())
     }

@@ -6,6 +6,7 @@ use std::path::Path;
 
 use anyhow::Result;
 use pulldown_cmark::{Event, Options, Parser, Tag, TagEnd};
+use stribeck::catalogue;
 use stribeck::model::{Enumeration, Kind, ModelType, Variable};
 
 use crate::header;
@@ -84,11 +85,17 @@ fn unfit_texts(model: &ModelType) -> Vec<String> {
         examine(owner.clone(), variable.help, ends);
         if let Kind::Enumeration(choices) = variable.kind {
             for item in choices.items {
-                examine(format!("{owner} {}", item.name), item.help, &['.']);
+                // A choice of models says what each model says of itself.
+                let ends: &[char] = if is_summary(item.help) { &[] } else { &['.'] };
+                examine(format!("{owner} {}", item.name), item.help, ends);
             }
         }
     }
     breaches
+}
+
+fn is_summary(text: &str) -> bool {
+    catalogue::models().any(|model| model.summary == text)
 }
 
 /// Variables of the same name that measure different things.

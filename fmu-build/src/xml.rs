@@ -124,10 +124,7 @@ fn unit_definitions(xml: &mut Xml, model: &ModelType) -> io::Result<()> {
 
 fn unit_definition(xml: &mut Xml, unit: &Unit) -> io::Result<()> {
     parent(xml, "Unit", vec![("name", unit.name.into())], |xml| {
-        let exponents =
-            [("kg", unit.kg), ("m", unit.m), ("s", unit.s), ("K", unit.kelvin), ("rad", unit.rad)];
-        let present = exponents.into_iter().filter(|(_, exponent)| *exponent != 0);
-        leaf(xml, "BaseUnit", present.map(|(base, exponent)| (base, exponent.to_string())).collect())?;
+        leaf(xml, "BaseUnit", unit.base_units().map(|(base, exponent)| (base, exponent.to_string())).collect())?;
         for display in unit.display {
             let mut attributes = vec![("name", display.name.into()), ("factor", number(display.factor))];
             if display.offset != 0.0 {

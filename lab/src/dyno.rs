@@ -45,6 +45,7 @@ mod regression;
 use std::fmt;
 
 use stribeck::catalogue;
+use stribeck::laws::table::linear;
 use stribeck::model::ModelType;
 use thiserror::Error;
 
@@ -190,7 +191,7 @@ pub enum DynoError {
     /// The result is no parameter set of the shock absorber.
     #[error(transparent)]
     Set(#[from] SetError),
-    /// The library has no shock absorber.
+    /// The library has no such model.
     #[error("the library has no model {0}")]
     NoModel(&'static str),
 }
@@ -526,7 +527,7 @@ fn polyline(curve: &[(f64, f64)], slots: usize) -> Vec<(f64, f64)> {
 /// Sum of the squared distances of points from the line between the first and the last.
 fn misfit(points: &[(f64, f64)]) -> f64 {
     let line = [points[0], points[points.len() - 1]];
-    points.iter().map(|point| (point.1 - interpolate(&line, point.0)).powi(2)).sum()
+    points.iter().map(|point| (point.1 - linear(&line, point.0)).powi(2)).sum()
 }
 
 /// Samples of nearly equal speed, each group as its medians.
@@ -546,18 +547,10 @@ fn groups(sorted: &[(f64, f64)], width: f64) -> Vec<(f64, f64)> {
 
 /// Root mean square and largest difference between the samples and the result.
 fn errors(samples: &[Sample], offset: &Offset, table: &[(f64, f64)]) -> [f64; 2] {
-    let difference =
-        |sample: &Sample| sample.resistance - offset.at(sample.velocity) - interpolate(table, sample.velocity);
+    let difference = |sample: &Sample| sample.resistance - offset.at(sample.velocity) - linear(table, sample.velocity);
     let squares: f64 = samples.iter().map(|sample| difference(sample).powi(2)).sum();
     let largest = samples.iter().map(|sample| difference(sample).abs()).fold(0.0, f64::max);
     [(squares / samples.len() as f64).sqrt(), largest]
-}
-
-/// Straight lines between the points, and on beyond the ends: as the shock absorber reads its table.
-fn interpolate(table: &[(f64, f64)], velocity: f64) -> f64 {
-    let above = table.partition_point(|point| point.0 <= velocity).clamp(1, table.len() - 1);
-    let [(v_0, f_0), (v_1, f_1)] = [table[above - 1], table[above]];
-    f_0 + (f_1 - f_0) * (velocity - v_0) / (v_1 - v_0)
 }
 
 impl Damper {

@@ -7,6 +7,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use stribeck::model::{Fault, Kind, ModelType, Variable};
+use stribeck::unit::DisplayUnit;
 use thiserror::Error;
 
 /// Values for variables of one model. What it holds, the model admits.
@@ -287,7 +288,8 @@ fn value_of(variable: &Variable, text: &str, unit: &str) -> Result<f64, SetError
     };
     let refuse =
         || SetError::Kind { name: variable.path.to_string(), text: text.to_owned(), wanted: wanted_value(variable) };
-    Ok(number.ok_or_else(refuse)? / factor(variable, unit)?)
+    let number = number.ok_or_else(refuse)?;
+    Ok(display_unit(variable, unit)?.map_or(number, |display| (number - display.offset) / display.factor))
 }
 
 /// What a text must be to be a value of this variable.
@@ -303,10 +305,10 @@ fn wanted_value(variable: &Variable) -> String {
     }
 }
 
-/// Values in the named unit per value in the variable's own; no name stands for its own.
-fn factor(variable: &Variable, unit: &str) -> Result<f64, SetError> {
-    if unit.is_empty() || unit == unit_of(variable) {
-        return Ok(1.0);
+/// The display unit of that name; none if the name is that of the variable's own unit or empty.
+fn display_unit(variable: &Variable, name: &str) -> Result<Option<&'static DisplayUnit>, SetError> {
+    if name.is_empty() || name == unit_of(variable) {
+        return Ok(None);
     }
     let display = match variable.kind {
         Kind::Real(own) => own.display,
@@ -316,9 +318,9 @@ fn factor(variable: &Variable, unit: &str) -> Result<f64, SetError> {
         let units = [unit_of(variable)].into_iter().chain(display.iter().map(|display| display.name));
         let units: Vec<&str> = units.filter(|name| !name.is_empty()).collect();
         let wanted = if units.is_empty() { "left out".into() } else { units.join(" or ") };
-        SetError::Unit { name: variable.path.to_string(), unit: unit.to_owned(), wanted }
+        SetError::Unit { name: variable.path.to_string(), unit: name.to_owned(), wanted }
     };
-    display.iter().find(|display| display.name == unit).map(|display| display.factor).ok_or_else(refuse)
+    display.iter().find(|display| display.name == name).map(Some).ok_or_else(refuse)
 }
 
 #[cfg(test)]
@@ -397,6 +399,9 @@ mod tests {
         let table = table.replace("Parallel", "Parallel,");
         let set = ParameterSet::from_csv(model("Karnopp"), "seal", &table).unwrap();
         assert_eq!([set.get("velocity"), set.get("exchange"), set.get("mu_s")], [Some(0.25), Some(2.0), Some(0.2)]);
+        let warm = "variable,value,unit\ntemperature_ambient,20,degC\n";
+        let set = ParameterSet::from_csv(model("ShockAbsorber"), "warm", warm).unwrap();
+        assert_eq!(set.get("temperature_ambient"), Some(293.15));
         let set = ParameterSet::from_csv(model("Karnopp"), "seal", "variable,value\nexchange,2\n").unwrap();
         assert_eq!(set.get("exchange"), Some(2.0));
         let enumeration = karnopp().to_ssv().replace("ssv:Integer value=\"2\"", "ssv:Enumeration value=\"Parallel\"");

@@ -8,6 +8,7 @@ crate::catalogue::family! {
     quarter_car::QuarterCar,
     four_post_car::FourPostCar,
     double_track_car::DoubleTrackCar,
+    posts::Posts,
 }
 
 mod magic_formula;

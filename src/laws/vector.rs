@@ -53,7 +53,7 @@ pub fn length<T: Component, const N: usize>(vector: &SVector<T, N>) -> T {
         return T::from(0.0);
     }
     let squares = vector.iter().map(|component| *component / T::from(largest));
-    T::from(largest) * squares.fold(T::from(0.0), |sum, part| sum + part * part).powf(T::from(0.5))
+    T::from(largest) * squares.fold(T::from(0.0), |sum, part| sum + part * part).sqrt()
 }
 
 /// Direction of a vector; zero for a vector of no length.

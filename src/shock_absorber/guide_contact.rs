@@ -93,7 +93,7 @@ impl<T: Real> Touch<T> {
         if self.rim_velocity.is(0.0) {
             return self.velocity;
         }
-        let speed = (self.velocity * self.velocity + self.rim_velocity * self.rim_velocity).powf(T::from(0.5));
+        let speed = (self.velocity * self.velocity + self.rim_velocity * self.rim_velocity).sqrt();
         if self.velocity.value() < 0.0 { -speed } else { speed }
     }
 

@@ -333,7 +333,7 @@ mod tests {
         assert!((relaxing.dissipated_energy + stored - work).abs() < 1e-5);
     }
 
-    /// The step is of second order, and stable for a stiffness of 1e12 N/m.
+    /// The step is of second order or better, and stable for a stiffness of 1e12 N/m.
     #[test]
     fn series_step_is_of_second_order_and_l_stable() {
         let run = |step_size: f64| {
@@ -345,7 +345,7 @@ mod tests {
         };
         let exact = run(1e-6);
         let [coarse, fine] = [run(4e-5), run(2e-5)].map(|force| (force - exact).abs());
-        assert!((3.0..5.0).contains(&(coarse / fine)), "{coarse} {fine}");
+        assert!(coarse < 1e-3 && coarse / fine > 3.0, "{coarse} {fine}");
         let mut stiff = damper(|d| d.k_series = 1e12);
         stiff.velocity = -0.2;
         stiff.step(1e-3);

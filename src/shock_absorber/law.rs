@@ -358,6 +358,11 @@ impl ChosenLaw {
         PLANS.get((number as usize).wrapping_sub(2)).map(ChosenLaw)
     }
 
+    /// Where the columns of its row come from.
+    fn sources(self) -> &'static [Source] {
+        &self.0.sources[..self.0.model.table.len()]
+    }
+
     /// Force at the given motion.
     pub(crate) fn force<T: Evaluate>(
         self,
@@ -380,7 +385,7 @@ impl ChosenLaw {
     ) -> Answer<f64> {
         let mut row = self.row(given, parameters, memory);
         let is_finite = self.0.model.advance(&mut row[..self.0.model.table.len()], dt);
-        for (source, value) in self.0.sources.iter().zip(row) {
+        for (source, value) in self.sources().iter().zip(row) {
             if let Source::Memory(place) = source {
                 memory[usize::from(*place)] = value;
             }
@@ -394,7 +399,7 @@ impl ChosenLaw {
         let (row, mut rates) = (self.row(given, parameters, memory), [0.0; WIDEST]);
         self.0.model.rate(&row[..columns], &mut rates[..columns]);
         let mut rate = [0.0; MEMORY];
-        for (source, value) in self.0.sources.iter().zip(rates) {
+        for (source, value) in self.sources().iter().zip(rates) {
             if let Source::Memory(place) = source {
                 rate[usize::from(*place)] = value;
             }
@@ -405,7 +410,7 @@ impl ChosenLaw {
     /// What the law remembers at its start.
     pub(crate) fn start(self) -> [f64; MEMORY] {
         let mut memory = [0.0; MEMORY];
-        for (source, variable) in self.0.sources.iter().zip(self.0.model.table) {
+        for (source, variable) in self.sources().iter().zip(self.0.model.table) {
             if let Source::Memory(place) = source {
                 memory[usize::from(*place)] = variable.start;
             }
@@ -422,7 +427,7 @@ impl ChosenLaw {
     pub(crate) fn check(self, given: &Given<f64>, parameters: &LawParameters) -> Result<(), Fault> {
         let row = self.row(given, parameters, &self.start());
         let named = |fault: Fault| Fault(format!("friction.model = {}: {}", self.0.model.name, fault.0));
-        for ((variable, source), value) in self.0.model.table.iter().zip(self.0.sources).zip(row) {
+        for ((variable, source), value) in self.0.model.table.iter().zip(self.sources()).zip(row) {
             if matches!(source, Source::Parameter(_)) && !variable.admits(value) {
                 return Err(named(variable.fault(value)));
             }
@@ -432,7 +437,7 @@ impl ChosenLaw {
 
     fn row<T: Real>(self, given: &Given<T>, parameters: &LawParameters<T>, memory: &[T; MEMORY]) -> [T; WIDEST] {
         let mut row = [T::zero(); WIDEST];
-        for ((value, source), variable) in row.iter_mut().zip(&self.0.sources).zip(self.0.model.table) {
+        for ((value, source), variable) in row.iter_mut().zip(self.sources()).zip(self.0.model.table) {
             *value = match *source {
                 Source::Start => T::from(variable.start),
                 Source::Velocity => given.velocity,

@@ -260,6 +260,11 @@ impl<T: Real> Setting<T> {
         if self.damper.has_series() { piston_velocity } else { motion.velocity }
     }
 
+    /// Do piston or temperature move while the inputs are held?
+    fn has_own_dynamics(&self) -> bool {
+        self.damper.has_series() || self.thermal.enabled.value() != 0.0
+    }
+
     fn resistance(&self, piston_velocity: T, temperature: T) -> T {
         self.thermal.factor(temperature) * self.damper.resistance(piston_velocity)
     }
@@ -674,7 +679,7 @@ impl Model for ShockAbsorber {
         }
         self.start();
         self.step_size = dt;
-        let count = super::substeps(dt, self.setting.num.h_max);
+        let count = if self.setting.has_own_dynamics() { super::substeps(dt, self.setting.num.h_max) } else { 1 };
         for _ in 0..count {
             self.substep(dt / f64::from(count));
         }

@@ -116,7 +116,7 @@ fn magnitude<T: Real>([a, b]: [T; 2]) -> T {
         return T::zero();
     }
     let (a, b) = (a / size, b / size);
-    size * (a * a + b * b).powf(T::from(0.5))
+    size * (a * a + b * b).sqrt()
 }
 
 crate::model! {

@@ -209,7 +209,7 @@ fn polyline_is_the_best_choice_of_points() {
     let curve: Vec<(f64, f64)> = (0..=10).map(f64::from).map(|v| (v, (v * 0.4).sin() + 0.1 * v)).collect();
     let error = |points: &[(f64, f64)]| {
         let line: Vec<(f64, f64)> = [curve[0]].into_iter().chain(points.iter().copied()).collect();
-        curve.iter().map(|point| (point.1 - interpolate(&line, point.0)).powi(2)).sum::<f64>()
+        curve.iter().map(|point| (point.1 - linear(&line, point.0)).powi(2)).sum::<f64>()
     };
     let found = error(&polyline(&curve, 3));
     let mut best = f64::INFINITY;
@@ -312,7 +312,7 @@ fn default_damping(velocity: f64) -> f64 {
         [0.0, 110.0, 210.0, 430.0, 700.0, 1150.0]
     };
     let table: Vec<(f64, f64)> = speeds.into_iter().zip(forces).collect();
-    velocity.signum() * interpolate(&table, velocity.abs())
+    velocity.signum() * linear(&table, velocity.abs())
 }
 
 #[test]
@@ -326,4 +326,39 @@ fn shipped_examples_give_back_their_dampers() {
     assert_table(&soft, |velocity| 0.6 * default_damping(velocity), 0.02, 4.0);
     assert!((soft.friction.unwrap().level.value - 12.0).abs() < 1.0, "{:?}", soft.friction);
     assert_eq!(soft.force_sign, ForceSign::Reaction);
+}
+
+/// The shock absorber with the set gives the force of the damper that was measured.
+#[test]
+fn the_shock_absorber_with_the_set_has_the_measured_force() {
+    use stribeck::instance::Instance;
+    let damper = find(&example("dyno.csv"));
+    let set = damper.parameter_set("firm").unwrap();
+    let model = set.model();
+    let column = |name: &str| model.find(name).unwrap();
+    for velocity in [-0.7, -0.2, 0.03, 0.3, 0.9] {
+        let mut absorber = Instance::new(model);
+        for (variable, value) in set.values() {
+            absorber.put(column(&variable.path.to_string()), value);
+        }
+        // No side load, so that the preloads alone make the friction.
+        absorber.put(column("side.offset_m"), 0.0);
+        absorber.put(column("velocity"), velocity);
+        absorber.step(0.1).unwrap();
+        absorber.refresh().unwrap();
+        let friction = absorber.row()[column("force_friction")];
+        let hydraulic = absorber.row()[column("force_damper")];
+        assert!((friction + 25.0 * velocity.signum()).abs() < 1.5, "{velocity}: {friction}");
+        let wanted = default_damping(velocity);
+        assert!((hydraulic + wanted).abs() < (0.03 * wanted.abs()).max(6.0), "{velocity}: {hydraulic} {wanted}");
+    }
+    assert_eq!(set.get("damper.mode"), Some(2.0));
+    assert_eq!(set.get("damper.tab_n"), Some(11.0));
+    let preloads = ["c1.preload_k", "c2.preload_k", "c1.preload_s", "c2.preload_s"].map(|name| set.get(name).unwrap());
+    assert!(
+        (preloads[0] / preloads[1] - 8.0 / 6.0).abs() < 1e-12 && (preloads[2] / preloads[3] - 10.0 / 8.0).abs() < 1e-12
+    );
+    assert!((preloads[0] + preloads[1] - damper.friction.unwrap().level.value).abs() < 1e-12);
+    let again = ParameterSet::from_ssv(model, &set.to_ssv()).unwrap();
+    assert_eq!(again, set);
 }

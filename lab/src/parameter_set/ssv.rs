@@ -50,9 +50,7 @@ pub fn write(set: &ParameterSet) -> String {
 
 /// A unit as a product of powers of base units.
 fn definition(unit: &Unit) -> String {
-    let exponents = [("kg", unit.kg), ("m", unit.m), ("s", unit.s)];
-    let present = exponents.iter().filter(|(_, exponent)| *exponent != 0);
-    let base: String = present.map(|(name, exponent)| format!(" {name}=\"{exponent}\"")).collect();
+    let base: String = unit.base_units().map(|(name, exponent)| format!(" {name}=\"{exponent}\"")).collect();
     format!("    <ssc:Unit name=\"{}\"><ssc:BaseUnit{base}/></ssc:Unit>\n", unit.name)
 }
 
