@@ -77,6 +77,11 @@ def variables_of(path: Path) -> dict[str, ScalarVariable]:
     return _by_name(fmpy.read_model_description(str(path)))
 
 
+def check_parameters(path: Path, parameters: Mapping[str, object]) -> None:
+    """Refuses parameters that an FMU does not have or cannot read, without opening it."""
+    _start_values(fmpy.read_model_description(str(path)), parameters)
+
+
 @contextmanager
 def open_fmu(path: Path, parameters: Mapping[str, object] | None = None) -> Iterator[Fmu]:
     """Extracts, instantiates and initialises an FMU; at the end terminates it, frees it and deletes what was extracted.
@@ -145,7 +150,9 @@ def _by_name(description: ModelDescription) -> dict[str, ScalarVariable]:
 
 def _is_friction_model(path: Path) -> bool:
     causality = {name: variable.causality for name, variable in variables_of(path).items()}
-    return causality.get("velocity") == "input" and causality.get("friction_force") == "output"
+    # A contact whose law is chosen is a part of the shock absorber.
+    is_law = "friction.model" not in causality
+    return is_law and causality.get("velocity") == "input" and causality.get("friction_force") == "output"
 
 
 def _refuse_unknown(description: ModelDescription, names: object, kind: str, known: list[str]) -> None:

@@ -38,6 +38,7 @@ from vehicle import (
     Excitation,
     Run,
     add_laws,
+    check_laws,
     choices_of,
     number_of,
     options_of,
@@ -52,7 +53,7 @@ BEGIN, AMPLITUDE, FREQUENCY, PAUSE = 0.5, math.radians(3.6), 0.9, 0.35
 
 # The driver (chosen): where he leaves a lane and has arrived in the next one, in m before its end and after its
 # begin; how far he looks ahead, in s, and how much he steers for what is missing there, in rad/m.
-LEAVING, ARRIVING, PREVIEW, GAIN = 2.5, 4.5, 0.24, 0.2
+LEAVING, ARRIVING, PREVIEW, GAIN = 2.7, 5.7, 0.16, 0.3
 
 
 def open_loop(time: float, _seen: Mapping[str, float]) -> list[float]:
@@ -166,6 +167,7 @@ def arguments() -> argparse.Namespace:
 def program() -> None:
     """Runs what the command line asks for."""
     options = arguments()
+    check_laws(options)
     course = lanes(options.width)
     speed = number_of(DOUBLE_TRACK_CAR, "speed", dict(options.car), options.fmus)
     steer = driver(course, speed) if options.steer == "path" else open_loop

@@ -103,7 +103,7 @@ def program() -> None:
     ]
     columns = {"frequency [Hz]": found[0].frequency}
     for one in found:
-        columns |= {f"body, {one.label}": one.body, f"travel, {one.label}": one.travel}
+        columns |= {f"body; {one.label}": one.body, f"travel; {one.label}": one.travel}
     loops = [
         run_road(choice, options.loop, options.amplitude, options.step, label) for label, choice in choices.items()
     ]

@@ -16,7 +16,18 @@ from pathlib import Path
 
 import numpy
 from car_pictures import draw_laws
-from coupling import Fmu, command_line, not_negative, open_fmu, parameter, path_of, positive, variables_of, write_csv
+from coupling import (
+    Fmu,
+    check_parameters,
+    command_line,
+    not_negative,
+    open_fmu,
+    parameter,
+    path_of,
+    positive,
+    variables_of,
+    write_csv,
+)
 from fmpy.fmi2 import fmi2FMUstate
 from tqdm import tqdm
 
@@ -129,6 +140,8 @@ class Coupled:
         self.units |= units_of(car, [*self.seen_names, *excitation.names])
         self.saved = [fmi2FMUstate() for _ in self.slaves]
         self.evaluations = 0
+        # Some outputs, such as tyre loads, follow from what excites the car, so that must be there from the beginning.
+        self.car.setReal(self.moved, self._excite(0.0, self.look()))
 
     def look(self) -> list[float]:
         """The outputs of the car."""
@@ -154,14 +167,17 @@ class Coupled:
 
         Returns what excites it at the beginning.
         """
-        known = dict(zip(self.seen_names, seen, strict=True))
-        begin, end = (self.excitation.values(at, known) for at in (time, time + step))
+        begin, end = (self._excite(at, seen) for at in (time, time + step))
         self.car.setReal(self.forces, forces)
         self.car.setReal(self.moved, begin)
         slopes = [(after - before) / step for before, after in zip(begin, end, strict=True)]
         self.car.setRealInputDerivatives(self.moved, [1] * len(slopes), slopes)
         self.car.doStep(time, step)
         return begin
+
+    def _excite(self, time: float, seen: list[float]) -> list[float]:
+        """What excites the car at a time."""
+        return self.excitation.values(time, dict(zip(self.seen_names, seen, strict=True)))
 
     def save(self) -> None:
         """Remembers where everything is."""
@@ -344,6 +360,12 @@ def add_laws(parser: argparse.ArgumentParser) -> None:
         default=1e-4,
         help="error of the velocity of a strut in a step of that comparison in m/s (default: 1e-4)",
     )
+
+
+def check_laws(options: argparse.Namespace) -> None:
+    """Refuses laws that do not exist before anything runs."""
+    for law in options.laws:
+        check_parameters(path_of(STRUT, options.fmus), {"friction.model": law})
 
 
 def run_laws(layout: Layout, excitation: Excitation, options: argparse.Namespace) -> list[Run]:
