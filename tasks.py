@@ -106,9 +106,10 @@ def setup() -> None:
 
 
 def pack() -> None:
-    """Builds the library and packs every model as an FMU into dist/."""
+    """Builds the library and packs every model as an FMU into dist/, and the four-post rig as SSP package."""
     need_rust()
     run("cargo", "run", "--package", "fmu-build", "--", "pack", "--out", "dist")
+    run("cargo", "run", "--package", "fmu-build", "--", "ssp", "--out", "dist")
 
 
 def demo() -> None:

@@ -620,7 +620,7 @@ typedef enum stribeck_friction_model {
 
 /** Choices of a variable of the type FrictionStart. */
 typedef enum stribeck_friction_start {
-  /** Steady sliding at the first velocity. */
+  /** What a second of motion at the first velocity leaves: steady sliding, or rest. */
   STRIBECK_FRICTION_START_STEADY = 1,
   /** Contacts at rest, without load. */
   STRIBECK_FRICTION_START_ZERO = 2,
@@ -652,7 +652,7 @@ typedef enum stribeck_frictional_lag_variant {
 typedef enum stribeck_input_mode {
   /** They are held. */
   STRIBECK_INPUT_MODE_HOLD = 1,
-  /** The length moves with the velocity. */
+  /** The length moves with the velocity, the velocity with the acceleration. */
   STRIBECK_INPUT_MODE_LINEAR = 2,
 } stribeck_input_mode;
 
@@ -4012,7 +4012,7 @@ typedef enum stribeck_elasto_plastic_planar_variable {
 } stribeck_elasto_plastic_planar_variable;
 
 /** Guid of ShockAbsorber for fmi2Instantiate. */
-#define STRIBECK_SHOCK_ABSORBER_GUID "{39ecb89a-a1c4-643e-6274-5fa0257c6e3a}"
+#define STRIBECK_SHOCK_ABSORBER_GUID "{bf9874d3-9808-f135-543d-3ceda92a0d8e}"
 
 /** ShockAbsorber: Telescopic shock absorber with friction from its side load. Columns of "ShockAbsorber". */
 typedef enum stribeck_shock_absorber_variable {
@@ -4033,7 +4033,8 @@ typedef enum stribeck_shock_absorber_variable {
   /** in [N]: All other forces along the strut, positive in extension; only for laws that hold a load at rest.
    *  (default 0) */
   STRIBECK_SHOCK_ABSORBER_EXTERNAL_FORCE = 7,
-  /** in [m/s2]: Time derivative of the velocity; only for laws that ask for it. (default 0) */
+  /** in [m/s2]: Time derivative of the velocity; for num.input_mode = Linear and for laws that ask for it.
+   *  (default 0) */
   STRIBECK_SHOCK_ABSORBER_ACCELERATION = 8,
   /** in [K]: Ambient temperature; used if thermal.enabled is true. (> 0, default 293.15) */
   STRIBECK_SHOCK_ABSORBER_TEMPERATURE_AMBIENT = 9,
@@ -4277,7 +4278,7 @@ typedef enum stribeck_shock_absorber_variable {
   STRIBECK_SHOCK_ABSORBER_FRICTION_CURVE = 126,
   /** tunable [N.s2/m2]: Quadratic friction coefficient; used by PoppStelter. (>= 0, default 0) */
   STRIBECK_SHOCK_ABSORBER_FRICTION_QUADRATIC_COEFFICIENT = 127,
-  /** tunable [s/m]: Slope of the force at rest, relative to the level there. (> 0, default 2000) */
+  /** tunable [s/m]: Slope of the force at rest, relative to the level there. (> 0, default 10000) */
   STRIBECK_SHOCK_ABSORBER_FRICTION_TRANSITION_SLOPE = 128,
   /** fixed [stribeck_threlfall_variant]: Variant of the law. (default Printed) */
   STRIBECK_SHOCK_ABSORBER_FRICTION_THRELFALL_VARIANT = 129,
@@ -4285,12 +4286,12 @@ typedef enum stribeck_shock_absorber_variable {
   STRIBECK_SHOCK_ABSORBER_FRICTION_TRANSITION_VELOCITY = 130,
   /** fixed [stribeck_rooney_deravi_variant]: Variant of the law. (default Linear) */
   STRIBECK_SHOCK_ABSORBER_FRICTION_ROONEYDERAVI_VARIANT = 131,
-  /** tunable [m/s]: Velocity at which the kinetic level is reached. (> 0, default 0.001) */
+  /** tunable [m/s]: Velocity at which the kinetic level is reached. (> 0, default 0.0015) */
   STRIBECK_SHOCK_ABSORBER_FRICTION_SLIDING_VELOCITY = 132,
   /** fixed [stribeck_bengisu_akay_variant]: Variant of the law. (default Thesis) */
   STRIBECK_SHOCK_ABSORBER_FRICTION_BENGISUAKAY_VARIANT = 133,
   /** tunable [s/m]: Rate at which the excess of static over kinetic friction decays with speed (default chosen).
-   *  (> 0, default 500) */
+   *  (> 0, default 1000) */
   STRIBECK_SHOCK_ABSORBER_FRICTION_STICTION_DECAY = 134,
   /** tunable [s/m]: Viscous coefficient of friction, per normal force. (>= 0, default 0) */
   STRIBECK_SHOCK_ABSORBER_FRICTION_MU_V = 135,
@@ -5569,7 +5570,7 @@ typedef enum stribeck_telescopic_joint_variable {
 } stribeck_telescopic_joint_variable;
 
 /** Guid of GuideContact for fmi2Instantiate. */
-#define STRIBECK_GUIDE_CONTACT_GUID "{b9dc18b7-ed67-079d-025d-d29ac873e2c6}"
+#define STRIBECK_GUIDE_CONTACT_GUID "{f70218a5-4ccb-46c7-adf5-9359c0164382}"
 
 /** GuideContact: Friction of a rod in its guide, by any law of the catalogue. Columns of "GuideContact". */
 typedef enum stribeck_guide_contact_variable {
@@ -5629,7 +5630,7 @@ typedef enum stribeck_guide_contact_variable {
   STRIBECK_GUIDE_CONTACT_FRICTION_CURVE = 24,
   /** tunable [N.s2/m2]: Quadratic friction coefficient; used by PoppStelter. (>= 0, default 0) */
   STRIBECK_GUIDE_CONTACT_FRICTION_QUADRATIC_COEFFICIENT = 25,
-  /** tunable [s/m]: Slope of the force at rest, relative to the level there. (> 0, default 2000) */
+  /** tunable [s/m]: Slope of the force at rest, relative to the level there. (> 0, default 10000) */
   STRIBECK_GUIDE_CONTACT_FRICTION_TRANSITION_SLOPE = 26,
   /** fixed [stribeck_threlfall_variant]: Variant of the law. (default Printed) */
   STRIBECK_GUIDE_CONTACT_FRICTION_THRELFALL_VARIANT = 27,
@@ -5637,12 +5638,12 @@ typedef enum stribeck_guide_contact_variable {
   STRIBECK_GUIDE_CONTACT_FRICTION_TRANSITION_VELOCITY = 28,
   /** fixed [stribeck_rooney_deravi_variant]: Variant of the law. (default Linear) */
   STRIBECK_GUIDE_CONTACT_FRICTION_ROONEYDERAVI_VARIANT = 29,
-  /** tunable [m/s]: Velocity at which the kinetic level is reached. (> 0, default 0.001) */
+  /** tunable [m/s]: Velocity at which the kinetic level is reached. (> 0, default 0.0015) */
   STRIBECK_GUIDE_CONTACT_FRICTION_SLIDING_VELOCITY = 30,
   /** fixed [stribeck_bengisu_akay_variant]: Variant of the law. (default Thesis) */
   STRIBECK_GUIDE_CONTACT_FRICTION_BENGISUAKAY_VARIANT = 31,
   /** tunable [s/m]: Rate at which the excess of static over kinetic friction decays with speed (default chosen).
-   *  (> 0, default 500) */
+   *  (> 0, default 1000) */
   STRIBECK_GUIDE_CONTACT_FRICTION_STICTION_DECAY = 32,
   /** tunable [s/m]: Viscous coefficient of friction, per normal force. (>= 0, default 0) */
   STRIBECK_GUIDE_CONTACT_FRICTION_MU_V = 33,
@@ -6644,5 +6645,48 @@ typedef enum stribeck_four_post_car_variable {
   /** out [N]: Vertical force of the tyre on the ground; 0 while the wheel is off the ground. */
   STRIBECK_FOUR_POST_CAR_RR_TYRE_LOAD = 56,
 } stribeck_four_post_car_variable;
+
+/** Guid of Posts for fmi2Instantiate. */
+#define STRIBECK_POSTS_GUID "{d31ea183-740a-585b-cedf-0500781a8777}"
+
+/** Posts: Four posts that shake a car. Columns of "Posts". */
+typedef enum stribeck_posts_variable {
+  /** out [m]: Height of the post under the wheel. */
+  STRIBECK_POSTS_FL_POST_HEIGHT = 0,
+  /** out [m/s]: Rate of the post's height. */
+  STRIBECK_POSTS_FL_POST_VELOCITY = 1,
+  /** fixed [m]: Travel of the post, lowest to highest. (>= 0, default 0.04) */
+  STRIBECK_POSTS_FL_TRAVEL = 2,
+  /** fixed [rad]: Phase by which the post comes late; it rests until then. (>= 0, default 0) */
+  STRIBECK_POSTS_FL_PHASE = 3,
+  /** out [m]: Height of the post under the wheel. */
+  STRIBECK_POSTS_FR_POST_HEIGHT = 4,
+  /** out [m/s]: Rate of the post's height. */
+  STRIBECK_POSTS_FR_POST_VELOCITY = 5,
+  /** fixed [m]: Travel of the post, lowest to highest. (>= 0, default 0.04) */
+  STRIBECK_POSTS_FR_TRAVEL = 6,
+  /** fixed [rad]: Phase by which the post comes late; it rests until then. (>= 0, default 0) */
+  STRIBECK_POSTS_FR_PHASE = 7,
+  /** out [m]: Height of the post under the wheel. */
+  STRIBECK_POSTS_RL_POST_HEIGHT = 8,
+  /** out [m/s]: Rate of the post's height. */
+  STRIBECK_POSTS_RL_POST_VELOCITY = 9,
+  /** fixed [m]: Travel of the post, lowest to highest. (>= 0, default 0.04) */
+  STRIBECK_POSTS_RL_TRAVEL = 10,
+  /** fixed [rad]: Phase by which the post comes late; it rests until then. (>= 0, default 1.5707963267948966) */
+  STRIBECK_POSTS_RL_PHASE = 11,
+  /** out [m]: Height of the post under the wheel. */
+  STRIBECK_POSTS_RR_POST_HEIGHT = 12,
+  /** out [m/s]: Rate of the post's height. */
+  STRIBECK_POSTS_RR_POST_VELOCITY = 13,
+  /** fixed [m]: Travel of the post, lowest to highest. (>= 0, default 0.04) */
+  STRIBECK_POSTS_RR_TRAVEL = 14,
+  /** fixed [rad]: Phase by which the post comes late; it rests until then. (>= 0, default 1.5707963267948966) */
+  STRIBECK_POSTS_RR_PHASE = 15,
+  /** tunable [Hz]: Frequency of the strokes. (>= 0, default 2) */
+  STRIBECK_POSTS_FREQUENCY = 16,
+  /** state [rad]: Angle of the drive. (default 0) */
+  STRIBECK_POSTS_ANGLE = 17,
+} stribeck_posts_variable;
 
 #endif /* STRIBECK_H */

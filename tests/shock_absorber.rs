@@ -3,16 +3,27 @@
 mod common;
 
 use common::Bench;
+use stribeck::catalogue::by_name;
 use stribeck::friction::LuGre;
-use stribeck::model::{Law, Model};
+use stribeck::model::{Kind, Law, Model};
 
 /// A shock absorber with its default parameters but for these.
 fn strut(set: &[(&str, f64)]) -> Bench {
     Bench::new("ShockAbsorber", set)
 }
 
+/// Numbers and names of the friction laws.
+fn laws() -> impl Iterator<Item = (f64, &'static str)> {
+    let variable = strut(&[]).column("friction.model");
+    let Kind::Enumeration(laws) = by_name("ShockAbsorber").unwrap().table[variable].kind else { panic!() };
+    laws.items.iter().enumerate().map(|(at, law)| (at as f64 + 1.0, law.name))
+}
+
+fn law(name: &str) -> (&'static str, f64) {
+    ("friction.model", laws().find(|law| law.1 == name).unwrap().0)
+}
+
 const NONE: (&str, f64) = ("friction.model", 1.0);
-const COULOMB: (&str, f64) = ("friction.model", 2.0);
 const TABLE: (&str, f64) = ("damper.mode", 2.0);
 
 fn force(strut: &mut Bench, length: f64, velocity: f64) -> f64 {
@@ -46,7 +57,7 @@ fn golden_points_without_friction() {
 /// R = (80, -30) N, M = (2, 6) N.m at a length of 180 mm, Coulomb friction, no regularisation, no offset of the spring.
 #[test]
 fn worked_example_of_sliding_friction() {
-    let mut strut = strut(&[COULOMB, ("geom.h_reg", 0.0), ("side.offset_m", 0.0), ("length", 0.18)]);
+    let mut strut = strut(&[law("Coulomb"), ("geom.h_reg", 0.0), ("side.offset_m", 0.0), ("length", 0.18)]);
     for (input, value) in
         [("side_force_m", 80.0), ("side_force_n", -30.0), ("side_moment_m", 2.0), ("side_moment_n", 6.0)]
     {
@@ -165,4 +176,395 @@ fn golden_lugre_trace() {
         }
     }
     assert!((law.bristle_deflection - 4.0779333550e-6).abs() < 1e-15);
+}
+
+/// One contact with these levels and nothing else: no spring, gas, stops, damper or side load.
+fn bare(kinetic: f64, statical: f64) -> Vec<(&'static str, f64)> {
+    let mut set = vec![
+        ("spring.k", 0.0),
+        ("spring.preload", 0.0),
+        ("gas.enabled", 0.0),
+        ("damper.scale", 0.0),
+        ("side.offset_m", 0.0),
+        ("c1.preload_s", statical),
+        ("c1.preload_k", kinetic),
+        ("c2.preload_s", 0.0),
+        ("c2.preload_k", 0.0),
+    ];
+    // At rest, whatever the first velocity.
+    set.push(("init.friction_state", 2.0));
+    set.extend(["c1.mu_s", "c1.mu_k", "c2.mu_s", "c2.mu_k"].map(|name| (name, 0.0)));
+    set
+}
+
+/// A free mass of 16.36 kg on the strut: by how much has a small velocity at rest length grown after 500 steps? The force
+/// is held over each step; sequential: it belongs to the motion at its beginning, parallel: it is one step older.
+fn velocity_ratio(strut: &mut Bench, h: f64, parallel: bool) -> f64 {
+    const MASS: f64 = 16.36;
+    let rest = strut.get("force");
+    let length = strut.get("length");
+    let (mut x, mut v, mut old) = (0.0, 1e-7, 0.0);
+    let start = v;
+    let mut largest = 0f64;
+    for k in 0..600 {
+        strut.set("length", length + x);
+        strut.set("velocity", v);
+        let now = strut.get("force") - rest;
+        let force = if parallel { old } else { now };
+        old = now;
+        strut.set("acceleration", force / MASS);
+        strut.step(h);
+        x += h * (v + h * force / (2.0 * MASS));
+        v += h * force / MASS;
+        if k >= 500 {
+            largest = largest.max(v.abs());
+        }
+        if v.abs() > 1e-3 {
+            return f64::INFINITY;
+        }
+    }
+    largest / start
+}
+
+struct Limit {
+    name: &'static str,
+    set: Vec<(&'static str, f64)>,
+    sequential: f64,
+    parallel: f64,
+}
+
+/// Elements of a strut, and the largest communication steps for a mass of 16.36 kg in seconds.
+fn limits() -> Vec<Limit> {
+    let element = |name, set: &[(&'static str, f64)], [sequential, parallel]: [f64; 2]| Limit {
+        name,
+        set: [bare(0.0, 0.0), set.to_vec()].concat(),
+        sequential,
+        parallel,
+    };
+    let friction = |level: f64| [("c1.preload_k", level), ("c1.preload_s", level)];
+    let band =
+        |width: f64| [&friction(40.0)[..], &[law("RooneyDeravi"), ("friction.transition_velocity", width)]].concat();
+    let damper = |c: f64| [("damper.scale", 1.0), ("damper.c_comp", c), ("damper.c_reb", c)];
+    let soft = ("spring.k", 45e3);
+    // The friction of the last rows is stuck from the start.
+    let lugre = [&friction(1000.0)[..], &[("friction.viscous_coefficient", 0.0)]].concat();
+    vec![
+        element("damper and spring", &[&damper(1500.0)[..], &[soft, NONE]].concat(), [21.7e-3, 8.7e-3]),
+        element("strong damper", &[&damper(5000.0)[..], &[NONE]].concat(), [6.5e-3, 3.2e-3]),
+        element("Coulomb over 1 mm/s", &band(1e-3), [0.82e-3, 0.41e-3]),
+        element("Coulomb over 0.1 mm/s", &band(1e-4), [0.081e-3, 0.041e-3]),
+        element("LuGre, damper and spring", &[&lugre[..], &damper(1500.0), &[soft]].concat(), [18e-3, 5.3e-3]),
+        element("LuGre", &lugre, [6.3e-3, 2.1e-3]),
+        element("end stop and damper", &[&damper(1500.0)[..], &STOP, &[NONE]].concat(), [2.9e-3, 0.91e-3]),
+        element("end stop, weak damper", &[&damper(150.0)[..], &STOP, &[NONE]].concat(), [0.30e-3, 0.10e-3]),
+    ]
+}
+
+/// On the stop, 10 mm deep.
+const STOP: [(&str, f64); 2] = [("bump.k", 1e6), ("bump.gap", 0.0125)];
+
+const LINEAR: (&str, f64) = ("num.input_mode", 2.0);
+
+/// The advice of the strut itself.
+fn advice(set: &[(&str, f64)], is_parallel: bool) -> f64 {
+    let mut strut = strut(&[set, &[("num.mass_ref", 16.36)]].concat());
+    strut.set("friction.exchange", if is_parallel { 2.0 } else { 1.0 });
+    strut.get("step_limit")
+}
+
+/// The limits of the table hold where the strut sees the true displacement: length and velocity move within a step.
+#[test]
+fn limits_of_the_communication_step() {
+    for Limit { name, set, sequential, parallel } in limits() {
+        let set = [&set[..], &[LINEAR]].concat();
+        for (limit, is_parallel) in [(sequential, false), (parallel, true)] {
+            let order = if is_parallel { "parallel" } else { "sequential" };
+            let below = velocity_ratio(&mut strut(&set), 0.9 * limit, is_parallel);
+            let above = velocity_ratio(&mut strut(&set), 1.1 * limit, is_parallel);
+            assert!(below < 1.0, "{name}, {order}: grows by {below} at 0.9 of {limit} s");
+            assert!(above > 1.0, "{name}, {order}: dies to {above} at 1.1 of {limit} s");
+            let advice = advice(&set, is_parallel) / limit;
+            assert!((0.8..1.25).contains(&advice), "{name}, {order}: step_limit is {advice} of {limit} s");
+        }
+    }
+}
+
+/// With held inputs bristles see the velocity at the beginning of the step, and need a shorter one; step_limit knows.
+#[test]
+fn advice_for_held_inputs() {
+    for Limit { name, set, .. } in limits() {
+        for is_parallel in [false, true] {
+            let advice = advice(&set, is_parallel);
+            let below = velocity_ratio(&mut strut(&set), 0.8 * advice, is_parallel);
+            let above = velocity_ratio(&mut strut(&set), 1.4 * advice, is_parallel);
+            assert!(below < 1.0 && above > 1.0, "{name}, {is_parallel}: {below} {above} about {advice} s");
+        }
+    }
+}
+
+/// Exact derivatives against central differences, with friction of both kinds, side load and all forces at work.
+#[test]
+fn directional_derivatives_of_force_and_torque() {
+    let inputs = ["length", "velocity", "side_force_m", "side_force_n", "side_moment_m", "side_moment_n", "spin_rate"];
+    let start = [0.156, -0.07, 80.0, -30.0, 2.0, 6.0, 1.5];
+    let mut checked = 0;
+    for model in ["LuGre", "BrownMcPhee", "Stribeck", "Dahl"] {
+        let set = [law(model), TABLE, ("damper.interpolation", 2.0), ("bump.mode", 2.0), ("friction.asymmetry", 0.1)];
+        let mut strut = strut(&set);
+        let put = |strut: &mut Bench, values: &[f64; 7]| {
+            inputs.iter().zip(values).for_each(|(name, value)| strut.set(name, *value));
+        };
+        put(&mut strut, &start);
+        strut.step(1e-3);
+        for (at, input) in inputs.iter().enumerate() {
+            let half = 1e-6 * start[at].abs();
+            for output in ["force", "friction_torque"] {
+                let mut value = |side: f64| {
+                    let mut values = start;
+                    values[at] += side * half;
+                    put(&mut strut, &values);
+                    strut.get(output)
+                };
+                let difference = (value(1.0) - value(-1.0)) / (2.0 * half);
+                put(&mut strut, &start);
+                let [seed, answer] = [strut.column(input), strut.column(output)];
+                strut.instance.refresh().unwrap();
+                let exact = strut.instance.derivative([(seed, 1.0)].into_iter())[answer].slope;
+                let scale = difference.abs().max(1e-3 * strut.get(output).abs() / start[at].abs()).max(1e-9);
+                assert!((exact - difference).abs() < 1e-5 * scale, "{model} {output} {input}: {exact} {difference}");
+                checked += usize::from(difference.abs() > 1e-6);
+            }
+        }
+    }
+    assert!(checked > 40, "only {checked} derivatives are not 0");
+}
+
+/// A cycle of 2 Hz and 12 mm under side load, with its acceleration; forces at each whole `every` s.
+fn smooth_cycle(set: &[(&str, f64)], h: f64, every: f64) -> Vec<f64> {
+    let mut strut = strut(set);
+    strut.set("side_force_m", 80.0);
+    let motion = |time: f64| {
+        let phase = 4.0 * std::f64::consts::PI * time;
+        let rate = 4.0 * std::f64::consts::PI;
+        (0.1775 + 0.012 * phase.sin(), 0.012 * rate * phase.cos(), -0.012 * rate * rate * phase.sin())
+    };
+    let mut forces = Vec::new();
+    let steps = (0.5 / h).round() as usize;
+    for k in 0..=steps {
+        let (length, velocity, acceleration) = motion(k as f64 * h);
+        strut.set("length", length);
+        strut.set("acceleration", acceleration);
+        strut.set("velocity", velocity);
+        if k % (every / h).round() as usize == 0 {
+            forces.push(strut.get("force"));
+        }
+        strut.step(h);
+    }
+    forces
+}
+
+#[test]
+fn force_does_not_depend_on_the_communication_step() {
+    for set in [&[][..], &[TABLE], &[law("Dahl")], &[law("MaxwellSlip")]] {
+        let set = [&[("num.input_mode", 2.0)], set].concat();
+        let fine = smooth_cycle(&set, 1e-4, 5e-3);
+        for h in [1e-3, 5e-3] {
+            let worst = smooth_cycle(&set, h, 5e-3).iter().zip(&fine).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+            assert!(worst < 0.5, "{set:?}, {h} s: {worst} N");
+        }
+    }
+}
+
+/// Each law drives the strut: its force stays within the levels and takes energy out of a cycle.
+#[test]
+fn every_law_of_the_catalogue_works_in_the_strut() {
+    let names: Vec<&str> = stribeck::catalogue::documented(stribeck::catalogue::Family::Friction)
+        .map(|(model, _)| model.name)
+        .filter(|name| !["Liang", "LuGrePlanar", "ElastoPlasticPlanar"].contains(name))
+        .collect();
+    let offered: Vec<&str> = laws().map(|law| law.1).skip(1).collect();
+    assert_eq!(offered, names, "every scalar law, in the order of the catalogue");
+    for name in names {
+        let mut strut = strut(&[law(name)]);
+        let (mut work, mut largest) = (0.0, 0f64);
+        for k in 0..1000 {
+            let phase = 4.0 * std::f64::consts::PI * 1e-3 * f64::from(k);
+            let velocity = 0.012 * 4.0 * std::f64::consts::PI * phase.cos();
+            strut.set("length", 0.1775 + 0.012 * phase.sin());
+            strut.set("velocity", velocity);
+            strut.set("acceleration", -0.012 * (4.0 * std::f64::consts::PI).powi(2) * phase.sin());
+            strut.step(1e-3);
+            let friction = strut.get("friction_1") + strut.get("friction_2");
+            let [n_1, n_2] = ["normal_1", "normal_2"].map(|normal| strut.get(normal));
+            largest = largest.max(friction.abs() / (18.0 + 0.15 * n_1 + 0.1 * n_2));
+            work += friction * velocity * 1e-3;
+        }
+        // Sliding nearly all of the time over 2 cycles of 48 mm with some 20 N.
+        assert!((1.0..3.0).contains(&work), "{name}: {work} J");
+        // LuGre-like laws overshoot while their bristles catch up; one has a breakaway level of its own, by mu_2.
+        let most = if name == "BlimanSorine" { 2.0 } else { 1.3 };
+        assert!(largest < most, "{name}: {largest} of the static level");
+    }
+}
+
+/// Every switch is the same as zeroing what it switches, over the whole trace.
+#[test]
+fn switches_equal_zeroed_parameters() {
+    let zero_levels = ["c1.", "c2."]
+        .into_iter()
+        .flat_map(|contact| ["mu_s", "mu_k", "preload_s", "preload_k"].map(|level| (format!("{contact}{level}"), 0.0)));
+    let zero_levels: Vec<(String, f64)> = zero_levels.collect();
+    let levels: Vec<(&str, f64)> = zero_levels.iter().map(|(name, value)| (name.as_str(), *value)).collect();
+    let without_stiction = [("c1.mu_s", 0.10), ("c1.preload_s", 8.0), ("c2.mu_s", 0.08), ("c2.preload_s", 6.0)];
+    let cases: [(&str, &[(&str, f64)], &[(&str, f64)]); 7] = [
+        ("no stiction", &[("friction.switch", 2.0)], &without_stiction),
+        ("viscous only", &[("friction.switch", 3.0)], &levels),
+        ("off", &[("friction.switch", 4.0)], &[NONE]),
+        ("scale", &[("friction.switch", 3.0)], &[("friction.scale", 0.0)]),
+        ("gas", &[("gas.enabled", 0.0)], &[("gas.p0", 101_325.0), ("gas.n", 0.0)]),
+        ("thermal", &[("thermal.enabled", 0.0)], &[("thermal.enabled", 1.0), ("thermal.beta", 0.0)]),
+        (
+            "side",
+            &[("side.mode", 1.0), ("side.offset_m", 0.01), ("side.force_ratio", 0.1)],
+            &[("side.mode", 3.0), ("side.offset_m", 0.0)],
+        ),
+    ];
+    for (name, switched, zeroed) in cases {
+        let forces = |set: &[(&str, f64)]| {
+            let mut forces = Vec::new();
+            golden_trace(set, |_, strut| forces.push(strut.get("force")));
+            forces
+        };
+        let worst = forces(switched).iter().zip(forces(zeroed)).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+        assert!(worst < 1e-9, "{name}: {worst} N");
+    }
+}
+
+/// Save while the contacts stick, go on, come back: the same bits.
+#[test]
+fn restored_in_the_middle_of_sticking() {
+    for (number, name) in laws().skip(1) {
+        let mut strut = strut(&[("friction.model", number), ("damper.k_series", 1e6), ("thermal.enabled", 1.0)]);
+        let drive = |strut: &mut Bench| {
+            let mut bits = Vec::new();
+            for k in 0..200 {
+                strut.set("velocity", 1e-4 * (0.1 * f64::from(k)).sin());
+                strut.step(1e-3);
+                bits.push(strut.get("force").to_bits());
+            }
+            bits
+        };
+        drive(&mut strut);
+        let saved = strut.instance.save();
+        let once = drive(&mut strut);
+        strut.instance.restore(&saved);
+        assert_eq!(drive(&mut strut), once, "{name}");
+    }
+}
+
+/// Quasi-static cycles of 25 mm: the loop of the friction force is a rectangle, 4 F_C A, but for 0.2 mm of pre-sliding.
+#[test]
+fn area_of_a_quasi_static_loop() {
+    let mut strut = strut(&[&bare(20.0, 20.0)[..], &[("friction.viscous_coefficient", 0.0)]].concat());
+    let (amplitude, period) = (0.025, 10.0);
+    let mut energy = [0.0; 3];
+    for k in 0..30_000 {
+        if k % 10_000 == 0 {
+            energy[k / 10_000] = strut.get("energy_dissipated");
+        }
+        let phase = 2.0 * std::f64::consts::PI * (k as f64 + 0.5) * 1e-3 / period;
+        strut.set("length", 0.1725 + amplitude * phase.sin());
+        strut.set("velocity", amplitude * 2.0 * std::f64::consts::PI / period * phase.cos());
+        strut.step(1e-3);
+    }
+    let area = energy[2] - energy[1];
+    assert!((area / (4.0 * 20.0 * amplitude) - 1.0).abs() < 0.01, "{area} J");
+}
+
+/// Asymmetry 0.2: 24 N in compression and 16 N in extension, at any speed of sliding.
+#[test]
+fn asymmetry_divides_the_levels() {
+    for model in ["Coulomb", "LuGre", "BrownMcPhee", "MaxwellSlip"] {
+        let set = [&bare(20.0, 20.0)[..], &[law(model), ("friction.asymmetry", 0.2)]].concat();
+        let mut strut = strut(&[&set[..], &[("friction.viscous_coefficient", 0.0)]].concat());
+        for (velocity, expected) in [(0.1, 16.0), (-0.1, -24.0), (0.3, 16.0)] {
+            strut.set("velocity", velocity);
+            (0..100).for_each(|_| strut.step(1e-2));
+            assert!((strut.get("friction_1") - expected).abs() < 1e-6, "{model}: {}", strut.get("friction_1"));
+        }
+    }
+}
+
+/// The same strut seen by four hosts: metres of length, millimetres of compression, wheel travel, tension positive.
+#[test]
+fn adapters_of_the_hosts() {
+    let mut own = strut(&[]);
+    own.set("velocity", -0.2);
+    let force = force(&mut own, 0.17, -0.2);
+    let mut millimetres = strut(&[("adapter.length_offset", 0.2), ("adapter.length_gain", -1e-3)]);
+    millimetres.set("velocity", 200.0);
+    millimetres.set("length", 30.0);
+    assert!((millimetres.get("force") - force).abs() < 1e-9 * force);
+    let mut wheel = strut(&[("adapter.length_offset", 0.1775), ("adapter.length_gain", -1.25)]);
+    wheel.set("length", 0.006);
+    wheel.set("velocity", 0.16);
+    assert!((wheel.get("force") - force).abs() < 1e-9 * force);
+    assert!((wheel.get("force_travel") + 1.25 * force).abs() < 1e-9 * force, "resists the jounce of the wheel");
+    assert!((own.get("force_tension") + force).abs() < 1e-12);
+    // The self-test of any host: compress, and the force grows.
+    let slower = self::force(&mut own, 0.18, 0.0);
+    assert!(self::force(&mut own, 0.17, 0.0) > slower && self::force(&mut own, 0.17, -0.1) > slower);
+}
+
+/// Work of all motion = change of the energy in spring and gas + energy dissipated.
+#[test]
+fn energy_balance() {
+    let mut strut = strut(&[TABLE, ("damper.k_series", 2e6), ("num.input_mode", 2.0), law("LuGre")]);
+    strut.set("side_moment_n", 5.0);
+    strut.set("spin_rate", 2.0);
+    let (h, steps) = (1e-4, 20_000);
+    let mut work = 0.0;
+    let mut rotation = 0.0;
+    for k in 0..steps {
+        let phase = 4.0 * std::f64::consts::PI * h * f64::from(k);
+        let velocity = 0.012 * 4.0 * std::f64::consts::PI * phase.cos();
+        strut.set("length", 0.1775 + 0.012 * phase.sin());
+        strut.set("velocity", velocity);
+        let before = strut.get("force");
+        let turning = strut.get("friction_torque");
+        strut.step(h);
+        // Over whole cycles, spring and gas give back what they took.
+        work -= 0.5 * (before + strut.get("force")) * velocity * h;
+        rotation += 0.5 * (turning + strut.get("friction_torque")) * 2.0 * h;
+    }
+    let dissipated = strut.get("energy_dissipated");
+    assert!((work + rotation - dissipated).abs() < 2e-3 * dissipated, "{work} + {rotation} = {dissipated}");
+}
+
+#[test]
+fn impossible_parameters_are_refused_by_name() {
+    let cases: [(&[(&str, f64)], &str); 8] = [
+        (&[("c1.mu_s", 0.05)], "c1.mu_s = 0.05: must be >= c1.mu_k = 0.1"),
+        (&[("c2.preload_s", 1.0)], "c2.preload_s = 1: must be >= c2.preload_k = 6"),
+        (&[("adapter.length_gain", 0.0)], "adapter.length_gain = 0: must not be 0"),
+        (&[TABLE, ("damper.tab_v[2]", -1.0)], "damper.tab_v[2] = -1: must be > damper.tab_v[1] = -1"),
+        (&[("spring.mode", 2.0), ("spring.tab_x[2]", 0.0)], "spring.tab_x[2] = 0: must be > spring.tab_x[1] = 0"),
+        (&[("gas.V0", 8e-6)], "gas.V0 = 0.000008 m3: must be > "),
+        (&[law("LuGre"), ("friction.sigma_1", -1.0)], "friction.sigma_1 = -1: must be "),
+        (&[("c1.preload_k", 0.0)], "c1.preload_k = 0: must be > 0 where c1.preload_s = 10 is"),
+    ];
+    for (set, expected) in cases {
+        let mut strut = strut(&[]);
+        let refused = set.iter().find_map(|(name, value)| {
+            let column = strut.column(name);
+            let variable = strut.instance.variable(column).unwrap();
+            if !variable.admits(*value) {
+                return Some(variable.fault(*value));
+            }
+            strut.set(name, *value);
+            None
+        });
+        let fault = refused.or_else(|| strut.instance.check().err()).unwrap_or_else(|| panic!("admitted: {expected}"));
+        assert!(fault.0.starts_with(expected), "{fault}");
+    }
 }

@@ -368,7 +368,7 @@ pub fn distance(a: &Curve, b: &Curve) -> f64 {
 pub struct Motion {
     /// What acts on it, in words.
     pub with: &'static str,
-    /// Columns of its first two states that are outputs.
+    /// Columns of its first two outputs: states, where there are states.
     pub states: [usize; 2],
     /// Times.
     pub times: Vec<f64>,

@@ -44,7 +44,7 @@ impl File {
 pub fn stale(root: &Path) -> Result<Vec<File>> {
     let mut files = Vec::new();
     for model in catalogue::models() {
-        let text = xml::model_description(model, project::release_date())?;
+        let text = xml::model_description(model, project::release_date(), xml::Choices::Named)?;
         files.push(File::new(description(model.name), text));
     }
     files.push(File::new("include/stribeck.h", header::text(root)?));

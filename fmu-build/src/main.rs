@@ -5,6 +5,7 @@ mod curve;
 mod dependencies;
 mod diagrams;
 mod figure;
+mod four_post;
 mod generated;
 mod header;
 mod html;
@@ -17,6 +18,7 @@ mod readme;
 mod rules;
 #[cfg(test)]
 mod specimen;
+mod ssp;
 mod sweep;
 mod text;
 mod typeset;
@@ -50,6 +52,12 @@ enum Command {
         #[arg(long, default_value = "out/pages")]
         out: PathBuf,
     },
+    /// Build the library for this machine and write the four-post rig as SSP package, with its FMUs and parameter sets.
+    Ssp {
+        /// Folder for the package.
+        #[arg(long, default_value = "dist")]
+        out: PathBuf,
+    },
     /// Build the library for this machine and pack one FMU per model.
     Pack {
         /// Models to pack; all if none is named.
@@ -66,6 +74,7 @@ fn main() -> ExitCode {
         Command::Generate => generate(root),
         Command::Check => check(root),
         Command::Pages { models, out } => pages(&models, &out),
+        Command::Ssp { out } => ssp(root, &out),
         Command::Pack { models, out } => pack(root, &models, &out),
     };
     match result {
@@ -118,10 +127,7 @@ fn pages(models: &[String], out: &Path) -> Result<()> {
 
 fn pack(root: &Path, models: &[String], out: &Path) -> Result<()> {
     let entries = package::select(models)?;
-    if let Some(file) = generated::stale(root)?.first() {
-        // The library refuses an FMU whose XML was written from another table.
-        bail!("{} is stale: run `cargo run -p fmu-build -- generate` and review the change", file.path.display());
-    }
+    refuse_stale(root)?;
     let date = project::packing_date()?;
     let library = library::build(root)?;
     for entry in &entries {
@@ -129,5 +135,30 @@ fn pack(root: &Path, models: &[String], out: &Path) -> Result<()> {
         println!("{:<20} {:>9} bytes", format!("{}.fmu", entry.model.name), size);
     }
     println!("{} FMUs for {} in {}", entries.len(), library.platform, out.display());
+    Ok(())
+}
+
+/// The library refuses an FMU whose XML was written from another table.
+fn refuse_stale(root: &Path) -> Result<()> {
+    if let Some(file) = generated::stale(root)?.first() {
+        bail!("{} is stale: run `cargo run -p fmu-build -- generate` and review the change", file.path.display());
+    }
+    Ok(())
+}
+
+fn ssp(root: &Path, out: &Path) -> Result<()> {
+    refuse_stale(root)?;
+    let date = project::packing_date()?;
+    let library = library::build(root)?;
+    let mut files = archive::Files::new();
+    let models: Vec<String> = four_post::add_to(&mut files, root)?.into_iter().map(str::to_owned).collect();
+    for entry in package::select(&models)? {
+        // libcosim and Ecos know no enumerations.
+        let bytes = package::fmu(&entry, &library, root, date, xml::Choices::Numbered)?;
+        files.insert(ssp::fmu(entry.model.name), bytes);
+    }
+    let file = format!("{}.ssp", four_post::NAME);
+    let size = package::save(out, &file, &archive::zip(&files, date)?)?;
+    println!("{file:<20} {size:>9} bytes");
     Ok(())
 }

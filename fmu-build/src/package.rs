@@ -10,6 +10,7 @@ use stribeck::model::ModelType;
 
 use crate::archive::{self, Files};
 use crate::library::Library;
+use crate::xml::Choices;
 use crate::{html, icon, xml};
 
 /// A model with what its FMU says about it.
@@ -45,10 +46,19 @@ pub fn entries() -> Vec<Entry> {
 
 /// Writes one FMU and returns its size in bytes.
 pub fn write(entry: &Entry, library: &Library, root: &Path, date: Timestamp, folder: &Path) -> Result<usize> {
-    let bytes = archive::zip(&contents(entry, library, root, date)?, date)?;
-    let file = folder.join(format!("{}.fmu", entry.model.name));
+    save(folder, &format!("{}.fmu", entry.model.name), &fmu(entry, library, root, date, Choices::Named)?)
+}
+
+/// The bytes of one FMU.
+pub fn fmu(entry: &Entry, library: &Library, root: &Path, date: Timestamp, choices: Choices) -> Result<Vec<u8>> {
+    archive::zip(&contents(entry, library, root, date, choices)?, date)
+}
+
+/// Writes a file into a folder, which is made if it is not there, and returns the size of the file.
+pub fn save(folder: &Path, name: &str, bytes: &[u8]) -> Result<usize> {
+    let file = folder.join(name);
     fs::create_dir_all(folder).with_context(|| format!("cannot create {}", folder.display()))?;
-    fs::write(&file, &bytes).with_context(|| format!("cannot write {}", file.display()))?;
+    fs::write(&file, bytes).with_context(|| format!("cannot write {}", file.display()))?;
     Ok(bytes.len())
 }
 
@@ -66,7 +76,7 @@ pub fn write_page(entry: &Entry, folder: &Path) -> Result<()> {
     Ok(())
 }
 
-fn contents(entry: &Entry, library: &Library, root: &Path, date: Timestamp) -> Result<Files> {
+fn contents(entry: &Entry, library: &Library, root: &Path, date: Timestamp, choices: Choices) -> Result<Files> {
     let Entry { model, family, .. } = *entry;
     let binary = format!("binaries/{}/{}{}", library.platform, model.name, library.suffix);
     let files = [
@@ -74,7 +84,7 @@ fn contents(entry: &Entry, library: &Library, root: &Path, date: Timestamp) -> R
         ("documentation/index.html".into(), html::page(entry)?.into()),
         ("documentation/licenses/license.txt".into(), license(root)?.into()),
         ("model.png".into(), icon::png(model, family)?),
-        ("modelDescription.xml".into(), xml::model_description(model, date)?.into()),
+        ("modelDescription.xml".into(), xml::model_description(model, date, choices)?.into()),
     ];
     Ok(files.into())
 }

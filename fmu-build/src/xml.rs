@@ -33,8 +33,17 @@ pub const CAPABILITIES: [(&str, &str); 10] = [
     ("providesDirectionalDerivative", "true"),
 ];
 
+/// How a description declares enumerations. A library takes both: FMI 2.0 sets choices as integers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Choices {
+    /// As enumerations, whose choices have names.
+    Named,
+    /// As integers, for importers that know no enumerations.
+    Numbered,
+}
+
 /// The text of modelDescription.xml.
-pub fn model_description(model: &ModelType, date: Timestamp) -> Result<String> {
+pub fn model_description(model: &ModelType, date: Timestamp, choices: Choices) -> Result<String> {
     let mut xml = Writer::new_with_indent(Vec::new(), b' ', 2);
     xml.write_event(Event::Decl(BytesDecl::new("1.0", Some("UTF-8"), None)))?;
     parent(&mut xml, "fmiModelDescription", root_attributes(model, date), |xml| {
@@ -43,7 +52,7 @@ pub fn model_description(model: &ModelType, date: Timestamp) -> Result<String> {
         type_definitions(xml, model)?;
         log_categories(xml)?;
         default_experiment(xml)?;
-        model_variables(xml, model)?;
+        model_variables(xml, model, choices)?;
         model_structure(xml, model)
     })?;
     Ok(String::from_utf8(xml.into_inner())? + "\n")
@@ -180,12 +189,12 @@ fn default_experiment(xml: &mut Xml) -> io::Result<()> {
     leaf(xml, "DefaultExperiment", attributes.map(|(name, value)| (name, number(value))).into())
 }
 
-fn model_variables(xml: &mut Xml, model: &ModelType) -> io::Result<()> {
+fn model_variables(xml: &mut Xml, model: &ModelType, choices: Choices) -> io::Result<()> {
     parent(xml, "ModelVariables", vec![], |xml| {
         for (column, variable) in model.table.iter().enumerate() {
             let name = variable.path.to_string();
             let attributes = scalar_attributes(name, column, variable.help, causality(variable));
-            parent(xml, "ScalarVariable", attributes, |xml| declaration(xml, variable))?;
+            parent(xml, "ScalarVariable", attributes, |xml| declaration(xml, variable, choices))?;
         }
         let independent = ["independent", "continuous", ""];
         let attributes = scalar_attributes("time".into(), model.table.len(), "Time.", independent);
@@ -230,12 +239,14 @@ fn real_type(unit: &Unit) -> Attributes {
 }
 
 /// The element inside `<ScalarVariable>`: type, limits and start value.
-fn declaration(xml: &mut Xml, variable: &Variable) -> io::Result<()> {
+fn declaration(xml: &mut Xml, variable: &Variable, choices: Choices) -> io::Result<()> {
     let (element, mut attributes) = match variable.kind {
         Kind::Real(unit) => ("Real", real_type(unit)),
-        Kind::Integer => ("Integer", vec![]),
         Kind::Boolean => ("Boolean", vec![]),
-        Kind::Enumeration(items) => ("Enumeration", vec![("declaredType", items.name.into())]),
+        Kind::Enumeration(items) if choices == Choices::Named => {
+            ("Enumeration", vec![("declaredType", items.name.into())])
+        }
+        Kind::Integer | Kind::Enumeration(_) => ("Integer", vec![]),
     };
     attributes.extend(variable.display.map(|display| ("displayUnit", display.into())));
     let (min, max) = limits(variable);
@@ -308,7 +319,7 @@ mod tests {
     fn on_every_description(test: impl Fn(&ModelType, &Document)) {
         static TEXTS: LazyLock<Vec<(&ModelType, String)>> = LazyLock::new(|| {
             let models = stribeck::catalogue::models().chain([&SPECIMEN]);
-            models.map(|model| (model, model_description(model, release_date()).unwrap())).collect()
+            models.map(|model| (model, model_description(model, release_date(), Choices::Named).unwrap())).collect()
         });
         for (model, text) in TEXTS.iter() {
             test(model, &Document::parse(text).unwrap());
@@ -339,6 +350,24 @@ mod tests {
             assert!(!seen.contains(&value), "{value:?} twice");
             seen.insert(value);
         }
+    }
+
+    #[test]
+    fn numbered_choices_are_integers_with_the_same_range() {
+        let count = SPECIMEN.table.iter().filter(|variable| matches!(variable.kind, Kind::Enumeration(_))).count();
+        assert!(count > 0);
+        let [named, numbered] = [Choices::Named, Choices::Numbered]
+            .map(|choices| model_description(&SPECIMEN, release_date(), choices).unwrap());
+        let [named, numbered] = [&named, &numbered].map(|text| Document::parse(text).unwrap());
+        let mut changed = 0;
+        for ((_, a), (_, b)) in variables(&named).into_iter().zip(variables(&numbered)) {
+            changed += usize::from(a.tag_name() != b.tag_name());
+            for attribute in ["start", "min", "max"] {
+                assert_eq!(a.attribute(attribute), b.attribute(attribute));
+            }
+        }
+        assert_eq!(changed, count);
+        assert!(variables(&numbered).iter().all(|(_, kind)| !kind.has_tag_name("Enumeration")));
     }
 
     #[test]
@@ -497,7 +526,7 @@ mod tests {
 
     #[test]
     fn every_kind_of_variable_is_written_as_the_standard_wants_it() {
-        let text = model_description(&SPECIMEN, release_date()).unwrap();
+        let text = model_description(&SPECIMEN, release_date(), Choices::Named).unwrap();
         for line in [
             "<Boolean start=\"true\"/>",
             "<Enumeration declaredType=\"Behaviour\" start=\"2\"/>",
@@ -514,7 +543,7 @@ mod tests {
 
     #[test]
     fn texts_are_escaped() {
-        let text = model_description(&SPECIMEN, release_date()).unwrap();
+        let text = model_description(&SPECIMEN, release_date(), Choices::Named).unwrap();
         let document = Document::parse(&text).unwrap();
         assert_eq!(document.root_element().attribute("description"), Some(SPECIMEN.summary));
         let share = all(&document, "ScalarVariable")[0];

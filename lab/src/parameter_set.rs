@@ -3,6 +3,8 @@
 
 mod ssv;
 
+pub use ssv::unit_definition;
+
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -130,6 +132,15 @@ impl ParameterSet {
         }
         model.check(&row)?;
         Ok(ParameterSet { model, name: name.to_owned(), values })
+    }
+
+    /// The set with more values.
+    pub fn with<Name: AsRef<str>>(
+        &self,
+        values: impl IntoIterator<Item = (Name, f64)>,
+    ) -> Result<ParameterSet, SetError> {
+        let more = ParameterSet::new(self.model, &self.name, values)?;
+        ParameterSet::of_columns(self.model, &self.name, [self.values.as_slice(), more.values.as_slice()].concat())
     }
 
     /// The model.

@@ -565,7 +565,7 @@ fn equivalent<T: Real>(side_slip: T, slip: T) -> T {
         return side_slip;
     }
     let tangent = side_slip.sin() / side_slip.cos();
-    (tangent * tangent + slip * slip).powf(T::from(0.5)).atan()
+    (tangent * tangent + slip * slip).sqrt().atan()
 }
 
 /// a / b, and 0 for b = 0: a tyre without friction or stiffness has no force to be divided.

@@ -201,13 +201,13 @@ impl FrictionLaw {
         answer
     }
 
-    /// What the law remembers in steady sliding; at rest, its start.
+    /// What the law remembers after a while at this velocity: steady sliding, and rest where the velocity is but noise.
     pub(crate) fn settled(&self, levels: &Levels, touch: &Touch<f64>) -> [f64; MEMORY] {
         let Some(law) = self.chosen() else { return [0.0; MEMORY] };
         let mut memory = law.start();
         let given = self.given(levels, touch);
         if given.velocity != 0.0 && given.mass == 0.0 {
-            law.advance(&given, &self.law, &mut memory, SETTLING_DISTANCE / given.velocity.abs());
+            law.advance(&given, &self.law, &mut memory, SETTLING_TIME);
         }
         memory
     }
@@ -236,8 +236,8 @@ impl FrictionLaw {
     }
 }
 
-/// A distance over which every law forgets where it started (chosen: hundreds of times the pre-sliding displacement).
-const SETTLING_DISTANCE: f64 = 0.1;
+/// Time for which a strut has moved before the run (chosen, in s): at 1 mm/s several times the pre-sliding displacement.
+const SETTLING_TIME: f64 = 1.0;
 
 crate::model! {
     /// Friction of a rod in its guide: any scalar law of the catalogue, for motion along the axis and about it.

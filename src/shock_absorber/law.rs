@@ -138,25 +138,34 @@ const fn offered(law: &ModelType, variable: &Variable) -> Option<Variable> {
     Some(offered)
 }
 
-/// The parameters of all laws, each once. Start values are those of LuGre, else of the first law in the catalogue.
+/// The parameters of all laws, each once. Start values are those of LuGre, else the largest of any law.
 const fn merge() -> ([Variable; MOST_PARAMETERS], usize) {
     let mut merged = [crate::model::BLANK; MOST_PARAMETERS];
-    let mut count = add_parameters(&mut merged, 0, LAWS[position("LuGre")]);
-    let mut at = 0;
+    let first = add_parameters(&mut merged, 0, 0, LAWS[position("LuGre")]);
+    let (mut count, mut at) = (first, 0);
     while at < COUNT {
-        count = add_parameters(&mut merged, count, LAWS[at]);
+        count = add_parameters(&mut merged, first, count, LAWS[at]);
         at += 1;
     }
     (merged, count)
 }
 
-const fn add_parameters(merged: &mut [Variable; MOST_PARAMETERS], mut count: usize, law: &ModelType) -> usize {
+/// Adds the parameters of a law to the `count` that are there; the `settled` first of these keep their start values.
+const fn add_parameters(
+    merged: &mut [Variable; MOST_PARAMETERS],
+    settled: usize,
+    mut count: usize,
+    law: &ModelType,
+) -> usize {
     let mut at = 0;
     while at < law.table.len() {
         if let Some(offered) = offered(law, &law.table[at]) {
             let place = find(merged, count, &offered.path);
             if place < count {
                 merged[place].bound = merged[place].bound.or(offered.bound);
+                if place >= settled && offered.start > merged[place].start {
+                    merged[place].start = offered.start;
+                }
             } else {
                 merged[count] = offered;
                 count += 1;

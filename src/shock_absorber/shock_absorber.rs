@@ -29,7 +29,7 @@ crate::choices! {
     pub enum InputMode {
         /// They are held.
         Hold,
-        /// The length moves with the velocity.
+        /// The length moves with the velocity, the velocity with the acceleration.
         Linear,
     }
 }
@@ -37,7 +37,7 @@ crate::choices! {
 crate::choices! {
     /// What the friction law remembers at the start.
     pub enum FrictionStart {
-        /// Steady sliding at the first velocity.
+        /// What a second of motion at the first velocity leaves: steady sliding, or rest.
         Steady,
         /// Contacts at rest, without load.
         Zero,
@@ -127,7 +127,7 @@ crate::part! {
         spin_rate: input = real("rad/s", 0.0),
         /// All other forces along the strut, positive in extension; only for laws that hold a load at rest.
         external_force: input = real("N", 0.0),
-        /// Time derivative of the velocity; only for laws that ask for it.
+        /// Time derivative of the velocity; for num.input_mode = Linear and for laws that ask for it.
         acceleration: input = real("m/s2", 0.0),
         /// Ambient temperature; used if thermal.enabled is true.
         temperature_ambient: input = real("K", 293.15).positive().nominal(300.0).shown_in("degC"),
@@ -271,6 +271,17 @@ impl<T: Real> Setting<T> {
 }
 
 impl Setting {
+    /// Gives length and velocity the slopes that their derivatives say, where the master gives none: to the length that
+    /// of the mean velocity of the step.
+    fn follow_the_motion(&mut self, now: &Setting, dt: f64) {
+        if self.velocity == 0.0 {
+            self.velocity = now.acceleration;
+        }
+        if self.length == 0.0 {
+            self.length = now.velocity + 0.5 * self.velocity * dt;
+        }
+    }
+
     /// What the two contacts remember before the run.
     fn begin(&self, given: [&[f64; MEMORY]; 2]) -> [[f64; MEMORY]; 2] {
         match FrictionStart::of(self.init.friction_state) {
@@ -407,12 +418,13 @@ crate::model! {
     ///
     /// # Step
     /// Friction laws advance as on their own pages (LuGre exactly); damper and temperature in steps of at most `num.h_max`,
-    /// at most 10,000 per communication step. `num.input_mode` = Linear moves the length with the velocity within a step,
-    /// and leaves it there. All outputs follow the inputs at once. `dforce_dlength` is the derivative of `force` at this
+    /// at most 10,000 per communication step. `num.input_mode` = Linear moves the length with the velocity, and the
+    /// velocity with the acceleration, within a step and leaves them there. All outputs follow the inputs at once. `dforce_dlength` is the derivative of `force` at this
     /// instant, `dforce_dvelocity` that with respect to a velocity held over a step like the last one (before the first:
     /// `num.h_max`), which includes what bristles and series stiffness add. `step_limit` is the largest communication step
     /// that keeps `num.mass_ref` stable on the strut as it is now, for the order of exchange `friction.exchange`; they
-    /// are advice and have no derivatives. At the start friction is in steady sliding, unless `init.friction_state` says otherwise.
+    /// are advice and have no derivatives. At the start friction is as after a second of motion at the first velocity, unless
+    /// `init.friction_state` says otherwise.
     ///
     /// # Errors
     /// Refused: a parameter outside its bound; static levels below kinetic ones; tables that do not rise; a gas volume
@@ -582,11 +594,14 @@ impl<T: Evaluate> ShockAbsorber<T> {
             if self.step_size.value() > 0.0 { self.step_size.value().max(SHORTEST_PROBE) } else { setting.num.h_max };
         let tangents = setting.tangents([&memories[0], &memories[1]], &state, dt);
         // What a held velocity adds over a step is the work of bristles: a stiffness.
-        let stiffness = -tangents.length + (tangents.velocity - tangents.held_velocity).max(0.0) / dt;
+        let bristles = (tangents.velocity - tangents.held_velocity).max(0.0) / dt;
+        let is_held = InputMode::of(setting.num.input_mode) == InputMode::Hold;
+        let (stiffness, held) = if is_held { (-tangents.length, bristles) } else { (bristles - tangents.length, 0.0) };
         let exchange = Exchange::of(setting.friction.exchange);
+        let limit = coupling::step_limit(stiffness, held, tangents.velocity, setting.num.mass_ref, exchange);
         self.dforce_dlength = T::from(tangents.length);
         self.dforce_dvelocity = T::from(tangents.held_velocity);
-        self.step_limit = T::from(coupling::step_limit(stiffness, tangents.velocity, setting.num.mass_ref, exchange));
+        self.step_limit = T::from(limit);
     }
 }
 
@@ -689,9 +704,8 @@ impl Model for ShockAbsorber {
         self.start();
         self.step_size = dt;
         let (begin, mut slope) = (*self, *slope);
-        if InputMode::of(self.setting.num.input_mode) == InputMode::Linear && slope.setting.length == 0.0 {
-            // The mean velocity of the step.
-            slope.setting.length = self.setting.velocity + 0.5 * slope.setting.velocity * dt;
+        if InputMode::of(self.setting.num.input_mode) == InputMode::Linear {
+            slope.setting.follow_the_motion(&self.setting, dt);
         }
         let count = super::substeps(dt, self.setting.num.h_max);
         let h = dt / f64::from(count);

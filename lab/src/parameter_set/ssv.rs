@@ -42,14 +42,14 @@ pub fn write(set: &ParameterSet) -> String {
     }
     text += "  </ssv:Parameters>\n";
     if !units.is_empty() {
-        let units: String = units.values().map(|unit| definition(unit)).collect();
+        let units: String = units.values().map(|unit| unit_definition(unit)).collect();
         text += &format!("  <ssv:Units>\n{units}  </ssv:Units>\n");
     }
     text + "</ssv:ParameterSet>\n"
 }
 
-/// A unit as a product of powers of base units.
-fn definition(unit: &Unit) -> String {
+/// A unit as a product of powers of base units, as SSP writes it.
+pub fn unit_definition(unit: &Unit) -> String {
     let base: String = unit.base_units().map(|(name, exponent)| format!(" {name}=\"{exponent}\"")).collect();
     format!("    <ssc:Unit name=\"{}\"><ssc:BaseUnit{base}/></ssc:Unit>\n", unit.name)
 }

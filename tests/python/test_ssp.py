@@ -1,0 +1,90 @@
+"""The four-post package in several masters: the same exchange scheme must give the same numbers."""
+
+import platform
+import shutil
+import sys
+
+import numpy
+import pytest
+from coupling import CouplingError
+from fmpy.ssp.ssd import read_ssd
+from masters import MASTERS, run_fmpy, run_jacobi, unpacked, variants
+
+HEAVE, PITCH = "car.heave", "car.pitch"
+CAR = [HEAVE, PITCH, "car.roll", "car.fl.length", "car.rr.velocity", "car.rl.wheel_velocity"]
+WATCHED = [*CAR, "strut_fl.force", "strut_rr.force_friction"]
+VARIANTS = ["SystemStructure", "firm", "soft", "without_friction"]
+STEP, STEPS = 1e-3, 1500
+
+NEEDS_BINARIES = pytest.mark.skipif(
+    sys.platform != "linux" or platform.machine() != "x86_64", reason="Ecos and libcosim come for Linux on x86-64"
+)
+
+
+@pytest.fixture(scope="module")
+def package():
+    from coupling import FMUS
+
+    path = FMUS / "FourPost.ssp"
+    assert path.is_file(), f"no {path}: run `python3 tasks.py pack`"
+    return path
+
+
+@pytest.fixture(scope="module")
+def plain(package):
+    """The plain script, by variant."""
+    return {variant: run_jacobi(package, variant, STEP, STEPS, WATCHED) for variant in VARIANTS}
+
+
+@pytest.mark.parametrize("variant", VARIANTS)
+def test_descriptions_and_parameter_sets_keep_the_schemas_of_the_standard(package, tmp_path, variant):
+    """FMPy checks what it reads against the schemas."""
+    assert variants(package) == VARIANTS
+    with unpacked(package, variant) as system:
+        description = read_ssd(shutil.make_archive(str(tmp_path / variant), "zip", system.folder))
+    assert description.name == "FourPost"
+    assert len(description.system.elements) == 6
+    assert len(description.system.connections) == 20
+
+
+@NEEDS_BINARIES
+@pytest.mark.parametrize("variant", VARIANTS)
+@pytest.mark.parametrize("master", ["ecos", "libcosim"])
+def test_masters_of_the_same_scheme_agree(package, plain, master, variant):
+    # Ecos shows the forces that follow the exchange, so only the car can be compared, which all forces move.
+    record = MASTERS[master](package, variant, STEP, STEPS, CAR)
+    for name in CAR:
+        assert numpy.abs(record[name] - plain[variant][name]).max() < 1e-9, name
+
+
+@pytest.mark.parametrize("variant", VARIANTS)
+def test_the_runner_of_fmpy_agrees_within_the_error_of_the_coupling(package, plain, variant):
+    """The plain script with half the step tells how large that error is."""
+    runner = run_fmpy(package, variant, STEP, STEPS, WATCHED)
+    fine = run_jacobi(package, variant, STEP / 2.0, 2 * STEPS, WATCHED)
+    for name in [HEAVE, PITCH, "car.fl.length"]:
+        error = numpy.abs(plain[variant][name] - fine[name][1::2]).max()
+        assert numpy.abs(runner[name] - plain[variant][name]).max() < 4.0 * error + 1e-9
+
+
+def test_each_variant_has_its_damper(plain):
+    """Less damping lets the body move farther from the posts; without friction no friction force is left."""
+    travel = {variant: numpy.ptp(record["car.fl.length"]) for variant, record in plain.items()}
+    assert travel["soft"] > 1.2 * travel["firm"]
+    assert travel["without_friction"] > 1.02 * travel["SystemStructure"]
+    friction = {variant: numpy.abs(record["strut_rr.force_friction"]).max() for variant, record in plain.items()}
+    assert friction["without_friction"] == 0.0
+    assert friction["firm"] > 1.2 * friction["SystemStructure"] > 0.0
+
+
+def test_rear_springs_belong_to_the_rest_position(package):
+    """With posts at rest nothing moves: the struts carry the car as the host says."""
+    rest = run_jacobi(package, "without_friction", STEP, 100, [HEAVE, PITCH, "strut_fl.force", "strut_rl.force"])
+    # The posts begin to move at once; in the first millisecond by 3 um.
+    assert rest["strut_fl.force"][0] == pytest.approx(1325.2555, abs=0.01)
+    assert rest["strut_rl.force"][50] == pytest.approx(1100.2555, abs=25.0)
+
+
+def test_unknown_variants_are_refused_by_name(package):
+    with pytest.raises(CouplingError, match="has no variant 'hard'; there are SystemStructure, firm, soft"):
+        run_jacobi(package, "hard", STEP, 1, WATCHED)
