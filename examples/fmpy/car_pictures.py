@@ -6,7 +6,8 @@ from pathlib import Path
 import numpy
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
-from pictures import BLUE, GREY, RED, labelled, over_time, save
+from matplotlib.ticker import LogLocator
+from pictures import BLUE, GREY, PALE, RED, labelled, over_time, save
 
 DEGREES = 180.0 / numpy.pi
 
@@ -27,7 +28,9 @@ def _legend(figure: Figure, axes: Axes) -> None:
 def draw_transmissibility(found: Sequence, amplitude: float, path: Path) -> None:
     """Body motion and strut travel over road motion, over frequency, for each level of friction."""
     figure = Figure(figsize=(12, 5.2), layout="constrained")
-    figure.suptitle(f"Quarter car on a sine road of {1e3 * amplitude:g} mm, by the friction of its strut", x=0.01, ha="left")
+    figure.suptitle(
+        f"Quarter car on a sine road of {1e3 * amplitude:g} mm, by the friction of its strut", x=0.01, ha="left"
+    )
     body, travel = figure.subplots(1, 2)
     labelled(body, "frequency [Hz]", "body motion / road motion")
     labelled(travel, "frequency [Hz]", "wheel travel / road motion")
@@ -36,6 +39,7 @@ def draw_transmissibility(found: Sequence, amplitude: float, path: Path) -> None
         travel.plot(one.frequency, one.travel, marker=".", **_look(at))
     for axes in (body, travel):
         axes.set_xscale("log")
+        axes.xaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
         axes.xaxis.set_major_formatter("{x:g}")
         axes.set_ylim(bottom=0.0)
     _legend(figure, body)
@@ -57,25 +61,26 @@ def _loops(runs: Sequence, last: float, corner: str, velocity: Axes, displacemen
         friction.plot(speed, -run[f"{corner}force_friction"][part], **look)
 
 
-def draw_loops(runs: Sequence, last: float, path: Path) -> None:
-    """The loops of a quarter car's strut."""
+def draw_loops(runs: Sequence, frequency: float, periods: int, path: Path) -> None:
+    """The loops of a quarter car's strut in the last periods."""
     figure = Figure(figsize=(12, 4.6), layout="constrained")
-    figure.suptitle("Strut of the quarter car", x=0.01, ha="left")
+    figure.suptitle(f"Strut of the quarter car at {frequency:g} Hz", x=0.01, ha="left")
     panels = figure.subplots(1, 3)
-    _loops(runs, last, "", *panels)
+    _loops(runs, periods / frequency, "", *panels)
     _legend(figure, panels[0])
     save(figure, path)
 
 
-def _signals(runs: Sequence, panels: Sequence[tuple[Axes, str, str, float]]) -> None:
-    """Signals over time, one panel each: axes, name, label and factor."""
+def _signals(runs: Sequence, last: float, panels: Sequence[tuple[Axes, str, str, float]]) -> None:
+    """Signals over the last seconds, one panel each: axes, name, label and factor."""
     for axes, name, label, factor in panels:
         labelled(axes, "", label)
         for at, run in enumerate(runs):
-            axes.plot(run.time, factor * run[name], label=run.label, **_look(at))
+            part = run.time >= run.time[-1] - last
+            axes.plot(run.time[part], factor * run[name][part], label=run.label, **_look(at))
     rows = [axes for axes, *_ in panels]
     rows[-1].set_xlabel("time [s]")
-    over_time(runs[0].time, *rows)
+    over_time(runs[0].time[runs[0].time >= runs[0].time[-1] - last], *rows)
 
 
 def _time_and_loops(title: str, rows: int) -> tuple[Figure, Sequence[Axes], Sequence[Axes]]:
@@ -92,11 +97,12 @@ def draw_four_post(runs: Sequence, frequency: float, path: Path) -> None:
     figure, (heave, pitch, travel, friction, load), loops = _time_and_loops(title, 5)
     _signals(
         runs,
+        2.0 / frequency,
         [
             (heave, "heave", "heave [mm]", 1e3),
             (pitch, "pitch", "pitch [deg]", DEGREES),
             (travel, "fl.length", "strut length\nfront left [mm]", 1e3),
-            (friction, "fl.force_friction", "its friction\n[N]", 1.0),
+            (friction, "fl.force_friction", "its friction,\nresisting [N]", -1.0),
             (load, "fl.tyre_load", "tyre load\nfront left [N]", 1.0),
         ],
     )
@@ -105,36 +111,41 @@ def draw_four_post(runs: Sequence, frequency: float, path: Path) -> None:
     save(figure, path)
 
 
-def draw_lane_change(runs: Sequence, manoeuvre_end: float, path: Path) -> None:
-    """Steering, body, front left corner, and the loops of its strut, for each level of friction."""
+def draw_lane_change(runs: Sequence, path: Path) -> None:
+    """Body, front left corner, and the loops of its strut, for each level of friction."""
     title = "Double lane change at constant speed, by the friction of each strut"
-    figure, (steering, roll, rest, travel, force, load), loops = _time_and_loops(title, 6)
+    figure, (acceleration, roll, rest, travel, force, load), loops = _time_and_loops(title, 6)
     _signals(
         runs,
+        runs[0].time[-1],
         [
-            (steering, "lateral_acceleration", "lateral acc.\n[m/s2]", 1.0),
+            (acceleration, "lateral_acceleration", "lateral acc.\n[m/s2]", 1.0),
             (roll, "roll", "roll\n[deg]", DEGREES),
-            (rest, "roll", "roll, what\nis left [deg]", DEGREES),
+            (rest, "roll", "the same,\nclose [deg]", DEGREES),
             (travel, "fl.length", "strut length\nfl [mm]", 1e3),
             (force, "fl.force", "strut force\nfl [N]", 1.0),
             (load, "fl.tyre_load", "tyre load\nfl [N]", 1.0),
         ],
     )
-    left = [DEGREES * abs(run["roll"][run.time > manoeuvre_end]).max(initial=0.0) for run in runs]
-    rest.set_ylim(*(1.6 * max([*left, 0.01]) * numpy.array([-1.0, 1.0])))
+    # The same once more, so close that what is left at the end fills half of it.
+    left = 2.0 * max(0.01, *(DEGREES * abs(run["roll"][-1]) for run in runs))
+    rest.set_ylim(-left, left)
     _loops(runs, runs[0].time[-1], "fl.", *loops)
     _legend(figure, roll)
     save(figure, path)
 
 
-def draw_course(runs: Sequence, course, path: Path) -> None:
-    """The track of the car between the cones, and how it was steered."""
+def draw_course(runs: Sequence, course: Sequence, width: float, path: Path) -> None:
+    """The track of the car, which is so wide, between the cones, and how it was steered."""
     figure = Figure(figsize=(13, 6), layout="constrained")
     figure.suptitle("The way through the cones", x=0.01, ha="left")
     track, steering = figure.subplots(2, 1, height_ratios=[1.6, 1], sharex=True)
     labelled(track, "", "to the left [m]")
     labelled(steering, "forward [m]", "steering angle [deg]")
-    track.plot(*numpy.array(course.cones()).T, linestyle="", marker="^", color="#d97706", markersize=4, label="cones")
+    cones = numpy.array([cone for lane in course for cone in lane.cones()])
+    track.plot(*cones.T, linestyle="", marker="^", color="#d97706", markersize=4, label="cones")
+    x, y = runs[-1]["position_x"], runs[-1]["position_y"]
+    track.fill_between(x, y - 0.5 * width, y + 0.5 * width, color=PALE, label="width of the car")
     for at, run in enumerate(runs):
         track.plot(run["position_x"], run["position_y"], label=run.label, **_look(at))
         steering.plot(run["position_x"], DEGREES * run["steering_angle"], **_look(at))

@@ -78,7 +78,8 @@ def variables_of(path: Path) -> dict[str, ScalarVariable]:
 
 
 def numbers_of(path: Path, parameters: Mapping[str, object]) -> dict[str, object]:
-    """Parameters of an FMU as numbers, also those that are given as text or as the name of a choice."""
+    """Parameters of an FMU as numbers, also those that are given as text or as the name of a choice;
+    what it does not have or cannot read is refused."""
     return _start_values(fmpy.read_model_description(str(path)), parameters)
 
 
@@ -150,7 +151,9 @@ def _by_name(description: ModelDescription) -> dict[str, ScalarVariable]:
 
 def _is_friction_model(path: Path) -> bool:
     causality = {name: variable.causality for name, variable in variables_of(path).items()}
-    return causality.get("velocity") == "input" and causality.get("friction_force") == "output"
+    # A contact whose law is chosen is a part of the shock absorber.
+    is_law = "friction.model" not in causality
+    return is_law and causality.get("velocity") == "input" and causality.get("friction_force") == "output"
 
 
 def _refuse_unknown(description: ModelDescription, names: object, kind: str, known: list[str]) -> None:

@@ -23,7 +23,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy
-from car_pictures import draw_four_post, draw_laws
+from car_pictures import draw_four_post
 from coupling import main, number, positive
 from vehicle import (
     FOUR_POST_CAR,
@@ -31,6 +31,7 @@ from vehicle import (
     Excitation,
     Run,
     add_laws,
+    check_laws,
     choices_of,
     options_of,
     report_laws,
@@ -101,7 +102,7 @@ def measure(run: Run, frequency: float) -> Cycle:
 
 def report(runs: Sequence[Run], frequency: float) -> None:
     """Prints what is measured of each run."""
-    print("last cycle; travel and load front left, work of the friction in all struts:\n")
+    print("last period; travel of the strut and tyre load front left, work of the friction in all struts:\n")
     heading = ["heave [mm]", "pitch [deg]", "travel [mm]", "fastest [m/s]", "friction [J]", "least load [N]"]
     print(f"{'':12}" + " ".join(f"{name:>14}" for name in heading))
     for run in runs:
@@ -127,6 +128,7 @@ def arguments() -> argparse.Namespace:
 def program() -> None:
     """Runs what the command line asks for."""
     options = arguments()
+    check_laws(options)
     delay = math.radians(options.delay)
     runs = [
         run_four_post(choice, options.frequency, options.stroke, delay, options.time, options.step, label)
@@ -138,10 +140,7 @@ def program() -> None:
     report(runs, options.frequency)
     if options.laws:
         laws = run_laws(FOUR_POST_CAR, posts(options.frequency, options.stroke, delay), options)
-        table, gallery = Path(f"{options.out}_laws.csv"), Path(f"{options.out}_laws.png")
-        draw_laws(laws, 1.0 / options.frequency, gallery)
-        report_laws(laws, table)
-        written += [table, gallery]
+        written += report_laws(laws, 1.0 / options.frequency, options.out)
     print("", picture, *written, sep="\n")
 
 

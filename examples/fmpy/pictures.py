@@ -9,7 +9,7 @@ from matplotlib.patches import Patch
 from matplotlib.ticker import FuncFormatter
 
 BLUE, RED, GREY = "#1f5a96", "#c0392b", "#6b7280"
-STICKING = "#e8eef5"
+PALE = "#e8eef5"
 
 
 def labelled(axes: Axes, across: str, up: str) -> Axes:
@@ -33,7 +33,7 @@ def _shade_sticking(axes: Axes, time: numpy.ndarray, sticking: numpy.ndarray) ->
     """Shades the intervals in which the contact sticks."""
     edges = numpy.flatnonzero(numpy.diff(numpy.concatenate(([0], sticking.astype(int), [0]))))
     for begin, end in zip(edges[0::2], edges[1::2], strict=True):
-        axes.axvspan(time[begin], time[min(end, len(time) - 1)], color=STICKING, linewidth=0)
+        axes.axvspan(time[begin], time[min(end, len(time) - 1)], color=PALE, linewidth=0)
 
 
 def save(figure: Figure, path: Path) -> None:
@@ -59,7 +59,7 @@ def draw_belt(run, path: Path) -> None:
     velocity.plot(run.time, run.block_velocity - run.velocity, color=GREY, linestyle="--", linewidth=1, label="belt")
     force.plot(run.time, run.friction_force, color=RED)
     figure.legend(
-        handles=[*velocity.get_lines(), Patch(color=STICKING, label="sticking")],
+        handles=[*velocity.get_lines(), Patch(color=PALE, label="sticking")],
         loc="outside upper right",
         ncols=3,
         frameon=False,
@@ -112,5 +112,5 @@ def draw_comparison(runs, path: Path) -> None:
     for axes in grid.flat[len(runs) :]:
         axes.set_axis_off()
     figure.supxlabel("time [s]", fontsize="medium")
-    figure.legend(handles=[Patch(color=STICKING, label="sticking")], loc="outside upper right", frameon=False)
+    figure.legend(handles=[Patch(color=PALE, label="sticking")], loc="outside upper right", frameon=False)
     save(figure, path)

@@ -103,7 +103,7 @@ def program() -> None:
     ]
     columns = {"frequency [Hz]": found[0].frequency}
     for one in found:
-        columns |= {f"body, {one.label}": one.body, f"travel, {one.label}": one.travel}
+        columns |= {f"body; {one.label}": one.body, f"travel; {one.label}": one.travel}
     loops = [
         run_road(choice, options.loop, options.amplitude, options.step, label) for label, choice in choices.items()
     ]
@@ -111,7 +111,7 @@ def program() -> None:
     write_csv(table, columns)
     written = write_runs(loops, options.out)
     draw_transmissibility(found, options.amplitude, picture)
-    draw_loops(loops, MEASURED / options.loop, Path(f"{options.out}_loops.png"))
+    draw_loops(loops, options.loop, MEASURED, Path(f"{options.out}_loops.png"))
     print("body and travel over the road, each of amplitude over amplitude:\n")
     print(f"{'f [Hz]':>7} " + " ".join(f"{one.label:>15}" for one in found))
     for at, frequency in enumerate(options.frequencies):

@@ -15,7 +15,19 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 import numpy
-from coupling import Fmu, command_line, not_negative, open_fmu, parameter, path_of, positive, variables_of, write_csv
+from car_pictures import draw_laws
+from coupling import (
+    Fmu,
+    numbers_of,
+    command_line,
+    not_negative,
+    open_fmu,
+    parameter,
+    path_of,
+    positive,
+    variables_of,
+    write_csv,
+)
 from fmpy.fmi2 import fmi2FMUstate
 from tqdm import tqdm
 
@@ -128,6 +140,8 @@ class Coupled:
         self.units |= units_of(car, [*self.seen_names, *excitation.names])
         self.saved = [fmi2FMUstate() for _ in self.slaves]
         self.evaluations = 0
+        # Some outputs, such as tyre loads, follow from what excites the car, so that must be there from the beginning.
+        self.car.setReal(self.moved, self._excite(0.0, self.look()))
 
     def look(self) -> list[float]:
         """The outputs of the car."""
@@ -153,14 +167,17 @@ class Coupled:
 
         Returns what excites it at the beginning.
         """
-        known = dict(zip(self.seen_names, seen, strict=True))
-        begin, end = (self.excitation.values(at, known) for at in (time, time + step))
+        begin, end = (self._excite(at, seen) for at in (time, time + step))
         self.car.setReal(self.forces, forces)
         self.car.setReal(self.moved, begin)
         slopes = [(after - before) / step for before, after in zip(begin, end, strict=True)]
         self.car.setRealInputDerivatives(self.moved, [1] * len(slopes), slopes)
         self.car.doStep(time, step)
         return begin
+
+    def _excite(self, time: float, seen: list[float]) -> list[float]:
+        """What excites the car at a time."""
+        return self.excitation.values(time, dict(zip(self.seen_names, seen, strict=True)))
 
     def save(self) -> None:
         """Remembers where everything is."""
@@ -240,10 +257,14 @@ def coupled_fmus(layout: Layout, excitation: Excitation, choice: Choice) -> Iter
         yield Coupled(car, struts, excitation)
 
 
+def number_of(layout: Layout, name: str, chosen: Mapping[str, object], fmus: Path) -> float:
+    """A parameter of the car: what the user chose, or its default."""
+    return float(chosen.get(name, variables_of(path_of(layout.car, fmus))[name].start))
+
+
 def rest_force(layout: Layout, axle: str, choice: Choice) -> float:
     """Force of a strut at rest at the length that it has in the car, without its friction."""
-    name = f"{axle}static_length"
-    length = choice.car.get(name, variables_of(path_of(layout.car, choice.fmus))[name].start)
+    length = number_of(layout, f"{axle}static_length", choice.car, choice.fmus)
     state = {"friction.model": "None", "length": length, "velocity": 0.0}
     with open_fmu(path_of(STRUT, choice.fmus), choice.of_axle(layout, axle) | state) as strut:
         return strut.slave.getReal(strut.references("force"))[0]
@@ -341,6 +362,12 @@ def add_laws(parser: argparse.ArgumentParser) -> None:
     )
 
 
+def check_laws(options: argparse.Namespace) -> None:
+    """Refuses laws that do not exist before anything runs."""
+    for law in options.laws:
+        numbers_of(path_of(STRUT, options.fmus), {"friction.model": law})
+
+
 def run_laws(layout: Layout, excitation: Excitation, options: argparse.Namespace) -> list[Run]:
     """The same motion with each of several laws, in steps of its own, up to ten times as long as the others'."""
     level, longest = max(options.levels), 10.0 * options.step
@@ -350,15 +377,20 @@ def run_laws(layout: Layout, excitation: Excitation, options: argparse.Namespace
     ]
 
 
-def report_laws(runs: Sequence[Run], path: Path) -> None:
-    """Prints and writes evaluations of the law and run time, absolute and relative to the lowest."""
+def report_laws(runs: Sequence[Run], last: float, out: str) -> list[Path]:
+    """Prints and writes evaluations of the law and run time, absolute and relative to the lowest; draws the laws.
+
+    `last` is how many seconds at the end are drawn. Returns the files.
+    """
     heading = ["law", "evaluations", "run time [s]", "evaluations, relative", "run time, relative"]
     fewest, shortest = min(run.evaluations for run in runs), min(run.seconds for run in runs)
     rows = [(run.label, run.evaluations, run.seconds, run.evaluations / fewest, run.seconds / shortest) for run in runs]
-    path.parent.mkdir(parents=True, exist_ok=True)
-    with path.open("w", encoding="utf-8", newline="") as file:
-        writer = csv.writer(file, lineterminator="\n")
-        writer.writerows([heading, *rows])
+    table, picture = Path(f"{out}_laws.csv"), Path(f"{out}_laws.png")
+    table.parent.mkdir(parents=True, exist_ok=True)
+    with table.open("w", encoding="utf-8", newline="") as file:
+        csv.writer(file, lineterminator="\n").writerows([heading, *rows])
+    draw_laws(runs, last, picture)
     print(f"\n{'law':19} {'evaluations':>11} {'relative':>9} {'run time':>10} {'relative':>9}")
     for law, evaluations, seconds, more, longer in rows:
         print(f"{law:19} {evaluations:11} {more:9.2f} {seconds:8.2f} s {longer:9.2f}")
+    return [table, picture]

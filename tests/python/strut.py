@@ -7,7 +7,7 @@ eye to the rod's, m and n across it, m x n = a.
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from math import ceil, pi
+from math import pi
 
 import numpy
 from scipy.interpolate import PchipInterpolator
@@ -34,6 +34,8 @@ DEFAULTS = {
     "bump.n": 2.2,
     "bump.x_ref": 0.010,
     "bump.F_ref": 1500.0,
+    "bump.k2": 0.0,
+    "bump.k3": 0.0,
     "bump.c": 0.0,
     "rebound.gap": 0.0,
     "rebound.k": 1e6,
@@ -45,6 +47,7 @@ DEFAULTS = {
     "damper.degr_reb": 0.0,
     "damper.tab_v": (-1.0, -0.5, -0.25, -0.1, -0.05, 0.0, 0.05, 0.1, 0.25, 0.5, 1.0),
     "damper.tab_f": (-1150.0, -700.0, -430.0, -210.0, -110.0, 0.0, 180.0, 340.0, 640.0, 950.0, 1500.0),
+    "damper.interpolation": "Linear",
     "damper.scale": 1.0,
     "friction.asymmetry": 0.0,
     "friction.scale": 1.0,
@@ -61,6 +64,9 @@ DEFAULTS = {
     "c2.mu_k": 0.08,
     "c2.preload_s": 8.0,
     "c2.preload_k": 6.0,
+    "side.mode": "Sum",
+    "side.convention": "WrenchOnRod",
+    "side.normal_sum": "TwoPoint",
     "side.offset_m": 0.003,
     "side.offset_n": 0.0,
     "side.force_ratio": 0.0,
@@ -111,7 +117,7 @@ def bump_force(p: Mapping, compression: float, velocity: float) -> float:
     shapes = {
         "Linear": lambda: p["bump.k"] * x,
         "Power": lambda: p["bump.F_ref"] * (x / p["bump.x_ref"]) ** p["bump.n"],
-        "Cubic": lambda: sum(p[f"bump.a{power}"] * x**power for power in (1, 2, 3)),
+        "Cubic": lambda: p["bump.k"] * x + p["bump.k2"] * x**2 + p["bump.k3"] * x**3,
     }
     return _stop(shapes[p["bump.mode"]](), -p["bump.c"] * velocity)
 
@@ -128,8 +134,7 @@ def damper_resistance(p: Mapping, velocity: float) -> float:
     shapes = {
         "Linear": lambda: p[f"damper.c_{side}"] * velocity,
         "Degressive": lambda: p[f"damper.c_{side}"] * velocity / (1.0 + p[f"damper.degr_{side}"] * abs(velocity)),
-        "Table": lambda: _line(p["damper.tab_v"], p["damper.tab_f"], velocity),
-        "Monotone": lambda: _monotone(p["damper.tab_v"], p["damper.tab_f"], velocity),
+        "Table": lambda: _CURVES[p["damper.interpolation"]](p["damper.tab_v"], p["damper.tab_f"], velocity),
     }
     return p["damper.scale"] * shapes[p["damper.mode"]]()
 
@@ -147,16 +152,34 @@ def _monotone(xs, ys, x: float) -> float:
     return float(curve(inside) + curve(inside, 1) * (x - inside))
 
 
-def contact_forces(p: Mapping, inputs: Mapping) -> tuple[numpy.ndarray, numpy.ndarray]:
-    """Transverse forces (m, n) at rod guide and piston that replace what the joint carries."""
+_CURVES = {"Linear": _line, "Cubic": _monotone}
+
+
+def side_load(p: Mapping, inputs: Mapping) -> tuple[numpy.ndarray, numpy.ndarray]:
+    """Force and moment (m, n) of the tube on the rod at the tube's eye: what the host says and what the spring adds."""
+    force = numpy.array([inputs["side_force_m"], inputs["side_force_n"]])
+    moment = numpy.array([inputs["side_moment_m"], inputs["side_moment_n"]])
+    if p["side.convention"] == "Lambda":
+        force, moment = -force, numpy.array([-moment[1], moment[0]])
+    spring = spring_force(p, p["geom.length_extended"] - inputs["length"])
+    of_host, of_spring = p["side.mode"] != "Internal", (p["side.mode"] != "Inputs") * spring
+    return (
+        of_host * force + of_spring * numpy.array([p["side.force_ratio"], 0.0]),
+        of_host * moment + of_spring * numpy.array([-p["side.offset_n"], p["side.offset_m"]]),
+    )
+
+
+def normal_forces(p: Mapping, inputs: Mapping) -> numpy.ndarray:
+    """Normal forces at rod guide and piston."""
+    force, moment = side_load(p, inputs)
     overlap = p["geom.d_i"] + p["geom.d_j"] - inputs["length"]
     middle = p["geom.d_i"] - 0.5 * overlap
-    spring = spring_force(p, p["geom.length_extended"] - inputs["length"])
-    force = numpy.array([inputs["side_force_m"] + p["side.force_ratio"] * spring, inputs["side_force_n"]])
-    moment_m = inputs["side_moment_m"] - p["side.offset_n"] * spring
-    moment_n = inputs["side_moment_n"] + p["side.offset_m"] * spring
-    couple = (numpy.array([moment_n, -moment_m]) - middle * force) / numpy.hypot(overlap, p["geom.h_reg"])
-    return 0.5 * force + couple, 0.5 * force - couple
+    couple = (numpy.array([moment[1], -moment[0]]) - middle * force) / numpy.hypot(overlap, p["geom.h_reg"])
+    if p["side.normal_sum"] == "Adams":
+        pair = numpy.full(2, 0.5 * (numpy.linalg.norm(force) + numpy.linalg.norm(couple)))
+    else:
+        pair = numpy.linalg.norm([0.5 * force + couple, 0.5 * force - couple], axis=1)
+    return p["side.c_geo"] * pair
 
 
 @dataclass
@@ -167,7 +190,7 @@ class Strut:
     deflection: numpy.ndarray = field(default_factory=lambda: numpy.zeros((2, 2)))
 
     def __post_init__(self):
-        unknown = set(self.parameters) - set(DEFAULTS) - {"bump.a1", "bump.a2", "bump.a3"}
+        unknown = set(self.parameters) - set(DEFAULTS)
         assert not unknown, f"unknown parameters {unknown}"
         self.parameters = DEFAULTS | dict(self.parameters)
 
@@ -188,22 +211,21 @@ class Strut:
         return numpy.array([(inputs["velocity"], radius * inputs["spin_rate"]) for radius in radii])
 
     def levels(self, inputs: Mapping) -> tuple[numpy.ndarray, numpy.ndarray, numpy.ndarray]:
-        """Normal forces, and g(v) and the static level of each contact."""
-        p = self.parameters
-        normal = numpy.array([numpy.linalg.norm(n) for n in contact_forces(p, inputs)])
-        loads = p["side.c_geo"] * normal
-        factor = p["friction.scale"] * (1.0 - numpy.sign(inputs["velocity"]) * p["friction.asymmetry"])
+        """Normal forces, the level g(v) and what the bristles can carry, of each contact."""
+        p, normal = self.parameters, normal_forces(self.parameters, inputs)
         kinetic, static = (
-            factor
+            p["friction.scale"]
             * (
-                numpy.array([p[f"c1.preload_{s}"], p[f"c2.preload_{s}"]])
-                + numpy.array([p[f"c1.mu_{s}"], p[f"c2.mu_{s}"]]) * loads
+                numpy.array([p[f"c1.preload_{kind}"], p[f"c2.preload_{kind}"]])
+                + numpy.array([p[f"c1.mu_{kind}"], p[f"c2.mu_{kind}"]]) * normal
             )
-            for s in ("k", "s")
+            for kind in ("k", "s")
         )
         speed = numpy.linalg.norm(self.slip(inputs), axis=1)
         ratio = (speed / p["friction.stribeck_velocity"]) ** p["friction.stribeck_exponent"]
-        return normal, kinetic + (static - kinetic) * numpy.exp(-ratio), static
+        level = kinetic + (static - kinetic) * numpy.exp(-ratio)
+        asymmetry = p["friction.asymmetry"]
+        return normal, (1.0 - numpy.sign(inputs["velocity"]) * asymmetry) * level, (1.0 + abs(asymmetry)) * static
 
     def settle(self, inputs: Mapping) -> None:
         """Puts the bristles into steady sliding."""
@@ -224,32 +246,35 @@ class Strut:
     def step(self, inputs: Mapping, step: float) -> None:
         """The exact solution of the bristles' equation for held inputs."""
         inputs, stiffness = INPUTS | dict(inputs), self.parameters["friction.sigma_0"]
-        _, level, static = self.levels(inputs)
+        _, level, _ = self.levels(inputs)
         slip = self.slip(inputs)
+        self.deflection = self.carried(inputs)
         for contact in (0, 1):
             speed = numpy.hypot(*slip[contact])
-            if level[contact] <= 0.0:
-                self.deflection[contact] = 0.0
-                continue
-            if speed > 0.0:
+            if level[contact] > 0.0 and speed > 0.0:
                 steady = level[contact] / stiffness * slip[contact] / speed
                 fade = numpy.exp(-stiffness * speed * step / level[contact])
                 self.deflection[contact] = steady + (self.deflection[contact] - steady) * fade
-            # A bond cannot hold more than the static level, however the load fell.
-            length, longest = numpy.hypot(*self.deflection[contact]), static[contact] / stiffness
-            if length > longest:
-                self.deflection[contact] *= longest / length
+
+    def carried(self, inputs: Mapping) -> numpy.ndarray:
+        """Deflections as far as the load allows: bristles that carried more slip until they carry what they can."""
+        _, _, most = self.levels(inputs)
+        length, longest = numpy.linalg.norm(self.deflection, axis=1), most / self.parameters["friction.sigma_0"]
+        shrink = numpy.divide(longest, length, out=numpy.ones(2), where=length > longest)
+        return shrink[:, None] * self.deflection
 
     def outputs(self, inputs: Mapping) -> dict[str, float]:
         """What the FMU gives for these inputs and the present deflections."""
         p, inputs = self.parameters, INPUTS | dict(inputs)
-        normal, level, _ = self.levels(inputs)
-        slip, rate = self.slip(inputs), self.rate(inputs, self.deflection)
-        # A contact without a level is open: it carries nothing, not even viscous drag.
-        drag = numpy.where(level[:, None] > 0.0, p["friction.viscous_coefficient"] * slip, 0.0)
-        bristles = p["friction.sigma_0"] * self.deflection + p["friction.sigma_1"] * rate + drag
+        deflection, slip = self.carried(inputs), self.slip(inputs)
+        bristles = (
+            p["friction.sigma_0"] * deflection
+            + p["friction.sigma_1"] * self.rate(inputs, deflection)
+            + p["friction.viscous_coefficient"] * slip
+        )
         terms = self.elastic(inputs["length"], inputs["velocity"])
         terms["force_friction"] = -float(bristles[:, 0].sum())
+        normal, _, _ = self.levels(inputs)
         return terms | {
             "force": sum(terms.values()),
             "friction_1": bristles[0, 0],
@@ -261,8 +286,7 @@ class Strut:
             "overlap": p["geom.d_i"] + p["geom.d_j"] - inputs["length"],
         }
 
-    def drive(self, inputs: Mapping, step: float, parts: int = 1) -> dict[str, float]:
-        """A step with held inputs, in equal parts, and the outputs after it."""
-        for _ in range(ceil(parts)):
-            self.step(inputs, step / parts)
+    def drive(self, inputs: Mapping, step: float) -> dict[str, float]:
+        """A step with held inputs, and the outputs after it."""
+        self.step(inputs, step)
         return self.outputs(inputs)
