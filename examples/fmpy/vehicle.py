@@ -18,9 +18,9 @@ import numpy
 from car_pictures import draw_laws
 from coupling import (
     Fmu,
-    numbers_of,
     command_line,
     not_negative,
+    numbers_of,
     open_fmu,
     parameter,
     path_of,
