@@ -7,8 +7,11 @@ use stribeck::catalogue::by_name;
 use stribeck::friction::LuGre;
 use stribeck::model::{Kind, Law, Model};
 
+/// Variables and their values.
+type Values<'a> = &'a [(&'a str, f64)];
+
 /// A shock absorber with its default parameters but for these.
-fn strut(set: &[(&str, f64)]) -> Bench {
+fn strut(set: Values) -> Bench {
     Bench::new("ShockAbsorber", set)
 }
 
@@ -416,7 +419,7 @@ fn switches_equal_zeroed_parameters() {
     let zero_levels: Vec<(String, f64)> = zero_levels.collect();
     let levels: Vec<(&str, f64)> = zero_levels.iter().map(|(name, value)| (name.as_str(), *value)).collect();
     let without_stiction = [("c1.mu_s", 0.10), ("c1.preload_s", 8.0), ("c2.mu_s", 0.08), ("c2.preload_s", 6.0)];
-    let cases: [(&str, &[(&str, f64)], &[(&str, f64)]); 7] = [
+    let cases: [(&str, Values, Values); 7] = [
         ("no stiction", &[("friction.switch", 2.0)], &without_stiction),
         ("viscous only", &[("friction.switch", 3.0)], &levels),
         ("off", &[("friction.switch", 4.0)], &[NONE]),
