@@ -664,3 +664,93 @@ fn output_derivative_of_the_force_behind_a_series_stiffness() {
         assert!(rate > 1e4 && (rate / difference - 1.0).abs() < 1e-3, "{set:?}: {rate} {difference}");
     }
 }
+
+/// What the spring does to the joint is what a host would give for it: the force F_s q along m, the moments -e_n F_s and
+/// e_m F_s. Alone it hears no inputs; and the contacts feel the distribution of pressure.
+#[test]
+fn side_load_of_the_spring() {
+    let normals = |set: &[(&str, f64)]| {
+        let mut strut = strut(set);
+        ["normal_1", "normal_2"].map(|name| strut.get(name))
+    };
+    let spring = 150.0 + 45e3 * 0.0225;
+    let given = normals(&[
+        ("side.mode", 1.0),
+        ("side_force_m", 0.02 * spring),
+        ("side_moment_m", 0.001 * spring),
+        ("side_moment_n", 0.002 * spring),
+    ]);
+    let offset = [("side.offset_m", 0.002), ("side.offset_n", -0.001), ("side.force_ratio", 0.02)];
+    let inputs = [("side_force_m", 50.0), ("side_force_n", 70.0), ("side_moment_m", 3.0), ("side.mode", 2.0)];
+    for set in [&offset[..], &[&offset[..], &inputs].concat()] {
+        for c_geo in [1.0, 1.25] {
+            let internal = normals(&[set, &[("side.c_geo", c_geo)]].concat());
+            for (internal, given) in internal.iter().zip(given) {
+                assert!((internal / (c_geo * given) - 1.0).abs() < 1e-12, "{internal} {given}");
+            }
+        }
+    }
+}
+
+/// A host in millimetres of compression that drives any law, also by its acceleration, sees the same friction.
+#[test]
+fn adapters_drive_every_law_alike() {
+    for (number, name) in laws().skip(1) {
+        let run = |adapter: &[(&str, f64)], offset: f64, gain: f64| {
+            let mut strut = strut(&[adapter, &[("friction.model", number), LINEAR]].concat());
+            let step = |k: i32| {
+                let phase = 0.05 * f64::from(k);
+                strut.set("length", (0.1775 + 1e-3 * phase.sin() - offset) / gain);
+                strut.set("velocity", 0.05 * phase.cos() / gain);
+                strut.set("acceleration", -2.5 * phase.sin() / gain);
+                strut.step(1e-3);
+                strut.get("force_friction")
+            };
+            (0..150).map(step).collect::<Vec<f64>>()
+        };
+        let own = run(&[], 0.0, 1.0);
+        let adapter = [("adapter.length_offset", 0.2), ("adapter.length_gain", -1e-3)];
+        let worst = run(&adapter, 0.2, -1e-3).iter().zip(&own).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+        assert!(worst < 1e-6, "{name}: {worst} N");
+    }
+}
+
+/// Straight lines bend at the points of the table, the cubic does not.
+#[test]
+fn cubic_damper_table_is_smooth() {
+    let bend = |interpolation: f64| {
+        let mut strut = strut(&[NONE, TABLE, ("damper.interpolation", interpolation)]);
+        let mut at = |velocity: f64| force(&mut strut, 0.1775, velocity);
+        let h = 1e-5;
+        ((at(0.1 + h) - at(0.1)) / h - (at(0.1) - at(0.1 - h)) / h).abs()
+    };
+    // 160 N over 0.05 m/s below, 300 N over 0.15 m/s above.
+    assert!((bend(1.0) - (3200.0 - 2000.0)).abs() < 1e-3, "{}", bend(1.0));
+    assert!(bend(2.0) < 10.0, "{}", bend(2.0));
+}
+
+/// Table of the start values: 45 N/mm, and 60 N/mm beyond 30 mm, on the preload of 150 N.
+#[test]
+fn progressive_spring() {
+    let mut spring = Bench::new("CoilSpring", &[("spring.mode", 2.0)]);
+    for (compression, force) in [(0.0, 150.0), (0.01, 600.0), (0.04, 2100.0), (0.06, 3300.0), (-0.01, -300.0)] {
+        spring.set("compression", compression);
+        assert!((spring.get("force") - force).abs() < 1e-9, "{compression}: {}", spring.get("force"));
+    }
+}
+
+/// Friction and damper heat the strut until the surroundings take what they give; no heat is lost in an insulated one.
+#[test]
+fn all_that_is_dissipated_heats() {
+    let mut strut = strut(&[("thermal.enabled", 1.0), ("thermal.conductance", 0.0), ("velocity", 0.2)]);
+    strut.set("spin_rate", 3.0);
+    for _ in 0..100 {
+        strut.step(0.01);
+    }
+    let heat = 600.0 * (strut.get("temperature") - 293.15);
+    assert!((heat / strut.get("energy_dissipated") - 1.0).abs() < 1e-9, "{heat} J");
+    let power = strut.get("power_dissipated");
+    let friction = strut.get("friction_1") + strut.get("friction_2");
+    let work = friction * 0.2 + strut.get("friction_torque") * 3.0 - strut.get("force_damper") * 0.2;
+    assert!((power / work - 1.0).abs() < 1e-9, "{power} {work}");
+}
