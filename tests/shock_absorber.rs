@@ -754,3 +754,89 @@ fn all_that_is_dissipated_heats() {
     let work = friction * 0.2 + strut.get("friction_torque") * 3.0 - strut.get("force_damper") * 0.2;
     assert!((power / work - 1.0).abs() < 1e-9, "{power} {work}");
 }
+
+#[test]
+fn state_at_the_start() {
+    // 10 N in the bristles of the rod guide.
+    let mut given = strut(&[("init.friction_state", 3.0), ("memory_1[1]", 1e-4)]);
+    assert!((given.get("friction_1") - 10.0).abs() < 1e-9, "{}", given.get("friction_1"));
+    // The piston behind its stiffness already moves with the strut, or not yet.
+    for (state, force) in [(1.0, -460.0), (2.0, 0.0)] {
+        let set = [("damper.k_series", 1e5), ("velocity", 0.2), ("init.friction_state", state)];
+        assert_eq!(strut(&set).get("force_damper"), force);
+    }
+    let mut hot = strut(&[("thermal.enabled", 1.0), ("temperature", 393.15), ("velocity", -0.2)]);
+    assert!((hot.get("force_damper") - 300.0 * (-0.3f64).exp()).abs() < 1e-9);
+}
+
+/// Bristles that carry 20 N carry 5 N as soon as the contact can hold no more.
+#[test]
+fn bristles_follow_a_falling_load() {
+    let mut strut = strut(&bare(20.0, 20.0));
+    strut.set("velocity", 0.01);
+    strut.step(1.0);
+    strut.set("velocity", 0.0);
+    assert!((strut.get("friction_1") - 20.0).abs() < 0.1);
+    (strut.set("c1.preload_k", 5.0), strut.set("c1.preload_s", 5.0));
+    assert!((strut.get("friction_1") - 5.0).abs() < 1e-9);
+}
+
+/// The factor on the friction multiplies all four levels.
+#[test]
+fn friction_scale_multiplies_the_levels() {
+    let forces = |set: &[(&str, f64)]| {
+        let mut forces = Vec::new();
+        golden_trace(set, |_, strut| forces.push(strut.get("force")));
+        forces
+    };
+    let halved = [
+        ("c1.mu_s", 0.075),
+        ("c1.mu_k", 0.05),
+        ("c1.preload_s", 5.0),
+        ("c1.preload_k", 4.0),
+        ("c2.mu_s", 0.05),
+        ("c2.mu_k", 0.04),
+        ("c2.preload_s", 4.0),
+        ("c2.preload_k", 3.0),
+    ];
+    let (halved, scaled) = (forces(&halved), forces(&[("friction.scale", 0.5)]));
+    let worst = halved.iter().zip(scaled).map(|(a, b)| (a - b).abs());
+    assert!(worst.fold(0.0, f64::max) < 1e-9);
+}
+
+#[test]
+fn sticking_is_said() {
+    let mut strut = strut(&[law("CoulombStiction"), ("friction.mass", 5.0)]);
+    for (velocity, sticking) in [(0.0, 1.0), (0.1, 0.0)] {
+        strut.set("velocity", velocity);
+        strut.step(1e-3);
+        assert_eq!(strut.get("sticking"), sticking, "{velocity} m/s");
+    }
+}
+
+/// Coulomb friction of 10 N at 0.5 m/s, 3 : 4 along and about the axis, in all quarters.
+#[test]
+fn a_contact_resists_both_motions() {
+    let mut contact = Bench::new("GuideContact", &[law("Coulomb"), ("normal_force", 20.0), ("radius", 0.01)]);
+    for (axial, around) in [(1.0, 1.0), (-1.0, 1.0), (1.0, -1.0), (-1.0, -1.0)] {
+        contact.set("velocity", 0.3 * axial);
+        contact.set("spin_rate", 40.0 * around);
+        assert!((contact.get("friction_force") - 6.0 * axial).abs() < 1e-12);
+        assert!((contact.get("friction_torque") - 0.08 * around).abs() < 1e-12);
+        assert!((contact.get("dissipated_power") - 5.0).abs() < 1e-12);
+        let energy = contact.column("dissipated_energy");
+        assert!((contact.instance.time_derivative()[energy].slope - 5.0).abs() < 1e-12);
+    }
+}
+
+/// Without levels a contact is a viscous damper: force, power and energy.
+#[test]
+fn viscous_friction_without_levels() {
+    let set = [("friction.switch", 3.0), ("friction.viscous_coefficient", 2.0), ("velocity", 0.3)];
+    for (number, name) in laws().filter(|(_, name)| ["LuGre", "Stribeck", "ElastoPlastic"].contains(name)) {
+        let mut contact = Bench::new("GuideContact", &[&set[..], &[("friction.model", number)]].concat());
+        contact.step(0.5);
+        assert!((contact.get("friction_force") - 0.6).abs() < 1e-12, "{name}");
+        assert!((contact.get("dissipated_energy") - 0.6 * 0.3 * 0.5).abs() < 1e-12, "{name}");
+    }
+}
