@@ -15,6 +15,7 @@ mod guid;
 pub mod host;
 pub mod instance;
 pub mod laws;
+pub mod memory;
 pub mod model;
 pub mod number;
 mod panics;
