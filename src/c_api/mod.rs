@@ -18,6 +18,7 @@ use std::ptr::{null, null_mut};
 use libc::{c_char, c_int};
 
 use crate::catalogue;
+use crate::float_mode::DefaultMode;
 use crate::instance::Instance;
 use crate::memory::{self, OUT_OF_MEMORY, OutOfMemory};
 use crate::model::{Fault, Kind, ModelType, Role};
@@ -147,6 +148,7 @@ impl From<OutOfMemory> for Refusal {
 unsafe fn enter(model: *mut stribeck_model, body: impl FnOnce(&mut stribeck_model) -> Outcome) -> stribeck_status {
     // SAFETY: the caller's promise.
     let Some(model) = (unsafe { model.as_mut() }) else { return STRIBECK_NULL };
+    let _mode = DefaultMode::enter();
     let internal = |panic: Box<dyn Any + Send>| refuse(STRIBECK_INTERNAL, crate::panics::text(&*panic));
     match catch_unwind(AssertUnwindSafe(|| body(model))).unwrap_or_else(internal) {
         Ok(()) => STRIBECK_OK,

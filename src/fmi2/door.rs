@@ -7,6 +7,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use super::lifecycle::{Call, State};
 use super::log::Log;
 use super::types::{fmi2Component, fmi2Status};
+use crate::float_mode::DefaultMode;
 use crate::instance::Instance;
 use crate::memory::{self, OutOfMemory};
 use crate::model::Fault;
@@ -91,6 +92,7 @@ pub(super) unsafe fn enter(c: fmi2Component, call: Call, body: impl FnOnce(&mut 
     if !call.is_allowed(slave.state) {
         return refused(slave, call, not_allowed(slave.state));
     }
+    let _mode = DefaultMode::enter();
     // A panic leaves the row as it was: models work on a copy. Everything else that a body writes, it writes last.
     match catch_unwind(AssertUnwindSafe(|| body(slave))) {
         Ok(Ok(())) => fmi2Status::fmi2OK,
