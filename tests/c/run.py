@@ -5,8 +5,8 @@
     python3 tests/c/run.py --thorough   with 10,000 loads and a million steps
 
 Every program is compiled with warnings as errors, linked to the shared and to the static library, and run as it is and
-under the address and undefined-behaviour sanitizers. Then faults of hosts are tried on every model (Linux). The compilers
-are cc and c++, or what CC and CXX name.
+under the address and undefined-behaviour sanitizers. On Linux faults of hosts are then tried on every model. The
+compilers are cc and c++, or what CC and CXX name.
 """
 
 import json
