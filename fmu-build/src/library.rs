@@ -83,14 +83,16 @@ fn compile(
     remapped: &[(PathBuf, &'static str)],
 ) -> Result<PathBuf> {
     let folder = target_folder(root);
-    let mut cargo = Command::new(env::var_os("CARGO").unwrap_or("cargo".into()));
-    cargo.arg(target.map_or("build", Target::command));
+    let mut cargo = Command::new(target.map_or_else(toolchain::cargo, Target::cargo));
+    cargo.arg("rustc");
     if let Some(target) = target {
         cargo.args(["--target", &target.argument()]).envs(target.environment(&folder)?);
     }
     let own = target.map_or(&[][..], Target::flags);
     cargo
         .args(["--release", "--lib", "--package", "stribeck"])
+        // Cargo does not optimise across crates as long as one of the kinds to build is a Rust library.
+        .args(["--crate-type", "cdylib"])
         .arg("--message-format=json-render-diagnostics")
         .arg("--target-dir")
         .arg(folder)

@@ -60,17 +60,8 @@ const WIN64: Platform = Platform {
     folders: &["win64"],
     suffix: ".dll",
     targets: &[WINDOWS_X86_64],
-    // Those of Windows 10 and newer.
-    libraries: &[
-        "api-ms-win-core-synch-l1-2-0.dll",
-        "advapi32.dll",
-        "bcryptprimitives.dll",
-        "kernel32.dll",
-        "msvcrt.dll",
-        "ntdll.dll",
-        "userenv.dll",
-        "ws2_32.dll",
-    ],
+    // wine 8 has these too; it lacks bcryptprimitives.dll, which Rust needs for random numbers.
+    libraries: &["api-ms-win-core-synch-l1-2-0.dll", "kernel32.dll", "msvcrt.dll", "ntdll.dll"],
 };
 
 const DARWIN64: Platform = Platform {
@@ -243,6 +234,7 @@ mod tests {
             (AARCH64_LINUX, "ld-linux-x86-64.so.2"),
             (WIN64, "libgcc_s_seh-1.dll"),
             (WIN64, "VCRUNTIME140.dll"),
+            (WIN64, "bcryptprimitives.dll"),
             (DARWIN64, "/usr/lib/libiconv.2.dylib"),
         ] {
             let refused = refusal(platform, |binary| {

@@ -68,12 +68,12 @@ impl Target {
         Ok(names.into_iter().any(|name| name.starts_with("libstd-") && name.ends_with(".rlib")))
     }
 
-    /// Cargo's command that builds it.
-    pub fn command(self) -> &'static str {
-        if matches!(self.linker, Linker::Zig) { "zigbuild" } else { "build" }
+    /// The program that does what cargo does.
+    pub fn cargo(self) -> OsString {
+        if matches!(self.linker, Linker::Zig) { "cargo-zigbuild".into() } else { cargo() }
     }
 
-    /// The target as that command names it.
+    /// The target as that program names it.
     pub fn argument(self) -> String {
         match self.linker {
             Linker::Zig => format!("{}.{OLDEST_GLIBC}", self.triple),
@@ -124,6 +124,11 @@ impl Linker {
             Linker::Zig | Linker::MinGw | Linker::RustLld => None,
         })
     }
+}
+
+/// Cargo.
+pub fn cargo() -> OsString {
+    env::var_os("CARGO").unwrap_or("cargo".into())
 }
 
 /// The compiler.
