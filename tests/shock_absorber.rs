@@ -416,7 +416,8 @@ fn switches_equal_zeroed_parameters() {
     let zero_levels: Vec<(String, f64)> = zero_levels.collect();
     let levels: Vec<(&str, f64)> = zero_levels.iter().map(|(name, value)| (name.as_str(), *value)).collect();
     let without_stiction = [("c1.mu_s", 0.10), ("c1.preload_s", 8.0), ("c2.mu_s", 0.08), ("c2.preload_s", 6.0)];
-    let cases: [(&str, &[(&str, f64)], &[(&str, f64)]); 7] = [
+    type Set<'a> = &'a [(&'a str, f64)];
+    let cases: [(&str, Set, Set); 7] = [
         ("no stiction", &[("friction.switch", 2.0)], &without_stiction),
         ("viscous only", &[("friction.switch", 3.0)], &levels),
         ("off", &[("friction.switch", 4.0)], &[NONE]),
@@ -777,7 +778,8 @@ fn bristles_follow_a_falling_load() {
     strut.step(1.0);
     strut.set("velocity", 0.0);
     assert!((strut.get("friction_1") - 20.0).abs() < 0.1);
-    (strut.set("c1.preload_k", 5.0), strut.set("c1.preload_s", 5.0));
+    strut.set("c1.preload_k", 5.0);
+    strut.set("c1.preload_s", 5.0);
     assert!((strut.get("friction_1") - 5.0).abs() < 1e-9);
 }
 
