@@ -780,7 +780,8 @@ fn bristles_follow_a_falling_load() {
     strut.step(1.0);
     strut.set("velocity", 0.0);
     assert!((strut.get("friction_1") - 20.0).abs() < 0.1);
-    (strut.set("c1.preload_k", 5.0), strut.set("c1.preload_s", 5.0));
+    strut.set("c1.preload_k", 5.0);
+    strut.set("c1.preload_s", 5.0);
     assert!((strut.get("friction_1") - 5.0).abs() < 1e-9);
 }
 
