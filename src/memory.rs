@@ -1,5 +1,5 @@
-//! Memory that may run out: what the C interfaces make for their callers is asked for and not taken for granted, because
-//! a failed allocation would otherwise end the process of the host.
+//! Memory that may run out: what the C interfaces make for their callers is asked for and not taken for granted. A
+//! failed allocation would otherwise end the process of the host.
 
 use std::ffi::{CStr, CString};
 use std::fmt::{self, Write};

@@ -133,8 +133,8 @@ thread_local! {
     static HEARD: Cell<usize> = const { Cell::new(0) };
 }
 
-/// A logger that counts. Rust cannot define variadic functions; where arguments are not on the stack, a function without
-/// the variadic ones can stand in.
+/// A logger that counts. Rust cannot define variadic functions; where arguments are not on the stack, one without
+/// the variadic arguments can stand in.
 fn listener() -> fmi2CallbackLogger {
     unsafe extern "C" fn listen(_: *mut c_void, _: fmi2String, _: fmi2Status, category: fmi2String, text: fmi2String) {
         assert!(!category.is_null() && !text.is_null());
