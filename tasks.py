@@ -3,6 +3,7 @@
 
     python3 tasks.py demo     pack the FMUs, run each of them from Python, draw the results
     python3 tasks.py test     every check and test of the project
+    python3 tasks.py trust    the fault tests in full, with their figures
     python3 tasks.py bench    the benchmarks
     python3 tasks.py pack     the FMUs into dist/
     python3 tasks.py setup    .venv with the Python packages
@@ -145,6 +146,13 @@ def test() -> None:
     run(PYTHON, "-m", "pytest", "tests/python")
 
 
+def trust() -> None:
+    """The fault tests in full, with their figures."""
+    need_rust()
+    need_c_compiler()
+    run(sys.executable, "tests/c/run.py", "--thorough")
+
+
 def bench() -> None:
     """The benchmarks."""
     need_rust()
@@ -163,6 +171,7 @@ TASKS = {
     demo: "install the Python packages, build and pack the FMUs, run each of them, draw the results: 2 to 4 minutes, "
     "then under one",
     test: "check formatting and lints, run the Rust, C and Python tests: 5 to 10 minutes, then about 3",
+    trust: "try what hosts may do to the library, in full, and print the figures: about an hour",
     bench: "build and run the benchmarks: 2 to 5 minutes",
     pack: "build the library and pack every model as an FMU into dist/: 1 to 2 minutes",
     setup: "install the Python packages of requirements.txt into .venv: about a minute",

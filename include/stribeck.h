@@ -67,6 +67,8 @@ typedef enum {
   STRIBECK_BAD_BUFFER = 7,
   /** A fault of the library; please report it. */
   STRIBECK_INTERNAL = 8,
+  /** There is no memory left. */
+  STRIBECK_OUT_OF_MEMORY = 9,
 } stribeck_status;
 
 /** Who writes a variable. */

@@ -311,6 +311,20 @@ def options_of(about: str, out: str) -> argparse.ArgumentParser:
         help="parameter of the car; may be repeated",
     )
     parser.add_argument(
+        "--strut-file",
+        type=parameter_set,
+        default={},
+        metavar="CSV",
+        help="parameters of the struts, as `stribeck damper` writes them; for the friction levels see --levels",
+    )
+    parser.add_argument(
+        "--car-file",
+        type=parameter_set,
+        default={},
+        metavar="CSV",
+        help="parameters of the car, as `stribeck tyre` writes them",
+    )
+    parser.add_argument(
         "--levels",
         type=not_negative,
         nargs="+",
@@ -329,7 +343,20 @@ def choices_of(options: argparse.Namespace) -> dict[str, Choice]:
 
 def choice_of(options: argparse.Namespace, model: str, level: float) -> Choice:
     """What the command line asks for, with a law and a level of its own."""
-    return Choice(options.fmus, friction(model, level) | dict(options.set), dict(options.car))
+    struts = options.strut_file | friction(model, level) | dict(options.set)
+    return Choice(options.fmus, struts, options.car_file | dict(options.car))
+
+
+def parameter_set(text: str) -> dict[str, str]:
+    """Reads a file of parameters: CSV with the columns `variable` and `value`."""
+    path = Path(text)
+    if not path.is_file():
+        raise argparse.ArgumentTypeError(f"there is no file {text}")
+    with path.open(encoding="utf-8", newline="") as file:
+        rows = csv.DictReader(file)
+        if not {"variable", "value"} <= set(rows.fieldnames or []):
+            raise argparse.ArgumentTypeError(f"{text} has no columns named variable and value")
+        return {row["variable"]: row["value"] for row in rows}
 
 
 def label_of(level: float) -> str:

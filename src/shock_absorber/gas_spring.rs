@@ -30,7 +30,12 @@ impl<T: Real> GasChamber<T> {
             return T::zero();
         }
         let area = self.rod_area();
-        let pressure = self.p0 * (self.V0 / (self.V0 - area * compression)).powf(self.n);
+        let volume = self.V0 - area * compression;
+        if volume.value() <= 0.0 {
+            // Whole exponents would go on with a pressure, even a negative one.
+            return T::from(f64::NAN);
+        }
+        let pressure = self.p0 * (self.V0 / volume).powf(self.n);
         (pressure - self.p_ambient) * area
     }
 }
@@ -111,4 +116,28 @@ impl<T: Real> Law for GasSpring<T> {
 
 impl Model for GasSpring {
     fn step(&mut self, _dt: f64) {}
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::catalogue::by_name;
+    use crate::instance::Instance;
+
+    /// Beyond the volume of the gas there is no pressure, whatever the exponent.
+    #[test]
+    fn a_rod_that_fills_the_volume_is_an_error() {
+        let filled = 3e-5 / (0.25 * std::f64::consts::PI * 0.014 * 0.014);
+        for exponent in [0.0, 1.0, 1.2, 2.0] {
+            let mut spring = Instance::new(by_name("GasSpring").expect("a model"));
+            let column = |name: &str| spring.model().find(name).expect("a column");
+            let [compression, n] = [column("compression"), column("gas.n")];
+            spring.put(n, exponent);
+            spring.put(compression, 0.999 * filled);
+            spring.refresh().expect("there is gas left");
+            for compression_there in [1.001 * filled, 2.0 * filled] {
+                spring.put(compression, compression_there);
+                assert!(spring.refresh().is_err(), "n = {exponent}");
+            }
+        }
+    }
 }

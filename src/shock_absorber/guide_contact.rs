@@ -115,6 +115,11 @@ impl<T: Real> FrictionLaw<T> {
         if self.switch() == FrictionSwitch::Off { None } else { ChosenLaw::of(self.model.value()) }
     }
 
+    /// Is the force of the law one that stops a mass over a whole step?
+    pub(crate) fn moves_mass(&self) -> bool {
+        self.mass.value() > 0.0 && self.chosen().is_some_and(ChosenLaw::asks_for_mass)
+    }
+
     fn switch(&self) -> FrictionSwitch {
         FrictionSwitch::of(self.switch.value())
     }
@@ -175,6 +180,11 @@ impl<T: Real> FrictionLaw<T> {
         answer
     }
 
+    /// What the law remembers at its start, also if it is switched on only later.
+    pub(crate) fn fresh(&self) -> [f64; MEMORY] {
+        ChosenLaw::of(self.model.value()).map_or([0.0; MEMORY], ChosenLaw::start)
+    }
+
     /// The viscous coefficient of a contact without levels, for which the law itself gives no force.
     fn drag(&self, law: ChosenLaw, given: &Given<T>) -> T {
         if given.normal_force.value() > 0.0 { T::zero() } else { law.viscous_coefficient(&self.law) }
@@ -203,18 +213,11 @@ impl FrictionLaw {
 
     /// What the law remembers after a while at this velocity: steady sliding, and rest where the velocity is but noise.
     pub(crate) fn settled(&self, levels: &Levels, touch: &Touch<f64>) -> [f64; MEMORY] {
-        let Some(law) = self.chosen() else { return [0.0; MEMORY] };
-        let mut memory = law.start();
-        let given = self.given(levels, touch);
-        if given.velocity != 0.0 && given.mass == 0.0 {
-            law.advance(&given, &self.law, &mut memory, SETTLING_TIME);
+        let mut memory = self.fresh();
+        if touch.signed_speed() != 0.0 && !self.moves_mass() {
+            self.advance(levels, touch, &mut memory, SETTLING_TIME);
         }
         memory
-    }
-
-    /// What the law remembers at its start.
-    pub(crate) fn fresh(&self) -> [f64; MEMORY] {
-        self.chosen().map_or([0.0; MEMORY], ChosenLaw::start)
     }
 
     /// Time derivatives of what the law remembers.
@@ -351,7 +354,7 @@ impl<T: Evaluate> GuideContact<T> {
         if self.started.value() != 0.0 {
             return self.memory;
         }
-        self.friction.chosen().map_or(self.memory, |law| law.start().map(T::from))
+        self.friction.fresh().map(T::from)
     }
 }
 

@@ -139,7 +139,9 @@ impl Hydraulics {
                 let force = resistance(w);
                 Dual { value: force.value + stage_gain * w - right, slope: force.slope + stage_gain }
             };
-            root::newton(residual, (right / stage_gain).min(0.0), (right / stage_gain).max(0.0))
+            // Of a soft spring and a short step, b / a may overflow.
+            let far = (right / stage_gain).clamp(f64::MIN, f64::MAX);
+            root::newton(residual, far.min(0.0), far.max(0.0))
         };
         let begin = resistance(*piston_velocity).value;
         let first = stage(begin);
@@ -147,6 +149,14 @@ impl Hydraulics {
         *piston_velocity = second;
         let power = |w: f64| resistance(w).value * w;
         dt * ((1.0 - GAMMA) * power(first) + GAMMA * power(second))
+    }
+
+    /// Time derivative of the velocity of the piston behind the series stiffness. `factor` multiplies the resistance.
+    pub(crate) fn rate(&self, piston_velocity: f64, velocity: f64, factor: f64) -> f64 {
+        let law = self.map(&|number| Dual::from(number));
+        let slope = factor * law.resistance(Dual { value: piston_velocity, slope: 1.0 }).slope;
+        // Where the characteristic is level, the piston follows at once.
+        if self.has_series() && slope > 0.0 { self.k_series * (velocity - piston_velocity) / slope } else { 0.0 }
     }
 
     /// Refuses tables that no damper has.
@@ -268,7 +278,8 @@ impl Model for HydraulicDamper {
     }
 
     fn step(&mut self, dt: f64) {
-        let count = super::substeps(dt, self.step_size);
+        // Without stiffness in series there is nothing to integrate, and one step is exact.
+        let count = if self.damper.has_series() { super::substeps(dt, self.step_size) } else { 1 };
         for _ in 0..count {
             self.dissipated_energy +=
                 self.damper.advance(&mut self.piston_velocity, self.velocity, 1.0, dt / f64::from(count));
@@ -277,14 +288,7 @@ impl Model for HydraulicDamper {
 
     fn rate(&self, rate: &mut Self) {
         rate.dissipated_energy = self.damper.resistance(self.piston()) * self.piston();
-        if self.damper.has_series() {
-            let law = self.damper.map(&|number| Dual::from(number));
-            let slope = law.resistance(Dual { value: self.piston_velocity, slope: 1.0 }).slope;
-            // Where the characteristic is level, the piston follows at once.
-            if slope > 0.0 {
-                rate.piston_velocity = self.damper.k_series * (self.velocity - self.piston_velocity) / slope;
-            }
-        }
+        rate.piston_velocity = self.damper.rate(self.piston_velocity, self.velocity, 1.0);
     }
 }
 

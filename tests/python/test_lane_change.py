@@ -8,7 +8,7 @@ import numpy
 import pytest
 from coupling import FMUS
 from lane_change import clearance, driver, lanes, open_loop, run_lane_change, way
-from vehicle import Choice, friction
+from vehicle import Choice, choice_of, friction, options_of
 
 NO_GAS = {"gas.enabled": False}
 
@@ -93,3 +93,17 @@ def test_the_driver_gets_through_the_cones(level):
     assert clearance(found, course, 1.4) > 0.0
     assert clearance(run(level), course, 1.4) < 0.0, "the open loop does not know where the cones are"
     assert found["position_y"][-1] == pytest.approx(course[2].middle, abs=0.05)
+
+
+def test_parameters_of_a_file(tmp_path):
+    file = tmp_path / "tyre.csv"
+    file.write_text("variable,value,unit\ntyre.lmuy,0.6,1\n", encoding="utf-8")
+    options = options_of("", "out").parse_args(["--car-file", str(file)])
+    slippery = run_lane_change(choice_of(options, "LuGre", 0.0))
+    hardest = [numpy.abs(motion["lateral_acceleration"]).max() for motion in (slippery, run(0.0))]
+    assert hardest[0] < 0.75 * hardest[1]
+    with pytest.raises(SystemExit):
+        options_of("", "out").parse_args(["--car-file", str(tmp_path / "none.csv")])
+    file.write_text("name;value\n", encoding="utf-8")
+    with pytest.raises(SystemExit):
+        options_of("", "out").parse_args(["--strut-file", str(file)])
