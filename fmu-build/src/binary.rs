@@ -59,3 +59,33 @@ impl Binary {
         Some(newest.iter().map(u32::to_string).collect::<Vec<_>>().join("."))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn versions_of_glibc_are_ordered_by_number() {
+        assert_eq!(glibc("GLIBC_2.2.5"), Some(vec![2, 2, 5]));
+        assert!(glibc("GLIBC_2.4") < glibc("GLIBC_2.17"));
+        assert_eq!(glibc("GLIBC_PRIVATE"), None);
+        let versions = ["GLIBC_2.4", "GLIBC_2.17", "GLIBC_2.2.5", "GCC_3.0"].map(str::to_owned).into();
+        assert_eq!(Binary { versions, ..Binary::default() }.newest_glibc().as_deref(), Some("2.17"));
+    }
+
+    #[test]
+    fn other_files_are_refused() {
+        assert!(read(b"MZ is how a program for Windows begins").is_err());
+        assert!(read(b"").is_err());
+    }
+
+    /// This program itself, whose needs are those of every program on Linux.
+    #[cfg(target_os = "linux")]
+    #[test]
+    fn needs_of_this_program_are_found() {
+        let this = read(&std::fs::read(std::env::current_exe().unwrap()).unwrap()).unwrap();
+        assert!(this.libraries.contains("libc.so.6"), "{:?}", this.libraries);
+        assert!(this.imports.contains("malloc") && !this.exports.contains("malloc"));
+        assert!(this.newest_glibc().is_some() && !this.has_uuid);
+    }
+}

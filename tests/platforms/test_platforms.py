@@ -89,7 +89,9 @@ def test_all_models_have_the_results_of_linux(machines, platform):
     equal = sum(found[key] == value for key, value in expected.items())
     print(f"{platform}: {equal} of {len(expected)} results of {len(MODELS)} models are equal to the last bit")
     for key, value in expected.items():
-        assert found[key] == pytest.approx(value, rel=1e-9, abs=1e-12), key
+        # A difference of forces over 2e-8 m/s: the last bit of 1300 N becomes 1e-5 N.s/m.
+        digits = 1e-7 if key == ("ShockAbsorber", "dforce_dvelocity") else 1e-9
+        assert found[key] == pytest.approx(value, rel=digits, abs=1e-12), key
 
 
 def simulate(fmu, file, environment):
