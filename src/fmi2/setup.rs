@@ -116,7 +116,7 @@ pub unsafe extern "C" fn fmi2SetDebugLogging(
         for category in unsafe { array(categories, nCategories, "categories") }? {
             // SAFETY: the caller promises NULL or zero-terminated texts.
             let Some(category) = (unsafe { door::text(*category) }) else { return refuse("a category is NULL") };
-            if slave.log.switch(&category, enabled).is_none() {
+            if slave.log.switch(category, enabled).is_none() {
                 return refuse(format_args!("unknown log category {}", category.to_string_lossy()));
             }
         }
