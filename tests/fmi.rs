@@ -7,7 +7,8 @@ use std::ptr::{null, null_mut};
 use std::sync::Mutex;
 
 use stribeck::catalogue;
-use stribeck::fmi2::lifecycle::{ALLOWED, Call, STATES, State};
+use stribeck::fmi2::exchange::*;
+use stribeck::fmi2::lifecycle::{ALLOWED, Call, Purpose, State};
 use stribeck::fmi2::setup::*;
 use stribeck::fmi2::snapshot::*;
 use stribeck::fmi2::step::*;
@@ -71,19 +72,31 @@ fn guid(model: &str) -> CString {
 
 impl Importer {
     fn new(model: &'static str) -> Importer {
+        Importer::with(model, Purpose::CoSimulation)
+    }
+
+    fn with(model: &'static str, purpose: Purpose) -> Importer {
+        let kind = match purpose {
+            Purpose::CoSimulation => fmi2CoSimulation,
+            Purpose::ModelExchange => fmi2ModelExchange,
+        };
         let heard = Box::<Heard>::default();
         let callbacks = callbacks(&heard);
         // SAFETY: valid texts and callbacks.
         let c = unsafe {
             let name = c"importer".as_ptr();
-            fmi2Instantiate(name, fmi2CoSimulation, guid(model).as_ptr(), null(), &callbacks, fmi2False, fmi2True)
+            fmi2Instantiate(name, kind, guid(model).as_ptr(), null(), &callbacks, fmi2False, fmi2True)
         };
         assert!(!c.is_null());
         Importer { c, model, heard }
     }
 
     fn in_state(model: &'static str, state: State) -> Importer {
-        let importer = Importer::new(model);
+        Importer::in_state_of(model, Purpose::CoSimulation, state)
+    }
+
+    fn in_state_of(model: &'static str, purpose: Purpose, state: State) -> Importer {
+        let importer = Importer::with(model, purpose);
         let c = importer.c;
         // SAFETY: an instance of this test.
         unsafe {
@@ -94,9 +107,11 @@ impl Importer {
             if !matches!(state, State::Instantiated | State::Initialization) {
                 assert_eq!(fmi2ExitInitializationMode(c), fmi2OK);
             }
-            match state {
-                State::Terminated => assert_eq!(fmi2Terminate(c), fmi2OK),
-                State::Error => assert_eq!(fmi2DoStep(c, 0.0, -1.0, fmi2True), fmi2Error),
+            match (state, purpose) {
+                (State::Terminated, _) => assert_eq!(fmi2Terminate(c), fmi2OK),
+                (State::Error, Purpose::CoSimulation) => assert_eq!(fmi2DoStep(c, 0.0, -1.0, fmi2True), fmi2Error),
+                (State::Error, Purpose::ModelExchange) => assert_eq!(fmi2SetTime(c, f64::NAN), fmi2Error),
+                (State::ContinuousTimeMode, _) => assert_eq!(fmi2EnterContinuousTimeMode(c), fmi2OK),
                 _ => (),
             }
         }
@@ -156,14 +171,29 @@ impl Importer {
     }
 }
 
+const NO_EVENT: fmi2EventInfo = fmi2EventInfo {
+    newDiscreteStatesNeeded: fmi2False,
+    terminateSimulation: fmi2False,
+    nominalsOfContinuousStatesChanged: fmi2False,
+    valuesOfContinuousStatesChanged: fmi2False,
+    nextEventTimeDefined: fmi2False,
+    nextEventTime: 0.0,
+};
+
 /// Makes the call with sound arguments, as far as there are any in this state.
-fn call(importer: &Importer, call: Call) -> fmi2Status {
+fn call(importer: &Importer, purpose: Purpose, call: Call) -> fmi2Status {
     let c = importer.c;
     let (real, order) = (importer.vr("velocity"), 1);
     let (mut value, mut size, mut status, mut flag, mut text) = (0.0, 0, fmi2OK, 0, null());
     let mut state: fmi2FMUstate = null_mut();
+    let mut event = NO_EVENT;
     // A state of another instance, so that the calls on states have something to work on.
-    let donor = Importer::in_state(importer.model, State::StepComplete);
+    let running = match purpose {
+        Purpose::CoSimulation => State::StepComplete,
+        Purpose::ModelExchange => State::EventMode,
+    };
+    let donor = Importer::in_state_of(importer.model, purpose, running);
+    let (mut states, mut end) = ([0.0; 2], 0);
     let saved = donor.save();
     let mut bytes = donor.bytes(saved);
     // SAFETY: an instance of this test, arrays of one element.
@@ -216,6 +246,16 @@ fn call(importer: &Importer, call: Call) -> fmi2Status {
             Call::GetIntegerStatus => fmi2GetIntegerStatus(c, fmi2DoStepStatus, &mut flag),
             Call::GetBooleanStatus => fmi2GetBooleanStatus(c, fmi2Terminated, &mut flag),
             Call::GetStringStatus => fmi2GetStringStatus(c, fmi2PendingStatus, &mut text),
+            Call::EnterEventMode => fmi2EnterEventMode(c),
+            Call::NewDiscreteStates => fmi2NewDiscreteStates(c, &mut event),
+            Call::EnterContinuousTimeMode => fmi2EnterContinuousTimeMode(c),
+            Call::CompletedIntegratorStep => fmi2CompletedIntegratorStep(c, fmi2True, &mut flag, &mut end),
+            Call::SetTime => fmi2SetTime(c, 1.0),
+            Call::SetContinuousStates => fmi2SetContinuousStates(c, states.as_ptr(), 2),
+            Call::GetDerivatives => fmi2GetDerivatives(c, states.as_mut_ptr(), 2),
+            Call::GetEventIndicators => fmi2GetEventIndicators(c, null_mut(), 0),
+            Call::GetContinuousStates => fmi2GetContinuousStates(c, states.as_mut_ptr(), 2),
+            Call::GetNominalsOfContinuousStates => fmi2GetNominalsOfContinuousStates(c, states.as_mut_ptr(), 2),
         }
     };
     let mut saved = saved;
@@ -237,9 +277,13 @@ impl Importer {
     }
 }
 
-/// The table of FMI 2.0.5 section 4.2.4, typed in from the standard a second time: one letter per state, in the order
-/// instantiated, initialization mode, stepComplete, terminated, error; `d` where the call is allowed but has no answer.
-const STANDARD: [(&str, &str); 30] = [
+/// The states of the columns of [`CO_SIMULATION`].
+const STATES_OF_CO_SIMULATION: [State; 5] =
+    [State::Instantiated, State::Initialization, State::StepComplete, State::Terminated, State::Error];
+
+/// The table of FMI 2.0.5 section 4.2.4, typed in from the standard a second time: one letter per state; `d` where the
+/// call is allowed but has no answer.
+const CO_SIMULATION: [(&str, &str); 30] = [
     ("SetDebugLogging", "xxxxx"),
     ("SetupExperiment", "x----"),
     ("EnterInitializationMode", "x----"),
@@ -272,33 +316,86 @@ const STANDARD: [(&str, &str); 30] = [
     ("GetStringStatus", "--dd-"),
 ];
 
-#[test]
-fn every_function_in_every_state_answers_as_the_standard_asks() {
-    for (function, row) in STANDARD {
-        let found = ALLOWED.iter().find(|(call, _)| format!("{call:?}") == function);
-        let (found, _) = found.unwrap_or_else(|| panic!("no function {function}"));
-        for (state, mark) in STATES.into_iter().zip(row.chars()) {
-            let importer = Importer::in_state("LuGre", state);
-            let expected = match mark {
-                'x' => fmi2OK,
-                'd' => fmi2Discard,
+/// The states of the columns of [`MODEL_EXCHANGE`].
+const STATES_OF_MODEL_EXCHANGE: [State; 6] = [
+    State::Instantiated,
+    State::Initialization,
+    State::EventMode,
+    State::ContinuousTimeMode,
+    State::Terminated,
+    State::Error,
+];
+
+/// The table of FMI 2.0.5 section 3.2.3, as [`CO_SIMULATION`].
+const MODEL_EXCHANGE: [(&str, &str); 31] = [
+    ("SetDebugLogging", "xxxxxx"),
+    ("SetupExperiment", "x-----"),
+    ("EnterInitializationMode", "x-----"),
+    ("ExitInitializationMode", "-x----"),
+    ("Terminate", "--xx--"),
+    ("Reset", "xxxxxx"),
+    ("GetReal", "-xxxxx"),
+    ("GetInteger", "-xxxxx"),
+    ("GetBoolean", "-xxxxx"),
+    ("GetString", "-xxxxx"),
+    ("SetReal", "xxxx--"),
+    ("SetInteger", "xxx---"),
+    ("SetBoolean", "xxx---"),
+    ("SetString", "xxx---"),
+    ("GetFMUstate", "xxxxxx"),
+    ("SetFMUstate", "xxxxxx"),
+    ("FreeFMUstate", "xxxxxx"),
+    ("SerializedFMUstateSize", "xxxxxx"),
+    ("SerializeFMUstate", "xxxxxx"),
+    ("DeSerializeFMUstate", "xxxxxx"),
+    ("GetDirectionalDerivative", "-xxxxx"),
+    ("EnterEventMode", "--xx--"),
+    ("NewDiscreteStates", "--x---"),
+    ("EnterContinuousTimeMode", "--x---"),
+    ("CompletedIntegratorStep", "---x--"),
+    ("SetTime", "--xx--"),
+    ("SetContinuousStates", "---x--"),
+    ("GetDerivatives", "--xxxx"),
+    ("GetEventIndicators", "-xxxxx"),
+    ("GetContinuousStates", "-xxxxx"),
+    ("GetNominalsOfContinuousStates", "x-xxxx"),
+];
+
+/// A function that the table does not name is no function of such an instance, whatever its state.
+fn every_function_answers(purpose: Purpose, states: &[State], standard: &[(&str, &str)]) {
+    for (found, ..) in ALLOWED {
+        let function = format!("{found:?}");
+        let row = standard.iter().find(|(name, _)| *name == function).map(|(_, row)| *row);
+        for (at, state) in states.iter().enumerate() {
+            let importer = Importer::in_state_of("LuGre", purpose, *state);
+            let expected = match row.map(|row| row.as_bytes()[at]) {
+                Some(b'x') => fmi2OK,
+                Some(b'd') => fmi2Discard,
                 _ => fmi2Error,
             };
-            assert_eq!(call(&importer, *found), expected, "fmi2{function} in {state:?}");
+            assert_eq!(call(&importer, purpose, found), expected, "fmi2{function} in {state:?} for {purpose:?}");
             if expected != fmi2OK {
                 let (status, category, text) = importer.one_message();
                 assert_eq!(status, expected);
-                assert!(category.starts_with("logStatus") && text.contains(function), "{category}: {text}");
+                assert!(category.starts_with("logStatus") && text.contains(&function), "{category}: {text}");
             }
         }
     }
+    let is_known = |name: &str| ALLOWED.iter().any(|(call, ..)| format!("{call:?}") == name);
+    assert!(standard.iter().all(|(name, row)| is_known(name) && row.len() == states.len()));
+}
+
+#[test]
+fn every_function_in_every_state_answers_as_the_standard_asks() {
+    every_function_answers(Purpose::CoSimulation, &STATES_OF_CO_SIMULATION, &CO_SIMULATION);
+    every_function_answers(Purpose::ModelExchange, &STATES_OF_MODEL_EXCHANGE, &MODEL_EXCHANGE);
 }
 
 #[test]
 fn instantiation_refuses_what_it_cannot_serve() {
     let heard = Heard::default();
     let callbacks = callbacks(&heard);
-    let guid = guid("LuGre");
+    let (guid, bristle) = (guid("LuGre"), guid("Bristle"));
     let make = |name: fmi2String, kind, guid: fmi2String, callbacks: *const fmi2CallbackFunctions| {
         // SAFETY: valid texts and callbacks, or NULL.
         unsafe { fmi2Instantiate(name, kind, guid, null(), callbacks, fmi2False, fmi2False) }
@@ -309,7 +406,8 @@ fn instantiation_refuses_what_it_cannot_serve() {
         ("fmuGUID is NULL", name, fmi2CoSimulation, null()),
         ("instanceName is NULL or blank", null(), fmi2CoSimulation, guid.as_ptr()),
         ("instanceName is NULL or blank", c" \t".as_ptr(), fmi2CoSimulation, guid.as_ptr()),
-        ("fmuType is 0", name, fmi2ModelExchange, guid.as_ptr()),
+        ("fmuType is 0: Bristle has states that no solver", name, fmi2ModelExchange, bristle.as_ptr()),
+        ("fmuType is 2: must be 0 (Model Exchange) or 1", name, 2, guid.as_ptr()),
     ] {
         let c = make(name, kind, guid, &callbacks);
         assert!(c.is_null(), "{what}");
@@ -487,7 +585,7 @@ fn wrong_references_pointers_and_types_are_errors() {
     }
     let host = Importer::ready("BeltRig");
     assert_eq!(host.set("mass", 2.0), fmi2Error, "a fixed parameter while stepping");
-    assert!(host.one_message().2.contains("mass is neither input nor tunable"));
+    assert!(host.one_message().2.contains("mass cannot be set in state StepComplete"));
 }
 
 /// Every settable Real of every model: values outside its bound, NaN and infinities are discarded, named, and change

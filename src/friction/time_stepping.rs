@@ -5,7 +5,7 @@
 
 use crate::laws::end_velocity::{self, Landing};
 use crate::laws::stopping::{force_to_stop, is_held};
-use crate::model::{Model, real};
+use crate::model::{Fault, Model, real};
 use crate::number::{Dual, Real};
 
 crate::choices! {
@@ -26,11 +26,11 @@ crate::part! {
         /// Order in which the master exchanges values; used with mass > 0.
         exchange: fixed = Exchange::Sequential.start(),
         /// Length of the last step; 0 before the first one.
-        step_size: state = real("s", 0.0).at_least(0.0).nominal(1e-3).shown_in("ms"),
+        step_size: state = real("s", 0.0).at_least(0.0).nominal(1e-3).shown_in("ms").discrete(),
         /// Step for which a parallel exchange plans: the longest of late.
-        planning_step: state = real("s", 0.0).at_least(0.0).nominal(1e-3).shown_in("ms"),
+        planning_step: state = real("s", 0.0).at_least(0.0).nominal(1e-3).shown_in("ms").discrete(),
         /// Force planned for the coming step of a parallel exchange.
-        planned_force: state = real("N", 0.0),
+        planned_force: state = real("N", 0.0).discrete(),
     }
 }
 
@@ -107,6 +107,14 @@ impl TimeStepping {
         TimeStepping { step_size: 0.0, planning_step: 0.0, planned_force: 0.0, ..self }
     }
 
+    /// With mass the force is that of a whole step, which an importer that integrates the body itself does not make.
+    pub(crate) fn check_exchange(&self) -> Result<(), Fault> {
+        if self.mass > 0.0 {
+            return Err(Fault(format!("mass = {}: must be 0 in Model Exchange, which holds no force", self.mass)));
+        }
+        Ok(())
+    }
+
     fn step_with_mass(&mut self, contact: &impl Contact<f64>, dt: f64) -> Done {
         let is_first = self.step_size == 0.0;
         self.step_size = dt;
@@ -160,9 +168,36 @@ impl<T: Real> TwoLevels<T> {
         let sticking = if time_stepping.is_active() {
             self.stuck
         } else {
-            self.is_at_rest() && self.external_force.abs() <= self.statical
+            (self.stuck || self.is_at_rest()) && self.external_force.abs() <= self.statical
         };
         truth(sticking && self.statical.value() > 0.0)
+    }
+}
+
+/// Speed up to which an importer that has found the instant of rest has found it (chosen: it knows the instant to some
+/// 1e-12 s).
+const REST: f64 = 1e-9;
+
+/// The same for the instant at which the static level is reached, relative to the level (chosen).
+const REACHED: f64 = 1e-9;
+
+impl TwoLevels<f64> {
+    /// The instants of rest, or of the edge of the band, and of breakaway.
+    pub(crate) fn write_indicators(&self, indicators: &mut [f64]) {
+        let rest = match (self.stuck, self.band > 0.0) {
+            (true, _) => NO_EVENT,
+            (false, true) => self.velocity.abs() - self.band,
+            (false, false) => self.velocity,
+        };
+        let holds = self.stuck || self.is_at_rest();
+        let reserve = if holds { self.statical - self.external_force.abs() } else { NO_EVENT };
+        indicators.copy_from_slice(&[rest, reserve]);
+    }
+
+    /// At an event: does a contact that has come to rest, or is stuck, hold the external force?
+    pub(crate) fn is_caught(&self) -> bool {
+        let is_at_rest = self.stuck || self.velocity.abs() <= REST;
+        is_at_rest && self.external_force.abs() < (1.0 - REACHED) * self.statical
     }
 }
 
@@ -181,7 +216,11 @@ impl<T: Real> Contact<T> for TwoLevels<T> {
 
     /// The law without memory: kinetic level outside the band; inside it the external force, up to the static level.
     fn printed(&self) -> T {
-        if self.is_at_rest() { self.external_force.limited(self.statical) } else { self.kinetic * self.velocity.sign() }
+        if self.stuck || self.is_at_rest() {
+            self.external_force.limited(self.statical)
+        } else {
+            self.kinetic * self.velocity.sign()
+        }
     }
 
     fn largest(&self) -> T {
@@ -345,6 +384,21 @@ impl<T: Real, L: Curve<T> + Lift> Contact<T> for OnCurve<'_, T, L> {
     }
 }
 
+/// Event indicators of a law with a curve: where it jumps at rest, and at its kinks.
+pub(crate) const EVENTS_ON_CURVE: usize = 3;
+
+impl<L: Curve<f64>> OnCurve<'_, f64, L> {
+    pub(crate) fn write_indicators(&self, indicators: &mut [f64]) {
+        let distance = |kink: f64| if kink > 0.0 { self.velocity.abs() - kink } else { NO_EVENT };
+        let [near, far] = self.law.kinks();
+        let at_rest = if self.law.band().is_none() { self.velocity } else { NO_EVENT };
+        indicators.copy_from_slice(&[at_rest, distance(near), distance(far)]);
+    }
+}
+
+/// Event indicator of what does not happen.
+pub(crate) const NO_EVENT: f64 = 1.0;
+
 /// Advances a law by `dt` while its inputs move with `slope`. With mass its force belongs to the whole step.
 pub(crate) fn step_ramp<M: Model>(law: &mut M, mass: f64, slope: &M, dt: f64) {
     if mass > 0.0 {
@@ -393,10 +447,17 @@ macro_rules! memoryless {
                 self.dissipated_power = force * self.velocity;
                 self.sticking = sticking;
             }
+
+            fn derivatives(&self, rate: &mut Self) {
+                rate.dissipated_energy = self.time_stepping.force(&self.contact()) * self.velocity;
+            }
         }
     };
 
     () => {
+        const MODEL_EXCHANGE: bool = true;
+        const EVENT_INDICATORS: usize = $crate::friction::time_stepping::EVENTS_ON_CURVE;
+
         fn step(&mut self, dt: f64) {
             let mut time_stepping = self.time_stepping;
             self.dissipated_energy += time_stepping.step(&self.contact(), dt).energy;
@@ -426,8 +487,12 @@ macro_rules! memoryless {
             $crate::friction::time_stepping::step_ramp(self, self.time_stepping.mass, slope, dt);
         }
 
-        fn rate(&self, rate: &mut Self) {
-            rate.dissipated_energy = self.time_stepping.force(&self.contact()) * self.velocity;
+        fn check_exchange(&self) -> Result<(), $crate::model::Fault> {
+            self.time_stepping.check_exchange()
+        }
+
+        fn event_indicators(&self, indicators: &mut [f64]) {
+            self.contact().write_indicators(indicators);
         }
     };
 }

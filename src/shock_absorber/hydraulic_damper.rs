@@ -106,6 +106,34 @@ impl<T: Real> Hydraulics<T> {
         self.scale * resistance
     }
 
+    /// Slope of the resistance over the velocity of the piston.
+    fn slope(&self, velocity: T) -> T {
+        let extends = velocity.value() > 0.0;
+        let (c, degression) = if extends { (self.c_reb, self.degr_reb) } else { (self.c_comp, self.degr_comp) };
+        let slope = match DamperMode::of(self.mode.value()) {
+            DamperMode::Linear => c,
+            DamperMode::Degressive => {
+                let fading = T::from(1.0) + degression * velocity.abs();
+                c / (fading * fading)
+            }
+            DamperMode::Table => {
+                let (points, count) = points(&self.tab_v, &self.tab_f, self.tab_n);
+                match Interpolation::of(self.interpolation.value()) {
+                    Interpolation::Linear => table::linear_slope(&points[..count], velocity),
+                    Interpolation::Cubic => table::monotone_cubic_slope(&points[..count], velocity),
+                }
+            }
+        };
+        self.scale * slope
+    }
+
+    /// Acceleration of the piston behind the series stiffness, in a strut that extends at `velocity`; `factor` multiplies
+    /// the resistance. Where the characteristic is level the piston follows at once, which no derivative can say: 0.
+    pub(crate) fn piston_rate(&self, piston_velocity: T, velocity: T, factor: T) -> T {
+        let slope = factor * self.slope(piston_velocity);
+        if slope.value() > 0.0 { self.k_series * (velocity - piston_velocity) / slope } else { T::zero() }
+    }
+
     fn interpolated(&self, velocity: T) -> T {
         let (points, count) = points(&self.tab_v, &self.tab_f, self.tab_n);
         match Interpolation::of(self.interpolation.value()) {
@@ -260,9 +288,18 @@ impl<T: Real> Law for HydraulicDamper<T> {
         self.force = -resistance;
         self.dissipated_power = resistance * self.piston();
     }
+
+    fn derivatives(&self, rate: &mut Self) {
+        rate.dissipated_energy = self.damper.resistance(self.piston()) * self.piston();
+        if self.damper.has_series() {
+            rate.piston_velocity = self.damper.piston_rate(self.piston_velocity, self.velocity, T::from(1.0));
+        }
+    }
 }
 
 impl Model for HydraulicDamper {
+    const MODEL_EXCHANGE: bool = true;
+
     fn check(&self) -> Result<(), Fault> {
         self.damper.check()
     }
@@ -272,18 +309,6 @@ impl Model for HydraulicDamper {
         for _ in 0..count {
             self.dissipated_energy +=
                 self.damper.advance(&mut self.piston_velocity, self.velocity, 1.0, dt / f64::from(count));
-        }
-    }
-
-    fn rate(&self, rate: &mut Self) {
-        rate.dissipated_energy = self.damper.resistance(self.piston()) * self.piston();
-        if self.damper.has_series() {
-            let law = self.damper.map(&|number| Dual::from(number));
-            let slope = law.resistance(Dual { value: self.piston_velocity, slope: 1.0 }).slope;
-            // Where the characteristic is level, the piston follows at once.
-            if slope > 0.0 {
-                rate.piston_velocity = self.damper.k_series * (self.velocity - self.piston_velocity) / slope;
-            }
         }
     }
 }
