@@ -896,3 +896,97 @@ fn slopes_of_inputs_and_outputs() {
     assert_eq!(importer.step(t, h), fmi2OK);
     assert_eq!((importer.get("velocity"), derivative(1)), (velocity, held), "nor after a restored state");
 }
+
+/// Laws that jump or remember have no derivatives to integrate, and a force that is held over a step has no place where
+/// there are none.
+#[test]
+fn what_only_steps_can_do_is_refused_by_name() {
+    let initial = |model| Importer::in_state_of(model, Purpose::ModelExchange, State::Initialization);
+    let (coulomb, strut) = (initial("Coulomb"), initial("ShockAbsorber"));
+    assert_eq!(coulomb.set("mass", 1.0), fmi2OK);
+    let model = catalogue::by_name("ShockAbsorber").expect("the strut");
+    let column = model.find("friction.model").expect("its law");
+    let Kind::Enumeration(laws) = model.table[column].kind else { panic!("the laws are choices") };
+    let bristle = laws.items.iter().position(|law| law.name == "Bristle").expect("a law of random bonds") as i32 + 1;
+    // SAFETY: one reference, one value; instances of this test.
+    unsafe {
+        assert_eq!(fmi2ExitInitializationMode(coulomb.c), fmi2Error);
+        assert_eq!(fmi2SetInteger(strut.c, &(column as u32), 1, &bristle), fmi2OK);
+        assert_eq!(fmi2ExitInitializationMode(strut.c), fmi2Error);
+    }
+    assert!(coulomb.one_message().2.contains("mass = 1: must be 0 in Model Exchange"));
+    assert!(
+        strut.one_message().2.contains("friction.model = Bristle: must be a law that is offered for Model Exchange")
+    );
+}
+
+#[test]
+fn states_of_stepping_and_of_integrating_instances_are_not_exchanged() {
+    let stepping = Importer::ready("LuGre");
+    let integrating = Importer::in_state_of("LuGre", Purpose::ModelExchange, State::ContinuousTimeMode);
+    let mut saved = stepping.save();
+    // SAFETY: an instance and a state of this test; the state is freed once.
+    unsafe {
+        assert_eq!(fmi2SetFMUstate(integrating.c, saved), fmi2Error);
+        assert!(integrating.one_message().2.contains("FMUstate is in state StepComplete"));
+        assert_eq!(fmi2FreeFMUstate(stepping.c, &mut saved), fmi2OK);
+    }
+}
+
+/// Condition 5 of the table: between events inputs move, and nothing else.
+#[test]
+fn parameters_change_at_events_only() {
+    let moving = Importer::in_state_of("LuGre", Purpose::ModelExchange, State::ContinuousTimeMode);
+    assert_eq!(moving.set("velocity", 1e-3), fmi2OK);
+    assert_eq!(moving.set("mu_k", 0.12), fmi2Error);
+    assert!(moving.one_message().2.contains("mu_k cannot be set in state ContinuousTimeMode"));
+    let at_event = Importer::in_state_of("LuGre", Purpose::ModelExchange, State::EventMode);
+    assert_eq!(at_event.set("mu_k", 0.12), fmi2OK);
+    assert_eq!(at_event.set("bristle_deflection", 0.0), fmi2Error, "states are set with fmi2SetContinuousStates");
+}
+
+/// The derivatives of every model are those of its own steps, and are variables too.
+#[test]
+fn derivatives_are_the_changes_over_short_steps() {
+    for model in catalogue::models().filter(|model| model.model_exchange) {
+        let integrating = Importer::in_state_of(model.name, Purpose::ModelExchange, State::ContinuousTimeMode);
+        let states: Vec<usize> = model.continuous_states().collect();
+        let mut row = vec![0.0; model.table.len()];
+        let mut x = vec![f64::NAN; states.len()];
+        for (column, variable) in model.table.iter().enumerate() {
+            row[column] = variable.start;
+            if variable.role == Role::Input && matches!(variable.kind, Kind::Real(_)) {
+                row[column] += if variable.bound.admits(-1.0) { 1.3e-3 } else { 0.02 };
+                // SAFETY: one reference, one value.
+                assert_eq!(unsafe { fmi2SetReal(integrating.c, &(column as u32), 1, &row[column]) }, fmi2OK);
+            }
+        }
+        let (c, n) = (integrating.c, states.len());
+        let (mut rates, mut variables) = (x.clone(), x.clone());
+        let references: Vec<u32> = (0..n).map(|place| (model.table.len() + 1 + place) as u32).collect();
+        // SAFETY: arrays of the number of states.
+        unsafe {
+            assert_eq!(fmi2GetContinuousStates(c, x.as_mut_ptr(), n), fmi2OK);
+            assert_eq!(fmi2GetDerivatives(c, rates.as_mut_ptr(), n), fmi2OK);
+            assert_eq!(fmi2GetReal(c, references.as_ptr(), n, variables.as_mut_ptr()), fmi2OK);
+            assert_eq!(fmi2SetContinuousStates(c, x.as_ptr(), n + 1), fmi2Error, "{}: one too many", model.name);
+        }
+        assert_eq!(rates, variables, "{}", model.name);
+        for (state, value) in states.iter().zip(&x) {
+            row[*state] = *value;
+        }
+        let begin = row.clone();
+        let dt = 1e-9;
+        assert!(model.at_event(&mut row) && model.advance(&mut row, dt), "{}", model.name);
+        for (state, rate) in states.iter().zip(&rates) {
+            let change = (row[*state] - begin[*state]) / dt;
+            let rounding = 4.0 * f64::EPSILON * begin[*state].abs() / dt;
+            let name = &model.table[*state].path;
+            assert!(
+                (change - rate).abs() <= 1e-4 * rate.abs() + rounding + 1e-12,
+                "{} {name}: {change} {rate}",
+                model.name
+            );
+        }
+    }
+}
