@@ -198,6 +198,7 @@ pub unsafe extern "C" fn fmi2ExitInitializationMode(c: fmi2Component) -> fmi2Sta
             Purpose::CoSimulation => State::StepComplete,
             Purpose::ModelExchange => {
                 slave.instance.model().check_exchange(slave.instance.row())?;
+                slave.instance.at_event()?;
                 State::EventMode
             }
         };
