@@ -30,7 +30,7 @@ PYTHON = PROGRAMS / ("python.exe" if WINDOWS else "python")
 
 RUST_FOLDERS = ["src", "tests", "benches", "fmu-build", "lab", "examples"]
 PYTHON_FOLDERS = ["tasks.py", "examples", "tests"]
-C_FOLDERS = ["examples/c", "examples/cpp", "tests/c", "benches"]
+C_FOLDERS = ["examples/c", "examples/cpp", "examples/mujoco", "tests/c", "benches"]
 
 
 class TaskError(Exception):

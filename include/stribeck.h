@@ -690,6 +690,14 @@ typedef enum stribeck_rooney_deravi_variant {
   STRIBECK_ROONEY_DERAVI_VARIANT_TANH = 3,
 } stribeck_rooney_deravi_variant;
 
+/** Choices of a variable of the type Side. */
+typedef enum stribeck_side {
+  /** The set describes a left tyre; right tyres are its mirror image. */
+  STRIBECK_SIDE_LEFT = 1,
+  /** The set describes a right tyre; left tyres are its mirror image. */
+  STRIBECK_SIDE_RIGHT = 2,
+} stribeck_side;
+
 /** Choices of a variable of the type SideConvention. */
 typedef enum stribeck_side_convention {
   /** Transverse force and moment of the tube on the rod, reduced to the upper eye. */
@@ -4042,9 +4050,9 @@ typedef enum stribeck_shock_absorber_variable {
   STRIBECK_SHOCK_ABSORBER_GEOM_LENGTH_EXTENDED = 10,
   /** fixed [m]: Stroke from full extension to full compression. (> 0, default 0.055) */
   STRIBECK_SHOCK_ABSORBER_GEOM_STROKE = 11,
-  /** fixed [m]: Distance from the eye of the tube to the rod guide. (> 0, default 0.125) */
+  /** fixed [m]: Distance from the eye of the tube to the rod guide (default chosen). (> 0, default 0.125) */
   STRIBECK_SHOCK_ABSORBER_GEOM_D_I = 12,
-  /** fixed [m]: Distance from the eye of the rod to the piston. (> 0, default 0.105) */
+  /** fixed [m]: Distance from the eye of the rod to the piston (default chosen). (> 0, default 0.105) */
   STRIBECK_SHOCK_ABSORBER_GEOM_D_J = 13,
   /** fixed [m]: Overlap below which the contact forces are kept finite (default chosen). (>= 0, default 0.002) */
   STRIBECK_SHOCK_ABSORBER_GEOM_H_REG = 14,
@@ -4056,97 +4064,98 @@ typedef enum stribeck_shock_absorber_variable {
   STRIBECK_SHOCK_ABSORBER_SPRING_MODE = 17,
   /** tunable [N/m]: Stiffness. (>= 0, default 45000) */
   STRIBECK_SHOCK_ABSORBER_SPRING_K = 18,
-  /** tunable [N]: Force at full extension. (default 150) */
+  /** tunable [N]: Force at full extension (default chosen). (default 150) */
   STRIBECK_SHOCK_ABSORBER_SPRING_PRELOAD = 19,
-  /** fixed [Integer]: Number of points of the table in use. (>= 2, <= 16, default 3) */
+  /** fixed [Integer]: Number of points of the table in use (default chosen). (>= 2, <= 16, default 3) */
   STRIBECK_SHOCK_ABSORBER_SPRING_TAB_N = 20,
-  /** tunable [m]: Compressions of the table, rising. (default 0) */
+  /** tunable [m]: Compressions of the table, rising (default chosen). (default 0) */
   STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_1 = 21,
-  /** tunable [m]: Compressions of the table, rising. (default 0.03) */
+  /** tunable [m]: Compressions of the table, rising (default chosen). (default 0.03) */
   STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_2 = 22,
-  /** tunable [m]: Compressions of the table, rising. (default 0.055) */
+  /** tunable [m]: Compressions of the table, rising (default chosen). (default 0.055) */
   STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_3 = 23,
-  /** tunable [m]: Compressions of the table, rising. (default 0) */
+  /** tunable [m]: Compressions of the table, rising (default chosen). (default 0) */
   STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_4 = 24,
-  /** tunable [m]: Compressions of the table, rising. (default 0) */
+  /** tunable [m]: Compressions of the table, rising (default chosen). (default 0) */
   STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_5 = 25,
-  /** tunable [m]: Compressions of the table, rising. (default 0) */
+  /** tunable [m]: Compressions of the table, rising (default chosen). (default 0) */
   STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_6 = 26,
-  /** tunable [m]: Compressions of the table, rising. (default 0) */
+  /** tunable [m]: Compressions of the table, rising (default chosen). (default 0) */
   STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_7 = 27,
-  /** tunable [m]: Compressions of the table, rising. (default 0) */
+  /** tunable [m]: Compressions of the table, rising (default chosen). (default 0) */
   STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_8 = 28,
-  /** tunable [m]: Compressions of the table, rising. (default 0) */
+  /** tunable [m]: Compressions of the table, rising (default chosen). (default 0) */
   STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_9 = 29,
-  /** tunable [m]: Compressions of the table, rising. (default 0) */
+  /** tunable [m]: Compressions of the table, rising (default chosen). (default 0) */
   STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_10 = 30,
-  /** tunable [m]: Compressions of the table, rising. (default 0) */
+  /** tunable [m]: Compressions of the table, rising (default chosen). (default 0) */
   STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_11 = 31,
-  /** tunable [m]: Compressions of the table, rising. (default 0) */
+  /** tunable [m]: Compressions of the table, rising (default chosen). (default 0) */
   STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_12 = 32,
-  /** tunable [m]: Compressions of the table, rising. (default 0) */
+  /** tunable [m]: Compressions of the table, rising (default chosen). (default 0) */
   STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_13 = 33,
-  /** tunable [m]: Compressions of the table, rising. (default 0) */
+  /** tunable [m]: Compressions of the table, rising (default chosen). (default 0) */
   STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_14 = 34,
-  /** tunable [m]: Compressions of the table, rising. (default 0) */
+  /** tunable [m]: Compressions of the table, rising (default chosen). (default 0) */
   STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_15 = 35,
-  /** tunable [m]: Compressions of the table, rising. (default 0) */
+  /** tunable [m]: Compressions of the table, rising (default chosen). (default 0) */
   STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_16 = 36,
-  /** tunable [N]: Forces of the table, without preload (the example is chosen). (default 0) */
+  /** tunable [N]: Forces of the table, without preload (default chosen). (default 0) */
   STRIBECK_SHOCK_ABSORBER_SPRING_TAB_F_1 = 37,
-  /** tunable [N]: Forces of the table, without preload (the example is chosen). (default 1350) */
+  /** tunable [N]: Forces of the table, without preload (default chosen). (default 1350) */
   STRIBECK_SHOCK_ABSORBER_SPRING_TAB_F_2 = 38,
-  /** tunable [N]: Forces of the table, without preload (the example is chosen). (default 2850) */
+  /** tunable [N]: Forces of the table, without preload (default chosen). (default 2850) */
   STRIBECK_SHOCK_ABSORBER_SPRING_TAB_F_3 = 39,
-  /** tunable [N]: Forces of the table, without preload (the example is chosen). (default 0) */
+  /** tunable [N]: Forces of the table, without preload (default chosen). (default 0) */
   STRIBECK_SHOCK_ABSORBER_SPRING_TAB_F_4 = 40,
-  /** tunable [N]: Forces of the table, without preload (the example is chosen). (default 0) */
+  /** tunable [N]: Forces of the table, without preload (default chosen). (default 0) */
   STRIBECK_SHOCK_ABSORBER_SPRING_TAB_F_5 = 41,
-  /** tunable [N]: Forces of the table, without preload (the example is chosen). (default 0) */
+  /** tunable [N]: Forces of the table, without preload (default chosen). (default 0) */
   STRIBECK_SHOCK_ABSORBER_SPRING_TAB_F_6 = 42,
-  /** tunable [N]: Forces of the table, without preload (the example is chosen). (default 0) */
+  /** tunable [N]: Forces of the table, without preload (default chosen). (default 0) */
   STRIBECK_SHOCK_ABSORBER_SPRING_TAB_F_7 = 43,
-  /** tunable [N]: Forces of the table, without preload (the example is chosen). (default 0) */
+  /** tunable [N]: Forces of the table, without preload (default chosen). (default 0) */
   STRIBECK_SHOCK_ABSORBER_SPRING_TAB_F_8 = 44,
-  /** tunable [N]: Forces of the table, without preload (the example is chosen). (default 0) */
+  /** tunable [N]: Forces of the table, without preload (default chosen). (default 0) */
   STRIBECK_SHOCK_ABSORBER_SPRING_TAB_F_9 = 45,
-  /** tunable [N]: Forces of the table, without preload (the example is chosen). (default 0) */
+  /** tunable [N]: Forces of the table, without preload (default chosen). (default 0) */
   STRIBECK_SHOCK_ABSORBER_SPRING_TAB_F_10 = 46,
-  /** tunable [N]: Forces of the table, without preload (the example is chosen). (default 0) */
+  /** tunable [N]: Forces of the table, without preload (default chosen). (default 0) */
   STRIBECK_SHOCK_ABSORBER_SPRING_TAB_F_11 = 47,
-  /** tunable [N]: Forces of the table, without preload (the example is chosen). (default 0) */
+  /** tunable [N]: Forces of the table, without preload (default chosen). (default 0) */
   STRIBECK_SHOCK_ABSORBER_SPRING_TAB_F_12 = 48,
-  /** tunable [N]: Forces of the table, without preload (the example is chosen). (default 0) */
+  /** tunable [N]: Forces of the table, without preload (default chosen). (default 0) */
   STRIBECK_SHOCK_ABSORBER_SPRING_TAB_F_13 = 49,
-  /** tunable [N]: Forces of the table, without preload (the example is chosen). (default 0) */
+  /** tunable [N]: Forces of the table, without preload (default chosen). (default 0) */
   STRIBECK_SHOCK_ABSORBER_SPRING_TAB_F_14 = 50,
-  /** tunable [N]: Forces of the table, without preload (the example is chosen). (default 0) */
+  /** tunable [N]: Forces of the table, without preload (default chosen). (default 0) */
   STRIBECK_SHOCK_ABSORBER_SPRING_TAB_F_15 = 51,
-  /** tunable [N]: Forces of the table, without preload (the example is chosen). (default 0) */
+  /** tunable [N]: Forces of the table, without preload (default chosen). (default 0) */
   STRIBECK_SHOCK_ABSORBER_SPRING_TAB_F_16 = 52,
   /** fixed [Boolean]: Is there a gas force? (default true) */
   STRIBECK_SHOCK_ABSORBER_GAS_ENABLED = 53,
-  /** tunable [Pa]: Absolute gas pressure at full extension. (>= 0, default 1000000) */
+  /** tunable [Pa]: Absolute gas pressure at full extension (default chosen). (>= 0, default 1000000) */
   STRIBECK_SHOCK_ABSORBER_GAS_P0 = 54,
-  /** fixed [m3]: Gas volume at full extension. (> 0, default 3e-5) */
+  /** fixed [m3]: Gas volume at full extension (default chosen). (> 0, default 3e-5) */
   STRIBECK_SHOCK_ABSORBER_GAS_V0 = 55,
-  /** fixed [1]: Polytropic exponent. (>= 0, default 1.2) */
+  /** fixed [1]: Polytropic exponent (default chosen). (>= 0, default 1.2) */
   STRIBECK_SHOCK_ABSORBER_GAS_N = 56,
-  /** fixed [m]: Diameter of the rod. (>= 0, default 0.014) */
+  /** fixed [m]: Diameter of the rod (default chosen). (>= 0, default 0.014) */
   STRIBECK_SHOCK_ABSORBER_GAS_ROD_DIAMETER = 57,
   /** tunable [Pa]: Ambient pressure. (>= 0, default 101325) */
   STRIBECK_SHOCK_ABSORBER_GAS_P_AMBIENT = 58,
-  /** fixed [m]: Compression from full extension at which the bump stop is touched. (default 0.04) */
+  /** fixed [m]: Compression from full extension at which the bump stop is touched (default chosen). (default 0.04) */
   STRIBECK_SHOCK_ABSORBER_BUMP_GAP = 59,
   /** fixed [stribeck_bump_mode]: Form of the bump stop's characteristic. (default Linear) */
   STRIBECK_SHOCK_ABSORBER_BUMP_MODE = 60,
-  /** tunable [N/m]: Stiffness: of the linear form, and first coefficient of the cubic one. (>= 0, default 150000) */
+  /** tunable [N/m]: Stiffness: of the linear form, and first coefficient of the cubic one (default chosen).
+   *  (>= 0, default 150000) */
   STRIBECK_SHOCK_ABSORBER_BUMP_K = 61,
-  /** tunable [1]: Exponent of the power form. (>= 1, default 2.2) */
+  /** tunable [1]: Exponent of the power form (default chosen). (>= 1, default 2.2) */
   STRIBECK_SHOCK_ABSORBER_BUMP_N = 62,
-  /** tunable [m]: Compression at which the power form has the force F_ref. (> 0, default 0.01) */
+  /** tunable [m]: Compression at which the power form has the force F_ref (default chosen). (> 0, default 0.01) */
   STRIBECK_SHOCK_ABSORBER_BUMP_X_REF = 63,
-  /** tunable [N]: Force of the power form at x_ref. (>= 0, default 1500) */
+  /** tunable [N]: Force of the power form at x_ref (default chosen). (>= 0, default 1500) */
   STRIBECK_SHOCK_ABSORBER_BUMP_F_REF = 64,
   /** tunable [N/m2]: Second coefficient of the cubic form. (>= 0, default 0) */
   STRIBECK_SHOCK_ABSORBER_BUMP_K2 = 65,
@@ -4156,85 +4165,101 @@ typedef enum stribeck_shock_absorber_variable {
   STRIBECK_SHOCK_ABSORBER_BUMP_C = 67,
   /** fixed [m]: Compression from full extension at which the rebound stop is touched. (default 0) */
   STRIBECK_SHOCK_ABSORBER_REBOUND_GAP = 68,
-  /** tunable [N/m]: Stiffness. (>= 0, default 1000000) */
+  /** tunable [N/m]: Stiffness (default chosen). (>= 0, default 1000000) */
   STRIBECK_SHOCK_ABSORBER_REBOUND_K = 69,
   /** tunable [N.s/m]: Damping while the stop is touched. (>= 0, default 0) */
   STRIBECK_SHOCK_ABSORBER_REBOUND_C = 70,
   /** fixed [stribeck_damper_mode]: Form of the damper's characteristic. (default Linear) */
   STRIBECK_SHOCK_ABSORBER_DAMPER_MODE = 71,
-  /** tunable [N.s/m]: Damping coefficient in compression. (>= 0, default 1500) */
+  /** tunable [N.s/m]: Damping coefficient in compression (default chosen). (>= 0, default 1500) */
   STRIBECK_SHOCK_ABSORBER_DAMPER_C_COMP = 72,
-  /** tunable [N.s/m]: Damping coefficient in extension (rebound). (>= 0, default 2300) */
+  /** tunable [N.s/m]: Damping coefficient in extension, the rebound (default chosen). (>= 0, default 2300) */
   STRIBECK_SHOCK_ABSORBER_DAMPER_C_REB = 73,
   /** tunable [s/m]: Degression in compression. (>= 0, default 0) */
   STRIBECK_SHOCK_ABSORBER_DAMPER_DEGR_COMP = 74,
   /** tunable [s/m]: Degression in extension. (>= 0, default 0) */
   STRIBECK_SHOCK_ABSORBER_DAMPER_DEGR_REB = 75,
-  /** fixed [Integer]: Number of points of the table in use. (>= 2, <= 16, default 11) */
+  /** fixed [Integer]: Number of points of the table in use (default chosen). (>= 2, <= 16, default 11) */
   STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_N = 76,
-  /** tunable [m/s]: Velocities of the table, rising; positive in extension. (default -1) */
+  /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default -1) */
   STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_1 = 77,
-  /** tunable [m/s]: Velocities of the table, rising; positive in extension. (default -0.5) */
+  /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default -0.5) */
   STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_2 = 78,
-  /** tunable [m/s]: Velocities of the table, rising; positive in extension. (default -0.25) */
+  /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default -0.25) */
   STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_3 = 79,
-  /** tunable [m/s]: Velocities of the table, rising; positive in extension. (default -0.1) */
+  /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default -0.1) */
   STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_4 = 80,
-  /** tunable [m/s]: Velocities of the table, rising; positive in extension. (default -0.05) */
+  /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default -0.05) */
   STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_5 = 81,
-  /** tunable [m/s]: Velocities of the table, rising; positive in extension. (default 0) */
+  /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default 0) */
   STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_6 = 82,
-  /** tunable [m/s]: Velocities of the table, rising; positive in extension. (default 0.05) */
+  /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default 0.05) */
   STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_7 = 83,
-  /** tunable [m/s]: Velocities of the table, rising; positive in extension. (default 0.1) */
+  /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default 0.1) */
   STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_8 = 84,
-  /** tunable [m/s]: Velocities of the table, rising; positive in extension. (default 0.25) */
+  /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default 0.25) */
   STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_9 = 85,
-  /** tunable [m/s]: Velocities of the table, rising; positive in extension. (default 0.5) */
+  /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default 0.5) */
   STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_10 = 86,
-  /** tunable [m/s]: Velocities of the table, rising; positive in extension. (default 1) */
+  /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default 1) */
   STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_11 = 87,
-  /** tunable [m/s]: Velocities of the table, rising; positive in extension. (default 0) */
+  /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default 0) */
   STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_12 = 88,
-  /** tunable [m/s]: Velocities of the table, rising; positive in extension. (default 0) */
+  /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default 0) */
   STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_13 = 89,
-  /** tunable [m/s]: Velocities of the table, rising; positive in extension. (default 0) */
+  /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default 0) */
   STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_14 = 90,
-  /** tunable [m/s]: Velocities of the table, rising; positive in extension. (default 0) */
+  /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default 0) */
   STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_15 = 91,
-  /** tunable [m/s]: Velocities of the table, rising; positive in extension. (default 0) */
+  /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default 0) */
   STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_16 = 92,
-  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling. (default -1150) */
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
+   *  (default -1150) */
   STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_1 = 93,
-  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling. (default -700) */
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
+   *  (default -700) */
   STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_2 = 94,
-  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling. (default -430) */
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
+   *  (default -430) */
   STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_3 = 95,
-  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling. (default -210) */
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
+   *  (default -210) */
   STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_4 = 96,
-  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling. (default -110) */
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
+   *  (default -110) */
   STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_5 = 97,
-  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling. (default 0) */
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
+   *  (default 0) */
   STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_6 = 98,
-  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling. (default 180) */
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
+   *  (default 180) */
   STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_7 = 99,
-  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling. (default 340) */
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
+   *  (default 340) */
   STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_8 = 100,
-  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling. (default 640) */
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
+   *  (default 640) */
   STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_9 = 101,
-  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling. (default 950) */
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
+   *  (default 950) */
   STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_10 = 102,
-  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling. (default 1500) */
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
+   *  (default 1500) */
   STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_11 = 103,
-  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling. (default 0) */
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
+   *  (default 0) */
   STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_12 = 104,
-  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling. (default 0) */
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
+   *  (default 0) */
   STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_13 = 105,
-  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling. (default 0) */
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
+   *  (default 0) */
   STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_14 = 106,
-  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling. (default 0) */
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
+   *  (default 0) */
   STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_15 = 107,
-  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling. (default 0) */
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
+   *  (default 0) */
   STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_16 = 108,
   /** fixed [stribeck_interpolation]: Curve through the points of the table. (default Linear) */
   STRIBECK_SHOCK_ABSORBER_DAMPER_INTERPOLATION = 109,
@@ -4424,21 +4449,23 @@ typedef enum stribeck_shock_absorber_variable {
   STRIBECK_SHOCK_ABSORBER_FRICTION_HYSTERESIS_STRENGTH = 194,
   /** tunable [s]: Time constant with which the static level rises at rest. (> 0, default 2) */
   STRIBECK_SHOCK_ABSORBER_FRICTION_DWELL_TIME_CONSTANT = 195,
-  /** tunable [1]: Static coefficient of friction; not less than mu_k. (>= 0, default 0.15) */
+  /** tunable [1]: Static coefficient of friction; not less than mu_k (default chosen). (>= 0, default 0.15) */
   STRIBECK_SHOCK_ABSORBER_C1_MU_S = 196,
-  /** tunable [1]: Kinetic coefficient of friction. (>= 0, default 0.1) */
+  /** tunable [1]: Kinetic coefficient of friction (default chosen). (>= 0, default 0.1) */
   STRIBECK_SHOCK_ABSORBER_C1_MU_K = 197,
-  /** tunable [N]: Breakaway force without normal force, as of a seal; not less than preload_k. (>= 0, default 10) */
+  /** tunable [N]: Breakaway force without normal force, as of a seal; not less than preload_k (default chosen).
+   *  (>= 0, default 10) */
   STRIBECK_SHOCK_ABSORBER_C1_PRELOAD_S = 198,
-  /** tunable [N]: Sliding friction force without normal force, as of a seal. (>= 0, default 8) */
+  /** tunable [N]: Sliding friction force without normal force, as of a seal (default chosen). (>= 0, default 8) */
   STRIBECK_SHOCK_ABSORBER_C1_PRELOAD_K = 199,
-  /** tunable [1]: Static coefficient of friction; not less than mu_k. (>= 0, default 0.1) */
+  /** tunable [1]: Static coefficient of friction; not less than mu_k (default chosen). (>= 0, default 0.1) */
   STRIBECK_SHOCK_ABSORBER_C2_MU_S = 200,
-  /** tunable [1]: Kinetic coefficient of friction. (>= 0, default 0.08) */
+  /** tunable [1]: Kinetic coefficient of friction (default chosen). (>= 0, default 0.08) */
   STRIBECK_SHOCK_ABSORBER_C2_MU_K = 201,
-  /** tunable [N]: Breakaway force without normal force, as of a seal; not less than preload_k. (>= 0, default 8) */
+  /** tunable [N]: Breakaway force without normal force, as of a seal; not less than preload_k (default chosen).
+   *  (>= 0, default 8) */
   STRIBECK_SHOCK_ABSORBER_C2_PRELOAD_S = 202,
-  /** tunable [N]: Sliding friction force without normal force, as of a seal. (>= 0, default 6) */
+  /** tunable [N]: Sliding friction force without normal force, as of a seal (default chosen). (>= 0, default 6) */
   STRIBECK_SHOCK_ABSORBER_C2_PRELOAD_K = 203,
   /** fixed [stribeck_side_mode]: Side loads that act on the joint. (default Sum) */
   STRIBECK_SHOCK_ABSORBER_SIDE_MODE = 204,
@@ -4460,7 +4487,8 @@ typedef enum stribeck_shock_absorber_variable {
   STRIBECK_SHOCK_ABSORBER_THERMAL_ENABLED = 211,
   /** tunable [1/K]: Relative loss of damper force per kelvin (default chosen). (>= 0, default 0.003) */
   STRIBECK_SHOCK_ABSORBER_THERMAL_BETA = 212,
-  /** fixed [K]: Temperature at which the damper's characteristic was measured. (> 0, default 293.15) */
+  /** fixed [K]: Temperature at which the damper's characteristic was measured (default chosen).
+   *  (> 0, default 293.15) */
   STRIBECK_SHOCK_ABSORBER_THERMAL_TEMPERATURE_REF = 213,
   /** fixed [J/K]: Heat capacity of the damper (default chosen: 0.6 kg of aluminium and oil). (> 0, default 600) */
   STRIBECK_SHOCK_ABSORBER_THERMAL_CAPACITY = 214,
@@ -4473,7 +4501,7 @@ typedef enum stribeck_shock_absorber_variable {
   STRIBECK_SHOCK_ABSORBER_ADAPTER_LENGTH_GAIN = 217,
   /** fixed [1]: Factor on force_travel, for the host's unit of force. (default 1) */
   STRIBECK_SHOCK_ABSORBER_ADAPTER_FORCE_GAIN = 218,
-  /** fixed [s]: Largest internal step. (> 0, default 0.0001) */
+  /** fixed [s]: Largest internal step (default chosen). (> 0, default 0.0001) */
   STRIBECK_SHOCK_ABSORBER_NUM_H_MAX = 219,
   /** fixed [stribeck_input_mode]: How the inputs move within a step. (default Hold) */
   STRIBECK_SHOCK_ABSORBER_NUM_INPUT_MODE = 220,
@@ -5545,9 +5573,9 @@ typedef enum stribeck_telescopic_joint_variable {
   STRIBECK_TELESCOPIC_JOINT_CONVENTION = 5,
   /** fixed [stribeck_normal_sum]: How the contact forces are summed up. (default TwoPoint) */
   STRIBECK_TELESCOPIC_JOINT_NORMAL_SUM = 6,
-  /** fixed [m]: Distance from the eye of the tube to the rod guide. (> 0, default 0.125) */
+  /** fixed [m]: Distance from the eye of the tube to the rod guide (default chosen). (> 0, default 0.125) */
   STRIBECK_TELESCOPIC_JOINT_GEOM_D_I = 7,
-  /** fixed [m]: Distance from the eye of the rod to the piston. (> 0, default 0.105) */
+  /** fixed [m]: Distance from the eye of the rod to the piston (default chosen). (> 0, default 0.105) */
   STRIBECK_TELESCOPIC_JOINT_GEOM_D_J = 8,
   /** fixed [m]: Overlap below which the contact forces are kept finite (default chosen). (>= 0, default 0.002) */
   STRIBECK_TELESCOPIC_JOINT_GEOM_H_REG = 9,
@@ -5586,13 +5614,14 @@ typedef enum stribeck_guide_contact_variable {
   STRIBECK_GUIDE_CONTACT_ACCELERATION = 4,
   /** tunable [m]: Radius of the contact. (>= 0, default 0.007) */
   STRIBECK_GUIDE_CONTACT_RADIUS = 5,
-  /** tunable [1]: Static coefficient of friction; not less than mu_k. (>= 0, default 0.15) */
+  /** tunable [1]: Static coefficient of friction; not less than mu_k (default chosen). (>= 0, default 0.15) */
   STRIBECK_GUIDE_CONTACT_LEVELS_MU_S = 6,
-  /** tunable [1]: Kinetic coefficient of friction. (>= 0, default 0.1) */
+  /** tunable [1]: Kinetic coefficient of friction (default chosen). (>= 0, default 0.1) */
   STRIBECK_GUIDE_CONTACT_LEVELS_MU_K = 7,
-  /** tunable [N]: Breakaway force without normal force, as of a seal; not less than preload_k. (>= 0, default 10) */
+  /** tunable [N]: Breakaway force without normal force, as of a seal; not less than preload_k (default chosen).
+   *  (>= 0, default 10) */
   STRIBECK_GUIDE_CONTACT_LEVELS_PRELOAD_S = 8,
-  /** tunable [N]: Sliding friction force without normal force, as of a seal. (>= 0, default 8) */
+  /** tunable [N]: Sliding friction force without normal force, as of a seal (default chosen). (>= 0, default 8) */
   STRIBECK_GUIDE_CONTACT_LEVELS_PRELOAD_K = 9,
   /** fixed [stribeck_friction_model]: Friction law; parameters that it does not have are ignored. (default LuGre) */
   STRIBECK_GUIDE_CONTACT_FRICTION_MODEL = 10,
@@ -6195,73 +6224,73 @@ typedef enum stribeck_coil_spring_variable {
   STRIBECK_COIL_SPRING_SPRING_MODE = 1,
   /** tunable [N/m]: Stiffness. (>= 0, default 45000) */
   STRIBECK_COIL_SPRING_SPRING_K = 2,
-  /** tunable [N]: Force at full extension. (default 150) */
+  /** tunable [N]: Force at full extension (default chosen). (default 150) */
   STRIBECK_COIL_SPRING_SPRING_PRELOAD = 3,
-  /** fixed [Integer]: Number of points of the table in use. (>= 2, <= 16, default 3) */
+  /** fixed [Integer]: Number of points of the table in use (default chosen). (>= 2, <= 16, default 3) */
   STRIBECK_COIL_SPRING_SPRING_TAB_N = 4,
-  /** tunable [m]: Compressions of the table, rising. (default 0) */
+  /** tunable [m]: Compressions of the table, rising (default chosen). (default 0) */
   STRIBECK_COIL_SPRING_SPRING_TAB_X_1 = 5,
-  /** tunable [m]: Compressions of the table, rising. (default 0.03) */
+  /** tunable [m]: Compressions of the table, rising (default chosen). (default 0.03) */
   STRIBECK_COIL_SPRING_SPRING_TAB_X_2 = 6,
-  /** tunable [m]: Compressions of the table, rising. (default 0.055) */
+  /** tunable [m]: Compressions of the table, rising (default chosen). (default 0.055) */
   STRIBECK_COIL_SPRING_SPRING_TAB_X_3 = 7,
-  /** tunable [m]: Compressions of the table, rising. (default 0) */
+  /** tunable [m]: Compressions of the table, rising (default chosen). (default 0) */
   STRIBECK_COIL_SPRING_SPRING_TAB_X_4 = 8,
-  /** tunable [m]: Compressions of the table, rising. (default 0) */
+  /** tunable [m]: Compressions of the table, rising (default chosen). (default 0) */
   STRIBECK_COIL_SPRING_SPRING_TAB_X_5 = 9,
-  /** tunable [m]: Compressions of the table, rising. (default 0) */
+  /** tunable [m]: Compressions of the table, rising (default chosen). (default 0) */
   STRIBECK_COIL_SPRING_SPRING_TAB_X_6 = 10,
-  /** tunable [m]: Compressions of the table, rising. (default 0) */
+  /** tunable [m]: Compressions of the table, rising (default chosen). (default 0) */
   STRIBECK_COIL_SPRING_SPRING_TAB_X_7 = 11,
-  /** tunable [m]: Compressions of the table, rising. (default 0) */
+  /** tunable [m]: Compressions of the table, rising (default chosen). (default 0) */
   STRIBECK_COIL_SPRING_SPRING_TAB_X_8 = 12,
-  /** tunable [m]: Compressions of the table, rising. (default 0) */
+  /** tunable [m]: Compressions of the table, rising (default chosen). (default 0) */
   STRIBECK_COIL_SPRING_SPRING_TAB_X_9 = 13,
-  /** tunable [m]: Compressions of the table, rising. (default 0) */
+  /** tunable [m]: Compressions of the table, rising (default chosen). (default 0) */
   STRIBECK_COIL_SPRING_SPRING_TAB_X_10 = 14,
-  /** tunable [m]: Compressions of the table, rising. (default 0) */
+  /** tunable [m]: Compressions of the table, rising (default chosen). (default 0) */
   STRIBECK_COIL_SPRING_SPRING_TAB_X_11 = 15,
-  /** tunable [m]: Compressions of the table, rising. (default 0) */
+  /** tunable [m]: Compressions of the table, rising (default chosen). (default 0) */
   STRIBECK_COIL_SPRING_SPRING_TAB_X_12 = 16,
-  /** tunable [m]: Compressions of the table, rising. (default 0) */
+  /** tunable [m]: Compressions of the table, rising (default chosen). (default 0) */
   STRIBECK_COIL_SPRING_SPRING_TAB_X_13 = 17,
-  /** tunable [m]: Compressions of the table, rising. (default 0) */
+  /** tunable [m]: Compressions of the table, rising (default chosen). (default 0) */
   STRIBECK_COIL_SPRING_SPRING_TAB_X_14 = 18,
-  /** tunable [m]: Compressions of the table, rising. (default 0) */
+  /** tunable [m]: Compressions of the table, rising (default chosen). (default 0) */
   STRIBECK_COIL_SPRING_SPRING_TAB_X_15 = 19,
-  /** tunable [m]: Compressions of the table, rising. (default 0) */
+  /** tunable [m]: Compressions of the table, rising (default chosen). (default 0) */
   STRIBECK_COIL_SPRING_SPRING_TAB_X_16 = 20,
-  /** tunable [N]: Forces of the table, without preload (the example is chosen). (default 0) */
+  /** tunable [N]: Forces of the table, without preload (default chosen). (default 0) */
   STRIBECK_COIL_SPRING_SPRING_TAB_F_1 = 21,
-  /** tunable [N]: Forces of the table, without preload (the example is chosen). (default 1350) */
+  /** tunable [N]: Forces of the table, without preload (default chosen). (default 1350) */
   STRIBECK_COIL_SPRING_SPRING_TAB_F_2 = 22,
-  /** tunable [N]: Forces of the table, without preload (the example is chosen). (default 2850) */
+  /** tunable [N]: Forces of the table, without preload (default chosen). (default 2850) */
   STRIBECK_COIL_SPRING_SPRING_TAB_F_3 = 23,
-  /** tunable [N]: Forces of the table, without preload (the example is chosen). (default 0) */
+  /** tunable [N]: Forces of the table, without preload (default chosen). (default 0) */
   STRIBECK_COIL_SPRING_SPRING_TAB_F_4 = 24,
-  /** tunable [N]: Forces of the table, without preload (the example is chosen). (default 0) */
+  /** tunable [N]: Forces of the table, without preload (default chosen). (default 0) */
   STRIBECK_COIL_SPRING_SPRING_TAB_F_5 = 25,
-  /** tunable [N]: Forces of the table, without preload (the example is chosen). (default 0) */
+  /** tunable [N]: Forces of the table, without preload (default chosen). (default 0) */
   STRIBECK_COIL_SPRING_SPRING_TAB_F_6 = 26,
-  /** tunable [N]: Forces of the table, without preload (the example is chosen). (default 0) */
+  /** tunable [N]: Forces of the table, without preload (default chosen). (default 0) */
   STRIBECK_COIL_SPRING_SPRING_TAB_F_7 = 27,
-  /** tunable [N]: Forces of the table, without preload (the example is chosen). (default 0) */
+  /** tunable [N]: Forces of the table, without preload (default chosen). (default 0) */
   STRIBECK_COIL_SPRING_SPRING_TAB_F_8 = 28,
-  /** tunable [N]: Forces of the table, without preload (the example is chosen). (default 0) */
+  /** tunable [N]: Forces of the table, without preload (default chosen). (default 0) */
   STRIBECK_COIL_SPRING_SPRING_TAB_F_9 = 29,
-  /** tunable [N]: Forces of the table, without preload (the example is chosen). (default 0) */
+  /** tunable [N]: Forces of the table, without preload (default chosen). (default 0) */
   STRIBECK_COIL_SPRING_SPRING_TAB_F_10 = 30,
-  /** tunable [N]: Forces of the table, without preload (the example is chosen). (default 0) */
+  /** tunable [N]: Forces of the table, without preload (default chosen). (default 0) */
   STRIBECK_COIL_SPRING_SPRING_TAB_F_11 = 31,
-  /** tunable [N]: Forces of the table, without preload (the example is chosen). (default 0) */
+  /** tunable [N]: Forces of the table, without preload (default chosen). (default 0) */
   STRIBECK_COIL_SPRING_SPRING_TAB_F_12 = 32,
-  /** tunable [N]: Forces of the table, without preload (the example is chosen). (default 0) */
+  /** tunable [N]: Forces of the table, without preload (default chosen). (default 0) */
   STRIBECK_COIL_SPRING_SPRING_TAB_F_13 = 33,
-  /** tunable [N]: Forces of the table, without preload (the example is chosen). (default 0) */
+  /** tunable [N]: Forces of the table, without preload (default chosen). (default 0) */
   STRIBECK_COIL_SPRING_SPRING_TAB_F_14 = 34,
-  /** tunable [N]: Forces of the table, without preload (the example is chosen). (default 0) */
+  /** tunable [N]: Forces of the table, without preload (default chosen). (default 0) */
   STRIBECK_COIL_SPRING_SPRING_TAB_F_15 = 35,
-  /** tunable [N]: Forces of the table, without preload (the example is chosen). (default 0) */
+  /** tunable [N]: Forces of the table, without preload (default chosen). (default 0) */
   STRIBECK_COIL_SPRING_SPRING_TAB_F_16 = 36,
   /** out [N]: Force of the spring; positive pushes its ends apart. */
   STRIBECK_COIL_SPRING_FORCE = 37,
@@ -6276,13 +6305,13 @@ typedef enum stribeck_gas_spring_variable {
   STRIBECK_GAS_SPRING_COMPRESSION = 0,
   /** fixed [Boolean]: Is there a gas force? (default true) */
   STRIBECK_GAS_SPRING_GAS_ENABLED = 1,
-  /** tunable [Pa]: Absolute gas pressure at full extension. (>= 0, default 1000000) */
+  /** tunable [Pa]: Absolute gas pressure at full extension (default chosen). (>= 0, default 1000000) */
   STRIBECK_GAS_SPRING_GAS_P0 = 2,
-  /** fixed [m3]: Gas volume at full extension. (> 0, default 3e-5) */
+  /** fixed [m3]: Gas volume at full extension (default chosen). (> 0, default 3e-5) */
   STRIBECK_GAS_SPRING_GAS_V0 = 3,
-  /** fixed [1]: Polytropic exponent. (>= 0, default 1.2) */
+  /** fixed [1]: Polytropic exponent (default chosen). (>= 0, default 1.2) */
   STRIBECK_GAS_SPRING_GAS_N = 4,
-  /** fixed [m]: Diameter of the rod. (>= 0, default 0.014) */
+  /** fixed [m]: Diameter of the rod (default chosen). (>= 0, default 0.014) */
   STRIBECK_GAS_SPRING_GAS_ROD_DIAMETER = 5,
   /** tunable [Pa]: Ambient pressure. (>= 0, default 101325) */
   STRIBECK_GAS_SPRING_GAS_P_AMBIENT = 6,
@@ -6299,17 +6328,18 @@ typedef enum stribeck_end_stops_variable {
   STRIBECK_END_STOPS_COMPRESSION = 0,
   /** in [m/s]: Velocity of extension. (default 0) */
   STRIBECK_END_STOPS_VELOCITY = 1,
-  /** fixed [m]: Compression from full extension at which the bump stop is touched. (default 0.04) */
+  /** fixed [m]: Compression from full extension at which the bump stop is touched (default chosen). (default 0.04) */
   STRIBECK_END_STOPS_BUMP_GAP = 2,
   /** fixed [stribeck_bump_mode]: Form of the bump stop's characteristic. (default Linear) */
   STRIBECK_END_STOPS_BUMP_MODE = 3,
-  /** tunable [N/m]: Stiffness: of the linear form, and first coefficient of the cubic one. (>= 0, default 150000) */
+  /** tunable [N/m]: Stiffness: of the linear form, and first coefficient of the cubic one (default chosen).
+   *  (>= 0, default 150000) */
   STRIBECK_END_STOPS_BUMP_K = 4,
-  /** tunable [1]: Exponent of the power form. (>= 1, default 2.2) */
+  /** tunable [1]: Exponent of the power form (default chosen). (>= 1, default 2.2) */
   STRIBECK_END_STOPS_BUMP_N = 5,
-  /** tunable [m]: Compression at which the power form has the force F_ref. (> 0, default 0.01) */
+  /** tunable [m]: Compression at which the power form has the force F_ref (default chosen). (> 0, default 0.01) */
   STRIBECK_END_STOPS_BUMP_X_REF = 6,
-  /** tunable [N]: Force of the power form at x_ref. (>= 0, default 1500) */
+  /** tunable [N]: Force of the power form at x_ref (default chosen). (>= 0, default 1500) */
   STRIBECK_END_STOPS_BUMP_F_REF = 7,
   /** tunable [N/m2]: Second coefficient of the cubic form. (>= 0, default 0) */
   STRIBECK_END_STOPS_BUMP_K2 = 8,
@@ -6319,7 +6349,7 @@ typedef enum stribeck_end_stops_variable {
   STRIBECK_END_STOPS_BUMP_C = 10,
   /** fixed [m]: Compression from full extension at which the rebound stop is touched. (default 0) */
   STRIBECK_END_STOPS_REBOUND_GAP = 11,
-  /** tunable [N/m]: Stiffness. (>= 0, default 1000000) */
+  /** tunable [N/m]: Stiffness (default chosen). (>= 0, default 1000000) */
   STRIBECK_END_STOPS_REBOUND_K = 12,
   /** tunable [N.s/m]: Damping while the stop is touched. (>= 0, default 0) */
   STRIBECK_END_STOPS_REBOUND_C = 13,
@@ -6340,79 +6370,95 @@ typedef enum stribeck_hydraulic_damper_variable {
   STRIBECK_HYDRAULIC_DAMPER_VELOCITY = 0,
   /** fixed [stribeck_damper_mode]: Form of the damper's characteristic. (default Linear) */
   STRIBECK_HYDRAULIC_DAMPER_DAMPER_MODE = 1,
-  /** tunable [N.s/m]: Damping coefficient in compression. (>= 0, default 1500) */
+  /** tunable [N.s/m]: Damping coefficient in compression (default chosen). (>= 0, default 1500) */
   STRIBECK_HYDRAULIC_DAMPER_DAMPER_C_COMP = 2,
-  /** tunable [N.s/m]: Damping coefficient in extension (rebound). (>= 0, default 2300) */
+  /** tunable [N.s/m]: Damping coefficient in extension, the rebound (default chosen). (>= 0, default 2300) */
   STRIBECK_HYDRAULIC_DAMPER_DAMPER_C_REB = 3,
   /** tunable [s/m]: Degression in compression. (>= 0, default 0) */
   STRIBECK_HYDRAULIC_DAMPER_DAMPER_DEGR_COMP = 4,
   /** tunable [s/m]: Degression in extension. (>= 0, default 0) */
   STRIBECK_HYDRAULIC_DAMPER_DAMPER_DEGR_REB = 5,
-  /** fixed [Integer]: Number of points of the table in use. (>= 2, <= 16, default 11) */
+  /** fixed [Integer]: Number of points of the table in use (default chosen). (>= 2, <= 16, default 11) */
   STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_N = 6,
-  /** tunable [m/s]: Velocities of the table, rising; positive in extension. (default -1) */
+  /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default -1) */
   STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_1 = 7,
-  /** tunable [m/s]: Velocities of the table, rising; positive in extension. (default -0.5) */
+  /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default -0.5) */
   STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_2 = 8,
-  /** tunable [m/s]: Velocities of the table, rising; positive in extension. (default -0.25) */
+  /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default -0.25) */
   STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_3 = 9,
-  /** tunable [m/s]: Velocities of the table, rising; positive in extension. (default -0.1) */
+  /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default -0.1) */
   STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_4 = 10,
-  /** tunable [m/s]: Velocities of the table, rising; positive in extension. (default -0.05) */
+  /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default -0.05) */
   STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_5 = 11,
-  /** tunable [m/s]: Velocities of the table, rising; positive in extension. (default 0) */
+  /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default 0) */
   STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_6 = 12,
-  /** tunable [m/s]: Velocities of the table, rising; positive in extension. (default 0.05) */
+  /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default 0.05) */
   STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_7 = 13,
-  /** tunable [m/s]: Velocities of the table, rising; positive in extension. (default 0.1) */
+  /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default 0.1) */
   STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_8 = 14,
-  /** tunable [m/s]: Velocities of the table, rising; positive in extension. (default 0.25) */
+  /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default 0.25) */
   STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_9 = 15,
-  /** tunable [m/s]: Velocities of the table, rising; positive in extension. (default 0.5) */
+  /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default 0.5) */
   STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_10 = 16,
-  /** tunable [m/s]: Velocities of the table, rising; positive in extension. (default 1) */
+  /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default 1) */
   STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_11 = 17,
-  /** tunable [m/s]: Velocities of the table, rising; positive in extension. (default 0) */
+  /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default 0) */
   STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_12 = 18,
-  /** tunable [m/s]: Velocities of the table, rising; positive in extension. (default 0) */
+  /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default 0) */
   STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_13 = 19,
-  /** tunable [m/s]: Velocities of the table, rising; positive in extension. (default 0) */
+  /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default 0) */
   STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_14 = 20,
-  /** tunable [m/s]: Velocities of the table, rising; positive in extension. (default 0) */
+  /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default 0) */
   STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_15 = 21,
-  /** tunable [m/s]: Velocities of the table, rising; positive in extension. (default 0) */
+  /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default 0) */
   STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_16 = 22,
-  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling. (default -1150) */
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
+   *  (default -1150) */
   STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_1 = 23,
-  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling. (default -700) */
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
+   *  (default -700) */
   STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_2 = 24,
-  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling. (default -430) */
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
+   *  (default -430) */
   STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_3 = 25,
-  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling. (default -210) */
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
+   *  (default -210) */
   STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_4 = 26,
-  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling. (default -110) */
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
+   *  (default -110) */
   STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_5 = 27,
-  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling. (default 0) */
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
+   *  (default 0) */
   STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_6 = 28,
-  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling. (default 180) */
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
+   *  (default 180) */
   STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_7 = 29,
-  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling. (default 340) */
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
+   *  (default 340) */
   STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_8 = 30,
-  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling. (default 640) */
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
+   *  (default 640) */
   STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_9 = 31,
-  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling. (default 950) */
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
+   *  (default 950) */
   STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_10 = 32,
-  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling. (default 1500) */
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
+   *  (default 1500) */
   STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_11 = 33,
-  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling. (default 0) */
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
+   *  (default 0) */
   STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_12 = 34,
-  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling. (default 0) */
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
+   *  (default 0) */
   STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_13 = 35,
-  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling. (default 0) */
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
+   *  (default 0) */
   STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_14 = 36,
-  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling. (default 0) */
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
+   *  (default 0) */
   STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_15 = 37,
-  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling. (default 0) */
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
+   *  (default 0) */
   STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_16 = 38,
   /** fixed [stribeck_interpolation]: Curve through the points of the table. (default Linear) */
   STRIBECK_HYDRAULIC_DAMPER_DAMPER_INTERPOLATION = 39,
@@ -6446,7 +6492,8 @@ typedef enum stribeck_damper_temperature_variable {
   STRIBECK_DAMPER_TEMPERATURE_THERMAL_ENABLED = 2,
   /** tunable [1/K]: Relative loss of damper force per kelvin (default chosen). (>= 0, default 0.003) */
   STRIBECK_DAMPER_TEMPERATURE_THERMAL_BETA = 3,
-  /** fixed [K]: Temperature at which the damper's characteristic was measured. (> 0, default 293.15) */
+  /** fixed [K]: Temperature at which the damper's characteristic was measured (default chosen).
+   *  (> 0, default 293.15) */
   STRIBECK_DAMPER_TEMPERATURE_THERMAL_TEMPERATURE_REF = 4,
   /** fixed [J/K]: Heat capacity of the damper (default chosen: 0.6 kg of aluminium and oil). (> 0, default 600) */
   STRIBECK_DAMPER_TEMPERATURE_THERMAL_CAPACITY = 5,
@@ -6645,6 +6692,410 @@ typedef enum stribeck_four_post_car_variable {
   /** out [N]: Vertical force of the tyre on the ground; 0 while the wheel is off the ground. */
   STRIBECK_FOUR_POST_CAR_RR_TYRE_LOAD = 56,
 } stribeck_four_post_car_variable;
+
+/** Guid of DoubleTrackCar for fmi2Instantiate. */
+#define STRIBECK_DOUBLE_TRACK_CAR_GUID "{9d041519-baff-4f90-94ea-f3688d8a0048}"
+
+/** DoubleTrackCar: Car on two tracks that is steered at constant speed, with tyres after the Magic Formula. Columns of "DoubleTrackCar". */
+typedef enum stribeck_double_track_car_variable {
+  /** in [rad]: Steering angle of the front wheels; positive to the left. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_STEERING_ANGLE = 0,
+  /** fixed [kg]: Mass of the body, without the wheels. (> 0, default 223.2) */
+  STRIBECK_DOUBLE_TRACK_CAR_BODY_MASS = 1,
+  /** fixed [kg.m2]: Moment of inertia of the body about its lateral axis. (> 0, default 126.29) */
+  STRIBECK_DOUBLE_TRACK_CAR_PITCH_INERTIA = 2,
+  /** fixed [kg.m2]: Moment of inertia of the body about its longitudinal axis. (> 0, default 26.46) */
+  STRIBECK_DOUBLE_TRACK_CAR_ROLL_INERTIA = 3,
+  /** fixed [m]: Distance between the axles. (> 0, default 1.528) */
+  STRIBECK_DOUBLE_TRACK_CAR_WHEELBASE = 4,
+  /** fixed [m]: Distance of the front axle ahead of the body's centre of gravity. (>= 0, default 0.8035) */
+  STRIBECK_DOUBLE_TRACK_CAR_CG_TO_FRONT = 5,
+  /** state, out [m]: Height of the centre of gravity above its height at rest. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_HEAVE = 6,
+  /** state, out [m/s]: Vertical velocity of the centre of gravity. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_HEAVE_RATE = 7,
+  /** state, out [rad]: Pitch angle; positive nose down. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_PITCH = 8,
+  /** state, out [rad/s]: Rate of the pitch angle. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_PITCH_RATE = 9,
+  /** state, out [rad]: Roll angle; positive lowers the right side. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_ROLL = 10,
+  /** state, out [rad/s]: Rate of the roll angle. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_ROLL_RATE = 11,
+  /** fixed [m/s]: Forward speed. (> 0, default 20) */
+  STRIBECK_DOUBLE_TRACK_CAR_SPEED = 12,
+  /** fixed [kg.m2]: Moment of inertia of the car about its vertical axis. (> 0, default 142.92) */
+  STRIBECK_DOUBLE_TRACK_CAR_YAW_INERTIA = 13,
+  /** fixed [m]: Height of the body's centre of gravity above the ground. (>= 0, default 0.3203) */
+  STRIBECK_DOUBLE_TRACK_CAR_CG_HEIGHT = 14,
+  /** fixed [m]: Height of the wheels' centres of gravity above the ground; chosen. (>= 0, default 0.2) */
+  STRIBECK_DOUBLE_TRACK_CAR_WHEEL_CENTRE_HEIGHT = 15,
+  /** fixed [m]: Way that a tyre rolls until its side slip has followed by 63 per cent; chosen. (> 0, default 0.2) */
+  STRIBECK_DOUBLE_TRACK_CAR_RELAXATION_LENGTH = 16,
+  /** fixed [N]: Nominal load F_z0 of the set. (> 0, default 3000) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_FNOMIN = 17,
+  /** fixed [m]: Radius R_0 of the tyre without load; chosen. (> 0, default 0.2) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_UNLOADED_RADIUS = 18,
+  /** fixed [m/s]: Reference speed V_0 of the rolling resistance; chosen. (> 0, default 16.7) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_LONGVL = 19,
+  /** fixed [1]: Scale factor of the nominal load; 700 N here, for Formula Student.
+   *  (> 0, default 0.23333333333333334) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_LFZO = 20,
+  /** fixed [1]: Scale factor of the shape of F_x. (default 1) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_LCX = 21,
+  /** fixed [1]: Scale factor of the longitudinal friction; 0.97 in the source. (> 0, default 1) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_LMUX = 22,
+  /** fixed [1]: Scale factor of the curvature of F_x. (default 1) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_LEX = 23,
+  /** fixed [1]: Scale factor of the slip stiffness. (default 1) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_LKX = 24,
+  /** fixed [1]: Scale factor of the horizontal shift of F_x; 1 in the source. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_LHX = 25,
+  /** fixed [1]: Scale factor of the vertical shift of F_x; 1 in the source. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_LVX = 26,
+  /** fixed [1]: Scale factor of the camber in F_x. (default 1) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_LGAX = 27,
+  /** fixed [1]: Scale factor of the shape of F_y. (default 1) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_LCY = 28,
+  /** fixed [1]: Scale factor of the lateral friction; 0.97 in the source. (> 0, default 1) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_LMUY = 29,
+  /** fixed [1]: Scale factor of the curvature of F_y. (default 1) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_LEY = 30,
+  /** fixed [1]: Scale factor of the cornering stiffness. (default 1) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_LKY = 31,
+  /** fixed [1]: Scale factor of the horizontal shift of F_y; 1 in the source. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_LHY = 32,
+  /** fixed [1]: Scale factor of the vertical shift of F_y; 1 in the source. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_LVY = 33,
+  /** fixed [1]: Scale factor of the camber in F_y. (default 1) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_LGAY = 34,
+  /** fixed [1]: Scale factor of the pneumatic trail. (default 1) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_LTR = 35,
+  /** fixed [1]: Scale factor of the residual torque. (default 1) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_LRES = 36,
+  /** fixed [1]: Scale factor of the camber in M_z. (default 1) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_LGAZ = 37,
+  /** fixed [1]: Scale factor of the influence of the side slip on F_x. (default 1) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_LXAL = 38,
+  /** fixed [1]: Scale factor of the influence of the longitudinal slip on F_y. (default 1) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_LYKA = 39,
+  /** fixed [1]: Scale factor of the side force that longitudinal slip induces. (default 1) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_LVYKA = 40,
+  /** fixed [1]: Scale factor of the moment arm of F_x. (default 1) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_LS = 41,
+  /** fixed [1]: Scale factor of the overturning couple. (default 1) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_LMX = 42,
+  /** fixed [1]: Scale factor of the vertical shift of the overturning couple. (default 1) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_LVMX = 43,
+  /** fixed [1]: Scale factor of the rolling resistance. (default 1) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_LMY = 44,
+  /** fixed [1]: Shape factor of F_x. (default 1.6) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PCX1 = 45,
+  /** fixed [1]: Longitudinal friction at the nominal load. (default 1.5) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PDX1 = 46,
+  /** fixed [1]: Change of the longitudinal friction with load. (default -0.04) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PDX2 = 47,
+  /** fixed [1]: Change of the longitudinal friction with the square of camber. (default 0.1) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PDX3 = 48,
+  /** fixed [1]: Curvature of F_x at the nominal load. (default 0.7) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PEX1 = 49,
+  /** fixed [1]: Change of the curvature of F_x with load. (default -0.17) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PEX2 = 50,
+  /** fixed [1]: Change of the curvature of F_x with the square of load. (default 0.023) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PEX3 = 51,
+  /** fixed [1]: Change of the curvature of F_x with the sign of slip. (default -0.14) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PEX4 = 52,
+  /** fixed [1]: Slip stiffness per load at the nominal load. (default 30.7) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PKX1 = 53,
+  /** fixed [1]: Change of the slip stiffness with load. (default 0.27) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PKX2 = 54,
+  /** fixed [1]: Exponent of the slip stiffness with load. (default 0.13) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PKX3 = 55,
+  /** fixed [1]: Horizontal shift of F_x at the nominal load. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PHX1 = 56,
+  /** fixed [1]: Change of the horizontal shift of F_x with load. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PHX2 = 57,
+  /** fixed [1]: Vertical shift of F_x per load at the nominal load. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PVX1 = 58,
+  /** fixed [1]: Change of the vertical shift of F_x with load. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PVX2 = 59,
+  /** fixed [1]: Stiffness of the reduction of F_x by side slip. (default 17.4) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_RBX1 = 60,
+  /** fixed [1]: Change of the stiffness of the reduction of F_x with longitudinal slip. (default 12.9) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_RBX2 = 61,
+  /** fixed [1]: Shape factor of the reduction of F_x. (default 1.1) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_RCX1 = 62,
+  /** fixed [1]: Curvature of the reduction of F_x. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_REX1 = 63,
+  /** fixed [1]: Change of the curvature of the reduction of F_x with load. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_REX2 = 64,
+  /** fixed [1]: Shift of the reduction of F_x. (default 0.001) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_RHX1 = 65,
+  /** fixed [1]: Shape factor of F_y. (default 1.5) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PCY1 = 66,
+  /** fixed [1]: Lateral friction at the nominal load. (default 1.2) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PDY1 = 67,
+  /** fixed [1]: Change of the lateral friction with load. (default -0.09) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PDY2 = 68,
+  /** fixed [1]: Change of the lateral friction with the square of camber. (default 0.1) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PDY3 = 69,
+  /** fixed [1]: Curvature of F_y at the nominal load. (default 0.1) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PEY1 = 70,
+  /** fixed [1]: Change of the curvature of F_y with load. (default -1.2) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PEY2 = 71,
+  /** fixed [1]: Change of the curvature of F_y with the sign of side slip. (default 0.05) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PEY3 = 72,
+  /** fixed [1]: Change of the curvature of F_y with camber and the sign of side slip. (default -8.1) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PEY4 = 73,
+  /** fixed [1]: Largest cornering stiffness per nominal load; negative for these axes. (default -75.5) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PKY1 = 74,
+  /** fixed [1]: Load of the largest cornering stiffness per nominal load; not 0. (default 4.65) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PKY2 = 75,
+  /** fixed [1]: Change of the cornering stiffness with camber. (default -0.6) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PKY3 = 76,
+  /** fixed [1]: Horizontal shift of F_y at the nominal load. (default 0.003) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PHY1 = 77,
+  /** fixed [1]: Change of the horizontal shift of F_y with load. (default -0.0006) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PHY2 = 78,
+  /** fixed [1]: Change of the horizontal shift of F_y with camber. (default 0.004) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PHY3 = 79,
+  /** fixed [1]: Vertical shift of F_y per load at the nominal load. (default 0.04) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PVY1 = 80,
+  /** fixed [1]: Change of the vertical shift of F_y with load. (default -0.02) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PVY2 = 81,
+  /** fixed [1]: Change of the vertical shift of F_y with camber. (default -0.97) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PVY3 = 82,
+  /** fixed [1]: Change of the vertical shift of F_y with camber and load. (default -0.41) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PVY4 = 83,
+  /** fixed [1]: Stiffness of the reduction of F_y by longitudinal slip. (default 20.6) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_RBY1 = 84,
+  /** fixed [1]: Change of the stiffness of the reduction of F_y with side slip. (default -23.5) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_RBY2 = 85,
+  /** fixed [1]: Side slip at which that stiffness is largest. (default 0.001) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_RBY3 = 86,
+  /** fixed [1]: Shape factor of the reduction of F_y. (default 1) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_RCY1 = 87,
+  /** fixed [1]: Curvature of the reduction of F_y. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_REY1 = 88,
+  /** fixed [1]: Change of the curvature of the reduction of F_y with load. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_REY2 = 89,
+  /** fixed [1]: Shift of the reduction of F_y. (default -0.02) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_RHY1 = 90,
+  /** fixed [1]: Change of the shift of the reduction of F_y with load. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_RHY2 = 91,
+  /** fixed [1]: Side force induced by longitudinal slip, at the nominal load. (default 0.16) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_RVY1 = 92,
+  /** fixed [1]: Change of the induced side force with load. (default 0.03) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_RVY2 = 93,
+  /** fixed [1]: Change of the induced side force with camber. (default 27.5) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_RVY3 = 94,
+  /** fixed [1]: Change of the induced side force with side slip. (default -29.7) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_RVY4 = 95,
+  /** fixed [1]: Shape factor of the induced side force. (default 0.03) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_RVY5 = 96,
+  /** fixed [1]: Stiffness of the induced side force. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_RVY6 = 97,
+  /** fixed [1]: Stiffness of the trail at the nominal load. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QBZ1 = 98,
+  /** fixed [1]: Change of the stiffness of the trail with load. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QBZ2 = 99,
+  /** fixed [1]: Change of the stiffness of the trail with the square of load. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QBZ3 = 100,
+  /** fixed [1]: Change of the stiffness of the trail with camber. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QBZ4 = 101,
+  /** fixed [1]: Change of the stiffness of the trail with the size of camber. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QBZ5 = 102,
+  /** fixed [1]: Stiffness of the residual torque. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QBZ9 = 103,
+  /** fixed [1]: Stiffness of the residual torque per that of F_y. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QBZ10 = 104,
+  /** fixed [1]: Shape factor of the trail. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QCZ1 = 105,
+  /** fixed [1]: Largest trail per radius at the nominal load; 0: no trail in the source. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QDZ1 = 106,
+  /** fixed [1]: Change of the largest trail with load. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QDZ2 = 107,
+  /** fixed [1]: Change of the largest trail with camber. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QDZ3 = 108,
+  /** fixed [1]: Change of the largest trail with the square of camber. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QDZ4 = 109,
+  /** fixed [1]: Largest residual torque per radius and load. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QDZ6 = 110,
+  /** fixed [1]: Change of the residual torque with load. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QDZ7 = 111,
+  /** fixed [1]: Change of the residual torque with camber. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QDZ8 = 112,
+  /** fixed [1]: Change of the residual torque with camber and load. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QDZ9 = 113,
+  /** fixed [1]: Curvature of the trail at the nominal load. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QEZ1 = 114,
+  /** fixed [1]: Change of the curvature of the trail with load. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QEZ2 = 115,
+  /** fixed [1]: Change of the curvature of the trail with the square of load. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QEZ3 = 116,
+  /** fixed [1]: Change of the curvature of the trail with side slip. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QEZ4 = 117,
+  /** fixed [1]: Change of the curvature of the trail with side slip and camber. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QEZ5 = 118,
+  /** fixed [1]: Horizontal shift of the trail at the nominal load. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QHZ1 = 119,
+  /** fixed [1]: Change of the horizontal shift of the trail with load. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QHZ2 = 120,
+  /** fixed [1]: Change of the horizontal shift of the trail with camber. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QHZ3 = 121,
+  /** fixed [1]: Change of the horizontal shift of the trail with camber and load. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QHZ4 = 122,
+  /** fixed [1]: Moment arm of F_x per radius. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_SSZ1 = 123,
+  /** fixed [1]: Change of the moment arm with F_y. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_SSZ2 = 124,
+  /** fixed [1]: Change of the moment arm with camber. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_SSZ3 = 125,
+  /** fixed [1]: Change of the moment arm with camber and load. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_SSZ4 = 126,
+  /** fixed [1]: Overturning couple per radius and load. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QSX1 = 127,
+  /** fixed [1]: Change of the overturning couple with camber. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QSX2 = 128,
+  /** fixed [1]: Change of the overturning couple with F_y. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QSX3 = 129,
+  /** fixed [1]: Rolling resistance per radius and load. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QSY1 = 130,
+  /** fixed [1]: Change of the rolling resistance with F_x. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QSY2 = 131,
+  /** fixed [1]: Change of the rolling resistance with speed. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QSY3 = 132,
+  /** fixed [1]: Change of the rolling resistance with the fourth power of speed. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QSY4 = 133,
+  /** fixed [stribeck_side]: Side that the set was measured for; tyres on the other side are mirrored. (default Left) */
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_SIDE = 134,
+  /** state, out [m]: Position along the road of the car's centre of gravity. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_POSITION_X = 135,
+  /** state, out [m]: Position to the left of the car's centre of gravity. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_POSITION_Y = 136,
+  /** state, out [rad]: Yaw angle; positive to the left. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_YAW_ANGLE = 137,
+  /** state, out [m/s]: Lateral velocity of the car's centre of gravity; positive to the left. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_LATERAL_VELOCITY = 138,
+  /** state, out [rad/s]: Yaw rate; positive to the left. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_YAW_RATE = 139,
+  /** out [m/s2]: Lateral acceleration of the car's centre of gravity; positive to the left. */
+  STRIBECK_DOUBLE_TRACK_CAR_LATERAL_ACCELERATION = 140,
+  /** fixed [m]: Height of the roll centre above the ground. (default 0.035) */
+  STRIBECK_DOUBLE_TRACK_CAR_FRONT_ROLL_CENTRE_HEIGHT = 141,
+  /** fixed [m]: Distance between the wheels of the axle. (> 0, default 1.22) */
+  STRIBECK_DOUBLE_TRACK_CAR_FRONT_TRACK = 142,
+  /** fixed [1]: Damper travel per wheel travel. (> 0, default 1.011) */
+  STRIBECK_DOUBLE_TRACK_CAR_FRONT_MOTION_RATIO = 143,
+  /** fixed [m]: Length of the strut at rest, eye to eye. (> 0, default 0.1775) */
+  STRIBECK_DOUBLE_TRACK_CAR_FRONT_STATIC_LENGTH = 144,
+  /** fixed [N]: Force of the strut at rest: its spring seat counts as adjusted so that this force balances the weight.
+   *  (default 1325.2555) */
+  STRIBECK_DOUBLE_TRACK_CAR_FRONT_STATIC_FORCE = 145,
+  /** fixed [kg]: Mass of the wheel and of what moves with it. (> 0, default 16.36) */
+  STRIBECK_DOUBLE_TRACK_CAR_FRONT_WHEEL_MASS = 146,
+  /** fixed [N/m]: Stiffness of the tyre. (>= 0, default 87563.5) */
+  STRIBECK_DOUBLE_TRACK_CAR_FRONT_TYRE_STIFFNESS = 147,
+  /** fixed [N.s/m]: Damping of the tyre. (>= 0, default 95.8) */
+  STRIBECK_DOUBLE_TRACK_CAR_FRONT_TYRE_DAMPING = 148,
+  /** fixed [m]: Height of the roll centre above the ground. (default 0.05) */
+  STRIBECK_DOUBLE_TRACK_CAR_REAR_ROLL_CENTRE_HEIGHT = 149,
+  /** fixed [m]: Distance between the wheels of the axle. (> 0, default 1.2) */
+  STRIBECK_DOUBLE_TRACK_CAR_REAR_TRACK = 150,
+  /** fixed [1]: Damper travel per wheel travel. (> 0, default 1.004) */
+  STRIBECK_DOUBLE_TRACK_CAR_REAR_MOTION_RATIO = 151,
+  /** fixed [m]: Length of the strut at rest, eye to eye. (> 0, default 0.1775) */
+  STRIBECK_DOUBLE_TRACK_CAR_REAR_STATIC_LENGTH = 152,
+  /** fixed [N]: Force of the strut at rest: its spring seat counts as adjusted so that this force balances the weight.
+   *  (default 1100.2555) */
+  STRIBECK_DOUBLE_TRACK_CAR_REAR_STATIC_FORCE = 153,
+  /** fixed [kg]: Mass of the wheel and of what moves with it. (> 0, default 16.36) */
+  STRIBECK_DOUBLE_TRACK_CAR_REAR_WHEEL_MASS = 154,
+  /** fixed [N/m]: Stiffness of the tyre. (>= 0, default 87563.5) */
+  STRIBECK_DOUBLE_TRACK_CAR_REAR_TYRE_STIFFNESS = 155,
+  /** fixed [N.s/m]: Damping of the tyre. (>= 0, default 95.8) */
+  STRIBECK_DOUBLE_TRACK_CAR_REAR_TYRE_DAMPING = 156,
+  /** in [m]: Height of the road under the wheel. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_FL_ROAD_HEIGHT = 157,
+  /** in [m/s]: Rate of the road's height. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_FL_ROAD_VELOCITY = 158,
+  /** in [N]: Force of the strut; positive pushes its eyes apart. (default 1325.2555) */
+  STRIBECK_DOUBLE_TRACK_CAR_FL_STRUT_FORCE = 159,
+  /** state, out [m]: Height of the wheel above its height at rest. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_FL_WHEEL_HEIGHT = 160,
+  /** state, out [m/s]: Vertical velocity of the wheel. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_FL_WHEEL_VELOCITY = 161,
+  /** out [m]: Length of the strut, eye to eye. */
+  STRIBECK_DOUBLE_TRACK_CAR_FL_LENGTH = 162,
+  /** out [m/s]: Rate of the strut's length; positive as it extends. */
+  STRIBECK_DOUBLE_TRACK_CAR_FL_VELOCITY = 163,
+  /** out [N]: Vertical force of the tyre on the ground; 0 while the wheel is off the ground. */
+  STRIBECK_DOUBLE_TRACK_CAR_FL_TYRE_LOAD = 164,
+  /** state, out [rad]: Side slip of the tyre; positive when the wheel slips to the left. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_FL_SIDE_SLIP = 165,
+  /** out [N]: Lateral force of the road on the tyre; positive to the left. */
+  STRIBECK_DOUBLE_TRACK_CAR_FL_LATERAL_FORCE = 166,
+  /** in [m]: Height of the road under the wheel. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_FR_ROAD_HEIGHT = 167,
+  /** in [m/s]: Rate of the road's height. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_FR_ROAD_VELOCITY = 168,
+  /** in [N]: Force of the strut; positive pushes its eyes apart. (default 1325.2555) */
+  STRIBECK_DOUBLE_TRACK_CAR_FR_STRUT_FORCE = 169,
+  /** state, out [m]: Height of the wheel above its height at rest. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_FR_WHEEL_HEIGHT = 170,
+  /** state, out [m/s]: Vertical velocity of the wheel. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_FR_WHEEL_VELOCITY = 171,
+  /** out [m]: Length of the strut, eye to eye. */
+  STRIBECK_DOUBLE_TRACK_CAR_FR_LENGTH = 172,
+  /** out [m/s]: Rate of the strut's length; positive as it extends. */
+  STRIBECK_DOUBLE_TRACK_CAR_FR_VELOCITY = 173,
+  /** out [N]: Vertical force of the tyre on the ground; 0 while the wheel is off the ground. */
+  STRIBECK_DOUBLE_TRACK_CAR_FR_TYRE_LOAD = 174,
+  /** state, out [rad]: Side slip of the tyre; positive when the wheel slips to the left. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_FR_SIDE_SLIP = 175,
+  /** out [N]: Lateral force of the road on the tyre; positive to the left. */
+  STRIBECK_DOUBLE_TRACK_CAR_FR_LATERAL_FORCE = 176,
+  /** in [m]: Height of the road under the wheel. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_RL_ROAD_HEIGHT = 177,
+  /** in [m/s]: Rate of the road's height. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_RL_ROAD_VELOCITY = 178,
+  /** in [N]: Force of the strut; positive pushes its eyes apart. (default 1100.2555) */
+  STRIBECK_DOUBLE_TRACK_CAR_RL_STRUT_FORCE = 179,
+  /** state, out [m]: Height of the wheel above its height at rest. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_RL_WHEEL_HEIGHT = 180,
+  /** state, out [m/s]: Vertical velocity of the wheel. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_RL_WHEEL_VELOCITY = 181,
+  /** out [m]: Length of the strut, eye to eye. */
+  STRIBECK_DOUBLE_TRACK_CAR_RL_LENGTH = 182,
+  /** out [m/s]: Rate of the strut's length; positive as it extends. */
+  STRIBECK_DOUBLE_TRACK_CAR_RL_VELOCITY = 183,
+  /** out [N]: Vertical force of the tyre on the ground; 0 while the wheel is off the ground. */
+  STRIBECK_DOUBLE_TRACK_CAR_RL_TYRE_LOAD = 184,
+  /** state, out [rad]: Side slip of the tyre; positive when the wheel slips to the left. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_RL_SIDE_SLIP = 185,
+  /** out [N]: Lateral force of the road on the tyre; positive to the left. */
+  STRIBECK_DOUBLE_TRACK_CAR_RL_LATERAL_FORCE = 186,
+  /** in [m]: Height of the road under the wheel. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_RR_ROAD_HEIGHT = 187,
+  /** in [m/s]: Rate of the road's height. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_RR_ROAD_VELOCITY = 188,
+  /** in [N]: Force of the strut; positive pushes its eyes apart. (default 1100.2555) */
+  STRIBECK_DOUBLE_TRACK_CAR_RR_STRUT_FORCE = 189,
+  /** state, out [m]: Height of the wheel above its height at rest. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_RR_WHEEL_HEIGHT = 190,
+  /** state, out [m/s]: Vertical velocity of the wheel. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_RR_WHEEL_VELOCITY = 191,
+  /** out [m]: Length of the strut, eye to eye. */
+  STRIBECK_DOUBLE_TRACK_CAR_RR_LENGTH = 192,
+  /** out [m/s]: Rate of the strut's length; positive as it extends. */
+  STRIBECK_DOUBLE_TRACK_CAR_RR_VELOCITY = 193,
+  /** out [N]: Vertical force of the tyre on the ground; 0 while the wheel is off the ground. */
+  STRIBECK_DOUBLE_TRACK_CAR_RR_TYRE_LOAD = 194,
+  /** state, out [rad]: Side slip of the tyre; positive when the wheel slips to the left. (default 0) */
+  STRIBECK_DOUBLE_TRACK_CAR_RR_SIDE_SLIP = 195,
+  /** out [N]: Lateral force of the road on the tyre; positive to the left. */
+  STRIBECK_DOUBLE_TRACK_CAR_RR_LATERAL_FORCE = 196,
+} stribeck_double_track_car_variable;
 
 /** Guid of Posts for fmi2Instantiate. */
 #define STRIBECK_POSTS_GUID "{d31ea183-740a-585b-cedf-0500781a8777}"

@@ -126,7 +126,9 @@ impl Slave {
     fn run(&mut self, values: &mut [f64]) {
         for k in 0..10_000 {
             let (time, dt) = (f64::from(k) * 1e-3, 1e-3);
-            self.given[0] = self.start + 0.002 * f64::sin(3.0 * time);
+            if let Some(first) = self.given.first_mut() {
+                *first = self.start + 0.002 * f64::sin(3.0 * time);
+            }
             // SAFETY: a live component, and slices with their lengths.
             let statuses = unsafe {
                 [

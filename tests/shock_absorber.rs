@@ -7,8 +7,11 @@ use stribeck::catalogue::by_name;
 use stribeck::friction::LuGre;
 use stribeck::model::{Kind, Law, Model};
 
+/// Variables and their values.
+type Values<'a> = &'a [(&'a str, f64)];
+
 /// A shock absorber with its default parameters but for these.
-fn strut(set: &[(&str, f64)]) -> Bench {
+fn strut(set: Values) -> Bench {
     Bench::new("ShockAbsorber", set)
 }
 
@@ -416,7 +419,7 @@ fn switches_equal_zeroed_parameters() {
     let zero_levels: Vec<(String, f64)> = zero_levels.collect();
     let levels: Vec<(&str, f64)> = zero_levels.iter().map(|(name, value)| (name.as_str(), *value)).collect();
     let without_stiction = [("c1.mu_s", 0.10), ("c1.preload_s", 8.0), ("c2.mu_s", 0.08), ("c2.preload_s", 6.0)];
-    let cases: [(&str, &[(&str, f64)], &[(&str, f64)]); 7] = [
+    let cases: [(&str, Values, Values); 7] = [
         ("no stiction", &[("friction.switch", 2.0)], &without_stiction),
         ("viscous only", &[("friction.switch", 3.0)], &levels),
         ("off", &[("friction.switch", 4.0)], &[NONE]),
@@ -566,5 +569,101 @@ fn impossible_parameters_are_refused_by_name() {
         });
         let fault = refused.or_else(|| strut.instance.check().err()).unwrap_or_else(|| panic!("admitted: {expected}"));
         assert!(fault.0.starts_with(expected), "{fault}");
+    }
+}
+
+/// A body of 20 kg on the strut's friction alone slides, stops and is held against a load of 15 N: breakaway is at 30 N.
+/// Returns how far it creeps in 2 s, and its speed at the end.
+fn creep(set: &[(&str, f64)], is_parallel: bool) -> [f64; 2] {
+    const MASS: f64 = 20.0;
+    let exchange = if is_parallel { 2.0 } else { 1.0 };
+    let mut set = [&bare(10.0, 12.0)[..], &[("friction.mass", MASS), ("friction.exchange", exchange)], set].concat();
+    set.extend([("c2.preload_s", 18.0), ("c2.preload_k", 14.0)]);
+    let mut strut = strut(&set);
+    let (h, load) = (1e-3, 15.0);
+    let (mut x, mut v, mut rest, mut force) = (0.0, 0.02, 0.0, 0.0);
+    for k in 0..2500 {
+        if k == 500 {
+            rest = x;
+        }
+        if is_parallel {
+            force = strut.get("force");
+        }
+        strut.set("length", 0.1775 + x);
+        strut.set("velocity", v);
+        strut.set("external_force", load);
+        strut.step(h);
+        if !is_parallel {
+            force = strut.get("force");
+        }
+        x += h * (v + 0.5 * h * (load + force) / MASS);
+        v += h * (load + force) / MASS;
+    }
+    [(x - rest).abs(), v.abs()]
+}
+
+/// Laws with a mass hold a load in a loop, in both orders of exchange, however the strut divides its steps. A law with a
+/// band of 1 mm/s and 24 N creeps at 15/24 of it.
+#[test]
+fn a_load_is_held_at_rest() {
+    let variants: [&[(&str, f64)]; 4] =
+        [&[], &[LINEAR], &[("thermal.enabled", 1.0)], &[("damper.k_series", 1e6), LINEAR]];
+    for (set, is_parallel) in variants.into_iter().flat_map(|set| [(set, false), (set, true)]) {
+        for model in ["Coulomb", "CoulombStiction", "Karnopp"] {
+            let [way, speed] = creep(&[&[law(model)], set].concat(), is_parallel);
+            assert!(way < 1e-12 && speed < 1e-12, "{model}, {set:?}, {is_parallel}: {way} m, {speed} m/s");
+        }
+        let band = [law("RooneyDeravi"), ("friction.transition_velocity", 1e-3), ("friction.viscous_coefficient", 0.0)];
+        let [_, speed] = creep(&[&band[..], set].concat(), is_parallel);
+        assert!((speed / 0.625e-3 - 1.0).abs() < 1e-3, "{set:?}, {is_parallel}: {speed} m/s");
+    }
+}
+
+/// The mass of the host means nothing to laws that do not ask for it, at the start neither.
+#[test]
+fn a_mass_is_ignored_by_laws_that_do_not_know_it() {
+    let force = |set: &[(&str, f64)]| {
+        let mut strut = strut(&[set, &[("velocity", 0.1)]].concat());
+        strut.step(1e-3);
+        strut.get("force")
+    };
+    assert_eq!(force(&[("friction.mass", 5.0)]), force(&[]));
+}
+
+/// Friction that is off at first begins like friction that was on at rest.
+#[test]
+fn friction_that_is_switched_on_later_begins_fresh() {
+    for (number, name) in laws().skip(1) {
+        let run = |switch: f64| {
+            let mut strut = strut(&[("friction.model", number), ("friction.switch", switch)]);
+            strut.step(1e-9);
+            strut.set("friction.switch", 1.0);
+            let step = |k: i32| {
+                strut.set("velocity", 1e-3 * (0.1 * f64::from(k)).sin());
+                strut.step(1e-3);
+                strut.get("force_friction")
+            };
+            (0..100).map(step).collect::<Vec<f64>>()
+        };
+        let worst = run(1.0).iter().zip(run(4.0)).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+        assert!(worst < 1e-6, "{name}: {worst} N");
+    }
+}
+
+/// Behind a series stiffness the force goes on while the motion is held: its rate is that of the run.
+#[test]
+fn output_derivative_of_the_force_behind_a_series_stiffness() {
+    for set in [&[NONE][..], &[NONE, TABLE], &[NONE, ("thermal.enabled", 1.0), ("temperature", 393.15)]] {
+        let mut strut = strut(&[set, &[("damper.k_series", 4e5), ("num.h_max", 1e-6)]].concat());
+        strut.set("velocity", 0.0);
+        strut.step(1e-3);
+        strut.set("velocity", -0.3);
+        strut.step(2e-3);
+        let force = strut.column("force");
+        let rate = strut.instance.time_derivative()[force].slope;
+        let before = strut.get("force");
+        strut.step(1e-6);
+        let difference = (strut.get("force") - before) / 1e-6;
+        assert!(rate > 1e4 && (rate / difference - 1.0).abs() < 1e-3, "{set:?}: {rate} {difference}");
     }
 }

@@ -1,6 +1,7 @@
 """What the example programs share: open an FMU, address its variables by name, show what it has to say."""
 
 import argparse
+import math
 import shutil
 import sys
 from collections import deque
@@ -76,6 +77,12 @@ def variables_of(path: Path) -> dict[str, ScalarVariable]:
     return _by_name(fmpy.read_model_description(str(path)))
 
 
+def numbers_of(path: Path, parameters: Mapping[str, object]) -> dict[str, object]:
+    """Parameters of an FMU as numbers, also those that are given as text or as the name of a choice;
+    what it does not have or cannot read is refused."""
+    return _start_values(fmpy.read_model_description(str(path)), parameters)
+
+
 @contextmanager
 def open_fmu(path: Path, parameters: Mapping[str, object] | None = None) -> Iterator[Fmu]:
     """Extracts, instantiates and initialises an FMU; at the end terminates it, frees it and deletes what was extracted.
@@ -144,7 +151,9 @@ def _by_name(description: ModelDescription) -> dict[str, ScalarVariable]:
 
 def _is_friction_model(path: Path) -> bool:
     causality = {name: variable.causality for name, variable in variables_of(path).items()}
-    return causality.get("velocity") == "input" and causality.get("friction_force") == "output"
+    # A contact whose law is chosen is a part of the shock absorber.
+    is_law = "friction.model" not in causality
+    return is_law and causality.get("velocity") == "input" and causality.get("friction_force") == "output"
 
 
 def _refuse_unknown(description: ModelDescription, names: object, kind: str, known: list[str]) -> None:
@@ -183,8 +192,8 @@ def _callbacks() -> fmi2CallbackFunctions:
 _CALLBACKS = _callbacks()
 
 
-def command_line(about: str, model: str, out: str) -> argparse.ArgumentParser:
-    """The options that all programs have."""
+def command_line(about: str, model: str, out: str, of: str = "the friction model") -> argparse.ArgumentParser:
+    """The options that all programs have; `of` says what the parameters belong to."""
     parser = argparse.ArgumentParser(description=about, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--model", default=model, help=f"friction model (default: {model})")
     parser.add_argument(
@@ -193,7 +202,7 @@ def command_line(about: str, model: str, out: str) -> argparse.ArgumentParser:
         action="append",
         default=[],
         metavar="NAME=VALUE",
-        help="parameter of the friction model; may be repeated",
+        help=f"parameter of {of}; may be repeated",
     )
     parser.add_argument("--fmus", type=Path, default=FMUS, help="folder of the FMUs (default: dist)")
     parser.add_argument("--out", default=out, help=f"result files, without ending (default: {out})")
@@ -208,14 +217,30 @@ def parameter(text: str) -> tuple[str, str]:
     return name, value
 
 
-def positive(text: str) -> float:
-    """Reads a number > 0 from the command line."""
+def number(text: str) -> float:
+    """Reads a finite number from the command line."""
     try:
         value = float(text)
     except ValueError:
         raise argparse.ArgumentTypeError(f"'{text}' is not a number") from None
-    if not 0.0 < value < float("inf"):
+    if not math.isfinite(value):
+        raise argparse.ArgumentTypeError(f"'{text}' must be finite")
+    return value
+
+
+def positive(text: str) -> float:
+    """Reads a number > 0 from the command line."""
+    value = number(text)
+    if value <= 0.0:
         raise argparse.ArgumentTypeError(f"'{text}' must be > 0 and finite")
+    return value
+
+
+def not_negative(text: str) -> float:
+    """Reads a number >= 0 from the command line."""
+    value = number(text)
+    if value < 0.0:
+        raise argparse.ArgumentTypeError(f"'{text}' must be >= 0 and finite")
     return value
 
 

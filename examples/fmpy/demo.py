@@ -1,5 +1,7 @@
 #!/usr/bin/env python3
-"""Runs every friction FMU in dist/ on the belt, one of them along a recorded motion, and draws the results in out/."""
+"""Runs the FMUs in dist/ and draws the results in out/: every friction FMU on the belt, one of them along a recorded
+motion, and a car on four posts with and without friction in its struts.
+"""
 
 import sys
 import time
@@ -7,15 +9,22 @@ from pathlib import Path
 
 from analysis import BENCHMARK, Cycle, measure, stick_slip, without_stiction
 from belt import BeltRun, limit_of_step, run_belt
+from car_pictures import draw_four_post
 from coupling import FMUS, CouplingError, friction_models_in, friction_path_of, main, variables_of
+from four_post import report, run_four_post
 from make_motion import MOTION
 from pictures import draw_belt, draw_comparison, draw_replay
 from replay import read_motion, replay
+from vehicle import Choice, Run, friction, label_of
 
 OUT = Path("out")
 STEPS = (1e-3, 5e-4, 2e-4, 1e-4, 5e-5, 2e-5, 1e-5)
 TIME = 40.0
 REPLAYED = "LuGre"
+
+# Friction of each strut in N, off and on.
+LEVELS = (0.0, 50.0)
+FREQUENCY = 2.0
 
 
 def closed_form(model: str) -> tuple[str, Cycle]:
@@ -55,6 +64,14 @@ def run_on_belt(models: list[str]) -> list[BeltRun]:
     return runs
 
 
+def run_posts() -> list[Run]:
+    """The car on four posts, without and with friction."""
+    print(f"\nCar on four posts at {FREQUENCY:g} Hz, without friction and with {LEVELS[-1]:g} N in each strut:\n")
+    runs = [run_four_post(Choice(FMUS, friction("LuGre", level)), FREQUENCY, label=label_of(level)) for level in LEVELS]
+    report(runs, FREQUENCY)
+    return runs
+
+
 def program() -> None:
     """Runs all models and prints where the results are."""
     models = friction_models_in(FMUS)
@@ -66,7 +83,9 @@ def program() -> None:
     draw_replay(result, OUT / "replay.png")
     energy, span = result.dissipated_energy[-1], result.motion.time[-1]
     print(f"\n{REPLAYED} along the recorded motion {MOTION.name}: {energy:.4g} J dissipated in {span:g} s")
-    print(f"\nPictures: {OUT / 'comparison.png'}, {OUT / 'belt'}/<model>.png, {OUT / 'replay.png'}")
+    draw_four_post(run_posts(), FREQUENCY, OUT / "four_post.png")
+    pictures = ("comparison.png", "belt/<model>.png", "replay.png", "four_post.png")
+    print(f"\nPictures: {', '.join(str(OUT / picture) for picture in pictures)}")
 
 
 if __name__ == "__main__":

@@ -3,7 +3,7 @@
     jacobi     a plain script: all FMUs step, then all values are exchanged (Jacobi)
     ecos       Ecos, which exchanges in the same order
     libcosim   libcosim, which does too
-    fmpy       the SSP runner of FMPy: an FMU sees some values a step later
+    fmpy       the SSP runner of FMPy, as soon as it begins with the start values of the FMUs
 
 A variant is another description in the package: `firm` stands for firm.ssd and its parameter sets. Ecos and libcosim
 come as Python packages for Linux on x86-64 (requirements.txt).

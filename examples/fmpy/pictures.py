@@ -9,10 +9,10 @@ from matplotlib.patches import Patch
 from matplotlib.ticker import FuncFormatter
 
 BLUE, RED, GREY = "#1f5a96", "#c0392b", "#6b7280"
-STICKING = "#e8eef5"
+PALE = "#e8eef5"
 
 
-def _axes(axes: Axes, across: str, up: str) -> Axes:
+def labelled(axes: Axes, across: str, up: str) -> Axes:
     """Labels axes and gives them the look that all pictures share."""
     axes.set_xlabel(across)
     axes.set_ylabel(up)
@@ -22,7 +22,7 @@ def _axes(axes: Axes, across: str, up: str) -> Axes:
     return axes
 
 
-def _over_time(time: numpy.ndarray, *rows: Axes) -> None:
+def over_time(time: numpy.ndarray, *rows: Axes) -> None:
     """Gives axes that stand above each other the same time axis, with numbers at the lowest one."""
     for axes in rows:
         axes.set_xlim(time[0], time[-1])
@@ -33,10 +33,10 @@ def _shade_sticking(axes: Axes, time: numpy.ndarray, sticking: numpy.ndarray) ->
     """Shades the intervals in which the contact sticks."""
     edges = numpy.flatnonzero(numpy.diff(numpy.concatenate(([0], sticking.astype(int), [0]))))
     for begin, end in zip(edges[0::2], edges[1::2], strict=True):
-        axes.axvspan(time[begin], time[min(end, len(time) - 1)], color=STICKING, linewidth=0)
+        axes.axvspan(time[begin], time[min(end, len(time) - 1)], color=PALE, linewidth=0)
 
 
-def _save(figure: Figure, path: Path) -> None:
+def save(figure: Figure, path: Path) -> None:
     path.parent.mkdir(parents=True, exist_ok=True)
     figure.savefig(path, dpi=110)
 
@@ -47,11 +47,11 @@ def draw_belt(run, path: Path) -> None:
     figure.suptitle(f"Block on a moving belt, friction model {run.model}")
     places = [["position", "law"], ["velocity", "law"], ["force", "law"]]
     panels = figure.subplot_mosaic(places, width_ratios=[1.6, 1])
-    position = _axes(panels["position"], "", "position [m]")
-    velocity = _axes(panels["velocity"], "", "velocity [m/s]")
-    force = _axes(panels["force"], "time [s]", "friction force [N]")
-    law = _axes(panels["law"], "velocity of the block relative to the belt [mm/s]", "friction force [N]")
-    _over_time(run.time, position, velocity, force)
+    position = labelled(panels["position"], "", "position [m]")
+    velocity = labelled(panels["velocity"], "", "velocity [m/s]")
+    force = labelled(panels["force"], "time [s]", "friction force [N]")
+    law = labelled(panels["law"], "velocity of the block relative to the belt [mm/s]", "friction force [N]")
+    over_time(run.time, position, velocity, force)
     for axes in (position, velocity, force):
         _shade_sticking(axes, run.time, run.sticking)
     position.plot(run.time, run.position, color=BLUE, label="block")
@@ -59,7 +59,7 @@ def draw_belt(run, path: Path) -> None:
     velocity.plot(run.time, run.block_velocity - run.velocity, color=GREY, linestyle="--", linewidth=1, label="belt")
     force.plot(run.time, run.friction_force, color=RED)
     figure.legend(
-        handles=[*velocity.get_lines(), Patch(color=STICKING, label="sticking")],
+        handles=[*velocity.get_lines(), Patch(color=PALE, label="sticking")],
         loc="outside upper right",
         ncols=3,
         frameon=False,
@@ -69,7 +69,7 @@ def draw_belt(run, path: Path) -> None:
     law.set_xscale("symlog", linthresh=1.0, linscale=1.0)
     law.set_xlim(min(-1e3, 1e3 * run.velocity.min()), max(1e1, 1e3 * run.velocity.max()))
     law.xaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
-    _save(figure, path)
+    save(figure, path)
 
 
 def draw_replay(result, path: Path) -> None:
@@ -81,18 +81,18 @@ def draw_replay(result, path: Path) -> None:
         [["velocity", "velocity"], ["load", "load"], ["force", "force"], ["f(v)", "f(x)"]],
         height_ratios=[1, 1, 1, 2.2],
     )
-    velocity = _axes(panels["velocity"], "", "velocity\n[mm/s]")
-    load = _axes(panels["load"], "", "normal force\n[N]")
-    force = _axes(panels["force"], "time [s]", "friction force\n[N]")
-    over_velocity = _axes(panels["f(v)"], "velocity [mm/s]", "friction force [N]")
-    over_position = _axes(panels["f(x)"], "position [mm]", "friction force [N]")
+    velocity = labelled(panels["velocity"], "", "velocity\n[mm/s]")
+    load = labelled(panels["load"], "", "normal force\n[N]")
+    force = labelled(panels["force"], "time [s]", "friction force\n[N]")
+    over_velocity = labelled(panels["f(v)"], "velocity [mm/s]", "friction force [N]")
+    over_position = labelled(panels["f(x)"], "position [mm]", "friction force [N]")
     velocity.plot(motion.time, 1e3 * motion.velocity, color=BLUE, linewidth=0.9)
     load.plot(motion.time, motion.normal_force, color=GREY, linewidth=0.5)
     force.plot(motion.time, result.friction_force, color=RED, linewidth=0.9)
-    _over_time(motion.time, velocity, load, force)
+    over_time(motion.time, velocity, load, force)
     over_velocity.plot(1e3 * motion.velocity, result.friction_force, color=RED, linewidth=0.6)
     over_position.plot(1e3 * motion.position, result.friction_force, color=RED, linewidth=0.6)
-    _save(figure, path)
+    save(figure, path)
 
 
 def draw_comparison(runs, path: Path) -> None:
@@ -104,7 +104,7 @@ def draw_comparison(runs, path: Path) -> None:
     figure.supylabel("position [m]", fontsize="medium")
     grid = figure.subplots(rows, columns, sharex=True, sharey=True, squeeze=False)
     for axes, run in zip(grid.flat, runs, strict=False):
-        _axes(axes, "", "")
+        labelled(axes, "", "")
         _shade_sticking(axes, run.time, run.sticking)
         axes.plot(run.time, run.position, color=BLUE)
         axes.set_title(run.model, loc="left", fontsize="medium")
@@ -112,5 +112,5 @@ def draw_comparison(runs, path: Path) -> None:
     for axes in grid.flat[len(runs) :]:
         axes.set_axis_off()
     figure.supxlabel("time [s]", fontsize="medium")
-    figure.legend(handles=[Patch(color=STICKING, label="sticking")], loc="outside upper right", frameon=False)
-    _save(figure, path)
+    figure.legend(handles=[Patch(color=PALE, label="sticking")], loc="outside upper right", frameon=False)
+    save(figure, path)

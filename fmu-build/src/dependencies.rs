@@ -23,12 +23,13 @@ fn has_rates(model: &ModelType) -> bool {
     model.model_exchange && !has_elements(model)
 }
 
-/// For each column, the columns its value is computed from; empty for columns that are not computed. Then the same for
-/// the time derivatives of the columns, if the model is offered for Model Exchange and has no arrays.
-pub fn of(model: &ModelType) -> Vec<BTreeSet<usize>> {
+/// For each column, which of the `candidates` its value is computed from; empty for columns that are not computed. Then
+/// the same for the time derivatives of the columns, if the model is offered for Model Exchange and has no arrays.
+pub fn of(model: &ModelType, candidates: impl Fn(usize) -> bool) -> Vec<BTreeSet<usize>> {
     let columns = model.table.len();
     let (known, mut computed): (Vec<usize>, Vec<usize>) =
         (0..columns).partition(|column| !model.table[*column].role.is_computed());
+    let known: Vec<usize> = known.into_iter().filter(|column| candidates(*column)).collect();
     if has_rates(model) {
         computed.extend(model.continuous_states().map(|state| columns + state));
     }
@@ -115,7 +116,7 @@ mod tests {
     /// Asserts what an output depends on: the inputs, then the other columns, each in the order of the table.
     fn assert_depends(model: &str, output: &str, expected_inputs: &[&str], expected_others: &[&str]) {
         let model = stribeck::catalogue::by_name(model).unwrap();
-        let all = of(model).swap_remove(model.find(output).unwrap());
+        let all = of(model, |_| true).swap_remove(model.find(output).unwrap());
         let is_input = |column: &usize| model.table[*column].role == Role::Input;
         let (inputs, others): (Vec<_>, Vec<_>) = all.into_iter().partition(is_input);
         assert_eq!(names(model, inputs), expected_inputs, "{}: inputs of {output}", model.name);

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use anyhow::{Context, Result};
 use stribeck::catalogue;
 
-use crate::{header, project, readme, xml};
+use crate::{defaults, header, project, readme, xml};
 
 const DESCRIPTIONS: &str = "modelDescription";
 
@@ -48,11 +48,15 @@ pub fn stale(root: &Path) -> Result<Vec<File>> {
         files.push(File::new(description(model.name), text));
     }
     files.push(File::new("include/stribeck.h", header::text(root)?));
-    let readme = fs::read_to_string(root.join("README.md")).context("cannot read README.md")?;
-    files.push(File::new("README.md", readme::with_table(&readme, root)?));
+    files.push(File::new("README.md", readme::with_table(&read(root, "README.md")?, root)?));
+    files.push(File::new(defaults::PAGE, defaults::with_tables(&read(root, defaults::PAGE)?)?));
     files.extend(left_over(root)?);
     files.retain(|file| file.is_stale(root));
     Ok(files)
+}
+
+fn read(root: &Path, file: &str) -> Result<String> {
+    fs::read_to_string(root.join(file)).with_context(|| format!("cannot read {file}"))
 }
 
 fn description(model: &str) -> PathBuf {

@@ -1,7 +1,9 @@
 //! Writes the files that derive from the tables of the models, checks them, and packs FMUs.
 
 mod archive;
+mod block;
 mod curve;
+mod defaults;
 mod dependencies;
 mod diagrams;
 mod figure;
@@ -40,7 +42,7 @@ struct Arguments {
 
 #[derive(Subcommand)]
 enum Command {
-    /// Write modelDescription/*.xml, include/stribeck.h and the table of models in README.md.
+    /// Write modelDescription/*.xml, include/stribeck.h and the tables in README.md and docs.
     Generate,
     /// Write nothing; fail if one of these files is stale or a table breaks a rule.
     Check,

@@ -47,8 +47,8 @@ pub struct Port {
 }
 
 impl System {
-    /// Adds a description of this system, under a name, and its parameter sets to the files of a package. The one that a
-    /// tool opens has the name `SystemStructure`.
+    /// Adds a description of this system, under a name, and its parameter sets to the files of a package. The one that
+    /// a tool opens has the name `SystemStructure`.
     pub fn add_to(&self, files: &mut Files, name: &str) -> Result<()> {
         files.insert(format!("{name}.ssd"), self.description()?.into_bytes());
         for (file, set) in self.components.iter().filter_map(|component| component.parameters.as_ref()) {
@@ -82,7 +82,8 @@ impl System {
         text += "    </ssd:Elements>\n    <ssd:Connections>\n";
         for [from, to] in &self.connections {
             text += &format!(
-                "      <ssd:Connection startElement=\"{}\" startConnector=\"{}\" endElement=\"{}\" endConnector=\"{}\"/>\n",
+                "      <ssd:Connection startElement=\"{}\" startConnector=\"{}\" \
+                 endElement=\"{}\" endConnector=\"{}\"/>\n",
                 from.component, from.variable, to.component, to.variable
             );
         }
@@ -99,8 +100,8 @@ impl System {
         Ok(text)
     }
 
-    /// Refuses connections that do not lead from an output to an input of the same quantity, and
-    /// inputs that are connected twice.
+    /// Refuses connections that do not lead from an output to an input of the same quantity, and inputs that are
+    /// connected twice.
     fn check(&self) -> Result<()> {
         let mut connected = BTreeSet::new();
         for [from, to] in &self.connections {

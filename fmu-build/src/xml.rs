@@ -324,13 +324,15 @@ fn start(variable: &Variable) -> String {
 
 fn model_structure(xml: &mut Xml, model: &ModelType) -> io::Result<()> {
     let columns = model.table.len();
-    let (dependencies, states) = (dependencies::of(model), integrated(model));
     // An entry that names no dependencies depends on all.
     let has_elements = dependencies::has_elements(model);
+    let is_input = |column: usize| model.table[column].role == Role::Input;
+    let dependencies = dependencies::of(model, |column| !has_elements || is_input(column));
+    let states = integrated(model);
     let outputs: Vec<usize> = (0..columns).filter(|column| model.table[*column].role.is_output()).collect();
     parent(xml, "ModelStructure", vec![], |xml| {
         list(xml, "Outputs", &outputs, |xml, output| {
-            let inputs = dependencies[output].iter().filter(|column| model.table[**column].role == Role::Input);
+            let inputs = dependencies[output].iter().filter(|column| is_input(**column));
             let of_states = states.iter().filter(|state| {
                 **state == output
                     || !model.table[output].role.is_state() && has_elements
@@ -340,7 +342,7 @@ fn model_structure(xml: &mut Xml, model: &ModelType) -> io::Result<()> {
         })?;
         let derivatives: Vec<usize> = (0..states.len()).map(|place| columns + 1 + place).collect();
         let of_derivative = |unknown: usize| &dependencies[columns + states[unknown - columns - 1]];
-        let is_known = |column: &&usize| model.table[**column].role == Role::Input || states.contains(column);
+        let is_known = |column: &&usize| is_input(**column) || states.contains(column);
         list(xml, "Derivatives", &derivatives, |xml, derivative| {
             let known = of_derivative(derivative).iter().filter(is_known).copied().collect();
             unknown(xml, derivative, (!has_elements).then_some(&known))

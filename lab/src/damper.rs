@@ -97,3 +97,33 @@ fn report(test: &Test, damper: &Damper) -> String {
     }
     text
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use lab::dyno::{Estimate, Friction};
+
+    #[test]
+    fn reports_say_what_was_found_and_what_was_not() {
+        let test = Test { velocity: vec![0.0; 7], ..Test::default() };
+        let level = Estimate { value: 20.0, deviation: 0.5 };
+        let damper = Damper {
+            table: vec![(-1.0, -900.0), (0.0, 0.0), (1.0, 1500.0)],
+            friction: Some(Friction { level, asymmetry: Some(0.25) }),
+            gas_force: None,
+            gradient: None,
+            force_sign: ForceSign::Reaction,
+            rms_error: 1.25,
+            max_error: 3.0,
+            warnings: vec!["too warm".into()],
+        };
+        let text = report(&test, &damper);
+        assert!(text.starts_with("7 samples; the force is the reaction\n"), "{text}");
+        assert!(text.contains(" -1.0000 m/s       -900.0 N\n"), "{text}");
+        assert!(text.contains("deviation 0.5 N; 25.0 N in compression, 15.0 N in extension\n"), "{text}");
+        assert!(!text.contains("gas force"), "{text}");
+        assert!(text.ends_with("warning: too warm\n"), "{text}");
+        let damper = Damper { friction: Some(Friction { level, asymmetry: None }), ..damper };
+        assert!(report(&test, &damper).contains("for want of the gas force"));
+    }
+}

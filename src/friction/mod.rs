@@ -4,6 +4,7 @@
 //! `velocity` when sliding. Body 1 feels `-friction_force`, body 2 feels `+friction_force`. `external_force` is the
 //! resultant of all other tangential forces on body 1.
 
+// The choice of a law in the shock absorber counts in this order: a new law goes to the end.
 crate::catalogue::family! {
     coulomb::Coulomb,
     coulomb_stiction::CoulombStiction,

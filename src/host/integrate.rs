@@ -87,5 +87,5 @@ fn rates<M: Model, const N: usize>(model: &M, columns: &[usize; N]) -> [f64; N] 
 fn largest<M: Columns, const N: usize>(columns: &[usize; N], at: [f64; N], error: [f64; N]) -> f64 {
     let relative = |i: usize| (error[i] / at[i].abs().max(M::TABLE[columns[i]].nominal)).abs();
     // `f64::max` would hide what is not a number.
-    (0..N).map(relative).fold(0.0, |largest, error| if error <= largest { largest } else { error })
+    (0..N).map(relative).fold(0.0, |largest, error| if error > largest || error.is_nan() { error } else { largest })
 }

@@ -49,7 +49,7 @@ crate::model! {
     /// Refused: a parameter outside its bound.
     ///
     /// # Limits
-    /// Height and velocity begin without a jump, the acceleration of a post jumps when it starts. A change of `frequency`
+    /// Height and velocity begin without a jump, acceleration jumps when a post starts. A change of `frequency`
     /// during the run changes the velocity at once.
     ///
     /// # Source

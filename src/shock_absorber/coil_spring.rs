@@ -22,13 +22,13 @@ crate::part! {
         mode: fixed = SpringMode::Linear.start(),
         /// Stiffness.
         k: tunable = real("N/m", 45_000.0).at_least(0.0),
-        /// Force at full extension.
+        /// Force at full extension (default chosen).
         preload: tunable = real("N", 150.0),
-        /// Number of points of the table in use.
+        /// Number of points of the table in use (default chosen).
         tab_n: fixed = integer(3).at_least(2.0).at_most(POINTS as f64),
-        /// Compressions of the table, rising.
+        /// Compressions of the table, rising (default chosen).
         tab_x: [tunable; POINTS] = compressions(),
-        /// Forces of the table, without preload (the example is chosen).
+        /// Forces of the table, without preload (default chosen).
         tab_f: [tunable; POINTS] = forces(),
     }
 }

@@ -9,7 +9,7 @@ crate::part! {
         enabled: fixed = boolean(false),
         /// Relative loss of damper force per kelvin (default chosen).
         beta: tunable = real("1/K", 0.003).at_least(0.0),
-        /// Temperature at which the damper's characteristic was measured.
+        /// Temperature at which the damper's characteristic was measured (default chosen).
         temperature_ref: fixed = real("K", 293.15).positive().nominal(300.0).shown_in("degC"),
         /// Heat capacity of the damper (default chosen: 0.6 kg of aluminium and oil).
         capacity: fixed = real("J/K", 600.0).positive().nominal(500.0),

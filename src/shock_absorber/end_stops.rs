@@ -16,17 +16,17 @@ crate::choices! {
 crate::part! {
     /// Bump stop: rubber that limits the compression.
     BumpStop {
-        /// Compression from full extension at which the bump stop is touched.
+        /// Compression from full extension at which the bump stop is touched (default chosen).
         gap: fixed = real("m", 0.040).shown_in("mm"),
         /// Form of the bump stop's characteristic.
         mode: fixed = BumpMode::Linear.start(),
-        /// Stiffness: of the linear form, and first coefficient of the cubic one.
+        /// Stiffness: of the linear form, and first coefficient of the cubic one (default chosen).
         k: tunable = real("N/m", 1.5e5).at_least(0.0),
-        /// Exponent of the power form.
+        /// Exponent of the power form (default chosen).
         n: tunable = real("1", 2.2).at_least(1.0),
-        /// Compression at which the power form has the force F_ref.
+        /// Compression at which the power form has the force F_ref (default chosen).
         x_ref: tunable = real("m", 0.010).positive().shown_in("mm"),
-        /// Force of the power form at x_ref.
+        /// Force of the power form at x_ref (default chosen).
         F_ref: tunable = real("N", 1500.0).at_least(0.0),
         /// Second coefficient of the cubic form.
         k2: tunable = real("N/m2", 0.0).at_least(0.0),
@@ -42,7 +42,7 @@ crate::part! {
     ReboundStop {
         /// Compression from full extension at which the rebound stop is touched.
         gap: fixed = real("m", 0.0).shown_in("mm"),
-        /// Stiffness.
+        /// Stiffness (default chosen).
         k: tunable = real("N/m", 1e6).at_least(0.0),
         /// Damping while the stop is touched.
         c: tunable = real("N.s/m", 0.0).at_least(0.0),

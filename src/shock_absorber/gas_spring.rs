@@ -6,13 +6,13 @@ crate::part! {
     GasChamber {
         /// Is there a gas force?
         enabled: fixed = boolean(true),
-        /// Absolute gas pressure at full extension.
+        /// Absolute gas pressure at full extension (default chosen).
         p0: tunable = real("Pa", 1e6).at_least(0.0).nominal(1e6),
-        /// Gas volume at full extension.
+        /// Gas volume at full extension (default chosen).
         V0: fixed = real("m3", 3e-5).positive().nominal(1e-5),
-        /// Polytropic exponent.
+        /// Polytropic exponent (default chosen).
         n: fixed = real("1", 1.2).at_least(0.0),
-        /// Diameter of the rod.
+        /// Diameter of the rod (default chosen).
         rod_diameter: fixed = real("m", 0.014).at_least(0.0).shown_in("mm"),
         /// Ambient pressure.
         p_ambient: tunable = real("Pa", 101_325.0).at_least(0.0).nominal(1e5),
@@ -30,7 +30,12 @@ impl<T: Real> GasChamber<T> {
             return T::zero();
         }
         let area = self.rod_area();
-        let pressure = self.p0 * (self.V0 / (self.V0 - area * compression)).powf(self.n);
+        let volume = self.V0 - area * compression;
+        if volume.value() <= 0.0 {
+            // Whole exponents would go on with a pressure, even a negative one.
+            return T::from(f64::NAN);
+        }
+        let pressure = self.p0 * (self.V0 / volume).powf(self.n);
         (pressure - self.p_ambient) * area
     }
 }
@@ -113,4 +118,28 @@ impl Model for GasSpring {
     const MODEL_EXCHANGE: bool = true;
 
     fn step(&mut self, _dt: f64) {}
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::catalogue::by_name;
+    use crate::instance::Instance;
+
+    /// Beyond the volume of the gas there is no pressure, whatever the exponent.
+    #[test]
+    fn a_rod_that_fills_the_volume_is_an_error() {
+        let filled = 3e-5 / (0.25 * std::f64::consts::PI * 0.014 * 0.014);
+        for exponent in [0.0, 1.0, 1.2, 2.0] {
+            let mut spring = Instance::new(by_name("GasSpring").expect("a model"));
+            let column = |name: &str| spring.model().find(name).expect("a column");
+            let [compression, n] = [column("compression"), column("gas.n")];
+            spring.put(n, exponent);
+            spring.put(compression, 0.999 * filled);
+            spring.refresh().expect("there is gas left");
+            for compression_there in [1.001 * filled, 2.0 * filled] {
+                spring.put(compression, compression_there);
+                assert!(spring.refresh().is_err(), "n = {exponent}");
+            }
+        }
+    }
 }

@@ -42,13 +42,13 @@ crate::part! {
 crate::part! {
     /// Friction levels of a contact.
     Levels {
-        /// Static coefficient of friction; not less than mu_k.
+        /// Static coefficient of friction; not less than mu_k (default chosen).
         mu_s: tunable = real("1", 0.15).at_least(0.0),
-        /// Kinetic coefficient of friction.
+        /// Kinetic coefficient of friction (default chosen).
         mu_k: tunable = real("1", 0.1).at_least(0.0),
-        /// Breakaway force without normal force, as of a seal; not less than preload_k.
+        /// Breakaway force without normal force, as of a seal; not less than preload_k (default chosen).
         preload_s: tunable = real("N", 10.0).at_least(0.0),
-        /// Sliding friction force without normal force, as of a seal.
+        /// Sliding friction force without normal force, as of a seal (default chosen).
         preload_k: tunable = real("N", 8.0).at_least(0.0),
     }
 }
@@ -113,6 +113,11 @@ impl<T: Real> Touch<T> {
 impl<T: Real> FrictionLaw<T> {
     pub(crate) fn chosen(&self) -> Option<ChosenLaw> {
         if self.switch() == FrictionSwitch::Off { None } else { ChosenLaw::of(self.model.value()) }
+    }
+
+    /// Is the force of the law one that stops a mass over a whole step?
+    pub(crate) fn moves_mass(&self) -> bool {
+        self.mass.value() > 0.0 && self.chosen().is_some_and(ChosenLaw::asks_for_mass)
     }
 
     fn switch(&self) -> FrictionSwitch {
@@ -183,6 +188,11 @@ impl<T: Real> FrictionLaw<T> {
         self.chosen().map_or([T::zero(); MEMORY], |law| law.rate(&self.given(levels, touch), &self.law, memory))
     }
 
+    /// What the law remembers at its start, also if it is switched on only later.
+    pub(crate) fn fresh(&self) -> [f64; MEMORY] {
+        ChosenLaw::of(self.model.value()).map_or([0.0; MEMORY], ChosenLaw::start)
+    }
+
     /// The viscous coefficient of a contact without levels, for which the law itself gives no force.
     fn drag(&self, law: ChosenLaw, given: &Given<T>) -> T {
         if given.normal_force.value() > 0.0 { T::zero() } else { law.viscous_coefficient(&self.law) }
@@ -211,18 +221,11 @@ impl FrictionLaw {
 
     /// What the law remembers after a while at this velocity: steady sliding, and rest where the velocity is but noise.
     pub(crate) fn settled(&self, levels: &Levels, touch: &Touch<f64>) -> [f64; MEMORY] {
-        let Some(law) = self.chosen() else { return [0.0; MEMORY] };
-        let mut memory = law.start();
-        let given = self.given(levels, touch);
-        if given.velocity != 0.0 && given.mass == 0.0 {
-            law.advance(&given, &self.law, &mut memory, SETTLING_TIME);
+        let mut memory = self.fresh();
+        if touch.signed_speed() != 0.0 && !self.moves_mass() {
+            self.advance(levels, touch, &mut memory, SETTLING_TIME);
         }
         memory
-    }
-
-    /// What the law remembers at its start.
-    pub(crate) fn fresh(&self) -> [f64; MEMORY] {
-        self.chosen().map_or([0.0; MEMORY], ChosenLaw::start)
     }
 
     /// Refuses parameters that the chosen law refuses.
@@ -378,7 +381,7 @@ impl<T: Evaluate> GuideContact<T> {
         if self.started.value() != 0.0 {
             return self.memory;
         }
-        self.friction.chosen().map_or(self.memory, |law| law.start().map(T::from))
+        self.friction.fresh().map(T::from)
     }
 }
 

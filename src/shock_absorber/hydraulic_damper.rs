@@ -30,19 +30,19 @@ crate::part! {
     Hydraulics {
         /// Form of the damper's characteristic.
         mode: fixed = DamperMode::Linear.start(),
-        /// Damping coefficient in compression.
+        /// Damping coefficient in compression (default chosen).
         c_comp: tunable = real("N.s/m", 1500.0).at_least(0.0),
-        /// Damping coefficient in extension (rebound).
+        /// Damping coefficient in extension, the rebound (default chosen).
         c_reb: tunable = real("N.s/m", 2300.0).at_least(0.0),
         /// Degression in compression.
         degr_comp: tunable = real("s/m", 0.0).at_least(0.0),
         /// Degression in extension.
         degr_reb: tunable = real("s/m", 0.0).at_least(0.0),
-        /// Number of points of the table in use.
+        /// Number of points of the table in use (default chosen).
         tab_n: fixed = integer(11).at_least(2.0).at_most(POINTS as f64),
-        /// Velocities of the table, rising; positive in extension.
+        /// Velocities of the table, rising; positive in extension (default chosen).
         tab_v: [tunable; POINTS] = velocities(),
-        /// Resistances of the table, with the sign of the velocity and not falling.
+        /// Resistances of the table, with the sign of the velocity and not falling (default chosen).
         tab_f: [tunable; POINTS] = resistances(),
         /// Curve through the points of the table.
         interpolation: fixed = Interpolation::Linear.start(),
@@ -127,11 +127,12 @@ impl<T: Real> Hydraulics<T> {
         self.scale * slope
     }
 
-    /// Acceleration of the piston behind the series stiffness, in a strut that extends at `velocity`; `factor` multiplies
-    /// the resistance. Where the characteristic is level the piston follows at once, which no derivative can say: 0.
-    pub(crate) fn piston_rate(&self, piston_velocity: T, velocity: T, factor: T) -> T {
+    /// Time derivative of the velocity of the piston behind the series stiffness. `factor` multiplies the resistance.
+    pub(crate) fn rate(&self, piston_velocity: T, velocity: T, factor: T) -> T {
         let slope = factor * self.slope(piston_velocity);
-        if slope.value() > 0.0 { self.k_series * (velocity - piston_velocity) / slope } else { T::zero() }
+        // Where the characteristic is level, the piston follows at once.
+        let lags = self.has_series() && slope.value() > 0.0;
+        if lags { self.k_series * (velocity - piston_velocity) / slope } else { T::zero() }
     }
 
     fn interpolated(&self, velocity: T) -> T {
@@ -167,7 +168,9 @@ impl Hydraulics {
                 let force = resistance(w);
                 Dual { value: force.value + stage_gain * w - right, slope: force.slope + stage_gain }
             };
-            root::newton(residual, (right / stage_gain).min(0.0), (right / stage_gain).max(0.0))
+            // Of a soft spring and a short step, b / a may overflow.
+            let far = (right / stage_gain).clamp(f64::MIN, f64::MAX);
+            root::newton(residual, far.min(0.0), far.max(0.0))
         };
         let begin = resistance(*piston_velocity).value;
         let first = stage(begin);
@@ -291,9 +294,7 @@ impl<T: Real> Law for HydraulicDamper<T> {
 
     fn derivatives(&self, rate: &mut Self) {
         rate.dissipated_energy = self.damper.resistance(self.piston()) * self.piston();
-        if self.damper.has_series() {
-            rate.piston_velocity = self.damper.piston_rate(self.piston_velocity, self.velocity, T::from(1.0));
-        }
+        rate.piston_velocity = self.damper.rate(self.piston_velocity, self.velocity, T::from(1.0));
     }
 }
 

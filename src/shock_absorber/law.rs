@@ -383,6 +383,11 @@ impl ChosenLaw {
         &self.0.sources[..self.0.model.table.len()]
     }
 
+    /// Does it ask for the mass that the contact has to stop?
+    pub(crate) fn asks_for_mass(self) -> bool {
+        self.sources().iter().any(|source| matches!(source, Source::Mass))
+    }
+
     /// Force at the given motion.
     pub(crate) fn force<T: Evaluate>(
         self,

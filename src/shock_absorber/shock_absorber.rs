@@ -97,7 +97,7 @@ crate::part! {
 crate::part! {
     /// Numerical settings.
     Numerics {
-        /// Largest internal step.
+        /// Largest internal step (default chosen).
         h_max: fixed = real("s", 1e-4).positive().shown_in("ms"),
         /// How the inputs move within a step.
         input_mode: fixed = InputMode::Hold.start(),
@@ -632,11 +632,8 @@ impl<T: Evaluate> Law for ShockAbsorber<T> {
         let (touches, memories) = (setting.touches(&motion), self.memories());
         [rate.memory_1, rate.memory_2] =
             [0, 1].map(|at| setting.friction.rate(setting.contacts()[at], &touches[at], &memories[at]));
-        if setting.damper.has_series() {
-            let factor = setting.thermal.factor(self.temperature);
-            let piston_velocity = self.damper_state().piston_velocity;
-            rate.piston_velocity = setting.damper.piston_rate(piston_velocity, motion.velocity, factor);
-        }
+        let (piston, factor) = (self.damper_state().piston_velocity, setting.thermal.factor(self.temperature));
+        rate.piston_velocity = setting.damper.rate(piston, motion.velocity, factor);
         let mut now = *self;
         now.output();
         rate.energy_dissipated = now.power_dissipated;
@@ -657,19 +654,25 @@ impl ShockAbsorber {
         }
     }
 
-    /// One internal step at held inputs.
-    fn substep(&mut self, dt: f64) {
+    /// Advances the friction at held inputs. Returns the power that it takes out of the motion.
+    fn slide(&mut self, dt: f64) -> f64 {
         let setting = &self.setting;
-        let motion = setting.motion();
-        let touches = setting.touches(&motion);
+        let touches = setting.touches(&setting.motion());
         let [c_1, c_2] = setting.contacts();
-        let friction = setting.friction.advance(c_1, &touches[0], &mut self.memory_1, dt).energy
+        let energy = setting.friction.advance(c_1, &touches[0], &mut self.memory_1, dt).energy
             + setting.friction.advance(c_2, &touches[1], &mut self.memory_2, dt).energy;
+        energy / dt
+    }
+
+    /// One internal step of damper and temperature at held inputs, while friction takes a power out of the motion.
+    fn pump(&mut self, friction: f64, dt: f64) {
+        let setting = &self.setting;
         let factor = setting.thermal.factor(self.temperature);
-        let damper = setting.damper.advance(&mut self.piston_velocity, motion.velocity, factor, dt);
-        let power = (friction + damper) / dt;
+        let velocity = setting.motion().velocity;
+        let damper = setting.damper.advance(&mut self.piston_velocity, velocity, factor, dt);
+        let power = friction + damper / dt;
         self.temperature = setting.thermal.after(self.temperature, setting.temperature_ambient, power, dt);
-        self.energy_dissipated += friction + damper;
+        self.energy_dissipated += friction * dt + damper;
     }
 }
 
@@ -736,9 +739,10 @@ impl Model for ShockAbsorber {
         }
         self.start();
         self.step_size = dt;
+        let friction = self.slide(dt);
         let count = if self.setting.has_own_dynamics() { super::substeps(dt, self.setting.num.h_max) } else { 1 };
         for _ in 0..count {
-            self.substep(dt / f64::from(count));
+            self.pump(friction, dt / f64::from(count));
         }
     }
 
@@ -749,11 +753,17 @@ impl Model for ShockAbsorber {
         if InputMode::of(self.setting.num.input_mode) == InputMode::Linear {
             slope.setting.follow_the_motion(&self.setting, dt);
         }
+        // The force that stops a mass belongs to the whole step.
+        let stopping = self.setting.friction.moves_mass().then(|| {
+            ramp::set_inputs(self, &begin, &slope, dt);
+            self.slide(dt)
+        });
         let count = super::substeps(dt, self.setting.num.h_max);
         let h = dt / f64::from(count);
         for piece in 0..count {
             ramp::set_inputs(self, &begin, &slope, (f64::from(piece) + 0.5) * h);
-            self.substep(h);
+            let friction = stopping.unwrap_or_else(|| self.slide(h));
+            self.pump(friction, h);
         }
         ramp::set_inputs(self, &begin, &slope, dt);
     }

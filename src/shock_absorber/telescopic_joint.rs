@@ -24,9 +24,9 @@ crate::choices! {
 crate::part! {
     /// Where the joint guides the rod.
     Guidance {
-        /// Distance from the eye of the tube to the rod guide.
+        /// Distance from the eye of the tube to the rod guide (default chosen).
         d_i: fixed = real("m", 0.125).positive().shown_in("mm"),
-        /// Distance from the eye of the rod to the piston.
+        /// Distance from the eye of the rod to the piston (default chosen).
         d_j: fixed = real("m", 0.105).positive().shown_in("mm"),
         /// Overlap below which the contact forces are kept finite (default chosen).
         h_reg: fixed = real("m", 0.002).at_least(0.0).shown_in("mm"),

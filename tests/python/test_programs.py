@@ -1,5 +1,6 @@
 """The example programs as a user starts them."""
 
+import csv
 import subprocess
 import sys
 
@@ -66,6 +67,57 @@ def test_demo_shows_all_models(tmp_path):
         assert is_drawn(tmp_path / "out" / "belt" / f"{model}.png")
     assert is_drawn(tmp_path / "out" / "comparison.png")
     assert is_drawn(tmp_path / "out" / "replay.png")
+    assert is_drawn(tmp_path / "out" / "four_post.png")
+    heave = {line[0]: float(line[-6]) for line in lines if line and line[0] in ("no", "50") and len(line) == 8}
+    assert 0.0 < heave["50"] < heave["no"]
+
+
+def table_of(path):
+    """Heading and numbers of a CSV file."""
+    with path.open(encoding="utf-8") as file:
+        return file.readline().strip().split(","), numpy.loadtxt(file, delimiter=",")
+
+
+def test_quarter_car_writes_tables_and_pictures(tmp_path):
+    options = ["--levels", "0", "30", "--frequencies", "2", "5", "--set", "gas.enabled=0", "--car", "body_mass=60"]
+    done = start("quarter_car.py", *options, folder=tmp_path)
+    assert done.returncode == 0, done.stderr
+    heading, ratios = table_of(tmp_path / "out" / "quarter_car.csv")
+    assert heading == ["frequency [Hz]", "body; no friction", "travel; no friction", "body; 30 N", "travel; 30 N"]
+    assert ratios.shape == (2, 5)
+    heading, motion = table_of(tmp_path / "out" / "quarter_car_30_N.csv")
+    assert heading[0] == "time [s]"
+    assert "tyre_load [N]" in heading
+    assert motion.shape[1] == len(heading)
+    assert is_drawn(tmp_path / "out" / "quarter_car.png")
+    assert is_drawn(tmp_path / "out" / "quarter_car_loops.png")
+
+
+def test_four_post_writes_tables_and_pictures(tmp_path):
+    options = ["--levels", "0", "40", "--time", "1", "--laws", "Dahl", "Threlfall", "--tolerance", "1e-3"]
+    done = start("four_post.py", *options, "--set", "rear.spring.k=3e4", folder=tmp_path)
+    assert done.returncode == 0, done.stderr
+    heading, motion = table_of(tmp_path / "out" / "four_post_40_N.csv")
+    assert "rl.force_friction [N]" in heading
+    assert motion.shape == (1001, len(heading))
+    with (tmp_path / "out" / "four_post_laws.csv").open(encoding="utf-8") as file:
+        rows = list(csv.reader(file))
+    assert [row[0] for row in rows] == ["law", "Dahl", "Threlfall"]
+    assert min(float(row[3]) for row in rows[1:]) == 1.0
+    assert is_drawn(tmp_path / "out" / "four_post.png")
+    assert (tmp_path / "out" / "four_post_laws.png").is_file()
+
+
+def test_lane_change_writes_tables_and_pictures(tmp_path):
+    done = start("lane_change.py", "--levels", "0", "50", "--steer", "path", "--laws", folder=tmp_path)
+    assert done.returncode == 0, done.stderr
+    assert "mm from the nearest cone" in done.stdout
+    heading, motion = table_of(tmp_path / "out" / "lane_change_50_N.csv")
+    assert "steering_angle [rad]" in heading
+    assert motion.shape == (5001, len(heading))
+    assert is_drawn(tmp_path / "out" / "lane_change.png")
+    assert is_drawn(tmp_path / "out" / "lane_change_path.png")
+    assert not (tmp_path / "out" / "lane_change_laws.csv").exists()
 
 
 @pytest.mark.parametrize(
@@ -79,6 +131,16 @@ def test_demo_shows_all_models(tmp_path):
         ("belt.py", ["--step", "0"], "argument --step: '0' must be > 0 and finite"),
         ("belt.py", ["--step", "fast"], "argument --step: 'fast' is not a number"),
         ("belt.py", ["--fmus", "nowhere"], "there is none: run `python3 tasks.py pack`"),
+        ("quarter_car.py", ["--levels", "-1"], "argument --levels: '-1' must be >= 0 and finite"),
+        ("quarter_car.py", ["--set", "spring.stiffness=1"], "error: ShockAbsorber has no parameter 'spring.stiffness'"),
+        ("quarter_car.py", ["--car", "mass=1"], "error: QuarterCar has no parameter 'mass'"),
+        ("four_post.py", ["--time", "0.5"], "argument --time: must be at least two periods, 1 s"),
+        ("four_post.py", ["--model", "Lugre"], "error: friction.model = 'Lugre': must be one of None, Coulomb"),
+        ("four_post.py", ["--delay", "nan"], "argument --delay: 'nan' must be finite"),
+        ("four_post.py", ["--laws", "Lugre"], "error: friction.model = 'Lugre': must be one of None, Coulomb"),
+        ("lane_change.py", ["--set", "c1.mu_s=-1"], "c1.mu_s = -1"),
+        ("lane_change.py", ["--fmus", "nowhere"], "there is none: run `python3 tasks.py pack`"),
+        ("lane_change.py", ["--steer", "left"], "argument --steer: invalid choice: 'left'"),
         ("replay.py", ["--motion", "absent.csv"], "error: cannot read absent.csv: No such file"),
     ],
 )

@@ -58,13 +58,13 @@ def test_masters_of_the_same_scheme_agree(package, plain, master, variant):
 
 
 @pytest.mark.parametrize("variant", VARIANTS)
-def test_the_runner_of_fmpy_agrees_within_the_error_of_the_coupling(package, plain, variant):
-    """The plain script with half the step tells how large that error is."""
-    runner = run_fmpy(package, variant, STEP, STEPS, WATCHED)
-    fine = run_jacobi(package, variant, STEP / 2.0, 2 * STEPS, WATCHED)
-    for name in [HEAVE, PITCH, "car.fl.length"]:
+def test_the_runner_of_fmpy_agrees_far_within_the_error_of_the_coupling(package, plain, variant):
+    """Half the step tells how large that error is. The runner differs in the first exchange only."""
+    runner = run_fmpy(package, variant, STEP, STEPS, CAR)
+    fine = run_jacobi(package, variant, STEP / 2.0, 2 * STEPS, CAR)
+    for name in CAR:
         error = numpy.abs(plain[variant][name] - fine[name][1::2]).max()
-        assert numpy.abs(runner[name] - plain[variant][name]).max() < 4.0 * error + 1e-9
+        assert numpy.abs(runner[name] - plain[variant][name]).max() < 1e-3 * error + 1e-12, name
 
 
 def test_each_variant_has_its_damper(plain):

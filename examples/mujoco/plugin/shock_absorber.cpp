@@ -1,0 +1,243 @@
+// The ShockAbsorber as an actuator of MuJoCo, through Stribeck's C interface: no FMU, no Python in the loop.
+//
+//     <extension>
+//       <plugin plugin="stribeck.shock_absorber">
+//         <instance name="strut"><config key="spring.k" value="60000"/></instance>
+//       </plugin>
+//     </extension>
+//     <actuator>
+//       <plugin name="strut" plugin="stribeck.shock_absorber" instance="strut" tendon="strut"/>
+//     </actuator>
+//
+// The tendon runs from eye to eye. Keys are the parameters of the ShockAbsorber; an enumeration takes the number of the
+// choice, from 1, a truth value 0 or 1. build_plugin.py compiles this file, run_plugin.py uses it.
+//
+// What the strut remembers lies in MuJoCo's plugin state, so that copies of the simulation, mj_setState and repeated
+// calls of mj_forward do what they should: `compute` always begins where the last complete step ended.
+
+#include <cstdint>
+#include <cstdlib>
+#include <cstring>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <mujoco/mujoco.h>
+
+#include "stribeck.h"
+
+namespace {
+
+constexpr const char *plugin_name = "stribeck.shock_absorber";
+
+class ShockAbsorber {
+  public:
+    ShockAbsorber() {
+        stribeck_model *created = nullptr;
+        const stribeck_status status = stribeck_create("ShockAbsorber", &created);
+        if (status != STRIBECK_OK) {
+            throw std::runtime_error(std::string("ShockAbsorber: ") + stribeck_status_text(status));
+        }
+        handle.reset(created);
+        length = column("length");
+        velocity = column("velocity");
+        force = column("force");
+    }
+
+    std::vector<std::string> parameters() const {
+        std::vector<std::string> names;
+        for (std::uint32_t at = 0; at < stribeck_column_count(handle.get()); ++at) {
+            stribeck_variable variable{};
+            check(stribeck_describe(handle.get(), at, &variable));
+            if (variable.role == STRIBECK_FIXED || variable.role == STRIBECK_TUNABLE) {
+                names.emplace_back(variable.name);
+            }
+        }
+        return names;
+    }
+
+    void set(const std::string &parameter, const char *text) {
+        char *end = nullptr;
+        const double value = std::strtod(text, &end);
+        if (end == text || *end != '\0') {
+            throw std::runtime_error(parameter + " = '" + text + "': must be a number");
+        }
+        check(stribeck_set_by_name(handle.get(), parameter.c_str(), value));
+    }
+
+    // One step from a saved state; returns the force. Most often the model is still in that state.
+    double step(const mjtNum *state, double now_length, double now_velocity, double dt) {
+        if (here.empty() || std::memcmp(here.data(), state, state_size()) != 0) {
+            check(stribeck_restore(handle.get(), state, state_size()));
+        }
+        here.clear();
+        check(stribeck_set(handle.get(), length, now_length));
+        check(stribeck_set(handle.get(), velocity, now_velocity));
+        check(stribeck_step(handle.get(), dt));
+        double result = 0.0;
+        check(stribeck_get(handle.get(), force, &result));
+        return result;
+    }
+
+    void save(mjtNum *state) {
+        check(stribeck_save(handle.get(), state, state_size()));
+        here.assign(state, state + numbers());
+    }
+
+    // Parameters fit together.
+    void settle() {
+        check(stribeck_output(handle.get()));
+    }
+
+    // Size of the state in numbers of MuJoCo.
+    int numbers() const {
+        return static_cast<int>((state_size() + sizeof(mjtNum) - 1) / sizeof(mjtNum));
+    }
+
+    int actuator = -1;
+
+  private:
+    struct Deleter {
+        void operator()(stribeck_model *model) const noexcept {
+            stribeck_free(model);
+        }
+    };
+
+    std::size_t state_size() const {
+        return stribeck_state_size(handle.get());
+    }
+
+    std::uint32_t column(const char *variable) {
+        std::uint32_t found = 0;
+        check(stribeck_find(handle.get(), variable, &found));
+        return found;
+    }
+
+    void check(stribeck_status status) const {
+        if (status != STRIBECK_OK) {
+            throw std::runtime_error(stribeck_last_error(handle.get()));
+        }
+    }
+
+    std::unique_ptr<stribeck_model, Deleter> handle;
+    std::uint32_t length = 0;
+    std::uint32_t velocity = 0;
+    std::uint32_t force = 0;
+    // The state that the model is in, if it is a saved one.
+    std::vector<mjtNum> here;
+};
+
+// What a strut begins with, before and after mj_resetData; `model` is what steps.
+struct Instance {
+    ShockAbsorber model;
+    std::vector<mjtNum> start;
+};
+
+const std::vector<std::string> &parameter_names() {
+    static const std::vector<std::string> names = ShockAbsorber().parameters();
+    return names;
+}
+
+Instance &instance_of(const mjData *d, int instance) {
+    return *reinterpret_cast<Instance *>(d->plugin_data[instance]);
+}
+
+mjtNum *state_of(const mjModel *m, const mjData *d, int instance) {
+    return d->plugin_state + m->plugin_stateadr[instance];
+}
+
+int actuator_of(const mjModel *m, int instance) {
+    for (int at = 0; at < m->nu; ++at) {
+        if (m->actuator_plugin[at] == instance) {
+            return at;
+        }
+    }
+    throw std::runtime_error("no actuator uses this instance");
+}
+
+int nstate(const mjModel *, int) {
+    static const int numbers = ShockAbsorber().numbers();
+    return numbers;
+}
+
+// MuJoCo says which plugin could not be initialised; the warning says why.
+int init(const mjModel *m, mjData *d, int instance) {
+    try {
+        if (m->opt.integrator == mjINT_RK4) {
+            throw std::runtime_error("the integrator RK4 asks for forces within a step: choose Euler or implicitfast");
+        }
+        auto created = std::make_unique<Instance>();
+        created->model.actuator = actuator_of(m, instance);
+        for (const std::string &name : parameter_names()) {
+            const char *text = mj_getPluginConfig(m, instance, name.c_str());
+            if (text != nullptr && *text != '\0') {
+                created->model.set(name, text);
+            }
+        }
+        created->model.settle();
+        created->start.resize(static_cast<std::size_t>(created->model.numbers()));
+        created->model.save(created->start.data());
+        d->plugin_data[instance] = reinterpret_cast<std::uintptr_t>(created.release());
+        return 0;
+    } catch (const std::exception &refused) {
+        mju_warning("%s: %s", plugin_name, refused.what());
+        return -1;
+    }
+}
+
+void destroy(mjData *d, int instance) {
+    delete &instance_of(d, instance);
+    d->plugin_data[instance] = 0;
+}
+
+void reset(const mjModel *, mjtNum *state, void *data, int) {
+    const std::vector<mjtNum> &start = static_cast<Instance *>(data)->start;
+    mju_copy(state, start.data(), static_cast<int>(start.size()));
+}
+
+void step(const mjModel *m, mjData *d, int instance) {
+    ShockAbsorber &model = instance_of(d, instance).model;
+    const int at = model.actuator;
+    d->actuator_force[at] =
+        model.step(state_of(m, d, instance), d->actuator_length[at], d->actuator_velocity[at], m->opt.timestep);
+}
+
+void compute(const mjModel *m, mjData *d, int instance, int) {
+    try {
+        step(m, d, instance);
+    } catch (const std::exception &refused) {
+        mju_error("%s at %g s: %s", plugin_name, d->time, refused.what());
+    }
+}
+
+// The step that `compute` has tried becomes a fact.
+void advance(const mjModel *m, mjData *d, int instance) {
+    try {
+        instance_of(d, instance).model.save(state_of(m, d, instance));
+    } catch (const std::exception &refused) {
+        mju_error("%s at %g s: %s", plugin_name, d->time, refused.what());
+    }
+}
+
+} // namespace
+
+mjPLUGIN_LIB_INIT(stribeck_shock_absorber) {
+    static std::vector<const char *> attributes;
+    for (const std::string &name : parameter_names()) {
+        attributes.push_back(name.c_str());
+    }
+    mjpPlugin plugin;
+    mjp_defaultPlugin(&plugin);
+    plugin.name = plugin_name;
+    plugin.capabilityflags = mjPLUGIN_ACTUATOR;
+    plugin.nattribute = static_cast<int>(attributes.size());
+    plugin.attributes = attributes.data();
+    plugin.nstate = nstate;
+    plugin.init = init;
+    plugin.destroy = destroy;
+    plugin.reset = reset;
+    plugin.compute = compute;
+    plugin.advance = advance;
+    mjp_registerPlugin(&plugin);
+}
