@@ -3,8 +3,10 @@
 
     python3 tasks.py demo     pack the FMUs, run each of them from Python, draw the results
     python3 tasks.py test     every check and test of the project
+    python3 tasks.py trust    the fault tests in full, with their figures
     python3 tasks.py bench    the benchmarks
     python3 tasks.py pack     the FMUs into dist/
+    python3 tasks.py platforms  the FMUs for Linux, Windows and macOS, run under wine and qemu
     python3 tasks.py setup    .venv with the Python packages
     python3 tasks.py clean    remove what the other tasks have made
 
@@ -15,6 +17,7 @@ from __future__ import annotations
 
 import argparse
 import os
+import platform
 import shlex
 import shutil
 import subprocess
@@ -24,6 +27,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent
 VENV = ROOT / ".venv"
 REQUIREMENTS = ROOT / "requirements.txt"
+REQUIREMENTS_OF_PLATFORMS = ROOT / "requirements-platforms.txt"
 WINDOWS = os.name == "nt"
 PROGRAMS = VENV / ("Scripts" if WINDOWS else "bin")
 PYTHON = PROGRAMS / ("python.exe" if WINDOWS else "python")
@@ -31,6 +35,23 @@ PYTHON = PROGRAMS / ("python.exe" if WINDOWS else "python")
 RUST_FOLDERS = ["src", "tests", "benches", "fmu-build", "lab", "examples"]
 PYTHON_FOLDERS = ["tasks.py", "examples", "tests"]
 C_FOLDERS = ["examples/c", "examples/cpp", "examples/mujoco", "tests/c", "benches"]
+
+
+# Rust's names of the platforms of `fmu-build pack --platform all`.
+TARGETS = [
+    "x86_64-unknown-linux-gnu",
+    "aarch64-unknown-linux-gnu",
+    "x86_64-pc-windows-gnu",
+    "x86_64-apple-darwin",
+    "aarch64-apple-darwin",
+]
+# Programs that build for other platforms and run what was built, and the packages of Debian and Ubuntu they are in.
+PLATFORM_PROGRAMS = {
+    "x86_64-w64-mingw32-gcc": "gcc-mingw-w64-x86-64-win32",
+    "/usr/lib/wine/wine64": "wine64",
+    "aarch64-linux-gnu-gcc": "gcc-aarch64-linux-gnu libc6-dev-arm64-cross",
+    "qemu-aarch64-static": "qemu-user-static",
+}
 
 
 class TaskError(Exception):
@@ -105,6 +126,48 @@ def setup() -> None:
     stamp.write_text(wanted, encoding="utf-8")
 
 
+def setup_platforms() -> None:
+    """Installs what builds and runs the libraries of all platforms. Only root can install system packages."""
+    if platform.system() != "Linux" or platform.machine() != "x86_64":
+        raise TaskError("this task needs Linux on x86-64; elsewhere `fmu-build pack --platform all` packs what it can")
+    need("rustup", "this task needs the Rust of https://rustup.rs, which has standard libraries for other platforms")
+    setup()
+    run(PYTHON, "-m", "pip", "install", "--quiet", "--disable-pip-version-check", "-r", REQUIREMENTS_OF_PLATFORMS)
+    run("rustup", "target", "add", *TARGETS)
+    missing = [package for program, package in PLATFORM_PROGRAMS.items() if shutil.which(program) is None]
+    if not missing:
+        return
+    install = ["apt-get", "install", "--yes", "--no-install-recommends", *" ".join(missing).split()]
+    if os.geteuid() != 0 or shutil.which("apt-get") is None:
+        raise TaskError(f"programs are missing: as root, run {shlex.join(install)}")
+    run("apt-get", "update")
+    run(*install)
+
+
+def pack_for_all(project: Path, fmus: Path) -> None:
+    """Packs the FMUs of a copy of this project for all platforms; everything it builds is in that copy."""
+    run(
+        *("cargo", "run", "--manifest-path", project / "Cargo.toml", "--package", "fmu-build", "--"),
+        *("pack", "--platform", "all", "--strict", "--out", fmus),
+        PATH=f"{PROGRAMS}{os.pathsep}{os.environ['PATH']}",
+        CARGO_TARGET_DIR=str(project / "target"),
+    )
+
+
+def platforms() -> None:
+    """Packs the FMUs for all platforms, twice in different folders, and runs what this machine can run of them."""
+    need_rust()
+    setup_platforms()
+    out = ROOT / "out" / "platforms"
+    copy = out / "copy"
+    for folder in (copy, out / "fmus", out / "fmus-of-copy"):
+        shutil.rmtree(folder, ignore_errors=True)
+    shutil.copytree(ROOT, copy, ignore=shutil.ignore_patterns(".git", ".venv", "dist", "out", "target"))
+    pack_for_all(ROOT, out / "fmus")
+    pack_for_all(copy, out / "fmus-of-copy")
+    run(PYTHON, "-m", "pytest", "-rP", "tests/platforms")
+
+
 def pack() -> None:
     """Builds the library and packs every model as an FMU into dist/, and the four-post rig as SSP package."""
     need_rust()
@@ -126,6 +189,7 @@ def check_style() -> None:
     run(PYTHON, "-m", "ruff", "check", *PYTHON_FOLDERS)
     run(PROGRAMS / "clang-format", "--dry-run", "-Werror", *files(C_FOLDERS, ".c", ".cpp", ".h"))
     run("cargo", "clippy", "--workspace", "--all-targets", "--", "--deny", "warnings")
+    run(PYTHON, "tests/importers/cargo.py", "clippy", "--", "--deny", "warnings")
 
 
 def test() -> None:
@@ -142,6 +206,13 @@ def test() -> None:
     pack()
     run(PYTHON, "tests/c/run.py")
     run(PYTHON, "-m", "pytest", "tests/python")
+
+
+def trust() -> None:
+    """The fault tests in full, with their figures."""
+    need_rust()
+    need_c_compiler()
+    run(sys.executable, "tests/c/run.py", "--thorough")
 
 
 def bench() -> None:
@@ -162,8 +233,11 @@ TASKS = {
     demo: "install the Python packages, build and pack the FMUs, run each of them, draw the results: 2 to 4 minutes, "
     "then under one",
     test: "check formatting and lints, run the Rust, C and Python tests: 5 to 10 minutes, then about 3",
+    trust: "try what hosts may do to the library, in full, and print the figures: about an hour",
     bench: "build and run the benchmarks: 2 to 5 minutes",
     pack: "build the library and pack every model as an FMU into dist/: 1 to 2 minutes",
+    platforms: "pack for all platforms twice, compare, run the libraries under wine and qemu; as root it installs what "
+    "it needs with apt: 15 to 30 minutes",
     setup: "install the Python packages of requirements.txt into .venv: about a minute",
     clean: "remove .venv, dist, out and target",
 }

@@ -67,6 +67,8 @@ typedef enum {
   STRIBECK_BAD_BUFFER = 7,
   /** A fault of the library; please report it. */
   STRIBECK_INTERNAL = 8,
+  /** There is no memory left. */
+  STRIBECK_OUT_OF_MEMORY = 9,
 } stribeck_status;
 
 /** Who writes a variable. */
@@ -334,7 +336,7 @@ fmi2String fmi2GetVersion(void);
  *
  * `fmuType` must be `fmi2CoSimulation`. `callbacks` is copied; its function pointers may all be NULL.
  * `fmuResourceLocation` and `visible` are not used. Returns NULL, and says why to the logger, if the guid is that of no
- * model of this library, or if the name is blank.
+ * model of this library, if the name is blank, or if there is no memory.
  */
 fmi2Component fmi2Instantiate(fmi2String instanceName,
                               fmi2Type fmuType,

@@ -1,5 +1,8 @@
 //! A live model: its row, its time and what the callers of both C interfaces share.
 
+use std::fmt;
+
+use crate::memory::{self, OutOfMemory};
 use crate::model::{Fault, ModelType, Role, Variable};
 use crate::number::Dual;
 
@@ -42,25 +45,30 @@ pub struct Snapshot {
 }
 
 impl Instance {
-    /// A model at its start values, at time 0.
+    /// A model at its start values, at time 0. Panics if there is no memory for it; see [`Instance::try_new`].
     pub fn new(model: &'static ModelType) -> Instance {
+        Instance::try_new(model).unwrap_or_else(|error| panic!("{error}"))
+    }
+
+    /// A model at its start values, at time 0, if there is memory for it.
+    pub fn try_new(model: &'static ModelType) -> Result<Instance, OutOfMemory> {
         let columns = model.table.len();
         let mut instance = Instance {
             model,
-            row: vec![0.0; columns].into(),
-            slope: vec![0.0; columns].into(),
+            row: memory::filled(0.0, columns)?,
+            slope: memory::filled(0.0, columns)?,
             slopes_are_new: false,
             has_slopes: false,
             unchecked: true,
             stale: true,
             time: 0.0,
-            rate: vec![0.0; columns].into(),
-            duals: vec![Dual::default(); columns].into(),
-            rate_duals: vec![Dual::default(); columns].into(),
-            continuous: model.continuous_states().filter(|_| model.model_exchange).collect(),
+            rate: memory::filled(0.0, columns)?,
+            duals: memory::filled(Dual::default(), columns)?,
+            rate_duals: memory::filled(Dual::default(), columns)?,
+            continuous: continuous_states(model)?,
         };
         instance.reset();
-        instance
+        Ok(instance)
     }
 
     /// Back to the start values and to time 0.
@@ -171,7 +179,7 @@ impl Instance {
     pub fn refresh(&mut self) -> Result<(), Fault> {
         if self.stale {
             if !self.model.output(&mut self.row) {
-                return Err(self.not_finite("the outputs"));
+                return Err(self.not_finite(format_args!("the outputs")));
             }
             self.stale = false;
         }
@@ -196,7 +204,7 @@ impl Instance {
     #[inline(never)]
     fn step_with_care(&mut self, dt: f64) -> Result<(), Fault> {
         if !(dt > 0.0 && dt.is_finite()) {
-            return Err(Fault(format!("a step of {dt} s: must be > 0 and finite")));
+            return Err(Fault(memory::text(format_args!("a step of {dt} s: must be > 0 and finite"))));
         }
         self.check()?;
         let finite = if self.slopes_are_new {
@@ -225,7 +233,7 @@ impl Instance {
             let rounding = 4.0 * f64::EPSILON * (start.abs() + change.abs());
             let is_outside = (end - variable.bound.nearest(end)).abs() > rounding;
             if is_outside || !end.is_finite() {
-                return Err(Fault(format!("at the end of its ramp {}", variable.fault(end))));
+                return Err(Fault(memory::text(format_args!("at the end of its ramp {}", variable.fault(end)))));
             }
         }
         Ok(())
@@ -233,21 +241,12 @@ impl Instance {
 
     #[cold]
     fn step_not_finite(&self, dt: f64) -> Fault {
-        self.not_finite(&format!("a step of {dt} s"))
+        self.not_finite(format_args!("a step of {dt} s"))
     }
 
     #[cold]
-    fn not_finite(&self, what: &str) -> Fault {
-        let given: Vec<String> = self
-            .model
-            .table
-            .iter()
-            .zip(&self.row)
-            .filter(|(variable, _)| variable.role == Role::Input)
-            .map(|(variable, value)| format!("{} = {value}", variable.path))
-            .collect();
-        let at = if given.is_empty() { String::new() } else { format!(" at {}", given.join(", ")) };
-        Fault(format!("{what} would not be finite{at}: nothing was changed"))
+    fn not_finite(&self, what: fmt::Arguments) -> Fault {
+        Fault(memory::text(format_args!("{what} would not be finite{}: nothing was changed", Inputs(self))))
     }
 
     /// Columns of the states that an importer may integrate itself, in the order of the table.
@@ -269,7 +268,7 @@ impl Instance {
         if self.continuous.iter().all(|column| self.rate[*column].is_finite()) {
             Ok(&self.rate)
         } else {
-            Err(self.not_finite("the derivatives"))
+            Err(self.not_finite(format_args!("the derivatives")))
         }
     }
 
@@ -284,7 +283,7 @@ impl Instance {
         if indicators.iter().all(|indicator| indicator.is_finite()) {
             Ok(())
         } else {
-            Err(self.not_finite("the event indicators"))
+            Err(self.not_finite(format_args!("the event indicators")))
         }
     }
 
@@ -292,7 +291,7 @@ impl Instance {
     pub fn at_event(&mut self) -> Result<bool, Fault> {
         self.rate.copy_from_slice(&self.row);
         if !self.model.at_event(&mut self.row) {
-            return Err(self.not_finite("the states after an event"));
+            return Err(self.not_finite(format_args!("the states after an event")));
         }
         self.stale = true;
         Ok(self.continuous.iter().any(|column| self.rate[*column] != self.row[*column]))
@@ -348,15 +347,21 @@ impl Instance {
         snapshot.time = self.time;
     }
 
-    /// Everything that changes, to be given back to [`Instance::restore`].
+    /// Everything that changes, to be given back to [`Instance::restore`]. Panics if there is no memory for it; see
+    /// [`Instance::try_save`].
     pub fn save(&self) -> Snapshot {
-        Snapshot {
-            row: self.row.clone(),
-            slope: self.slope.clone(),
+        self.try_save().unwrap_or_else(|error| panic!("{error}"))
+    }
+
+    /// As [`Instance::save`], if there is memory for it.
+    pub fn try_save(&self) -> Result<Snapshot, OutOfMemory> {
+        Ok(Snapshot {
+            row: memory::copied(&self.row)?,
+            slope: memory::copied(&self.slope)?,
             slopes_are_new: self.slopes_are_new,
             stale: self.stale,
             time: self.time,
-        }
+        })
     }
 
     /// Back to a snapshot of the same model; whether it is one, the caller has made sure.
@@ -368,5 +373,29 @@ impl Instance {
         self.unchecked = true;
         self.stale = snapshot.stale;
         self.time = snapshot.time;
+    }
+}
+
+/// Columns of the states that an importer may integrate itself.
+fn continuous_states(model: &ModelType) -> Result<Box<[usize]>, OutOfMemory> {
+    let columns = || model.continuous_states().filter(|_| model.model_exchange);
+    let mut continuous = memory::filled(0, columns().count())?;
+    for (place, column) in continuous.iter_mut().zip(columns()) {
+        *place = column;
+    }
+    Ok(continuous)
+}
+
+/// The inputs and their values, as a message names them.
+struct Inputs<'a>(&'a Instance);
+
+impl fmt::Display for Inputs<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        let columns = self.0.model.table.iter().zip(&self.0.row);
+        for (index, (variable, value)) in columns.filter(|(variable, _)| variable.role == Role::Input).enumerate() {
+            let before = if index == 0 { " at" } else { "," };
+            write!(f, "{before} {} = {value}", variable.path)?;
+        }
+        Ok(())
     }
 }

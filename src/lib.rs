@@ -9,12 +9,14 @@
 
 pub mod c_api;
 pub mod catalogue;
+mod float_mode;
 pub mod fmi2;
 pub mod friction;
 mod guid;
 pub mod host;
 pub mod instance;
 pub mod laws;
+pub mod memory;
 pub mod model;
 pub mod number;
 mod panics;

@@ -7,6 +7,7 @@ use std::ffi::CStr;
 use std::fmt;
 
 use crate::guid::{self, GuidText};
+use crate::memory::{self, OutOfMemory};
 use crate::number::Dual;
 use crate::unit::{self, Unit};
 
@@ -209,6 +210,19 @@ impl Path {
         self.depth == other.depth
     }
 
+    /// Is it the name, as [`Path`]'s `Display` spells it?
+    fn is_spelled(&self, name: &str) -> bool {
+        struct Rest<'a>(&'a str);
+        impl fmt::Write for Rest<'_> {
+            fn write_str(&mut self, text: &str) -> fmt::Result {
+                self.0 = self.0.strip_prefix(text).ok_or(fmt::Error)?;
+                Ok(())
+            }
+        }
+        let mut rest = Rest(name);
+        fmt::write(&mut rest, format_args!("{self}")).is_ok() && rest.0.is_empty()
+    }
+
     /// This name inside a part.
     pub(crate) const fn within(&self, part: Segment) -> Path {
         assert!(self.depth < Path::DEPTH, "parts are nested too deeply");
@@ -368,7 +382,7 @@ impl Variable {
 
     /// Refuses `value` with the text that the user sees.
     pub fn fault(&self, value: f64) -> Fault {
-        Fault(format!("{} = {value}: must be {}", self.path, self.bound))
+        Fault(memory::text(format_args!("{} = {value}: must be {}", self.path, self.bound)))
     }
 }
 
@@ -383,6 +397,12 @@ impl fmt::Display for Fault {
 }
 
 impl std::error::Error for Fault {}
+
+impl From<OutOfMemory> for Fault {
+    fn from(error: OutOfMemory) -> Fault {
+        Fault(memory::text(error))
+    }
+}
 
 /// How many columns a field of a `model!` block takes: one for a number, those of its table for a part.
 pub trait Width {
@@ -619,7 +639,7 @@ impl ModelType {
     pub fn find(&self, name: &str) -> Option<usize> {
         // Names are put together only where they begin alike: a table can have hundreds of rows.
         let alike = |variable: &Variable| name.starts_with(variable.path.segments()[0].name);
-        self.table.iter().position(|variable| alike(variable) && variable.path.to_string() == name)
+        self.table.iter().position(|variable| alike(variable) && variable.path.is_spelled(name))
     }
 
     /// Refuses parameters that are admitted one by one but not together.

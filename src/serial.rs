@@ -3,7 +3,10 @@
 //! Little-endian, the same on every platform: magic, format number, guid of the model, then time, flags, the owner's own
 //! numbers, row and slopes as f64, and an FNV-1a checksum of all that. Foreign, truncated and damaged bytes are refused.
 
+use std::fmt;
+
 use crate::instance::Snapshot;
+use crate::memory;
 use crate::model::{Fault, ModelType, Role, Variable};
 
 const MAGIC: &[u8; 8] = b"STRIBECK";
@@ -40,32 +43,35 @@ pub fn write(model: &ModelType, snapshot: &Snapshot, owners: [f64; OWNERS], byte
 
 /// Reads a snapshot of `model` back.
 pub fn read(model: &ModelType, bytes: &[u8]) -> Result<(Snapshot, [f64; OWNERS]), Fault> {
-    let refuse = |why: String| Err(Fault(format!("serialised state of {}: {why}", model.name)));
+    let refuse =
+        |why: fmt::Arguments| Err(Fault(memory::text(format_args!("serialised state of {}: {why}", model.name))));
     if bytes.len() != size(model) {
-        return refuse(format!("{} bytes, {} are expected", bytes.len(), size(model)));
+        return refuse(format_args!("{} bytes, {} are expected", bytes.len(), size(model)));
     }
     let (body, checksum) = bytes.split_at(bytes.len() - CHECKSUM);
     let (head, data) = body.split_at(HEAD);
     if &head[..8] != MAGIC {
-        return refuse("not a state of this library".into());
+        return refuse(format_args!("not a state of this library"));
     }
     if head[8..12] != FORMAT.to_le_bytes() {
-        return refuse("written in another format by another version of this library".into());
+        return refuse(format_args!("written in another format by another version of this library"));
     }
     if &head[12..] != model.guid().as_bytes() {
-        return refuse("it belongs to another model or another version of it".into());
+        return refuse(format_args!("it belongs to another model or another version of it"));
     }
     if checksum != hash(body).to_le_bytes() {
-        return refuse("damaged, the checksum differs".into());
+        return refuse(format_args!("damaged, the checksum differs"));
     }
     let mut numbers = data.chunks_exact(8).map(|bytes| f64::from_le_bytes(bytes.try_into().unwrap_or_default()));
     let mut take = || numbers.next().unwrap_or(f64::NAN);
     let [time, slopes_are_new, stale] = std::array::from_fn(|_| take());
     let owners = std::array::from_fn(|_| take());
     let columns = model.table.len();
-    let row: Box<[f64]> = (0..columns).map(|_| take()).collect();
-    let slope: Box<[f64]> = (0..columns).map(|_| take()).collect();
-    for (variable, value) in model.table.iter().zip(&row) {
+    let mut row = memory::filled(0.0, columns)?;
+    let mut slope = memory::filled(0.0, columns)?;
+    row.fill_with(&mut take);
+    slope.fill_with(&mut take);
+    for (variable, value) in model.table.iter().zip(&*row) {
         let sound = if variable.role == Role::Output { value.is_finite() } else { variable.admits(*value) };
         if !sound {
             return Err(variable.fault(*value));
@@ -73,8 +79,8 @@ pub fn read(model: &ModelType, bytes: &[u8]) -> Result<(Snapshot, [f64; OWNERS])
     }
     let is_sound =
         |(variable, slope): (&Variable, &f64)| slope.is_finite() && (*slope == 0.0 || variable.role == Role::Input);
-    if !time.is_finite() || !model.table.iter().zip(&slope).all(is_sound) {
-        return refuse("time or a slope is not finite, or the slope is not that of an input".into());
+    if !time.is_finite() || !model.table.iter().zip(&*slope).all(is_sound) {
+        return refuse(format_args!("time or a slope is not finite, or the slope is not that of an input"));
     }
     let snapshot = Snapshot { row, slope, slopes_are_new: slopes_are_new != 0.0, stale: stale != 0.0, time };
     Ok((snapshot, owners))

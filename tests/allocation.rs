@@ -1,15 +1,18 @@
-//! The FMI calls of a running simulation allocate nothing: masters call them from real-time threads.
+//! The FMI calls of a running simulation allocate nothing: masters call them from real-time threads. The others, which
+//! do, survive that there is no memory.
 
 #![allow(non_upper_case_globals, reason = "the names of the standard")]
 
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
-use std::ffi::{CStr, CString};
+use std::ffi::{CStr, CString, c_void};
 use std::hint::black_box;
 use std::ptr::{null, null_mut};
 
+use stribeck::c_api::*;
 use stribeck::catalogue;
 use stribeck::fmi2::setup::*;
+use stribeck::fmi2::snapshot::*;
 use stribeck::fmi2::step::fmi2DoStep;
 use stribeck::fmi2::types::*;
 use stribeck::fmi2::values::{fmi2GetReal, fmi2SetReal};
@@ -19,37 +22,76 @@ thread_local! {
     // Per thread, because the test harness allocates on threads of its own. It has no destructor, so that it can be used
     // by an allocator at any time.
     static ALLOCATIONS: Cell<usize> = const { Cell::new(0) };
+    // Blocks that are in use.
+    static LIVE: Cell<isize> = const { Cell::new(0) };
+    // Which requests are refused: those from `first` on that come before `end`.
+    static REFUSED: Cell<Refused> = const { Cell::new(Refused::NONE) };
 }
 
-/// The allocator of the system, and a count of what it is asked for.
+/// Requests for memory that are refused, counted from 0.
+#[derive(Clone, Copy)]
+struct Refused {
+    first: usize,
+    end: usize,
+    asked: usize,
+}
+
+impl Refused {
+    const NONE: Refused = Refused { first: usize::MAX, end: usize::MAX, asked: 0 };
+}
+
+/// The allocator of the system, and a count of what it is asked for. It refuses what it is told to.
 struct Counting;
 
 fn count() {
     ALLOCATIONS.set(ALLOCATIONS.get() + 1);
 }
 
-// SAFETY: every call is passed on unchanged to the system's allocator; counting does not allocate.
+/// Counts a request for memory; true if it is to be refused.
+fn is_refused() -> bool {
+    count();
+    let mut refused = REFUSED.get();
+    let is_refused = (refused.first..refused.end).contains(&refused.asked);
+    refused.asked += 1;
+    REFUSED.set(refused);
+    is_refused
+}
+
+/// Counts a block, if it is one.
+fn live(memory: *mut u8) -> *mut u8 {
+    LIVE.set(LIVE.get() + isize::from(!memory.is_null()));
+    memory
+}
+
+// SAFETY: every call is refused, or passed on unchanged to the system's allocator; counting does not allocate.
 unsafe impl GlobalAlloc for Counting {
     unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
-        count();
+        if is_refused() {
+            return null_mut();
+        }
         // SAFETY: the caller's promise.
-        unsafe { System.alloc(layout) }
+        live(unsafe { System.alloc(layout) })
     }
 
     unsafe fn alloc_zeroed(&self, layout: Layout) -> *mut u8 {
-        count();
+        if is_refused() {
+            return null_mut();
+        }
         // SAFETY: the caller's promise.
-        unsafe { System.alloc_zeroed(layout) }
+        live(unsafe { System.alloc_zeroed(layout) })
     }
 
     unsafe fn realloc(&self, memory: *mut u8, layout: Layout, size: usize) -> *mut u8 {
-        count();
+        if is_refused() {
+            return null_mut();
+        }
         // SAFETY: the caller's promise.
         unsafe { System.realloc(memory, layout, size) }
     }
 
     unsafe fn dealloc(&self, memory: *mut u8, layout: Layout) {
         count();
+        LIVE.set(LIVE.get() - 1);
         // SAFETY: the caller's promise.
         unsafe { System.dealloc(memory, layout) }
     }
@@ -76,14 +118,31 @@ fn the_counter_counts() {
 
 fn instantiate(guid: &CStr) -> fmi2Component {
     let callbacks = fmi2CallbackFunctions {
-        logger: None,
+        logger: listener(),
         allocateMemory: None,
         freeMemory: None,
         stepFinished: None,
         componentEnvironment: null_mut(),
     };
     // SAFETY: texts are terminated, and the struct lives during the call.
-    unsafe { fmi2Instantiate(c"slave".as_ptr(), fmi2CoSimulation, guid.as_ptr(), null(), &callbacks, 0, 0) }
+    unsafe { fmi2Instantiate(c"slave".as_ptr(), fmi2CoSimulation, guid.as_ptr(), null(), &callbacks, 0, 1) }
+}
+
+thread_local! {
+    /// How many messages the logger has heard.
+    static HEARD: Cell<usize> = const { Cell::new(0) };
+}
+
+/// A logger that counts. Rust cannot define variadic functions; where arguments are not on the stack, one without
+/// the variadic arguments can stand in.
+fn listener() -> fmi2CallbackLogger {
+    unsafe extern "C" fn listen(_: *mut c_void, _: fmi2String, _: fmi2Status, category: fmi2String, text: fmi2String) {
+        assert!(!category.is_null() && !text.is_null());
+        HEARD.set(HEARD.get() + 1);
+    }
+    type Fixed = unsafe extern "C" fn(*mut c_void, fmi2String, fmi2Status, fmi2String, fmi2String);
+    // SAFETY: see above; the caller cleans up what it has passed.
+    unsafe { std::mem::transmute::<Fixed, fmi2CallbackLogger>(listen) }
 }
 
 fn guid(model: &ModelType) -> CString {
@@ -122,9 +181,9 @@ impl Slave {
         }
     }
 
-    /// Sets all inputs, of which the first moves to and fro, makes a step and reads everything back, for 10 s.
-    fn run(&mut self, values: &mut [f64]) {
-        for k in 0..10_000 {
+    /// Sets all inputs, of which the first moves to and fro, makes a step of 1 ms and reads everything back.
+    fn run(&mut self, steps: i32, values: &mut [f64]) {
+        for k in 0..steps {
             let (time, dt) = (f64::from(k) * 1e-3, 1e-3);
             if let Some(first) = self.given.first_mut() {
                 *first = self.start + 0.002 * f64::sin(3.0 * time);
@@ -155,11 +214,20 @@ fn no_model_allocates_in_10_000_steps() {
     for model in catalogue::models() {
         let mut slave = Slave::new(model);
         let mut values = vec![0.0; slave.reals.len()];
-        assert_eq!(allocations(|| slave.run(&mut values)), 0, "{} allocates", model.name);
+        assert_eq!(allocations(|| slave.run(10_000, &mut values)), 0, "{} allocates", model.name);
         assert!(values.iter().any(|value| *value != 0.0), "{} did not move", model.name);
         tested += 1;
     }
     assert!(tested > 0);
+}
+
+#[test]
+fn a_million_steps_allocate_nothing() {
+    for name in ["LuGre", "QuarterCar"] {
+        let mut slave = Slave::new(catalogue::by_name(name).expect(name));
+        let mut values = vec![0.0; slave.reals.len()];
+        assert_eq!(allocations(|| slave.run(1_000_000, &mut values)), 0, "{name} allocates");
+    }
 }
 
 /// What fmi2Instantiate allocates is seen, so the calls above were seen too.
@@ -171,4 +239,113 @@ fn instantiation_is_seen_by_the_counter() {
     assert!(!component.is_null());
     // SAFETY: a live component, freed once.
     assert!(allocations(|| unsafe { fmi2FreeInstance(component) }) > 0);
+}
+
+/// Makes `attempt` (true: it succeeded) while one request for memory after the other is refused, that one alone or all
+/// from there on, until it needs no more than it gets. Each refusal must make it fail, and leave nothing behind. How
+/// often it failed.
+fn failures(what: &str, mut attempt: impl FnMut() -> bool) -> usize {
+    let mut failures = 0;
+    for lasts in [1, usize::MAX / 2] {
+        for first in 0.. {
+            assert!(first < 100_000, "{what} goes on without the memory it asks for");
+            let live = LIVE.get();
+            REFUSED.set(Refused { first, end: first + lasts, asked: 0 });
+            let succeeded = attempt();
+            let asked = REFUSED.replace(Refused::NONE).asked;
+            assert_eq!(succeeded, asked <= first, "{what}: request {first} of {asked} was refused");
+            assert_eq!(LIVE.get(), live, "{what}: request {first} was refused, and memory was lost");
+            if succeeded {
+                break;
+            }
+            failures += 1;
+        }
+    }
+    failures
+}
+
+#[test]
+fn no_memory_for_an_fmu_is_an_error() {
+    let mut tested = 0;
+    for model in catalogue::models() {
+        let guid = guid(model);
+        let made = failures(model.name, || {
+            let heard = HEARD.get();
+            let component = instantiate(&guid);
+            // SAFETY: a live component or NULL, freed once.
+            unsafe { fmi2FreeInstance(component) };
+            assert_eq!(HEARD.get() - heard, usize::from(component.is_null()), "a refusal is told");
+            !component.is_null()
+        });
+        // Slave, name, and four arrays, each refused alone and with all that follow.
+        assert!(made >= 12, "{}: {made} failures", model.name);
+        tested += made;
+
+        let slave = Slave::new(model);
+        let c = slave.component;
+        let mut size = 0;
+        let mut state = null_mut();
+        // SAFETY: a live component and states of its own, each freed once.
+        unsafe {
+            assert_eq!(fmi2GetFMUstate(c, &mut state), fmi2Status::fmi2OK);
+            assert_eq!(fmi2SerializedFMUstateSize(c, state, &mut size), fmi2Status::fmi2OK);
+            let mut bytes = vec![0; size];
+            let saved = failures(model.name, || {
+                let mut copy = null_mut();
+                let status = fmi2GetFMUstate(c, &mut copy);
+                assert_eq!(copy.is_null(), status == fmi2Status::fmi2Error);
+                // What was saved earlier leads on.
+                assert_eq!(fmi2SetFMUstate(c, state), fmi2Status::fmi2OK);
+                assert_eq!(fmi2FreeFMUstate(c, &mut copy), fmi2Status::fmi2OK);
+                status == fmi2Status::fmi2OK
+            });
+            let written = failures(model.name, || {
+                fmi2SerializeFMUstate(c, state, bytes.as_mut_ptr(), size) == fmi2Status::fmi2OK
+            });
+            assert_eq!(written, 0, "serialising needs no memory");
+            let read = failures(model.name, || {
+                let mut copy = null_mut();
+                let status = fmi2DeSerializeFMUstate(c, bytes.as_ptr(), size, &mut copy);
+                assert_eq!(copy.is_null(), status == fmi2Status::fmi2Error);
+                assert_eq!(fmi2SetFMUstate(c, state), fmi2Status::fmi2OK);
+                assert_eq!(fmi2FreeFMUstate(c, &mut copy), fmi2Status::fmi2OK);
+                status == fmi2Status::fmi2OK
+            });
+            assert!(saved >= 6 && read >= 6, "{}: {saved} and {read} failures", model.name);
+            tested += saved + read;
+            // A misuse whose message finds no memory is an error all the same.
+            REFUSED.set(Refused { first: 0, ..Refused::NONE });
+            let status = fmi2DoStep(c, 0.0, -1.0, fmi2True);
+            assert!(REFUSED.replace(Refused::NONE).asked > 0 && status == fmi2Status::fmi2Error);
+            assert_eq!(fmi2FreeFMUstate(c, &mut state), fmi2Status::fmi2OK);
+        }
+    }
+    println!("FMI: {tested} refused requests for memory, as many errors");
+}
+
+#[test]
+fn no_memory_for_a_c_caller_is_a_status() {
+    let mut tested = 0;
+    for known in catalogue::models() {
+        let name = CString::new(known.name).expect("a name has no zero byte");
+        // SAFETY: terminated texts, writable places, handles freed once.
+        unsafe {
+            tested += failures(known.name, || {
+                let mut model = null_mut();
+                let status = stribeck_create(name.as_ptr(), &mut model);
+                let expected = [stribeck_status::STRIBECK_OUT_OF_MEMORY, stribeck_status::STRIBECK_OK];
+                assert_eq!(status, expected[usize::from(!model.is_null())]);
+                stribeck_free(model);
+                status == stribeck_status::STRIBECK_OK
+            });
+            let mut model = null_mut();
+            assert_eq!(stribeck_create(name.as_ptr(), &mut model), stribeck_status::STRIBECK_OK);
+            let mut bytes = vec![0u8; stribeck_state_size(model)];
+            tested += failures(known.name, || {
+                stribeck_save(model, bytes.as_mut_ptr().cast(), bytes.len()) == stribeck_status::STRIBECK_OK
+            });
+            stribeck_free(model);
+        }
+    }
+    println!("C: {tested} refused requests for memory, as many errors");
 }

@@ -667,3 +667,180 @@ fn output_derivative_of_the_force_behind_a_series_stiffness() {
         assert!(rate > 1e4 && (rate / difference - 1.0).abs() < 1e-3, "{set:?}: {rate} {difference}");
     }
 }
+
+/// What the spring does to the joint is what a host would give for it: the force F_s q along m, the moments -e_n F_s and
+/// e_m F_s. Alone it hears no inputs; and the contacts feel the distribution of pressure.
+#[test]
+fn side_load_of_the_spring() {
+    let normals = |set: &[(&str, f64)]| {
+        let mut strut = strut(set);
+        ["normal_1", "normal_2"].map(|name| strut.get(name))
+    };
+    let spring = 150.0 + 45e3 * 0.0225;
+    let given = normals(&[
+        ("side.mode", 1.0),
+        ("side_force_m", 0.02 * spring),
+        ("side_moment_m", 0.001 * spring),
+        ("side_moment_n", 0.002 * spring),
+    ]);
+    let offset = [("side.offset_m", 0.002), ("side.offset_n", -0.001), ("side.force_ratio", 0.02)];
+    let inputs = [("side_force_m", 50.0), ("side_force_n", 70.0), ("side_moment_m", 3.0), ("side.mode", 2.0)];
+    for set in [&offset[..], &[&offset[..], &inputs].concat()] {
+        for c_geo in [1.0, 1.25] {
+            let internal = normals(&[set, &[("side.c_geo", c_geo)]].concat());
+            for (internal, given) in internal.iter().zip(given) {
+                assert!((internal / (c_geo * given) - 1.0).abs() < 1e-12, "{internal} {given}");
+            }
+        }
+    }
+}
+
+/// A host in millimetres of compression that drives any law, also by its acceleration, sees the same friction.
+#[test]
+fn adapters_drive_every_law_alike() {
+    for (number, name) in laws().skip(1) {
+        let run = |adapter: &[(&str, f64)], offset: f64, gain: f64| {
+            let mut strut = strut(&[adapter, &[("friction.model", number), LINEAR]].concat());
+            let step = |k: i32| {
+                let phase = 0.05 * f64::from(k);
+                strut.set("length", (0.1775 + 1e-3 * phase.sin() - offset) / gain);
+                strut.set("velocity", 0.05 * phase.cos() / gain);
+                strut.set("acceleration", -2.5 * phase.sin() / gain);
+                strut.step(1e-3);
+                strut.get("force_friction")
+            };
+            (0..150).map(step).collect::<Vec<f64>>()
+        };
+        let own = run(&[], 0.0, 1.0);
+        let adapter = [("adapter.length_offset", 0.2), ("adapter.length_gain", -1e-3)];
+        let worst = run(&adapter, 0.2, -1e-3).iter().zip(&own).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+        assert!(worst < 1e-6, "{name}: {worst} N");
+    }
+}
+
+/// Straight lines bend at the points of the table, the cubic does not.
+#[test]
+fn cubic_damper_table_is_smooth() {
+    let bend = |interpolation: f64| {
+        let mut strut = strut(&[NONE, TABLE, ("damper.interpolation", interpolation)]);
+        let mut at = |velocity: f64| force(&mut strut, 0.1775, velocity);
+        let h = 1e-5;
+        ((at(0.1 + h) - at(0.1)) / h - (at(0.1) - at(0.1 - h)) / h).abs()
+    };
+    // 160 N over 0.05 m/s below, 300 N over 0.15 m/s above.
+    assert!((bend(1.0) - (3200.0 - 2000.0)).abs() < 1e-3, "{}", bend(1.0));
+    assert!(bend(2.0) < 10.0, "{}", bend(2.0));
+}
+
+/// Table of the start values: 45 N/mm, and 60 N/mm beyond 30 mm, on the preload of 150 N.
+#[test]
+fn progressive_spring() {
+    let mut spring = Bench::new("CoilSpring", &[("spring.mode", 2.0)]);
+    for (compression, force) in [(0.0, 150.0), (0.01, 600.0), (0.04, 2100.0), (0.06, 3300.0), (-0.01, -300.0)] {
+        spring.set("compression", compression);
+        assert!((spring.get("force") - force).abs() < 1e-9, "{compression}: {}", spring.get("force"));
+    }
+}
+
+/// Friction and damper heat the strut until the surroundings take what they give; no heat is lost in an insulated one.
+#[test]
+fn all_that_is_dissipated_heats() {
+    let mut strut = strut(&[("thermal.enabled", 1.0), ("thermal.conductance", 0.0), ("velocity", 0.2)]);
+    strut.set("spin_rate", 3.0);
+    for _ in 0..100 {
+        strut.step(0.01);
+    }
+    let heat = 600.0 * (strut.get("temperature") - 293.15);
+    assert!((heat / strut.get("energy_dissipated") - 1.0).abs() < 1e-9, "{heat} J");
+    let power = strut.get("power_dissipated");
+    let friction = strut.get("friction_1") + strut.get("friction_2");
+    let work = friction * 0.2 + strut.get("friction_torque") * 3.0 - strut.get("force_damper") * 0.2;
+    assert!((power / work - 1.0).abs() < 1e-9, "{power} {work}");
+}
+
+#[test]
+fn state_at_the_start() {
+    // 10 N in the bristles of the rod guide.
+    let mut given = strut(&[("init.friction_state", 3.0), ("memory_1[1]", 1e-4)]);
+    assert!((given.get("friction_1") - 10.0).abs() < 1e-9, "{}", given.get("friction_1"));
+    // The piston behind its stiffness already moves with the strut, or not yet.
+    for (state, force) in [(1.0, -460.0), (2.0, 0.0)] {
+        let set = [("damper.k_series", 1e5), ("velocity", 0.2), ("init.friction_state", state)];
+        assert_eq!(strut(&set).get("force_damper"), force);
+    }
+    let mut hot = strut(&[("thermal.enabled", 1.0), ("temperature", 393.15), ("velocity", -0.2)]);
+    assert!((hot.get("force_damper") - 300.0 * (-0.3f64).exp()).abs() < 1e-9);
+}
+
+/// Bristles that carry 20 N carry 5 N as soon as the contact can hold no more.
+#[test]
+fn bristles_follow_a_falling_load() {
+    let mut strut = strut(&bare(20.0, 20.0));
+    strut.set("velocity", 0.01);
+    strut.step(1.0);
+    strut.set("velocity", 0.0);
+    assert!((strut.get("friction_1") - 20.0).abs() < 0.1);
+    strut.set("c1.preload_k", 5.0);
+    strut.set("c1.preload_s", 5.0);
+    assert!((strut.get("friction_1") - 5.0).abs() < 1e-9);
+}
+
+/// The factor on the friction multiplies all four levels.
+#[test]
+fn friction_scale_multiplies_the_levels() {
+    let forces = |set: &[(&str, f64)]| {
+        let mut forces = Vec::new();
+        golden_trace(set, |_, strut| forces.push(strut.get("force")));
+        forces
+    };
+    let halved = [
+        ("c1.mu_s", 0.075),
+        ("c1.mu_k", 0.05),
+        ("c1.preload_s", 5.0),
+        ("c1.preload_k", 4.0),
+        ("c2.mu_s", 0.05),
+        ("c2.mu_k", 0.04),
+        ("c2.preload_s", 4.0),
+        ("c2.preload_k", 3.0),
+    ];
+    let (halved, scaled) = (forces(&halved), forces(&[("friction.scale", 0.5)]));
+    let worst = halved.iter().zip(scaled).map(|(a, b)| (a - b).abs());
+    assert!(worst.fold(0.0, f64::max) < 1e-9);
+}
+
+#[test]
+fn sticking_is_said() {
+    let mut strut = strut(&[law("CoulombStiction"), ("friction.mass", 5.0)]);
+    for (velocity, sticking) in [(0.0, 1.0), (0.1, 0.0)] {
+        strut.set("velocity", velocity);
+        strut.step(1e-3);
+        assert_eq!(strut.get("sticking"), sticking, "{velocity} m/s");
+    }
+}
+
+/// Coulomb friction of 10 N at 0.5 m/s, 3 : 4 along and about the axis, in all quarters.
+#[test]
+fn a_contact_resists_both_motions() {
+    let mut contact = Bench::new("GuideContact", &[law("Coulomb"), ("normal_force", 20.0), ("radius", 0.01)]);
+    for (axial, around) in [(1.0, 1.0), (-1.0, 1.0), (1.0, -1.0), (-1.0, -1.0)] {
+        contact.set("velocity", 0.3 * axial);
+        contact.set("spin_rate", 40.0 * around);
+        assert!((contact.get("friction_force") - 6.0 * axial).abs() < 1e-12);
+        assert!((contact.get("friction_torque") - 0.08 * around).abs() < 1e-12);
+        assert!((contact.get("dissipated_power") - 5.0).abs() < 1e-12);
+        let energy = contact.column("dissipated_energy");
+        assert!((contact.instance.time_derivative()[energy].slope - 5.0).abs() < 1e-12);
+    }
+}
+
+/// Without levels a contact is a viscous damper: force, power and energy.
+#[test]
+fn viscous_friction_without_levels() {
+    let set = [("friction.switch", 3.0), ("friction.viscous_coefficient", 2.0), ("velocity", 0.3)];
+    for (number, name) in laws().filter(|(_, name)| ["LuGre", "Stribeck", "ElastoPlastic"].contains(name)) {
+        let mut contact = Bench::new("GuideContact", &[&set[..], &[("friction.model", number)]].concat());
+        contact.step(0.5);
+        assert!((contact.get("friction_force") - 0.6).abs() < 1e-12, "{name}");
+        assert!((contact.get("dissipated_energy") - 0.6 * 0.3 * 0.5).abs() < 1e-12, "{name}");
+    }
+}

@@ -14,7 +14,7 @@ import shutil
 import sys
 import tempfile
 import zipfile
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass
 from importlib import metadata
@@ -106,16 +106,26 @@ def read_parameters(path: Path) -> tuple[dict[str, str], str]:
 
 
 Record = dict[str, numpy.ndarray]
+# Values of inputs that are not connected, one per step.
+Signals = Mapping[tuple[str, str], Sequence[float]]
+NONE: Signals = {}
 
 
 def run_jacobi(package: Path, variant: str, step: float, steps: int, watched: Sequence[str]) -> Record:
     """All FMUs step with the values of the last communication point; then outputs become inputs."""
-    with unpacked(package, variant) as system, ExitStack() as stack:
+    with unpacked(package, variant) as system:
+        return couple_jacobi(system, step, steps, watched)
+
+
+def couple_jacobi(system: System, step: float, steps: int, watched: Sequence[str], signals: Signals = NONE) -> Record:
+    """The plain script; signals are set before each step."""
+    with ExitStack() as stack:
         fmus = {part.name: stack.enter_context(open_fmu(part.fmu, part.parameters)) for part in system.components}
         links = [
             (fmus[a].slave, fmus[a].references(output), fmus[b].slave, fmus[b].references(variable))
             for (a, output), (b, variable) in system.connections
         ]
+        drives = [(fmus[part].slave, fmus[part].references(name), signals[part, name]) for part, name in signals]
 
         def exchange() -> None:
             values = [source.getReal(output) for source, output, _, _ in links]
@@ -128,6 +138,8 @@ def run_jacobi(package: Path, variant: str, step: float, steps: int, watched: Se
             exchange()
         rows = []
         for number in range(steps):
+            for slave, variable, values in drives:
+                slave.setReal(variable, [values[number]])
             for fmu in fmus.values():
                 fmu.slave.doStep(number * step, step)
             rows.append([slave.getReal(reference)[0] for slave, reference in eyes])

@@ -2,55 +2,64 @@
 
 use std::env;
 use std::ffi::OsString;
+use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
-use anyhow::{Context, Result, bail, ensure};
+use anyhow::{Context, Result, ensure};
 use serde_json::Value;
+
+use crate::platform::Platform;
+use crate::toolchain::{self, Target};
+use crate::{binary, universal};
 
 /// The shared library for one platform.
 pub struct Library {
-    /// Name of the platform's folder in an FMU.
-    pub platform: &'static str,
-    /// Ending of the file's name, with the dot.
-    pub suffix: &'static str,
+    /// The platform.
+    pub platform: Platform,
     /// The file.
     pub bytes: Vec<u8>,
+    /// The glibc that it needs at least, if it needs one.
+    pub glibc: Option<String>,
 }
 
-/// Builds the library in release mode for this machine. Its bytes depend on the sources and the compiler only, not on
-/// where they lie.
-pub fn build(root: &Path) -> Result<Library> {
-    let platform = platform(env::consts::OS, env::consts::ARCH)?;
-    let remapped = remapped_paths(root)?;
-    let file = compile(root, &remapped)?;
-    let bytes = std::fs::read(&file).with_context(|| format!("cannot read {}", file.display()))?;
-    for (path, _) in &remapped {
-        ensure!(!contains(&bytes, path), "{} holds the path {}", file.display(), path.display());
+/// Builds the library in release mode, and refuses it if it exports anything else than these functions or needs what a
+/// machine may lack. Its bytes depend on the sources and the tools only, not on where they lie.
+pub fn build(root: &Path, platform: Platform, exports: &[String]) -> Result<Library> {
+    if platform.is_host() {
+        let (bytes, glibc) = build_part(root, platform, None, exports)?;
+        return Ok(Library { platform, bytes, glibc });
     }
-    Ok(Library { platform, suffix: env::consts::DLL_SUFFIX, bytes })
+    let parts = platform.targets.iter().map(|&target| build_part(root, platform, Some(target), exports));
+    let (mut files, mut glibc): (Vec<_>, Vec<_>) = parts.collect::<Result<Vec<_>>>()?.into_iter().unzip();
+    let bytes = if files.len() == 1 { files.remove(0) } else { universal::join(&files)? };
+    Ok(Library { platform, bytes, glibc: glibc.remove(0) })
 }
 
-/// The folder of FMI 2.0 for a platform; the standard has none for ARM, so Linux there uses the name of FMI 3.0.
-fn platform(os: &str, architecture: &str) -> Result<&'static str> {
-    Ok(match (os, architecture) {
-        ("linux", "x86_64") => "linux64",
-        ("linux", "x86") => "linux32",
-        ("linux", "aarch64") => "aarch64-linux",
-        ("windows", "x86_64") => "win64",
-        ("windows", "x86") => "win32",
-        ("macos", "x86_64" | "aarch64") => "darwin64",
-        _ => bail!("FMI has no platform name for {architecture} {os}"),
-    })
+/// The library for one target or, without one, for this machine, and the glibc that it needs.
+fn build_part(
+    root: &Path,
+    platform: Platform,
+    target: Option<Target>,
+    exports: &[String],
+) -> Result<(Vec<u8>, Option<String>)> {
+    let remapped = remapped_paths(root)?;
+    let file = compile(root, platform, target, &remapped)?;
+    let bytes = fs::read(&file).with_context(|| format!("cannot read {}", file.display()))?;
+    let library = binary::read(&bytes).with_context(|| format!("cannot read {}", file.display()))?;
+    platform.check(&library, exports).with_context(|| format!("wrong: {}", file.display()))?;
+    let folders = remapped.iter().map(|(folder, _)| folder.clone());
+    for path in folders.chain([target_folder(root), toolchain::sysroot()?]) {
+        ensure!(!contains(&bytes, &path), "{} holds the path {}", file.display(), path.display());
+    }
+    Ok((bytes, library.newest_glibc()))
 }
 
 /// Folders of this machine that source paths in the library begin with, and what to write instead.
 fn remapped_paths(root: &Path) -> Result<Vec<(PathBuf, &'static str)>> {
-    let rustc = env::var_os("RUSTC").unwrap_or("rustc".into());
-    let sysroot = stdout(Command::new(rustc).args(["--print", "sysroot"]))?;
     let mut paths = vec![
         (root.join("src"), "/stribeck/src"),
-        (Path::new(sysroot.trim()).join("lib").join("rustlib").join("src").join("rust"), "/rust"),
+        (toolchain::sysroot()?.join("lib").join("rustlib").join("src").join("rust"), "/rust"),
     ];
     paths.extend(cargo_home().map(|home| (home.join("registry").join("src"), "/crates")));
     Ok(paths)
@@ -60,23 +69,41 @@ fn cargo_home() -> Option<PathBuf> {
     env::var_os("CARGO_HOME").map(PathBuf::from).or_else(|| Some(env::home_dir()?.join(".cargo")))
 }
 
+/// Other flags than those of `cargo build` would rebuild everything each time, so these builds have a folder of their
+/// own.
+fn target_folder(root: &Path) -> PathBuf {
+    env::var_os("CARGO_TARGET_DIR").map_or(root.join("target"), PathBuf::from).join("fmu")
+}
+
 /// Runs cargo and returns the path of the library.
-fn compile(root: &Path, remapped: &[(PathBuf, &'static str)]) -> Result<PathBuf> {
-    // Other flags would rebuild everything each time, so this build has a folder of its own.
-    let target = env::var_os("CARGO_TARGET_DIR").map_or(root.join("target"), PathBuf::from).join("fmu");
-    let mut cargo = Command::new(env::var_os("CARGO").unwrap_or("cargo".into()));
+fn compile(
+    root: &Path,
+    platform: Platform,
+    target: Option<Target>,
+    remapped: &[(PathBuf, &'static str)],
+) -> Result<PathBuf> {
+    let folder = target_folder(root);
+    let mut cargo = Command::new(target.map_or_else(toolchain::cargo, Target::cargo));
+    cargo.arg("rustc");
+    if let Some(target) = target {
+        cargo.args(["--target", &target.argument()]).envs(target.environment(&folder)?);
+    }
+    let own = target.map_or(&[][..], Target::flags);
     cargo
-        .args(["build", "--release", "--lib", "--package", "stribeck"])
+        .args(["--release", "--lib", "--package", "stribeck"])
+        // Cargo does not optimise across crates as long as one of the kinds to build is a Rust library.
+        .args(["--crate-type", "cdylib"])
         .arg("--message-format=json-render-diagnostics")
         .arg("--target-dir")
-        .arg(target)
+        .arg(folder)
         .current_dir(root)
+        .env("PATH", toolchain::search_path(root)?)
         .env_remove("RUSTFLAGS")
-        .env("CARGO_ENCODED_RUSTFLAGS", flags(given_flags(), remapped));
+        .env("CARGO_ENCODED_RUSTFLAGS", flags(given_flags(), own, remapped));
     let messages = stdout(&mut cargo)?;
-    let file =
-        messages.lines().filter_map(|line| serde_json::from_str(line).ok()).find_map(|message| artifact(&message));
-    file.with_context(|| format!("cargo named no *{} of the package stribeck", env::consts::DLL_SUFFIX))
+    let mut messages = messages.lines().filter_map(|line| serde_json::from_str(line).ok());
+    let file = messages.find_map(|message| artifact(&message, platform.suffix));
+    file.with_context(|| format!("cargo named no *{} of the package stribeck", platform.suffix))
 }
 
 /// What separates flags in cargo's encoding of a list of them.
@@ -95,30 +122,37 @@ fn encoded(flags: &str) -> String {
 }
 
 /// The given flags and ours.
-fn flags(given: OsString, remapped: &[(PathBuf, &'static str)]) -> OsString {
+fn flags(given: OsString, own: &[&str], remapped: &[(PathBuf, &'static str)]) -> OsString {
     let mut flags = given;
-    for (path, name) in remapped {
+    let mut push = |flag: OsString| {
         if !flags.is_empty() {
             flags.push(SEPARATOR);
         }
-        flags.push("--remap-path-prefix=");
-        flags.push(path);
-        flags.push("=");
-        flags.push(name);
+        flags.push(flag);
+    };
+    for flag in own {
+        push(flag.into());
+    }
+    for (path, name) in remapped {
+        let mut flag = OsString::from("--remap-path-prefix=");
+        flag.push(path);
+        flag.push("=");
+        flag.push(name);
+        push(flag);
     }
     flags
 }
 
 /// The shared library that a message of cargo reports, if it is one about it.
-fn artifact(message: &Value) -> Option<PathBuf> {
+fn artifact(message: &Value, suffix: &str) -> Option<PathBuf> {
     let is_ours = message["reason"] == "compiler-artifact" && message["target"]["name"] == "stribeck";
     let files = message["filenames"].as_array().filter(|_| is_ours)?;
     let mut names = files.iter().filter_map(Value::as_str);
-    names.find(|name| name.ends_with(env::consts::DLL_SUFFIX)).map(PathBuf::from)
+    names.find(|name| name.ends_with(suffix)).map(PathBuf::from)
 }
 
 /// Runs a command, whose complaints go to the terminal, and returns what it prints.
-fn stdout(command: &mut Command) -> Result<String> {
+pub fn stdout(command: &mut Command) -> Result<String> {
     let name = command.get_program().to_string_lossy().into_owned();
     let output = command.stderr(Stdio::inherit()).output().with_context(|| format!("cannot run {name}"))?;
     ensure!(output.status.success(), "{name} failed: {}", output.status);
@@ -136,30 +170,24 @@ mod tests {
 
     #[test]
     fn library_is_found_among_the_messages_of_cargo() {
-        let file = format!("/t/release/libstribeck{}", env::consts::DLL_SUFFIX);
         let message = |name: &str| {
             serde_json::json!({
                 "reason": "compiler-artifact",
                 "target": { "name": name },
-                "filenames": ["/t/release/libstribeck.rlib", file],
+                "filenames": ["/t/release/libstribeck.rlib", "/t/stribeck.dll.a", "/t/stribeck.dll"],
             })
         };
-        assert_eq!(artifact(&message("stribeck")), Some(PathBuf::from(&file)));
-        assert_eq!(artifact(&message("libc")), None);
-        assert_eq!(artifact(&serde_json::json!({ "reason": "build-finished", "success": true })), None);
+        assert_eq!(artifact(&message("stribeck"), ".dll"), Some(PathBuf::from("/t/stribeck.dll")));
+        assert_eq!(artifact(&message("stribeck"), ".so"), None);
+        assert_eq!(artifact(&message("libc"), ".dll"), None);
+        assert_eq!(artifact(&serde_json::json!({ "reason": "build-finished", "success": true }), ".dll"), None);
     }
 
     #[test]
     fn flags_of_the_user_are_kept() {
         let remapped = [(PathBuf::from("/here"), "/there")];
-        assert_eq!(flags(encoded("").into(), &remapped), "--remap-path-prefix=/here=/there");
-        let both = flags(encoded(" -C  target-cpu=native ").into(), &remapped);
-        assert_eq!(both, "-C\u{1f}target-cpu=native\u{1f}--remap-path-prefix=/here=/there");
-    }
-
-    #[test]
-    fn unknown_platforms_are_refused_by_name() {
-        assert_eq!(platform("linux", "x86_64").unwrap(), "linux64");
-        assert_eq!(platform("linux", "riscv64").unwrap_err().to_string(), "FMI has no platform name for riscv64 linux");
+        assert_eq!(flags(encoded("").into(), &[], &remapped), "--remap-path-prefix=/here=/there");
+        let all = flags(encoded(" -C  target-cpu=native ").into(), &["-Clinker=ours"], &remapped);
+        assert_eq!(all, "-C\u{1f}target-cpu=native\u{1f}-Clinker=ours\u{1f}--remap-path-prefix=/here=/there");
     }
 }

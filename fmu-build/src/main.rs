@@ -1,6 +1,7 @@
 //! Writes the files that derive from the tables of the models, checks them, and packs FMUs.
 
 mod archive;
+mod binary;
 mod block;
 mod curve;
 mod defaults;
@@ -15,6 +16,7 @@ mod icon;
 mod library;
 mod mathematics;
 mod package;
+mod platform;
 mod project;
 mod readme;
 mod rules;
@@ -23,14 +25,23 @@ mod specimen;
 mod ssp;
 mod sweep;
 mod text;
+mod toolchain;
 mod typeset;
+mod universal;
 mod xml;
 
+use std::collections::BTreeMap;
+use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-use anyhow::{Result, bail};
+use anyhow::{Context, Result, bail, ensure};
 use clap::{Parser, Subcommand};
+use jiff::Timestamp;
+
+use crate::library::Library;
+use crate::package::Entry;
+use crate::platform::{Choice, Platform};
 
 /// Writes what derives from the tables of Stribeck's models, and packs its FMUs.
 #[derive(Parser)]
@@ -60,13 +71,19 @@ enum Command {
         #[arg(long, default_value = "dist")]
         out: PathBuf,
     },
-    /// Build the library for this machine and pack one FMU per model.
+    /// Build the library and pack one FMU per model.
     Pack {
         /// Models to pack; all if none is named.
         models: Vec<String>,
         /// Folder for the FMUs.
         #[arg(long, default_value = "dist")]
         out: PathBuf,
+        /// Platforms to build for; may be repeated. Those whose tools are missing are left out, with the cure.
+        #[arg(long, value_name = "PLATFORM", default_value = "host")]
+        platform: Vec<Choice>,
+        /// Fail if a platform must be left out.
+        #[arg(long)]
+        strict: bool,
     },
 }
 
@@ -77,7 +94,7 @@ fn main() -> ExitCode {
         Command::Check => check(root),
         Command::Pages { models, out } => pages(&models, &out),
         Command::Ssp { out } => ssp(root, &out),
-        Command::Pack { models, out } => pack(root, &models, &out),
+        Command::Pack { models, out, platform, strict } => pack(root, &models, &out, &platform, strict),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,
@@ -127,16 +144,63 @@ fn pages(models: &[String], out: &Path) -> Result<()> {
     Ok(())
 }
 
-fn pack(root: &Path, models: &[String], out: &Path) -> Result<()> {
+fn pack(root: &Path, models: &[String], out: &Path, choices: &[Choice], strict: bool) -> Result<()> {
     let entries = package::select(models)?;
     refuse_stale(root)?;
     let date = project::packing_date()?;
-    let library = library::build(root)?;
-    for entry in &entries {
-        let size = package::write(entry, &library, root, date, out)?;
+    let (platforms, left_out) = buildable(root, &platform::platforms(choices)?)?;
+    if strict && !left_out.is_empty() {
+        bail!("tools are missing:\n{}", left_out.join("\n"));
+    }
+    let mut bundles: BTreeMap<&str, Vec<Library>> = BTreeMap::new();
+    for library in build(root, &platforms)? {
+        bundles.entry(library.platform.subfolder()).or_default().push(library);
+    }
+    for (folder, libraries) in &bundles {
+        let out = if folder.is_empty() { out.to_owned() } else { out.join(folder) };
+        write(&entries, libraries, root, date, &out)?;
+    }
+    for line in &left_out {
+        println!("left out: {line}");
+    }
+    ensure!(!bundles.is_empty(), "nothing to pack: every platform was left out");
+    Ok(())
+}
+
+/// The platforms that this machine has the tools for, and what is missing for the others.
+fn buildable(root: &Path, platforms: &[Platform]) -> Result<(Vec<Platform>, Vec<String>)> {
+    let (mut buildable, mut left_out) = (Vec::new(), Vec::new());
+    for platform in platforms {
+        let missing = platform.targets.iter().map(|target| target.missing(root)).collect::<Result<Vec<_>>>()?.concat();
+        if missing.is_empty() {
+            buildable.push(*platform);
+        }
+        left_out.extend(missing.iter().map(|missing| format!("{}, which lacks {missing}", platform.name())));
+    }
+    Ok((buildable, left_out))
+}
+
+fn build(root: &Path, platforms: &[Platform]) -> Result<Vec<Library>> {
+    let header = root.join("include").join("stribeck.h");
+    let header = fs::read_to_string(&header).with_context(|| format!("cannot read {}", header.display()))?;
+    let functions = header::functions(&header);
+    let mut libraries = Vec::new();
+    for platform in platforms {
+        let library = library::build(root, *platform, &functions)?;
+        let glibc = library.glibc.as_ref().map(|version| format!(", needs glibc {version}")).unwrap_or_default();
+        println!("library for {:<14} {:>9} bytes{glibc}", platform.name(), library.bytes.len());
+        libraries.push(library);
+    }
+    Ok(libraries)
+}
+
+fn write(entries: &[Entry], libraries: &[Library], root: &Path, date: Timestamp, out: &Path) -> Result<()> {
+    for entry in entries {
+        let size = package::write(entry, libraries, root, date, out)?;
         println!("{:<20} {:>9} bytes", format!("{}.fmu", entry.model.name), size);
     }
-    println!("{} FMUs for {} in {}", entries.len(), library.platform, out.display());
+    let names: Vec<_> = libraries.iter().map(|library| library.platform.name()).collect();
+    println!("{} FMUs for {} in {}", entries.len(), names.join(", "), out.display());
     Ok(())
 }
 
@@ -151,12 +215,12 @@ fn refuse_stale(root: &Path) -> Result<()> {
 fn ssp(root: &Path, out: &Path) -> Result<()> {
     refuse_stale(root)?;
     let date = project::packing_date()?;
-    let library = library::build(root)?;
+    let libraries = build(root, &platform::platforms(&[])?)?;
     let mut files = archive::Files::new();
     let models: Vec<String> = four_post::add_to(&mut files, root)?.into_iter().map(str::to_owned).collect();
     for entry in package::select(&models)? {
         // libcosim and Ecos know no enumerations.
-        let bytes = package::fmu(&entry, &library, root, date, xml::Choices::Numbered)?;
+        let bytes = package::fmu(&entry, &libraries, root, date, xml::Choices::Numbered)?;
         files.insert(ssp::fmu(entry.model.name), bytes);
     }
     let file = format!("{}.ssp", four_post::NAME);

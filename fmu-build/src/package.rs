@@ -44,14 +44,14 @@ pub fn entries() -> Vec<Entry> {
     of(Family::Friction).chain(of(Family::ShockAbsorber)).chain(of(Family::Host)).collect()
 }
 
-/// Writes one FMU and returns its size in bytes.
-pub fn write(entry: &Entry, library: &Library, root: &Path, date: Timestamp, folder: &Path) -> Result<usize> {
-    save(folder, &format!("{}.fmu", entry.model.name), &fmu(entry, library, root, date, Choices::Named)?)
+/// Writes one FMU, with these libraries, and returns its size in bytes.
+pub fn write(entry: &Entry, libraries: &[Library], root: &Path, date: Timestamp, folder: &Path) -> Result<usize> {
+    save(folder, &format!("{}.fmu", entry.model.name), &fmu(entry, libraries, root, date, Choices::Named)?)
 }
 
 /// The bytes of one FMU.
-pub fn fmu(entry: &Entry, library: &Library, root: &Path, date: Timestamp, choices: Choices) -> Result<Vec<u8>> {
-    archive::zip(&contents(entry, library, root, date, choices)?, date)
+pub fn fmu(entry: &Entry, libraries: &[Library], root: &Path, date: Timestamp, choices: Choices) -> Result<Vec<u8>> {
+    archive::zip(&contents(entry, libraries, root, date, choices)?, date)
 }
 
 /// Writes a file into a folder, which is made if it is not there, and returns the size of the file.
@@ -76,17 +76,20 @@ pub fn write_page(entry: &Entry, folder: &Path) -> Result<()> {
     Ok(())
 }
 
-fn contents(entry: &Entry, library: &Library, root: &Path, date: Timestamp, choices: Choices) -> Result<Files> {
+fn contents(entry: &Entry, libraries: &[Library], root: &Path, date: Timestamp, choices: Choices) -> Result<Files> {
     let Entry { model, family, .. } = *entry;
-    let binary = format!("binaries/{}/{}{}", library.platform, model.name, library.suffix);
-    let files = [
-        (binary, library.bytes.clone()),
+    let mut files = Files::from([
         ("documentation/index.html".into(), html::page(entry)?.into()),
         ("documentation/licenses/license.txt".into(), license(root)?.into()),
         ("model.png".into(), icon::png(model, family)?),
         ("modelDescription.xml".into(), xml::model_description(model, date, choices)?.into()),
-    ];
-    Ok(files.into())
+    ]);
+    for Library { platform, bytes, .. } in libraries {
+        for folder in platform.folders {
+            files.insert(format!("binaries/{folder}/{}{}", model.name, platform.suffix), bytes.clone());
+        }
+    }
+    Ok(files)
 }
 
 /// Both licences in one text.
@@ -103,18 +106,20 @@ fn license(root: &Path) -> Result<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::platform::{Choice, platforms};
     use crate::project::{release_date, root};
     use jiff::SignedDuration;
 
-    /// A library of another platform, which is only carried.
-    fn library() -> Library {
-        let bytes = (0..100_000_u32).flat_map(|number| (number / 7).to_le_bytes()).collect();
-        Library { platform: "win64", suffix: ".dll", bytes }
+    /// Libraries of these platforms, which are only carried.
+    fn libraries(choices: &[Choice]) -> Vec<Library> {
+        let bytes: Vec<_> = (0..100_000_u32).flat_map(|number| (number / 7).to_le_bytes()).collect();
+        let library = |platform| Library { platform, bytes: bytes.clone(), glibc: None };
+        platforms(choices).unwrap().into_iter().map(library).collect()
     }
 
-    fn packed(entry: &Entry, date: Timestamp) -> Vec<u8> {
+    fn packed(entry: &Entry, choice: Choice, date: Timestamp) -> Vec<u8> {
         let folder = tempfile::tempdir().unwrap();
-        let size = write(entry, &library(), root(), date, folder.path()).unwrap();
+        let size = write(entry, &libraries(&[choice]), root(), date, folder.path()).unwrap();
         let bytes = fs::read(folder.path().join(format!("{}.fmu", entry.model.name))).unwrap();
         assert_eq!(bytes.len(), size);
         bytes
@@ -160,7 +165,7 @@ mod tests {
     #[test]
     fn archives_keep_the_rules_of_the_standard() {
         for entry in entries() {
-            let names = names_by_the_rules(&packed(&entry, release_date()));
+            let names = names_by_the_rules(&packed(&entry, Choice::Win64, release_date()));
             let binary = format!("binaries/win64/{}.dll", entry.model.name);
             let expected = [
                 binary.as_str(),
@@ -174,11 +179,26 @@ mod tests {
     }
 
     #[test]
+    fn every_platform_has_its_folder_and_arm_two_of_them() {
+        let binaries = |choices: &[Choice]| -> Vec<String> {
+            let files = contents(&entries()[0], &libraries(choices), root(), release_date()).unwrap();
+            files.into_keys().filter(|path| path.starts_with("binaries/")).collect()
+        };
+        let of = |folder: &str, suffix: &str| format!("binaries/{folder}/{}{suffix}", entries()[0].model.name);
+        assert_eq!(
+            binaries(&[Choice::Linux64, Choice::Win64, Choice::Darwin64]),
+            [of("darwin64", ".dylib"), of("linux64", ".so"), of("win64", ".dll")]
+        );
+        assert_eq!(binaries(&[Choice::Aarch64Linux]), [of("aarch64-linux", ".so"), of("linux64", ".so")]);
+    }
+
+    #[test]
     fn packing_twice_gives_the_same_bytes_and_the_date_is_the_given_one() {
         let entry = &entries()[0];
         let date = release_date();
-        assert_eq!(packed(entry, date), packed(entry, date));
-        assert_ne!(packed(entry, date), packed(entry, date + SignedDuration::from_hours(30)));
+        let packed = |date| packed(entry, Choice::Win64, date);
+        assert_eq!(packed(date), packed(date));
+        assert_ne!(packed(date), packed(date + SignedDuration::from_hours(30)));
     }
 
     #[test]

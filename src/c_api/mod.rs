@@ -9,15 +9,19 @@
 #![allow(non_camel_case_types, reason = "C names")]
 
 use std::any::Any;
+use std::borrow::Cow;
 use std::ffi::{CStr, CString};
+use std::fmt;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::ptr::{null, null_mut};
 
 use libc::{c_char, c_int};
 
 use crate::catalogue;
+use crate::float_mode::DefaultMode;
 use crate::instance::Instance;
-use crate::model::{Fault, Kind, Role};
+use crate::memory::{self, OUT_OF_MEMORY, OutOfMemory};
+use crate::model::{Fault, Kind, ModelType, Role};
 use crate::serial;
 
 /// Result of a call.
@@ -42,6 +46,8 @@ pub enum stribeck_status {
     STRIBECK_BAD_BUFFER = 7,
     /// A fault of the library; please report it.
     STRIBECK_INTERNAL = 8,
+    /// There is no memory left.
+    STRIBECK_OUT_OF_MEMORY = 9,
 }
 use stribeck_status::*;
 
@@ -106,7 +112,7 @@ pub struct stribeck_model {
     instance: Instance,
     texts: Vec<[CString; 3]>,
     presets: Vec<[CString; 2]>,
-    error: CString,
+    error: Cow<'static, CStr>,
 }
 
 /// Why a call was refused: the status for the program, the text for the human.
@@ -114,17 +120,25 @@ struct Refusal(stribeck_status, String);
 
 type Outcome = Result<(), Refusal>;
 
-fn refuse<T>(status: stribeck_status, text: impl Into<String>) -> Result<T, Refusal> {
-    Err(Refusal(status, text.into()))
+fn refuse<T>(status: stribeck_status, text: impl fmt::Display) -> Result<T, Refusal> {
+    Err(Refusal::of(status, text))
+}
+
+impl Refusal {
+    fn of(status: stribeck_status, text: impl fmt::Display) -> Refusal {
+        Refusal(status, memory::text(text))
+    }
 }
 
 fn fault(status: stribeck_status) -> impl FnOnce(Fault) -> Refusal {
     move |fault| Refusal(status, fault.0)
 }
 
-/// Texts of the library have no zero inside; should one have, the text is cut there.
-fn c_text(text: &str) -> CString {
-    CString::new(text.split('\0').next().unwrap_or_default()).unwrap_or_default()
+impl From<OutOfMemory> for Refusal {
+    fn from(_: OutOfMemory) -> Refusal {
+        // An empty text stands for this very reason: see `enter`.
+        Refusal(STRIBECK_OUT_OF_MEMORY, String::new())
+    }
 }
 
 /// Runs `body` on the model behind the handle; turns refusals and panics into a status and a text.
@@ -134,11 +148,13 @@ fn c_text(text: &str) -> CString {
 unsafe fn enter(model: *mut stribeck_model, body: impl FnOnce(&mut stribeck_model) -> Outcome) -> stribeck_status {
     // SAFETY: the caller's promise.
     let Some(model) = (unsafe { model.as_mut() }) else { return STRIBECK_NULL };
+    let _mode = DefaultMode::enter();
     let internal = |panic: Box<dyn Any + Send>| refuse(STRIBECK_INTERNAL, crate::panics::text(&*panic));
     match catch_unwind(AssertUnwindSafe(|| body(model))).unwrap_or_else(internal) {
         Ok(()) => STRIBECK_OK,
         Err(Refusal(status, text)) => {
-            model.error = c_text(&text);
+            let text = if text.is_empty() { Err(OutOfMemory) } else { memory::c_text(&text) };
+            model.error = text.map_or(Cow::Borrowed(OUT_OF_MEMORY), Cow::Owned);
             status
         }
     }
@@ -150,7 +166,7 @@ unsafe fn enter(model: *mut stribeck_model, body: impl FnOnce(&mut stribeck_mode
 /// `text` must be NULL or zero-terminated, and live as long as the result is used.
 unsafe fn text<'a>(text: *const c_char, name: &str) -> Result<&'a str, Refusal> {
     if text.is_null() {
-        return refuse(STRIBECK_NULL, format!("{name} is NULL"));
+        return refuse(STRIBECK_NULL, format_args!("{name} is NULL"));
     }
     // SAFETY: not NULL, and the caller promises a terminated text. A text that is not UTF-8 names nothing we have.
     Ok(unsafe { CStr::from_ptr(text) }.to_str().unwrap_or_default())
@@ -162,20 +178,21 @@ unsafe fn text<'a>(text: *const c_char, name: &str) -> Result<&'a str, Refusal> 
 /// `place` must be NULL or writable.
 unsafe fn place<'a, T>(place: *mut T, name: &str) -> Result<&'a mut T, Refusal> {
     // SAFETY: the caller's promise.
-    unsafe { place.as_mut() }.ok_or_else(|| Refusal(STRIBECK_NULL, format!("{name} is NULL")))
+    unsafe { place.as_mut() }.ok_or_else(|| Refusal::of(STRIBECK_NULL, format_args!("{name} is NULL")))
 }
 
 impl stribeck_model {
     fn column(&self, name: &str) -> Result<usize, Refusal> {
         let model = self.instance.model();
-        let unknown = || Refusal(STRIBECK_UNKNOWN_VARIABLE, format!("{} has no variable '{name}'", model.name));
+        let unknown =
+            || Refusal::of(STRIBECK_UNKNOWN_VARIABLE, format_args!("{} has no variable '{name}'", model.name));
         model.find(name).ok_or_else(unknown)
     }
 
     fn set(&mut self, column: usize, value: f64) -> Outcome {
         let variable = self.known(column)?;
         if variable.role == Role::Output {
-            return refuse(STRIBECK_NOT_SETTABLE, format!("{} is computed and cannot be set", variable.path));
+            return refuse(STRIBECK_NOT_SETTABLE, format_args!("{} is computed and cannot be set", variable.path));
         }
         if !variable.admits(value) {
             return Err(fault(STRIBECK_REFUSED_VALUE)(variable.fault(value)));
@@ -193,8 +210,9 @@ impl stribeck_model {
     fn known(&self, column: usize) -> Result<&'static crate::model::Variable, Refusal> {
         let model = self.instance.model();
         let count = model.table.len();
-        let unknown =
-            || Refusal(STRIBECK_UNKNOWN_VARIABLE, format!("{} has {count} columns, none {column}", model.name));
+        let unknown = || {
+            Refusal::of(STRIBECK_UNKNOWN_VARIABLE, format_args!("{} has {count} columns, none {column}", model.name))
+        };
         self.instance.variable(column).ok_or_else(unknown)
     }
 }
@@ -226,7 +244,7 @@ pub extern "C" fn stribeck_model_name(index: usize) -> *const c_char {
 /// Takes an `int`, because a number that is none of the enum's must not be harmful.
 #[unsafe(no_mangle)]
 pub extern "C" fn stribeck_status_text(status: c_int) -> *const c_char {
-    const TEXTS: [&CStr; 9] = [
+    const TEXTS: [&CStr; 10] = [
         c"all well",
         c"a pointer is NULL",
         c"unknown model or preset",
@@ -236,6 +254,7 @@ pub extern "C" fn stribeck_status_text(status: c_int) -> *const c_char {
         c"result not finite",
         c"buffer too small, or no state of this model",
         c"fault of the library",
+        OUT_OF_MEMORY,
     ];
     let index = usize::try_from(status).unwrap_or(usize::MAX);
     TEXTS.get(index).unwrap_or(&c"unknown status").as_ptr()
@@ -255,18 +274,23 @@ pub unsafe extern "C" fn stribeck_create(name: *const c_char, model: *mut *mut s
     *place = null_mut();
     let Ok(name) = name else { return STRIBECK_NULL };
     let Some(model) = catalogue::by_name(name) else { return STRIBECK_UNKNOWN_MODEL };
-    let made = catch_unwind(|| {
-        let texts = |variable: &crate::model::Variable| {
-            let unit = if let Kind::Real(unit) = variable.kind { unit.name } else { "" };
-            [c_text(&variable.path.to_string()), c_text(unit), c_text(variable.help)]
-        };
-        let texts = model.table.iter().map(texts).collect();
-        let presets = model.presets.iter().map(|preset| [c_text(preset.name), c_text(preset.source)]).collect();
-        Box::new(stribeck_model { instance: Instance::new(model), texts, presets, error: CString::default() })
-    });
-    let Ok(made) = made else { return STRIBECK_INTERNAL };
-    *place = Box::into_raw(made);
+    match catch_unwind(|| make(model)) {
+        Ok(Ok(made)) => *place = Box::into_raw(made),
+        Ok(Err(OutOfMemory)) => return STRIBECK_OUT_OF_MEMORY,
+        Err(_) => return STRIBECK_INTERNAL,
+    }
     STRIBECK_OK
+}
+
+fn make(model: &'static ModelType) -> Result<Box<stribeck_model>, OutOfMemory> {
+    let texts = memory::each(model.table, |variable| {
+        let unit = if let Kind::Real(unit) = variable.kind { unit.name } else { "" };
+        let name = memory::c_text(&memory::whole_text(variable.path)?)?;
+        Ok([name, memory::c_text(unit)?, memory::c_text(variable.help)?])
+    })?;
+    let presets =
+        memory::each(model.presets, |preset| Ok([memory::c_text(preset.name)?, memory::c_text(preset.source)?]))?;
+    memory::boxed(stribeck_model { instance: Instance::try_new(model)?, texts, presets, error: Cow::Borrowed(c"") })
 }
 
 /// Frees a model. NULL is ignored.
@@ -436,7 +460,7 @@ pub unsafe extern "C" fn stribeck_apply_preset(model: *mut stribeck_model, prese
         let name = unsafe { text(preset, "preset") }?;
         if !model.instance.apply(name) {
             let model = model.instance.model().name;
-            return refuse(STRIBECK_UNKNOWN_MODEL, format!("{model} has no preset '{name}'"));
+            return refuse(STRIBECK_UNKNOWN_MODEL, format_args!("{model} has no preset '{name}'"));
         }
         Ok(())
     };
@@ -518,7 +542,7 @@ pub unsafe extern "C" fn stribeck_get_by_name(
 pub unsafe extern "C" fn stribeck_step(model: *mut stribeck_model, dt: f64) -> stribeck_status {
     let body = |model: &mut stribeck_model| {
         if !(dt > 0.0 && dt.is_finite()) {
-            return refuse(STRIBECK_REFUSED_VALUE, format!("dt = {dt}: must be > 0 and finite"));
+            return refuse(STRIBECK_REFUSED_VALUE, format_args!("dt = {dt}: must be > 0 and finite"));
         }
         model.instance.check().map_err(fault(STRIBECK_REFUSED_VALUE))?;
         model.instance.step(dt).map_err(fault(STRIBECK_NOT_FINITE))
@@ -565,14 +589,14 @@ pub unsafe extern "C" fn stribeck_derivative(
     let body = |model: &mut stribeck_model| {
         let (result, varied) = (model.known(output as usize)?, model.known(input as usize)?);
         if !result.role.is_output() || varied.role == Role::Output {
-            let text = format!("{} cannot be differentiated with respect to {}", result.path, varied.path);
+            let text = format_args!("{} cannot be differentiated with respect to {}", result.path, varied.path);
             return refuse(STRIBECK_UNKNOWN_VARIABLE, text);
         }
         // SAFETY: the caller's promise.
         let place = unsafe { place(value, "value") }?;
         let slope = model.instance.derivative([(input as usize, 1.0)].into_iter())[output as usize].slope;
         if !slope.is_finite() {
-            return refuse(STRIBECK_NOT_FINITE, format!("the derivative of {} is not finite", result.path));
+            return refuse(STRIBECK_NOT_FINITE, format_args!("the derivative of {} is not finite", result.path));
         }
         *place = slope;
         Ok(())
@@ -607,11 +631,11 @@ pub unsafe extern "C" fn stribeck_save(
             return refuse(STRIBECK_NULL, "buffer is NULL");
         }
         if size < needed {
-            return refuse(STRIBECK_BAD_BUFFER, format!("buffer has {size} bytes, {needed} are needed"));
+            return refuse(STRIBECK_BAD_BUFFER, format_args!("buffer has {size} bytes, {needed} are needed"));
         }
         // SAFETY: not NULL, and the caller promises `size` bytes, of which there are enough.
         let bytes = unsafe { std::slice::from_raw_parts_mut(buffer.cast::<u8>(), needed) };
-        serial::write(model.instance.model(), &model.instance.save(), [0.0; serial::OWNERS], bytes);
+        serial::write(model.instance.model(), &model.instance.try_save()?, [0.0; serial::OWNERS], bytes);
         Ok(())
     };
     // SAFETY: the caller's promise.

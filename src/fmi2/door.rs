@@ -1,12 +1,15 @@
 //! The one door through which every call on an instance passes: null pointer, state, panic, log.
 
-use std::ffi::CString;
+use std::ffi::CStr;
+use std::fmt;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use super::lifecycle::{Call, Purpose, State};
 use super::log::Log;
 use super::types::{fmi2Component, fmi2Status};
+use crate::float_mode::DefaultMode;
 use crate::instance::Instance;
+use crate::memory::{self, OutOfMemory};
 use crate::model::Fault;
 
 /// What an importer holds as `fmi2Component`.
@@ -41,12 +44,28 @@ impl Slave {
     }
 }
 
-/// Why a call was refused.
+/// Why a call was refused. Where there is no memory for a text it is cut, even to nothing.
 pub(super) enum Refusal {
     /// The value cannot be taken; another one can be tried.
     Discard(String),
     /// The call is wrong.
     Error(String),
+}
+
+impl Refusal {
+    pub fn discard(text: impl fmt::Display) -> Refusal {
+        Refusal::Discard(memory::text(text))
+    }
+
+    pub fn error(text: impl fmt::Display) -> Refusal {
+        Refusal::Error(memory::text(text))
+    }
+}
+
+impl From<OutOfMemory> for Refusal {
+    fn from(error: OutOfMemory) -> Refusal {
+        Refusal::error(error)
+    }
 }
 
 pub(super) type Outcome = Result<(), Refusal>;
@@ -58,8 +77,8 @@ impl From<Fault> for Refusal {
     }
 }
 
-pub(super) fn refuse<T>(text: impl Into<String>) -> Result<T, Refusal> {
-    Err(Refusal::Error(text.into()))
+pub(super) fn refuse<T>(text: impl fmt::Display) -> Result<T, Refusal> {
+    Err(Refusal::error(text))
 }
 
 /// Runs `body` on the instance behind `c` if the call is allowed in its state, and turns the outcome into a status. A
@@ -74,6 +93,7 @@ pub(super) unsafe fn enter(c: fmi2Component, call: Call, body: impl FnOnce(&mut 
     if !call.is_allowed(slave.state) || !call.is_for(slave.purpose) {
         return refused(slave, call, not_allowed(slave, call));
     }
+    let _mode = DefaultMode::enter();
     // A panic leaves the row as it was: models work on a copy. Everything else that a body writes, it writes last.
     match catch_unwind(AssertUnwindSafe(|| body(slave))) {
         Ok(Ok(())) => fmi2Status::fmi2OK,
@@ -126,17 +146,17 @@ pub(super) unsafe fn take(c: fmi2Component) -> Option<Box<Slave>> {
 #[cold]
 #[inline(never)]
 fn not_allowed(slave: &Slave, call: Call) -> Refusal {
-    Refusal::Error(if call.is_for(slave.purpose) {
-        format!("may not be called in state {:?}", slave.state)
+    if call.is_for(slave.purpose) {
+        Refusal::error(format_args!("may not be called in state {:?}", slave.state))
     } else {
-        format!("is no function of an instance for {:?}", slave.purpose)
-    })
+        Refusal::error(format_args!("is no function of an instance for {:?}", slave.purpose))
+    }
 }
 
 #[cold]
 #[inline(never)]
 fn is_null(name: &str) -> Refusal {
-    Refusal::Error(format!("{name} is NULL"))
+    Refusal::error(format_args!("{name} is NULL"))
 }
 
 #[cold]
@@ -149,7 +169,7 @@ fn refused(slave: &mut Slave, call: Call, refusal: Refusal) -> fmi2Status {
     if status == fmi2Status::fmi2Error {
         slave.state = State::Error;
     }
-    slave.log.report(status, &format!("fmi2{call:?}: {text}"));
+    slave.log.report(status, format_args!("fmi2{call:?}: {text}"));
     status
 }
 
@@ -188,8 +208,8 @@ pub(super) unsafe fn array_mut<'a, T>(pointer: *mut T, n: usize, name: &str) -> 
 /// A zero-terminated text of the importer, or `None` for NULL.
 ///
 /// # Safety
-/// `text` must be NULL or point to a zero-terminated text.
-pub(super) unsafe fn text(text: super::types::fmi2String) -> Option<CString> {
-    // SAFETY: not NULL, and the caller promises a terminated text; it is copied at once.
-    (!text.is_null()).then(|| unsafe { std::ffi::CStr::from_ptr(text) }.to_owned())
+/// `text` must be NULL or point to a zero-terminated text that lives as long as the result is used.
+pub(super) unsafe fn text<'a>(text: super::types::fmi2String) -> Option<&'a CStr> {
+    // SAFETY: not NULL, and the caller promises a terminated text.
+    (!text.is_null()).then(|| unsafe { CStr::from_ptr(text) })
 }

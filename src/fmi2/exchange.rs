@@ -12,7 +12,7 @@ fn discard(fault: Fault) -> Refusal {
 
 /// Refuses an array of another length than that of what it is to hold.
 fn check_length(given: usize, wanted: usize, what: &str) -> Outcome {
-    if given == wanted { Ok(()) } else { refuse(format!("{given} {what}: there are {wanted}")) }
+    if given == wanted { Ok(()) } else { refuse(format_args!("{given} {what}: there are {wanted}")) }
 }
 
 /// Enters event mode, in which inputs may jump.
@@ -99,7 +99,7 @@ pub unsafe extern "C" fn fmi2CompletedIntegratorStep(
 pub unsafe extern "C" fn fmi2SetTime(c: fmi2Component, time: fmi2Real) -> fmi2Status {
     let body = |slave: &mut Slave| {
         if !time.is_finite() {
-            return refuse(format!("time = {time}: must be finite"));
+            return refuse(format_args!("time = {time}: must be finite"));
         }
         slave.instance.set_time(time);
         Ok(())
@@ -119,7 +119,7 @@ pub unsafe extern "C" fn fmi2SetContinuousStates(c: fmi2Component, x: *const fmi
         // SAFETY: the caller promises `nx` elements.
         let values = unsafe { array(x, nx, "x") }?;
         if let Some(at) = values.iter().position(|value| !value.is_finite()) {
-            return Err(Refusal::Discard(format!("x[{at}] = {}: must be finite", values[at])));
+            return Err(Refusal::discard(format_args!("x[{at}] = {}: must be finite", values[at])));
         }
         slave.instance.put_states(values);
         Ok(())

@@ -1,6 +1,6 @@
 //! From fmi2Instantiate to fmi2FreeInstance.
 
-use std::ffi::{CStr, CString};
+use std::ffi::CStr;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::ptr::null_mut;
 
@@ -10,6 +10,7 @@ use super::log::{self, Log};
 use super::types::*;
 use crate::catalogue;
 use crate::instance::Instance;
+use crate::memory;
 use crate::model::ModelType;
 
 /// The platform of the types: "default".
@@ -26,9 +27,9 @@ pub extern "C" fn fmi2GetVersion() -> fmi2String {
 
 /// Makes an instance of the model whose guid is `fmuGUID`, to be freed once with fmi2FreeInstance.
 ///
-/// `fmuType` must be `fmi2CoSimulation` or, for the models that offer it, `fmi2ModelExchange`. `callbacks` is copied; its function pointers may all be NULL.
-/// `fmuResourceLocation` and `visible` are not used. Returns NULL, and says why to the logger, if the guid is that of no
-/// model of this library, if the model does not offer that type, or if the name is blank.
+/// `fmuType` must be `fmi2CoSimulation` or, for the models that offer it, `fmi2ModelExchange`. `callbacks` is copied; its
+/// function pointers may all be NULL. `fmuResourceLocation` and `visible` are not used. Returns NULL, and says why to the logger, if the guid is that of no
+/// model of this library, if the model does not offer that type, if the name is blank, or if there is no memory.
 ///
 /// # Safety
 /// Texts must be NULL or zero-terminated; `callbacks` must be NULL or point to a valid struct.
@@ -49,9 +50,9 @@ pub unsafe extern "C" fn fmi2Instantiate(
     let (name, guid) = unsafe { (door::text(instanceName), door::text(fmuGUID)) };
     let made = catch_unwind(AssertUnwindSafe(|| {
         let name = name.unwrap_or_default();
-        instantiate(&name, fmuType, guid, callbacks, loggingOn != fmi2False).map_err(|why| {
-            let why = format!("fmi2Instantiate: {why}");
-            log::send(&callbacks, &name, fmi2Status::fmi2Error, &log::ERROR, &why);
+        instantiate(name, fmuType, guid, callbacks, loggingOn != fmi2False).map_err(|why| {
+            let why = format_args!("fmi2Instantiate: {why}");
+            log::send(&callbacks, name, fmi2Status::fmi2Error, &log::ERROR, why);
         })
     }));
     match made {
@@ -63,23 +64,24 @@ pub unsafe extern "C" fn fmi2Instantiate(
 fn instantiate(
     name: &CStr,
     kind: fmi2Type,
-    guid: Option<CString>,
+    guid: Option<&CStr>,
     callbacks: fmi2CallbackFunctions,
     logging: bool,
 ) -> Result<Box<Slave>, String> {
     if name.to_bytes().trim_ascii().is_empty() {
-        return Err("instanceName is NULL or blank".into());
+        return Err(memory::text("instanceName is NULL or blank"));
     }
-    let guid = guid.ok_or("fmuGUID is NULL")?;
-    let guid = guid.to_string_lossy();
-    let model = catalogue::by_guid(&guid).ok_or_else(|| {
-        format!(
+    let guid = guid.ok_or_else(|| memory::text("fmuGUID is NULL"))?;
+    let guid = guid.to_str().unwrap_or("that is no UTF-8");
+    let model = catalogue::by_guid(guid).ok_or_else(|| {
+        memory::text(format_args!(
             "guid {guid} belongs to no model of stribeck {}: modelDescription.xml and library are of different versions",
             env!("CARGO_PKG_VERSION")
-        )
+        ))
     })?;
     let purpose = purpose(kind, model)?;
-    Ok(Box::new(Slave::new(Instance::new(model), purpose, Log::new(callbacks, name, logging))))
+    let make = || memory::boxed(Slave::new(Instance::try_new(model)?, purpose, Log::new(callbacks, name, logging)?));
+    make().map_err(memory::text)
 }
 
 fn purpose(kind: fmi2Type, model: &ModelType) -> Result<Purpose, String> {
@@ -87,10 +89,12 @@ fn purpose(kind: fmi2Type, model: &ModelType) -> Result<Purpose, String> {
     match kind {
         fmi2CoSimulation => Ok(Purpose::CoSimulation),
         fmi2ModelExchange if model.model_exchange => Ok(Purpose::ModelExchange),
-        fmi2ModelExchange => Err(format!(
+        fmi2ModelExchange => Err(memory::text(format_args!(
             "fmuType is {kind}: {name} has states that no solver can integrate and is for co-simulation only"
-        )),
-        _ => Err(format!("fmuType is {kind}: must be {fmi2ModelExchange} (Model Exchange) or {fmi2CoSimulation}")),
+        ))),
+        _ => Err(memory::text(format_args!(
+            "fmuType is {kind}: must be {fmi2ModelExchange} (Model Exchange) or {fmi2CoSimulation}"
+        ))),
     }
 }
 
@@ -124,8 +128,8 @@ pub unsafe extern "C" fn fmi2SetDebugLogging(
         for category in unsafe { array(categories, nCategories, "categories") }? {
             // SAFETY: the caller promises NULL or zero-terminated texts.
             let Some(category) = (unsafe { door::text(*category) }) else { return refuse("a category is NULL") };
-            if slave.log.switch(&category, enabled).is_none() {
-                return refuse(format!("unknown log category {}", category.to_string_lossy()));
+            if slave.log.switch(category, enabled).is_none() {
+                return refuse(format_args!("unknown log category {}", category.to_string_lossy()));
             }
         }
         Ok(())
@@ -150,13 +154,13 @@ pub unsafe extern "C" fn fmi2SetupExperiment(
 ) -> fmi2Status {
     let body = |slave: &mut Slave| {
         if toleranceDefined != fmi2False && !(tolerance > 0.0 && tolerance.is_finite()) {
-            return refuse(format!("tolerance = {tolerance}: must be > 0 and finite"));
+            return refuse(format_args!("tolerance = {tolerance}: must be > 0 and finite"));
         }
         if !startTime.is_finite() {
-            return refuse(format!("startTime = {startTime}: must be finite"));
+            return refuse(format_args!("startTime = {startTime}: must be finite"));
         }
         if stopTimeDefined != fmi2False && !(stopTime.is_finite() && stopTime >= startTime) {
-            return refuse(format!("stopTime = {stopTime}: must be finite and >= startTime = {startTime}"));
+            return refuse(format_args!("stopTime = {stopTime}: must be finite and >= startTime = {startTime}"));
         }
         let stop = if stopTimeDefined != fmi2False { stopTime } else { f64::INFINITY };
         slave.experiment = Experiment { is_set_up: true, start: startTime, stop };

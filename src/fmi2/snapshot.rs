@@ -4,6 +4,7 @@ use super::door::{Experiment, Outcome, Refusal, Slave, array, array_mut, enter, 
 use super::lifecycle::{Call, STATES, State};
 use super::types::*;
 use crate::instance::Snapshot;
+use crate::memory::{self, OutOfMemory};
 use crate::model::ModelType;
 use crate::serial;
 
@@ -20,14 +21,14 @@ struct Saved {
 const MAGIC: u64 = u64::from_le_bytes(*b"STRISAVE");
 
 impl Saved {
-    fn of(slave: &Slave) -> Saved {
-        Saved {
+    fn of(slave: &Slave) -> Result<Saved, OutOfMemory> {
+        Ok(Saved {
             magic: MAGIC,
             model: slave.instance.model(),
             state: slave.state,
             experiment: slave.experiment,
-            snapshot: slave.instance.save(),
-        }
+            snapshot: slave.instance.try_save()?,
+        })
     }
 
     fn refill(&mut self, slave: &Slave) {
@@ -46,9 +47,9 @@ impl Saved {
     fn read(model: &'static ModelType, bytes: &[u8]) -> Result<Saved, Refusal> {
         let (snapshot, [state, is_set_up, start, stop]) = serial::read(model, bytes)?;
         let number = STATES.iter().enumerate().find(|(index, _)| *index as f64 == state);
-        let Some((_, state)) = number else { return refuse(format!("unknown state {state}")) };
+        let Some((_, state)) = number else { return refuse(format_args!("unknown state {state}")) };
         if !start.is_finite() || stop.is_nan() {
-            return refuse(format!("start time {start} or stop time {stop} is no time"));
+            return refuse(format_args!("start time {start} or stop time {stop} is no time"));
         }
         let experiment = Experiment { is_set_up: is_set_up != 0.0, start, stop };
         Ok(Saved { magic: MAGIC, model, state: *state, experiment, snapshot })
@@ -65,7 +66,7 @@ unsafe fn saved<'a>(slave: &Slave, state: fmi2FMUstate) -> Result<&'a Saved, Ref
         None => refuse("FMUstate is NULL"),
         Some(saved) if saved.magic != MAGIC => refuse("FMUstate is no state of this library"),
         Some(saved) if saved.model != slave.instance.model() => {
-            refuse(format!("FMUstate is one of {}, not of {}", saved.model.name, slave.instance.model().name))
+            refuse(format_args!("FMUstate is one of {}, not of {}", saved.model.name, slave.instance.model().name))
         }
         Some(saved) => Ok(saved),
     }
@@ -93,7 +94,7 @@ pub unsafe extern "C" fn fmi2GetFMUstate(c: fmi2Component, FMUstate: *mut fmi2FM
         // SAFETY: the caller promises NULL or a writable pointer.
         let Some(place) = (unsafe { FMUstate.as_mut() }) else { return refuse("FMUstate is NULL") };
         if place.is_null() {
-            *place = Box::into_raw(Box::new(Saved::of(slave))).cast();
+            *place = Box::into_raw(memory::boxed(Saved::of(slave)?)?).cast();
         } else {
             // SAFETY: not NULL, so the caller promises a state of this library.
             unsafe { saved_mut(slave, *place) }?.refill(slave);
@@ -114,7 +115,7 @@ pub unsafe extern "C" fn fmi2SetFMUstate(c: fmi2Component, FMUstate: fmi2FMUstat
         // SAFETY: the caller's promise.
         let saved = unsafe { saved(slave, FMUstate) }?;
         if !saved.state.is_for(slave.purpose) {
-            return refuse(format!("FMUstate is in state {:?}, not one of {:?}", saved.state, slave.purpose));
+            return refuse(format_args!("FMUstate is in state {:?}, not one of {:?}", saved.state, slave.purpose));
         }
         slave.instance.restore(&saved.snapshot);
         slave.state = saved.state;
@@ -184,7 +185,7 @@ pub unsafe extern "C" fn fmi2SerializeFMUstate(
             unsafe { (saved(slave, FMUstate)?, array_mut(serializedState.cast::<u8>(), size, "serializedState")?) };
         let needed = serial::size(saved.model);
         if size < needed {
-            return refuse(format!("serializedState has {size} bytes, {needed} are needed"));
+            return refuse(format_args!("serializedState has {size} bytes, {needed} are needed"));
         }
         serial::write(saved.model, &saved.snapshot, saved.owners(), &mut bytes[..needed]);
         Ok(())
@@ -211,7 +212,7 @@ pub unsafe extern "C" fn fmi2DeSerializeFMUstate(
         let Some(place) = place else { return refuse("FMUstate is NULL") };
         let read = Saved::read(slave.instance.model(), bytes)?;
         if place.is_null() {
-            *place = Box::into_raw(Box::new(read)).cast();
+            *place = Box::into_raw(memory::boxed(read)?).cast();
         } else {
             // SAFETY: not NULL, so the caller promises a state of this library.
             *unsafe { saved_mut(slave, *place) }? = read;

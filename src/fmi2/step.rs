@@ -56,14 +56,14 @@ fn check_step(slave: &Slave, t: f64, h: f64) -> Outcome {
 fn check_unusual_step(slave: &Slave, t: f64, h: f64) -> Outcome {
     let (time, stop) = (slave.instance.time(), slave.experiment.stop);
     if !(h > 0.0 && h.is_finite()) {
-        return refuse(format!("communicationStepSize = {h}: must be > 0 and finite"));
+        return refuse(format_args!("communicationStepSize = {h}: must be > 0 and finite"));
     }
     let slack = slack(t, time, h);
     if !(t.is_finite() && (t - time).abs() <= slack) {
-        return refuse(format!("currentCommunicationPoint = {t}: must be {time}, where the last step ended"));
+        return refuse(format_args!("currentCommunicationPoint = {t}: must be {time}, where the last step ended"));
     }
     if t + h > stop + slack || !(t + h).is_finite() {
-        return refuse(format!("the step from {t} s to {} s passes the stop time {stop} s", t + h));
+        return refuse(format_args!("the step from {t} s to {} s passes the stop time {stop} s", t + h));
     }
     Ok(())
 }
@@ -95,7 +95,9 @@ unsafe fn status<T>(
         match answer(slave) {
             Some(found) => *value = found,
             None => {
-                return Err(Refusal::Discard(format!("status kind {kind} has no such value: steps are synchronous")));
+                return Err(Refusal::discard(format_args!(
+                    "status kind {kind} has no such value: steps are synchronous"
+                )));
             }
         }
         Ok(())

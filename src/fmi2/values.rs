@@ -91,21 +91,23 @@ fn may_set(state: State, role: Role) -> bool {
 }
 
 fn wrong_reference(slave: &Slave, reference: fmi2ValueReference, wanted: BaseType) -> Refusal {
-    Refusal::Error(match slave.instance.variable(reference as usize) {
-        None => format!("value reference {reference} is that of no {wanted:?} variable"),
-        Some(variable) => format!("{} (value reference {reference}) is not of type {wanted:?}", variable.path),
-    })
+    match slave.instance.variable(reference as usize) {
+        None => Refusal::error(format_args!("value reference {reference} is that of no {wanted:?} variable")),
+        Some(variable) => {
+            Refusal::error(format_args!("{} (value reference {reference}) is not of type {wanted:?}", variable.path))
+        }
+    }
 }
 
 /// Refuses a value that may not be set now, or that its variable does not admit.
 fn check_value(slave: &Slave, variable: &Variable, value: f64) -> Outcome {
     let state = slave.state;
     if variable.role == Role::Output {
-        return refuse(format!("{} is computed and cannot be set", variable.path));
+        return refuse(format_args!("{} is computed and cannot be set", variable.path));
     }
     if !may_set(state, variable.role) {
         let text = "cannot be set in state";
-        return refuse(format!("{} {text} {state:?}", variable.path));
+        return refuse(format_args!("{} {text} {state:?}", variable.path));
     }
     if !variable.admits(value) {
         return Err(Refusal::Discard(variable.fault(value).0));
@@ -368,7 +370,7 @@ fn no_strings(vr: *const fmi2ValueReference, n: usize) -> Outcome {
     // SAFETY: the importer promises `n` value references.
     match unsafe { array(vr, n, "vr") }? {
         [] => Ok(()),
-        [reference, ..] => refuse(format!("value reference {reference} is that of no String variable")),
+        [reference, ..] => refuse(format_args!("value reference {reference} is that of no String variable")),
     }
 }
 
@@ -391,13 +393,16 @@ pub unsafe extern "C" fn fmi2SetRealInputDerivatives(
         for ((reference, order), value) in references.iter().zip(orders).zip(values) {
             let variable = slave.variable::<Real>(*reference)?;
             if variable.role != Role::Input {
-                return refuse(format!("{} is not an input", variable.path));
+                return refuse(format_args!("{} is not an input", variable.path));
             }
             if *order != 1 {
-                return refuse(format!("order {order} of {}: only order 1 is taken", variable.path));
+                return refuse(format_args!("order {order} of {}: only order 1 is taken", variable.path));
             }
             if !value.is_finite() {
-                return Err(Refusal::Discard(format!("derivative of {} = {value}: must be finite", variable.path)));
+                return Err(Refusal::discard(format_args!(
+                    "derivative of {} = {value}: must be finite",
+                    variable.path
+                )));
             }
         }
         for (reference, value) in references.iter().zip(values) {
@@ -428,17 +433,17 @@ pub unsafe extern "C" fn fmi2GetRealOutputDerivatives(
         for (reference, order) in references.iter().zip(orders) {
             let variable = slave.variable::<Real>(*reference)?;
             if !variable.role.is_output() {
-                return refuse(format!("{} is not an output", variable.path));
+                return refuse(format_args!("{} is not an output", variable.path));
             }
             if *order < 1 {
-                return refuse(format!("order {order} of {}: must be >= 1", variable.path));
+                return refuse(format_args!("order {order} of {}: must be >= 1", variable.path));
             }
         }
         slave.instance.refresh()?;
         let derivative = slave.instance.time_derivative();
         let first = |reference: &fmi2ValueReference| derivative[*reference as usize].slope;
         if let Some(reference) = references.iter().find(|reference| !first(reference).is_finite()) {
-            return refuse(format!("the derivative of value reference {reference} is not finite"));
+            return refuse(format_args!("the derivative of value reference {reference} is not finite"));
         }
         for ((reference, order), value) in references.iter().zip(orders).zip(values) {
             *value = if *order == 1 { first(reference) } else { 0.0 };
@@ -477,13 +482,13 @@ pub unsafe extern "C" fn fmi2GetDirectionalDerivative(
         for reference in unknowns.iter().filter(|reference| slave.derivative_of::<Real>(**reference).is_none()) {
             let variable = slave.variable::<Real>(*reference)?;
             if !variable.role.is_output() {
-                return refuse(format!("{} is neither an output nor a derivative", variable.path));
+                return refuse(format_args!("{} is neither an output nor a derivative", variable.path));
             }
         }
         for reference in knowns {
             let variable = slave.variable::<Real>(*reference)?;
             if variable.role == Role::Output {
-                return refuse(format!("{} is computed: outputs are differentiated, not varied", variable.path));
+                return refuse(format_args!("{} is computed: outputs are differentiated, not varied", variable.path));
             }
         }
         slave.instance.refresh()?;
@@ -498,7 +503,7 @@ pub unsafe extern "C" fn fmi2GetDirectionalDerivative(
             rate.unwrap_or_else(|| outputs[reference as usize]).slope
         };
         if let Some(reference) = unknowns.iter().find(|unknown| !slope(**unknown).is_finite()) {
-            return refuse(format!("the derivative of value reference {reference} is not finite"));
+            return refuse(format_args!("the derivative of value reference {reference} is not finite"));
         }
         for (reference, value) in unknowns.iter().zip(result) {
             *value = slope(*reference);

@@ -712,6 +712,34 @@ mod tests {
         assert!((leaning.moment_x - 0.2 * (0.5 * leaning.force_y - 0.3 * 0.1 * LOAD)).abs() < 1e-12);
     }
 
+    /// Driving and braking have curvatures of their own, E = pex1 (1 - pex4 sgn k_x).
+    #[test]
+    fn curvature_depends_on_the_sign_of_slip() {
+        let uneven = tyre(&[("pex1", 0.5), ("pex4", 0.3)]);
+        for (slip, curvature) in [(0.1, 0.35), (-0.1, 0.65)] {
+            let even = tyre(&[("pex1", curvature), ("pex4", 0.0)]);
+            let [a, b] = [&uneven, &even].map(|tyre| tyre.wrench(&contact(slip, 0.0)).force_x);
+            assert!((a - b).abs() < 1e-9, "{slip}: {a} {b}");
+        }
+    }
+
+    /// Camber moves the curve of the lateral force by phy3 gamma against the side slip.
+    #[test]
+    fn camber_shifts_the_side_slip() {
+        let tyre = tyre(&[("phy3", 0.1), ("pvy3", 0.0), ("pvy4", 0.0)]);
+        let force = tyre.wrench(&Contact { camber: 0.1, ..contact(0.0, -0.01) }).force_y;
+        assert!(force.abs() < 1e-9, "{force}");
+    }
+
+    /// At twice the nominal load df = 1; the rolling resistance grows with V / V_0 = 20 / 16.7.
+    #[test]
+    fn moments_change_with_load_and_speed() {
+        let tyre = tyre(&[("qdz6", 0.1), ("qdz7", 0.05), ("qsy3", 0.02)]);
+        let wrench = tyre.wrench(&Contact { load: 2.0 * LOAD, ..contact(0.0, 0.0) });
+        assert!((wrench.moment_z - 0.15 * 0.2 * 2.0 * LOAD).abs() < 1e-9, "{}", wrench.moment_z);
+        assert!((wrench.moment_y + 0.02 * 20.0 / 16.7 * 0.2 * 2.0 * LOAD).abs() < 1e-9, "{}", wrench.moment_y);
+    }
+
     /// A longitudinal force off the centre line makes a torque about z.
     #[test]
     fn longitudinal_force_turns_by_its_arm() {

@@ -306,7 +306,8 @@ impl Model for HydraulicDamper {
     }
 
     fn step(&mut self, dt: f64) {
-        let count = super::substeps(dt, self.step_size);
+        // Without stiffness in series there is nothing to integrate, and one step is exact.
+        let count = if self.damper.has_series() { super::substeps(dt, self.step_size) } else { 1 };
         for _ in 0..count {
             self.dissipated_energy +=
                 self.damper.advance(&mut self.piston_velocity, self.velocity, 1.0, dt / f64::from(count));

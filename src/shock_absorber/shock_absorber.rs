@@ -420,14 +420,15 @@ crate::model! {
     /// MR = damper travel / wheel travel the gain is -MR; millimetres of compression have -0.001.
     ///
     /// # Step
-    /// Friction laws advance as on their own pages (LuGre exactly); damper and temperature in steps of at most `num.h_max`,
-    /// at most 10,000 per communication step. `num.input_mode` = Linear moves the length with the velocity, and the
-    /// velocity with the acceleration, within a step and leaves them there. All outputs follow the inputs at once. `dforce_dlength` is the derivative of `force` at this
-    /// instant, `dforce_dvelocity` that with respect to a velocity held over a step like the last one (before the first:
-    /// `num.h_max`), which includes what bristles and series stiffness add. `step_limit` is the largest communication step
-    /// that keeps `num.mass_ref` stable on the strut as it is now, for the order of exchange `friction.exchange`; they
-    /// are advice and have no derivatives. At the start friction is as after a second of motion at the first velocity, unless
-    /// `init.friction_state` says otherwise.
+    /// Friction laws advance as on their own pages (LuGre exactly), by the whole step where they stop
+    /// `friction.mass`; damper and temperature in steps of at most `num.h_max`, at most 10,000 per communication
+    /// step. `num.input_mode` = Linear moves the length with the velocity, and the velocity with the acceleration,
+    /// within a step and leaves them there. All outputs follow the inputs at once. `dforce_dlength` is the derivative
+    /// of `force` at this instant, `dforce_dvelocity` that with respect to a velocity held over a step like the last
+    /// one (before the first: `num.h_max`), which includes what bristles and series stiffness add. `step_limit` is
+    /// the largest communication step that keeps `num.mass_ref` stable on the strut as it is now, for the order of
+    /// exchange `friction.exchange`; they are advice and have no derivatives. At the start friction is as after a
+    /// second of motion at the first velocity, unless `init.friction_state` says otherwise.
     ///
     /// # Errors
     /// Refused: a parameter outside its bound; static levels below kinetic ones; tables that do not rise; a gas volume

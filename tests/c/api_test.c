@@ -77,7 +77,7 @@ static void library_names_itself_and_its_models(void) {
 }
 
 static void every_status_has_its_own_text(void) {
-    for (int status = STRIBECK_OK; status <= STRIBECK_INTERNAL; status++) {
+    for (int status = STRIBECK_OK; status <= STRIBECK_OUT_OF_MEMORY; status++) {
         REQUIRE(stribeck_status_text(status) != NULL);
         CHECK(strlen(stribeck_status_text(status)) > 0);
         for (int other = STRIBECK_OK; other < status; other++) {
@@ -85,9 +85,9 @@ static void every_status_has_its_own_text(void) {
         }
     }
     /* A number that is no status is answered too. */
-    const char *unknown = stribeck_status_text(STRIBECK_INTERNAL + 1);
+    const char *unknown = stribeck_status_text(STRIBECK_OUT_OF_MEMORY + 1);
     REQUIRE(unknown != NULL);
-    CHECK(strcmp(unknown, stribeck_status_text(STRIBECK_INTERNAL)) != 0);
+    CHECK(strcmp(unknown, stribeck_status_text(STRIBECK_OUT_OF_MEMORY)) != 0);
     CHECK(strcmp(unknown, stribeck_status_text(-1)) == 0);
     CHECK(strcmp(unknown, stribeck_status_text(INT32_MAX)) == 0);
     CHECK(strcmp(unknown, stribeck_status_text(INT32_MIN)) == 0);

@@ -7,36 +7,8 @@
 #include <string.h>
 
 #include "check.h"
+#include "library.h"
 #include "stribeck.h"
-
-#if defined _WIN32
-#include <windows.h>
-typedef HMODULE library;
-static library open_library(const char *path) {
-    return LoadLibraryA(path);
-}
-static void close_library(library loaded) {
-    FreeLibrary(loaded);
-}
-static void *find(library loaded, const char *name) {
-    FARPROC function = GetProcAddress(loaded, name);
-    void *address = NULL;
-    memcpy(&address, &function, sizeof address);
-    return address;
-}
-#else
-#include <dlfcn.h>
-typedef void *library;
-static library open_library(const char *path) {
-    return dlopen(path, RTLD_NOW | RTLD_LOCAL);
-}
-static void close_library(library loaded) {
-    dlclose(loaded);
-}
-static void *find(library loaded, const char *name) {
-    return dlsym(loaded, name);
-}
-#endif
 
 /* Every function that FMI 2.0 demands of a co-simulation slave; importers refuse a library that lacks one. */
 static const char *const FUNCTIONS[] = {

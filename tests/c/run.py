@@ -1,19 +1,23 @@
 #!/usr/bin/env python3
 """Compiles and runs the C and C++ programs against include/stribeck.h and the release library.
 
-    python3 tests/c/run.py
+    python3 tests/c/run.py              in about two minutes
+    python3 tests/c/run.py --thorough   with 10,000 loads, a million steps, under Valgrind and thread sanitizer
 
 Every program is compiled with warnings as errors, linked to the shared and to the static library, and run as it is and
-under the address and undefined-behaviour sanitizers. The compilers are cc and c++, or what CC and CXX name.
+under the address and undefined-behaviour sanitizers. On Linux faults of hosts are then tried on every model. The
+compilers are cc and c++, or what CC and CXX name.
 """
 
 import json
 import os
 import platform
+import re
 import shlex
 import shutil
 import subprocess
 import sys
+import tempfile
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -24,7 +28,7 @@ WINDOWS = os.name == "nt"
 WARNINGS = ["-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wshadow", "-Werror"]
 STANDARD = {".c": "-std=c99", ".cpp": "-std=c++17"}
 SANITIZERS = ["-fsanitize=address,undefined", "-fno-sanitize-recover=all", "-fno-omit-frame-pointer"]
-TIMEOUT = 300  # seconds; the longest program takes a few
+TIMEOUT = 3600  # seconds; the longest program, of the thorough run, takes some minutes
 
 
 class Failed(Exception):
@@ -77,7 +81,7 @@ class Compiler:
     def link_flags(self, linkage):
         if linkage == "shared":
             run_path = [] if WINDOWS else [f"-Wl,-rpath,{self.build_folder}"]
-            return [self.shared_library(), *run_path, "-lm"]
+            return [self.shared_library(), *run_path, "-lm", *([] if WINDOWS else ["-lpthread"])]
         if linkage == "static":
             return [self.build_folder / "libstribeck.a", *native_static_libraries(self.output_folder), "-lm"]
         # Loaded by the program itself.
@@ -163,9 +167,9 @@ def refuses(program, *arguments, complains):
     expect(done, done.returncode == 1 and complains in done.stderr, f"should fail and say {complains!r}")
 
 
-def is_caught(program, mistake, by):
+def is_caught(program, mistake, *arguments, by):
     """A sanitizer must stop the program."""
-    done = run([program, mistake])
+    done = run([program, mistake, *arguments])
     expect(done, done.returncode != 0 and by in done.stderr, f"should be caught: {by!r}")
 
 
@@ -178,7 +182,7 @@ def test_sanitizers(compiler, results):
     """A sanitizer that is not on would let everything pass."""
 
     def caught(mistake, by):
-        is_caught(compiler.compile(TESTS / "caught.c", "none", True), mistake, by)
+        is_caught(compiler.compile(TESTS / "caught.c", "none", True), mistake, by=by)
 
     results.check("sanitizer: address", lambda: caught("address", "heap-buffer-overflow"))
     results.check("sanitizer: overflow", lambda: caught("overflow", "signed integer overflow"))
@@ -228,7 +232,100 @@ def test_loaded(compiler, results, sanitized):
     )
 
 
+def test_valgrind(compiler, results):
+    """Every access to memory in the library itself, too, which the sanitizers of the C compiler do not see."""
+
+    def watched(program, *arguments):
+        options = ["--quiet", "--error-exitcode=9", "--leak-check=full", "--errors-for-leak-kinds=definite"]
+        return run(["valgrind", *options, program, *arguments])
+
+    def caught(mistake, by):
+        done = watched(compiler.compile(TESTS / "caught.c", "none", False), mistake)
+        expect(done, done.returncode == 9 and by in done.stderr, f"should be caught: {by!r}")
+
+    def clean(program, *arguments):
+        done = watched(program, *arguments)
+        expect(done, done.returncode == 0 and not done.stderr, "should be clean")
+
+    if shutil.which("valgrind") is None:
+        raise Failed("valgrind not found: apt install valgrind (Debian, Ubuntu)")
+    results.check("valgrind: address", lambda: caught("address", "Invalid read"))
+    results.check("valgrind: leak", lambda: caught("leak", "definitely lost"))
+    api_test = compiler.compile(TESTS / "api_test.c", "shared", False)
+    results.check("valgrind: api_test", lambda: clean(api_test))
+    fmi_test = compiler.compile(TESTS / "fmi_test.c", "loaded", False)
+    results.check("valgrind: fmi_test", lambda: clean(fmi_test, compiler.shared_library()))
+    faults = compiler.compile(TESTS / "faults.c", "shared", False)
+    results.check("valgrind: faults", lambda: clean(faults, "threads", *models()))
+
+
+def test_threads(output_folder, results):
+    """Thread sanitizer in the library itself and in its host; the standard library of Rust is not instrumented."""
+    target = "x86_64-unknown-linux-gnu"
+    cargo = ["cargo", "+nightly", "build", "--lib", "-p", "stribeck", "--target", target]
+    build_folder = output_folder / "tsan"
+    flags = "-Zsanitizer=thread -Cunsafe-allow-abi-mismatch=sanitizer"
+    settings = {**os.environ, "RUSTFLAGS": flags, "CARGO_TARGET_DIR": str(build_folder)}
+    if subprocess.run(cargo, cwd=ROOT, env=settings).returncode != 0:
+        raise Failed("no library with thread sanitizer; if there is no nightly: rustup toolchain install nightly")
+    library = build_folder / target / "debug" / "libstribeck.so"
+    sources = [TESTS / "faults.c", TESTS / "tsan.c"]
+    program = output_folder / "faults-tsan"
+    compiler = [*find_compiler("CC", "gcc"), "-std=c99", "-fsanitize=thread", "-g", "-O1", f"-I{ROOT / 'include'}"]
+    succeed([*compiler, *sources, "-o", program, library, f"-Wl,-rpath,{library.parent}", "-lm", "-lpthread"])
+    results.check("thread sanitizer: race", lambda: is_caught(program, "race", *models(), by="src/instance.rs"))
+    results.check("thread sanitizer: threads", lambda: runs(program, "threads", *models(), prints=[" 0 failed"]))
+
+
+def models():
+    """Every model of the library, as name={guid}, from the descriptions that the FMUs carry."""
+    found = []
+    for path in sorted((ROOT / "modelDescription").glob("*.xml")):
+        guid = re.search(r'\sguid="(\{[^"]+\})"', path.read_text(encoding="utf-8"))
+        if guid is None:
+            raise Failed(f"{path} has no guid")
+        found.append(f"{path.stem}={guid[1]}")
+    if not found:
+        raise Failed("no description in modelDescription")
+    return found
+
+
+def test_faults(compiler, results, thorough):
+    """What a host may do to the library. Each program prints what it has tried, with the figures."""
+    if platform.system() != "Linux":
+        print(f"note: no fault tests on {platform.system()}")
+        return
+    all_models = models()
+    faults = compiler.compile(TESTS / "faults.c", "shared", False)
+    loads = compiler.compile(TESTS / "loads.c", "loaded", False)
+
+    def report(program, *arguments):
+        print(runs(program, *arguments, prints=[" 0 failed"]).stdout, end="")
+
+    def german(folder):
+        """The German locale, whether or not it is installed."""
+        if shutil.which("localedef") is None or not Path("/usr/share/i18n/locales/de_DE").is_file():
+            raise Failed("no definition of the German locale: apt install locales (Debian, Ubuntu)")
+        # With warnings, as some definitions have, the exit code is 1; the program checks the locale.
+        run(["localedef", "-i", "de_DE", "-f", "UTF-8", Path(folder) / "de_DE.UTF-8"])
+        os.environ["LOCPATH"] = folder
+        report(faults, "environment", *all_models)
+
+    seconds = "60" if thorough else "0.5"
+    for fault in ["stack", "threads", seconds, *(["long"] if thorough else [])]:
+        results.check(f"fault: {fault}", lambda fault=fault: report(faults, fault, *all_models))
+    guid = all_models[0].partition("=")[2]
+    cycles = 10_000 if thorough else 500
+    with tempfile.TemporaryDirectory() as folder:
+        results.check("fault: environment", lambda: german(folder))
+    with tempfile.TemporaryDirectory() as folder:
+        results.check("fault: loads", lambda: report(loads, compiler.shared_library(), folder, cycles, guid))
+
+
 def main():
+    thorough = sys.argv[1:] == ["--thorough"]
+    if sys.argv[1:] and not thorough:
+        sys.exit(__doc__)
     build_folder = build_library()
     if WINDOWS:
         # Windows looks for shared libraries along the path.
@@ -254,6 +351,11 @@ def main():
         test_loaded(compiler, results, sanitized)
         for linkage in linkages:
             test_programs(compiler, results, linkage, sanitized)
+
+    test_faults(compiler, results, thorough)
+    if thorough:
+        test_valgrind(compiler, results)
+        test_threads(output_folder, results)
 
     print(f"{results.passed} passed, {results.failed} failed")
     return 1 if results.failed else 0

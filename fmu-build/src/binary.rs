@@ -1,0 +1,91 @@
+//! What a shared library offers and needs, read from its file: ELF, PE or Mach-O.
+
+use std::collections::BTreeSet;
+
+use anyhow::{Context, Result};
+use object::read::{File, ImportFlags, Object};
+
+/// A shared library as a loader sees it. All names are those of the file, except that the underscore that Mach-O puts
+/// before every C name is left out.
+#[derive(Debug, Default, PartialEq)]
+pub struct Binary {
+    /// Functions and data that a host can find by name.
+    pub exports: BTreeSet<String>,
+    /// Libraries that the loader must find.
+    pub libraries: BTreeSet<String>,
+    /// Functions and data that these libraries must have.
+    pub imports: BTreeSet<String>,
+    /// Versions of the imports, such as `GLIBC_2.14`; only ELF has them.
+    pub versions: BTreeSet<String>,
+    /// Whether it has a Mach-O UUID.
+    pub has_uuid: bool,
+}
+
+/// Reads a shared library.
+pub fn read(bytes: &[u8]) -> Result<Binary> {
+    let file = File::parse(bytes).context("no shared library of a known format")?;
+    let prefix = if matches!(file, File::MachO64(_)) { "_" } else { "" };
+    let plain = |name: &[u8]| {
+        let name = String::from_utf8_lossy(name).into_owned();
+        name.strip_prefix(prefix).map_or(name.clone(), str::to_owned)
+    };
+    let mut binary = Binary { has_uuid: file.mach_uuid()?.is_some(), ..Binary::default() };
+    for export in file.exports()? {
+        let export = export?;
+        binary.exports.insert(export.name().name().map_or_else(|| "(a number)".into(), plain));
+    }
+    for library in file.import_libraries()? {
+        binary.libraries.insert(String::from_utf8_lossy(library?.name()).into_owned());
+    }
+    for import in file.imports()? {
+        let import = import?;
+        binary.imports.insert(import.name().name().map_or_else(|| "(a number)".into(), plain));
+        if let ImportFlags::Elf { version: Some(version), .. } = import.flags() {
+            binary.versions.insert(String::from_utf8_lossy(version).into_owned());
+        }
+    }
+    Ok(binary)
+}
+
+/// The number in the name of a version of glibc: `GLIBC_2.2.5` is 2, 2, 5.
+pub fn glibc(version: &str) -> Option<Vec<u32>> {
+    version.strip_prefix("GLIBC_")?.split('.').map(|part| part.parse().ok()).collect()
+}
+
+impl Binary {
+    /// The newest glibc that an import asks for, such as `2.14`.
+    pub fn newest_glibc(&self) -> Option<String> {
+        let newest = self.versions.iter().filter_map(|version| glibc(version)).max()?;
+        Some(newest.iter().map(u32::to_string).collect::<Vec<_>>().join("."))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn versions_of_glibc_are_ordered_by_number() {
+        assert_eq!(glibc("GLIBC_2.2.5"), Some(vec![2, 2, 5]));
+        assert!(glibc("GLIBC_2.4") < glibc("GLIBC_2.17"));
+        assert_eq!(glibc("GLIBC_PRIVATE"), None);
+        let versions = ["GLIBC_2.4", "GLIBC_2.17", "GLIBC_2.2.5", "GCC_3.0"].map(str::to_owned).into();
+        assert_eq!(Binary { versions, ..Binary::default() }.newest_glibc().as_deref(), Some("2.17"));
+    }
+
+    #[test]
+    fn other_files_are_refused() {
+        assert!(read(b"MZ is how a program for Windows begins").is_err());
+        assert!(read(b"").is_err());
+    }
+
+    /// This program itself, whose needs are those of every program on Linux.
+    #[cfg(target_os = "linux")]
+    #[test]
+    fn needs_of_this_program_are_found() {
+        let this = read(&std::fs::read(std::env::current_exe().unwrap()).unwrap()).unwrap();
+        assert!(this.libraries.contains("libc.so.6"), "{:?}", this.libraries);
+        assert!(this.imports.contains("malloc") && !this.exports.contains("malloc"));
+        assert!(this.newest_glibc().is_some() && !this.has_uuid);
+    }
+}

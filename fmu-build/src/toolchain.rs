@@ -1,0 +1,197 @@
+//! What Rust needs to build a shared library for another platform, and how it is told.
+
+use std::env;
+use std::ffi::OsString;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+
+use anyhow::{Context, Result};
+
+use crate::library::stdout;
+
+/// One target of the compiler.
+#[derive(Clone, Copy)]
+pub struct Target {
+    /// Rust's name of it.
+    pub triple: &'static str,
+    linker: Linker,
+}
+
+/// Who links the library.
+#[derive(Clone, Copy)]
+enum Linker {
+    /// cargo-zigbuild with Zig's linker, which knows the functions of old versions of glibc.
+    Zig,
+    /// The GNU linker for Windows.
+    MinGw,
+    /// The linker of the Rust toolchain, with a list of the functions of macOS.
+    RustLld,
+}
+
+/// Linux on x86-64.
+pub const LINUX_X86_64: Target = Target { triple: "x86_64-unknown-linux-gnu", linker: Linker::Zig };
+/// Linux on ARM.
+pub const LINUX_AARCH64: Target = Target { triple: "aarch64-unknown-linux-gnu", linker: Linker::Zig };
+/// Windows on x86-64.
+pub const WINDOWS_X86_64: Target = Target { triple: "x86_64-pc-windows-gnu", linker: Linker::MinGw };
+/// macOS on Intel.
+pub const MACOS_X86_64: Target = Target { triple: "x86_64-apple-darwin", linker: Linker::RustLld };
+/// macOS on Apple's processors.
+pub const MACOS_AARCH64: Target = Target { triple: "aarch64-apple-darwin", linker: Linker::RustLld };
+
+/// The oldest glibc that the Linux libraries run with: that of RHEL 7 and manylinux2014.
+pub const OLDEST_GLIBC: &str = "2.17";
+
+/// The oldest macOS: the first one on Apple's processors.
+const OLDEST_MACOS: &str = "11.0";
+
+/// Names that the library needs of macOS, without the underscore that Mach-O puts before them.
+const MACOS_NAMES: &str = include_str!("macos_names.txt");
+
+impl Target {
+    /// What is missing on this machine, each with its cure.
+    pub fn missing(self, root: &Path) -> Result<Vec<String>> {
+        let mut missing = Vec::new();
+        if !self.has_standard_library()? {
+            missing.push(format!("Rust's standard library for it: rustup target add {}", self.triple));
+        }
+        missing.extend(self.linker.missing(root)?);
+        Ok(missing)
+    }
+
+    /// `rustc` names the folder of any target that it knows; only an installed one has the library in it.
+    fn has_standard_library(self) -> Result<bool> {
+        let folder = stdout(rustc().args(["--print", "target-libdir", "--target", self.triple]))?;
+        let Ok(files) = fs::read_dir(folder.trim()) else { return Ok(false) };
+        let names = files.filter_map(|file| Some(file.ok()?.file_name().to_string_lossy().into_owned()));
+        Ok(names.into_iter().any(|name| name.starts_with("libstd-") && name.ends_with(".rlib")))
+    }
+
+    /// The program that does what cargo does.
+    pub fn cargo(self) -> OsString {
+        if matches!(self.linker, Linker::Zig) { "cargo-zigbuild".into() } else { cargo() }
+    }
+
+    /// The target as that program names it.
+    pub fn argument(self) -> String {
+        match self.linker {
+            Linker::Zig => format!("{}.{OLDEST_GLIBC}", self.triple),
+            Linker::MinGw | Linker::RustLld => self.triple.into(),
+        }
+    }
+
+    /// Flags for rustc.
+    pub fn flags(self) -> &'static [&'static str] {
+        match self.linker {
+            Linker::Zig => &[],
+            Linker::MinGw => &["-Clink-arg=-Wl,--no-insert-timestamp"],
+            // -S leaves out what only a debugger needs, the paths of object files among it.
+            Linker::RustLld => &[
+                "-Clinker=rust-lld",
+                "-Clinker-flavor=ld64.lld",
+                "-Clink-arg=-install_name",
+                "-Clink-arg=@rpath/libstribeck.dylib",
+                "-Clink-arg=-S",
+            ],
+        }
+    }
+
+    /// Environment of the build. Writes what it names to `folder`.
+    pub fn environment(self, folder: &Path) -> Result<Vec<(&'static str, OsString)>> {
+        if !matches!(self.linker, Linker::RustLld) {
+            return Ok(Vec::new());
+        }
+        let folder = folder.join("macos");
+        write_macos_libraries(&folder)?;
+        Ok(vec![("SDKROOT", folder.into()), ("MACOSX_DEPLOYMENT_TARGET", OLDEST_MACOS.into())])
+    }
+}
+
+impl Linker {
+    fn missing(self, root: &Path) -> Result<Option<String>> {
+        Ok(match self {
+            Linker::Zig if !runs(root, "cargo-zigbuild", &["zig", "cc", "--", "--version"]) => {
+                let python = programs(root).join("python");
+                Some(format!("Zig as linker: {} -m pip install cargo-zigbuild ziglang", python.display()))
+            }
+            Linker::MinGw if !runs(root, "x86_64-w64-mingw32-gcc", &["--version"]) => {
+                Some("the linker for Windows: apt-get install gcc-mingw-w64-x86-64-win32".into())
+            }
+            Linker::RustLld if !has_rust_lld()? => {
+                Some("rust-lld, which other Rusts than that of https://rustup.rs leave out: install that one".into())
+            }
+            Linker::Zig | Linker::MinGw | Linker::RustLld => None,
+        })
+    }
+}
+
+/// Cargo.
+pub fn cargo() -> OsString {
+    env::var_os("CARGO").unwrap_or("cargo".into())
+}
+
+/// The compiler.
+pub fn rustc() -> Command {
+    Command::new(env::var_os("RUSTC").unwrap_or("rustc".into()))
+}
+
+/// Folder of the toolchain.
+pub fn sysroot() -> Result<PathBuf> {
+    Ok(stdout(rustc().args(["--print", "sysroot"]))?.trim().into())
+}
+
+fn has_rust_lld() -> Result<bool> {
+    let version = stdout(rustc().args(["--version", "--verbose"]))?;
+    let host = version.lines().find_map(|line| line.strip_prefix("host: ")).context("rustc does not name its host")?;
+    let programs = sysroot()?.join("lib").join("rustlib").join(host).join("bin");
+    let name = |tool: &str| programs.join(format!("{tool}{}", env::consts::EXE_SUFFIX));
+    // The latter strips what the former links.
+    Ok(name("rust-lld").is_file() && name("rust-objcopy").is_file())
+}
+
+/// Programs of the Python environment that tasks.py makes.
+fn programs(root: &Path) -> PathBuf {
+    root.join(".venv").join(if cfg!(windows) { "Scripts" } else { "bin" })
+}
+
+/// The search path, with the project's own programs first.
+pub fn search_path(root: &Path) -> Result<OsString> {
+    let given = env::var_os("PATH").unwrap_or_default();
+    let folders = std::iter::once(programs(root)).chain(env::split_paths(&given));
+    env::join_paths(folders).context("the search path cannot name .venv")
+}
+
+fn runs(root: &Path, program: &str, arguments: &[&str]) -> bool {
+    let Ok(path) = search_path(root) else { return false };
+    let mut command = Command::new(program);
+    command.args(arguments).env("PATH", path).stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null());
+    command.status().is_ok_and(|status| status.success())
+}
+
+/// Writes text-based libraries, which tell the linker what macOS has. Rust asks for all four, but the library needs only
+/// the first one: on macOS two others are parts of it, and no function of the last one is called.
+fn write_macos_libraries(folder: &Path) -> Result<()> {
+    let libraries = folder.join("usr").join("lib");
+    fs::create_dir_all(&libraries).with_context(|| format!("cannot create {}", libraries.display()))?;
+    for name in ["libSystem.tbd", "libc.tbd", "libm.tbd", "libiconv.tbd"] {
+        let file = libraries.join(name);
+        fs::write(&file, macos_library()).with_context(|| format!("cannot write {}", file.display()))?;
+    }
+    Ok(())
+}
+
+fn macos_library() -> String {
+    let names: Vec<_> = MACOS_NAMES.split_whitespace().map(|name| format!("_{name}")).collect();
+    format!(
+        "--- !tapi-tbd\n\
+        tbd-version: 4\n\
+        targets: [ x86_64-macos, arm64-macos ]\n\
+        install-name: '/usr/lib/libSystem.B.dylib'\n\
+        exports:\n\
+        \x20 - targets: [ x86_64-macos, arm64-macos ]\n\
+        \x20   symbols: [ dyld_stub_binder, {} ]\n\
+        ...\n",
+        names.join(", ")
+    )
+}

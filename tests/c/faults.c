@@ -1,0 +1,670 @@
+/* What a host may do to a library without a mistake of its own: small stacks, many threads, odd floating-point modes,
+ * senseless numbers. Every model of the library is tried.
+ *
+ * Usage: faults stack|threads|race|environment|long|<CPU seconds of the sweep for each model> <model>={guid} ...
+ */
+#define _GNU_SOURCE
+#include <fenv.h>
+#include <float.h>
+#include <locale.h>
+#include <malloc.h>
+#include <math.h>
+#include <pthread.h>
+#include <stdarg.h>
+#include <string.h>
+#include <sys/mman.h>
+#include <time.h>
+#include <unistd.h>
+#if defined __SSE__
+#include <xmmintrin.h>
+#endif
+
+#include "check.h"
+#include "stribeck.h"
+
+/* ---------------------------------------------------------------------- models */
+
+typedef struct {
+    char name[64];
+    const char *guid;
+    stribeck_model *described; /* owns the texts */
+    stribeck_variable *variables;
+    fmi2ValueReference *reals; /* value references of all Real variables */
+    size_t columns;
+    size_t real_count;
+} model;
+
+static model *models;
+static size_t model_count;
+
+static void *memory(size_t size) {
+    void *found = calloc(size, 1);
+    REQUIRE(found != NULL);
+    return found;
+}
+
+static void read_model(model *one, const char *argument) {
+    const char *equals = strchr(argument, '=');
+    REQUIRE(equals != NULL && (size_t)(equals - argument) < sizeof one->name);
+    memcpy(one->name, argument, (size_t)(equals - argument));
+    one->guid = equals + 1;
+    REQUIRE(stribeck_create(one->name, &one->described) == STRIBECK_OK);
+    one->columns = stribeck_column_count(one->described);
+    one->variables = memory(one->columns * sizeof *one->variables);
+    one->reals = memory(one->columns * sizeof *one->reals);
+    for (uint32_t i = 0; i < one->columns; i++) {
+        REQUIRE(stribeck_describe(one->described, i, &one->variables[i]) == STRIBECK_OK);
+        if (one->variables[i].kind == STRIBECK_REAL) {
+            one->reals[one->real_count++] = i;
+        }
+    }
+}
+
+static void read_models(int count, char **arguments) {
+    REQUIRE((size_t)count <= stribeck_model_count());
+    models = memory((size_t)count * sizeof *models);
+    for (int i = 0; i < count; i++) {
+        read_model(&models[model_count++], arguments[i]);
+    }
+}
+
+static void free_models(void) {
+    for (size_t i = 0; i < model_count; i++) {
+        stribeck_free(models[i].described);
+        free(models[i].variables);
+        free(models[i].reals);
+    }
+    free(models);
+}
+
+static int is_real(const model *of, uint32_t column, stribeck_role role) {
+    return of->variables[column].kind == STRIBECK_REAL && of->variables[column].role == role;
+}
+
+/* ---------------------------------------------------------------------- slaves */
+
+static fmi2Component make(const model *of, fmi2CallbackLogger logger) {
+    fmi2CallbackFunctions callbacks = {logger, NULL, NULL, NULL, NULL};
+    fmi2Component slave = fmi2Instantiate("slave", fmi2CoSimulation, of->guid, NULL, &callbacks, fmi2False, fmi2True);
+    REQUIRE(slave != NULL);
+    return slave;
+}
+
+static fmi2Status initialise(fmi2Component slave) {
+    CHECK(fmi2SetupExperiment(slave, fmi2False, 0.0, 0.0, fmi2False, 0.0) == fmi2OK);
+    CHECK(fmi2EnterInitializationMode(slave) == fmi2OK);
+    return fmi2ExitInitializationMode(slave);
+}
+
+/* An everyday value: it swings a little around the start value, within the bounds. Rounded to nearest in any mode. */
+static __attribute__((noinline)) double everyday_value(const stribeck_variable *input, int k) {
+    return input->start + 0.002 * (input->min <= -1.0 ? sin(0.01 * k) : 1.0);
+}
+
+static __attribute__((noinline)) double everyday_time(int k) {
+    return k * 1e-3;
+}
+
+static void set_inputs(const model *of, fmi2Component slave, int k) {
+    for (uint32_t i = 0; i < of->columns; i++) {
+        if (is_real(of, i, STRIBECK_INPUT)) {
+            int mode = fegetround();
+            fesetround(FE_TONEAREST);
+            double value = everyday_value(&of->variables[i], k + (int)i);
+            fesetround(mode);
+            CHECK(fmi2SetReal(slave, &i, 1, &value) == fmi2OK);
+        }
+    }
+}
+
+static void set_slopes(const model *of, fmi2Component slave, double slope) {
+    const fmi2Integer order = 1;
+    for (uint32_t i = 0; i < of->columns; i++) {
+        if (is_real(of, i, STRIBECK_INPUT)) {
+            CHECK(fmi2SetRealInputDerivatives(slave, &i, 1, &order, &slope) != fmi2Fatal);
+        }
+    }
+}
+
+/* Makes everyday steps of 1 ms and returns the sum of the bits of all that can be read. */
+static uint64_t everyday(const model *of, fmi2Component slave, int from, int to, double *values) {
+    uint64_t bits = 0;
+    for (int k = from; k < to; k++) {
+        set_inputs(of, slave, k);
+        int mode = fegetround();
+        fesetround(FE_TONEAREST);
+        double time = everyday_time(k);
+        fesetround(mode);
+        if (!CHECK(fmi2DoStep(slave, time, 1e-3, fmi2True) == fmi2OK)) {
+            fprintf(stderr, "  %s, step %d\n", of->name, k);
+            return 0;
+        }
+        CHECK(fmi2GetReal(slave, of->reals, of->real_count, values) == fmi2OK);
+        for (size_t i = 0; i < of->real_count; i++) {
+            uint64_t word;
+            memcpy(&word, &values[i], sizeof word);
+            bits = bits * 31 + word;
+        }
+    }
+    return bits;
+}
+
+/* ---------------------------------------------------------------------- stack */
+
+/* A whole life: steps, ramps, derivatives, states, a refusal with its message, and the same through the C interface. */
+static void live(const model *of) {
+    double *values = memory(of->columns * sizeof *values);
+    fmi2Component slave = make(of, NULL);
+    CHECK(initialise(slave) == fmi2OK);
+    everyday(of, slave, 0, 20, values);
+    set_slopes(of, slave, 1e-3);
+    CHECK(fmi2DoStep(slave, 0.02, 1e-3, fmi2True) == fmi2OK);
+    const fmi2Integer order = 1;
+    const double seed = 1.0;
+    double slope;
+    uint32_t output = 0;
+    while (!is_real(of, output, STRIBECK_OUTPUT) && !is_real(of, output, STRIBECK_STATE_OUTPUT)) {
+        output++;
+    }
+    uint32_t known = 0;
+    while (of->variables[known].kind != STRIBECK_REAL || of->variables[known].role == STRIBECK_OUTPUT) {
+        known++;
+    }
+    CHECK(fmi2GetRealOutputDerivatives(slave, &output, 1, &order, &slope) == fmi2OK);
+    CHECK(fmi2GetDirectionalDerivative(slave, &output, 1, &known, 1, &seed, &slope) == fmi2OK);
+    fmi2FMUstate state = NULL;
+    size_t size = 0;
+    CHECK(fmi2GetFMUstate(slave, &state) == fmi2OK);
+    CHECK(fmi2SerializedFMUstateSize(slave, state, &size) == fmi2OK);
+    fmi2Byte *bytes = memory(size);
+    CHECK(fmi2SerializeFMUstate(slave, state, bytes, size) == fmi2OK);
+    CHECK(fmi2DeSerializeFMUstate(slave, bytes, size, &state) == fmi2OK);
+    CHECK(fmi2SetFMUstate(slave, state) == fmi2OK);
+    CHECK(fmi2FreeFMUstate(slave, &state) == fmi2OK);
+    free(bytes);
+    CHECK(fmi2DoStep(slave, 0.5, NAN, fmi2True) == fmi2Error);
+    fmi2FreeInstance(slave);
+    free(values);
+
+    stribeck_model *handle = NULL;
+    CHECK(stribeck_create(of->name, &handle) == STRIBECK_OK);
+    CHECK(stribeck_step(handle, 1e-3) == STRIBECK_OK);
+    CHECK(stribeck_step(handle, NAN) == STRIBECK_REFUSED_VALUE);
+    stribeck_free(handle);
+}
+
+static void *live_thread(void *of) {
+    live(of);
+    return NULL;
+}
+
+enum { SMALL_STACK = 64 * 1024, UNTOUCHED = 0xA5 };
+
+/* Bytes of the given stack that a thread with a whole life touches. */
+static size_t stack_use(model *of, unsigned char *stack, size_t size) {
+    memset(stack, UNTOUCHED, size);
+    pthread_attr_t attributes;
+    pthread_t thread;
+    REQUIRE(pthread_attr_init(&attributes) == 0);
+    REQUIRE(pthread_attr_setstack(&attributes, stack, size) == 0);
+    REQUIRE(pthread_create(&thread, &attributes, live_thread, of) == 0);
+    REQUIRE(pthread_join(thread, NULL) == 0);
+    REQUIRE(pthread_attr_destroy(&attributes) == 0);
+    size_t untouched = 0;
+    while (untouched < size && stack[untouched] == UNTOUCHED) {
+        untouched++;
+    }
+    return size - untouched;
+}
+
+/* Each model lives on a thread with 64 KiB of stack; what it needs is measured on a larger one first. */
+static void small_stack(void) {
+    size_t size = 16 * SMALL_STACK;
+    size_t page = (size_t)sysconf(_SC_PAGESIZE);
+    unsigned char *stack = mmap(NULL, size, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    REQUIRE(stack != MAP_FAILED);
+    size_t most = 0;
+    const char *whose = "";
+    for (size_t i = 0; i < model_count; i++) {
+        size_t used = stack_use(&models[i], stack, size);
+        if (!CHECK(used < SMALL_STACK - page)) {
+            fprintf(stderr, "  %s uses %zu bytes of stack\n", models[i].name, used);
+        } else {
+            stack_use(&models[i], stack + size - SMALL_STACK, SMALL_STACK);
+        }
+        if (used > most) {
+            most = used;
+            whose = models[i].name;
+        }
+    }
+    CHECK(munmap(stack, size) == 0);
+    printf("stack: %zu models, at most %zu bytes (%s)\n", model_count, most, whose);
+}
+
+/* ---------------------------------------------------------------------- sweep */
+
+static double since(const struct timespec *start) {
+    struct timespec now;
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+    return (double)(now.tv_sec - start->tv_sec) + 1e-9 * (double)(now.tv_nsec - start->tv_nsec);
+}
+
+static const double NUMBERS[] = {0.0,   -0.0,  1.0,    -1.0,  1e-310, -1e-310, DBL_MIN,  -DBL_MIN, 1e-30,    1e30,
+                                 -1e30, 1e150, -1e150, 1e308, -1e308, DBL_MAX, -DBL_MAX, NAN,      INFINITY, -INFINITY};
+static const double STEPS[] = {1e-12, 1e-3, 1.0, 1e6};
+enum { NUMBER_COUNT = sizeof NUMBERS / sizeof NUMBERS[0], STEP_COUNT = sizeof STEPS / sizeof STEPS[0] };
+
+static long calls_made;
+static long calls_refused;
+static double slowest;
+static char slowest_what[512];
+
+static int all_finite(const double *values, size_t count) {
+    for (size_t i = 0; i < count; i++) {
+        if (!isfinite(values[i])) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
+/* One step with the values that are set: it succeeds with finite numbers, or it changes nothing. `what` was done. */
+static void try_step(const model *of, fmi2Component slave, double h, double slope, const char *what) {
+    double *before = memory(of->columns * sizeof *before);
+    double *after = memory(of->columns * sizeof *after);
+    struct timespec start;
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &start);
+    fmi2Status read = fmi2GetReal(slave, of->reals, of->real_count, before);
+    CHECK(read == fmi2OK ? all_finite(before, of->real_count) : read == fmi2Error);
+    if (read != fmi2OK) {
+        calls_refused++;
+        free(before);
+        free(after);
+        return;
+    }
+    if (slope != 0.0) {
+        set_slopes(of, slave, slope);
+    }
+    fmi2Status status = fmi2DoStep(slave, 0.0, h, fmi2True);
+    calls_made++;
+    int sound = fmi2GetReal(slave, of->reals, of->real_count, after) == fmi2OK && all_finite(after, of->real_count);
+    if (status != fmi2OK) {
+        calls_refused++;
+        sound = sound && status == fmi2Error && memcmp(before, after, of->real_count * sizeof *after) == 0;
+    } else {
+        const fmi2Integer order = 1;
+        for (uint32_t i = 0; i < of->columns; i++) {
+            double value = 0.0;
+            if (is_real(of, i, STRIBECK_OUTPUT)) {
+                sound =
+                    sound && (fmi2GetRealOutputDerivatives(slave, &i, 1, &order, &value) != fmi2OK || isfinite(value));
+                break;
+            }
+        }
+    }
+    if (!CHECK(sound)) {
+        fprintf(stderr, "  %s with %s, step %g s, slope %g: status %d\n", of->name, what, h, slope, status);
+    }
+    double took = since(&start);
+    if (took > slowest) {
+        slowest = took;
+        snprintf(slowest_what, sizeof slowest_what, "%s with %s, step %g s, slope %g", of->name, what, h, slope);
+    }
+    free(before);
+    free(after);
+}
+
+/* Sets a column before the run, or an input during it; true if the value was taken. */
+static int try_set(const model *of, fmi2Component slave, uint32_t column, double value) {
+    fmi2Status status = fmi2OK;
+    switch (of->variables[column].kind) {
+    case STRIBECK_REAL:
+        status = fmi2SetReal(slave, &column, 1, &value);
+        break;
+    case STRIBECK_BOOLEAN: {
+        fmi2Boolean flag = value != 0.0;
+        status = fmi2SetBoolean(slave, &column, 1, &flag);
+        break;
+    }
+    default: {
+        fmi2Integer number = fabs(value) < 1e9 ? (fmi2Integer)value : 0;
+        status = fmi2SetInteger(slave, &column, 1, &number);
+    }
+    }
+    if (of->variables[column].kind == STRIBECK_REAL && !isfinite(value)) {
+        CHECK(status == fmi2Discard);
+    }
+    CHECK(status == fmi2OK || status == fmi2Discard);
+    return status == fmi2OK;
+}
+
+static void try_values(const model *of, const uint32_t *columns, const double *values, size_t count, double h,
+                       double slope) {
+    char what[160] = "";
+    size_t length = 0;
+    fmi2Component slave = make(of, NULL);
+    for (size_t i = 0; i < count; i++) {
+        if (try_set(of, slave, columns[i], values[i]) && length < sizeof what) {
+            length += (size_t)snprintf(what + length, sizeof what - length, "%s = %g ", of->variables[columns[i]].name,
+                                       values[i]);
+        }
+    }
+    if (initialise(slave) == fmi2OK) {
+        try_step(of, slave, h, slope, what);
+    } else {
+        calls_refused++;
+    }
+    fmi2FreeInstance(slave);
+}
+
+/* Knuth's generator, so that a failure can be repeated. */
+static uint64_t random_state = 1;
+static size_t random_below(size_t limit) {
+    random_state = random_state * 6364136223846793005u + 1442695040888963407u;
+    return (size_t)((random_state >> 33) % limit);
+}
+
+static double any_number(const stribeck_variable *variable) {
+    switch (random_below(5)) {
+    case 0:
+        return NUMBERS[random_below(NUMBER_COUNT)];
+    case 1:
+        return variable->min;
+    case 2:
+        return variable->max;
+    default:
+        return variable->start * pow(10.0, (double)random_below(13) - 6.0);
+    }
+}
+
+enum { VALUES = NUMBER_COUNT + 2, MIXTURES = 300, STRIDE = 7919 };
+
+/* Number `which` in the variable `column` alone. */
+static void try_single(const model *of, uint32_t column, size_t which) {
+    const stribeck_variable *variable = &of->variables[column];
+    if (variable->role != STRIBECK_OUTPUT && variable->kind == STRIBECK_REAL) {
+        const double ends[] = {variable->min, variable->max};
+        double value = which < NUMBER_COUNT ? NUMBERS[which] : ends[which - NUMBER_COUNT];
+        try_values(of, &column, &value, 1, STEPS[(which + column) % 3], 0.0);
+    }
+}
+
+/* Any numbers in a quarter of the variables. */
+static void try_mixture(const model *of, int with_ramps) {
+    uint32_t *columns = memory(of->columns * sizeof *columns);
+    double *values = memory(of->columns * sizeof *values);
+    size_t count = 0;
+    for (uint32_t column = 0; column < of->columns; column++) {
+        if (of->variables[column].role != STRIBECK_OUTPUT && random_below(4) == 0) {
+            columns[count] = column;
+            values[count++] = any_number(&of->variables[column]);
+        }
+    }
+    double slope = with_ramps ? any_number(of->variables) : 0.0;
+    try_values(of, columns, values, count, STEPS[random_below(3)], slope);
+    free(columns);
+    free(values);
+}
+
+/* Every number in every variable alone, then mixtures, with several steps; for each model as far as the time allows,
+ * because a host that is asked for the impossible computes for seconds before it gives up. */
+static void sweep(double seconds) {
+    long skipped = 0;
+    for (size_t m = 0; m < model_count; m++) {
+        const model *of = &models[m];
+        struct timespec start;
+        clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &start);
+        for (size_t s = 0; s < STEP_COUNT; s++) {
+            try_values(of, NULL, NULL, 0, STEPS[s], 0.0);
+            try_values(of, NULL, NULL, 0, STEPS[s], 1e-3);
+        }
+        size_t singles = of->columns * VALUES;
+        for (size_t i = 0; i < singles; i++) {
+            if (since(&start) < 0.6 * seconds) {
+                size_t single = i * STRIDE % singles;
+                try_single(of, (uint32_t)(single / VALUES), single % VALUES);
+            } else {
+                skipped++;
+            }
+        }
+        for (int i = 0; i < MIXTURES; i++) {
+            if (since(&start) < seconds) {
+                try_mixture(of, i % 3 == 0);
+            } else {
+                skipped++;
+            }
+        }
+    }
+    printf("sweep: %ld steps, %ld times they or their parameters were refused, %ld trials left out for time\n",
+           calls_made, calls_refused, skipped);
+    printf("sweep: the slowest took %.3f s: %s\n", slowest, slowest_what);
+}
+
+/* ---------------------------------------------------------------------- threads */
+
+enum { THREADS = 16, INSTANCES = 1000, PHASES = 10, STEPS_A_PHASE = 10 };
+
+static fmi2Component crowd[INSTANCES];
+static uint64_t crowd_bits[INSTANCES];
+static pthread_barrier_t phase_end;
+
+/* In each phase another thread has the instance. */
+static void *step_crowd(void *number) {
+    size_t mine = (size_t)(uintptr_t)number;
+    double *values = memory(4096 * sizeof *values);
+    for (size_t phase = 0; phase < PHASES; phase++) {
+        for (size_t i = (mine + phase) % THREADS; i < INSTANCES; i += THREADS) {
+            const model *of = &models[i % model_count];
+            int from = (int)phase * STEPS_A_PHASE;
+            crowd_bits[i] = crowd_bits[i] * 31 + everyday(of, crowd[i], from, from + STEPS_A_PHASE, values);
+        }
+        pthread_barrier_wait(&phase_end);
+    }
+    free(values);
+    return NULL;
+}
+
+static void threads(void) {
+    pthread_t thread[THREADS];
+    for (size_t i = 0; i < INSTANCES; i++) {
+        crowd[i] = make(&models[i % model_count], NULL);
+        REQUIRE(initialise(crowd[i]) == fmi2OK);
+    }
+    REQUIRE(pthread_barrier_init(&phase_end, NULL, THREADS) == 0);
+    for (size_t i = 0; i < THREADS; i++) {
+        REQUIRE(pthread_create(&thread[i], NULL, step_crowd, (void *)(uintptr_t)i) == 0);
+    }
+    for (size_t i = 0; i < THREADS; i++) {
+        REQUIRE(pthread_join(thread[i], NULL) == 0);
+    }
+    REQUIRE(pthread_barrier_destroy(&phase_end) == 0);
+    double *values = memory(4096 * sizeof *values);
+    int differ = 0;
+    for (size_t i = 0; i < INSTANCES; i++) {
+        const model *of = &models[i % model_count];
+        fmi2Component alone = make(of, NULL);
+        REQUIRE(initialise(alone) == fmi2OK);
+        uint64_t bits = 0;
+        for (int phase = 0; phase < PHASES; phase++) {
+            bits = bits * 31 + everyday(of, alone, phase * STEPS_A_PHASE, (phase + 1) * STEPS_A_PHASE, values);
+        }
+        differ += bits != crowd_bits[i];
+        fmi2FreeInstance(alone);
+        fmi2FreeInstance(crowd[i]);
+    }
+    CHECK(differ == 0);
+    free(values);
+    printf("threads: %d instances on %d threads, %d steps each, %d differ from a serial run\n", INSTANCES, THREADS,
+           PHASES * STEPS_A_PHASE, differ);
+}
+
+/* Wrong on purpose: two threads use one instance. To prove that a thread sanitizer is at work in the library. */
+static void *use_shared(void *slave) {
+    for (int k = 0; k < 1000; k++) {
+        fmi2Reset(slave);
+    }
+    return NULL;
+}
+
+static void race(void) {
+    pthread_t thread[2];
+    fmi2Component slave = make(&models[0], NULL);
+    for (size_t i = 0; i < 2; i++) {
+        REQUIRE(pthread_create(&thread[i], NULL, use_shared, slave) == 0);
+    }
+    for (size_t i = 0; i < 2; i++) {
+        REQUIRE(pthread_join(thread[i], NULL) == 0);
+    }
+    fmi2FreeInstance(slave);
+}
+
+/* ---------------------------------------------------------------------- floating-point environment, locale */
+
+/* The bits of 200 everyday steps. */
+static uint64_t run_alone(const model *of) {
+    double *values = memory(of->columns * sizeof *values);
+    fmi2Component slave = make(of, NULL);
+    CHECK(initialise(slave) == fmi2OK);
+    uint64_t bits = everyday(of, slave, 0, 200, values);
+    fmi2FreeInstance(slave);
+    free(values);
+    return bits;
+}
+
+static const int MODES[] = {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
+enum { TRAPS = FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW, NO_DENORMALS = 0x8040 };
+
+/* A signal would end the program. */
+static uint64_t run_with_traps(const model *of) {
+    feclearexcept(FE_ALL_EXCEPT);
+    REQUIRE(feenableexcept(TRAPS) != -1);
+    uint64_t bits = run_alone(of);
+    CHECK(fegetexcept() == TRAPS);
+    fedisableexcept(FE_ALL_EXCEPT);
+    return bits;
+}
+
+static uint64_t run_rounding(const model *of, int mode) {
+    REQUIRE(fesetround(mode) == 0);
+    uint64_t bits = run_alone(of);
+    CHECK(fegetround() == mode);
+    REQUIRE(fesetround(FE_TONEAREST) == 0);
+    return bits;
+}
+
+#if defined __SSE__
+static uint64_t run_without_denormals(const model *of) {
+    unsigned control = _mm_getcsr();
+    _mm_setcsr(control | NO_DENORMALS);
+    uint64_t bits = run_alone(of);
+    CHECK((_mm_getcsr() & NO_DENORMALS) == NO_DENORMALS);
+    _mm_setcsr(control);
+    return bits;
+}
+#endif
+
+static char heard[200];
+
+static void hear(fmi2ComponentEnvironment environment, fmi2String instance, fmi2Status status, fmi2String category,
+                 fmi2String message, ...) {
+    (void)environment, (void)instance, (void)status, (void)category;
+    va_list arguments;
+    va_start(arguments, message);
+    vsnprintf(heard, sizeof heard, message, arguments);
+    va_end(arguments);
+}
+
+static uint64_t run_in_germany(const model *of) {
+    REQUIRE(setlocale(LC_ALL, "de_DE.UTF-8") != NULL);
+    char half[8];
+    snprintf(half, sizeof half, "%.1f", 0.5);
+    REQUIRE(strcmp(half, "0,5") == 0);
+    uint64_t bits = run_alone(of);
+    fmi2Component slave = make(of, hear);
+    CHECK(initialise(slave) == fmi2OK);
+    CHECK(fmi2DoStep(slave, 0.0, -0.5, fmi2True) == fmi2Error);
+    CHECK(strstr(heard, " = -0.5: ") != NULL);
+    fmi2FreeInstance(slave);
+    setlocale(LC_ALL, "C");
+    return bits;
+}
+
+/* The mode of the host is the host's: it gets the same results to the last bit, and its mode back. */
+static void environment(void) {
+    for (size_t m = 0; m < model_count; m++) {
+        const model *of = &models[m];
+        uint64_t bits = run_alone(of);
+        int same = CHECK(run_with_traps(of) == bits);
+        for (size_t i = 0; i < sizeof MODES / sizeof MODES[0]; i++) {
+            same &= CHECK(run_rounding(of, MODES[i]) == bits);
+        }
+#if defined __SSE__
+        same &= CHECK(run_without_denormals(of) == bits);
+#endif
+        same &= CHECK(run_in_germany(of) == bits);
+        if (!same) {
+            fprintf(stderr, "  %s\n", of->name);
+        }
+    }
+    printf("environment: %zu models, the same bits with traps, in %zu rounding modes, without denormals, in Germany\n",
+           model_count, sizeof MODES / sizeof MODES[0]);
+}
+
+/* ---------------------------------------------------------------------- a long run */
+
+static long resident_pages(void) {
+    long total = 0;
+    long resident = 0;
+    FILE *file = fopen("/proc/self/statm", "r");
+    REQUIRE(file != NULL && fscanf(file, "%ld %ld", &total, &resident) == 2);
+    fclose(file);
+    return resident;
+}
+
+static void long_run(const char *name) {
+    size_t m = 0;
+    while (m < model_count && strcmp(models[m].name, name) != 0) {
+        m++;
+    }
+    REQUIRE(m < model_count);
+    const model *of = &models[m];
+    double *values = memory(of->columns * sizeof *values);
+    fmi2Component slave = make(of, NULL);
+    CHECK(initialise(slave) == fmi2OK);
+    everyday(of, slave, 0, 1000, values);
+    long before = resident_pages();
+    size_t allocated = mallinfo2().uordblks;
+    everyday(of, slave, 1000, 1000000, values);
+    long grown = resident_pages() - before;
+    CHECK(mallinfo2().uordblks == allocated);
+    /* Pages of the library itself may be touched for the first time. */
+    CHECK(grown < 64);
+    printf("long: %s, 1000000 steps, not a byte more is allocated, %ld more pages are resident\n", of->name, grown);
+    fmi2FreeInstance(slave);
+    free(values);
+}
+
+int main(int argc, char **argv) {
+    const char *what = argc > 2 ? argv[1] : "";
+    setvbuf(stdout, NULL, _IOLBF, 0);
+    REQUIRE(argc > 2);
+    read_models(argc - 2, argv + 2);
+    if (atof(what) > 0.0) {
+        sweep(atof(what));
+    } else if (strcmp(what, "stack") == 0) {
+        small_stack();
+    } else if (strcmp(what, "threads") == 0) {
+        threads();
+    } else if (strcmp(what, "race") == 0) {
+        race();
+    } else if (strcmp(what, "environment") == 0) {
+        environment();
+    } else if (strcmp(what, "long") == 0) {
+        long_run("LuGre");
+        long_run("ShockAbsorber");
+    } else {
+        CHECK(!"a fault that is known");
+    }
+    free_models();
+    return report();
+}

@@ -1,0 +1,56 @@
+"""The FMUs that `python3 tasks.py platforms` has packed, and wine as the tests need it."""
+
+import os
+import subprocess
+
+import pytest
+from coupling import models_in
+from machines import ARM, FMUS, FMUS_OF_COPY, WINE, WINE_FILES, Machine, library_of
+
+COMMAND = """#!/bin/sh
+# fmpy passes a lock file as third argument. Its lock is not seen by wine, and the server would end at once.
+exec {wine} "$1" "$2"
+"""
+
+
+def pytest_sessionstart() -> None:
+    """Refuses to run without FMUs."""
+    for folder in (FMUS, FMUS / ARM, FMUS_OF_COPY):
+        if not models_in(folder):
+            pytest.exit(f"no FMUs in {folder}: run `python3 tasks.py platforms`", returncode=1)
+
+
+@pytest.fixture(scope="session")
+def wine() -> dict[str, str]:
+    """Environment of programs that run under wine, with a command `wine64` as fmpy needs it."""
+    programs = WINE_FILES / "bin"
+    programs.mkdir(parents=True, exist_ok=True)
+    command = programs / "wine64"
+    command.write_text(COMMAND.format(wine=WINE), encoding="utf-8")
+    command.chmod(0o755)
+    environment = {
+        "WINEPREFIX": str(WINE_FILES / "prefix"),
+        "WINEDEBUG": "-all",
+        "PATH": f"{programs}{os.pathsep}{os.environ['PATH']}",
+    }
+    # Makes the prefix at the first time.
+    subprocess.run([WINE, "wineboot", "-i"], check=True, capture_output=True, env={**os.environ, **environment})
+    return environment
+
+
+@pytest.fixture(scope="session")
+def machines(wine, tmp_path_factory) -> dict[str, Machine]:
+    """The platforms by name, each with the library of a packed FMU."""
+    folder = tmp_path_factory.mktemp("libraries")
+    model = models_in(FMUS)[0]
+    fmu, fmu_for_arm = FMUS / f"{model}.fmu", FMUS / ARM / f"{model}.fmu"
+    arm_root = "/usr/aarch64-linux-gnu"
+    linux = library_of(fmu, "linux64", ".so", folder)
+    windows = library_of(fmu, "win64", ".dll", folder)
+    arm = library_of(fmu_for_arm, ARM, ".so", folder)
+    machines = [
+        Machine("linux64", ["cc"], [], linux, {}),
+        Machine("win64", ["x86_64-w64-mingw32-gcc"], [str(WINE)], windows, wine),
+        Machine(ARM, ["aarch64-linux-gnu-gcc"], ["qemu-aarch64-static", "-L", arm_root], arm, {}),
+    ]
+    return {machine.platform: machine for machine in machines}

@@ -1,0 +1,58 @@
+"""What runs the packed libraries on this machine: its processor, wine and qemu."""
+
+import os
+import shlex
+import subprocess
+import zipfile
+from dataclasses import dataclass
+from pathlib import Path
+
+from coupling import PROJECT
+
+OUT = PROJECT / "out" / "platforms"
+FMUS = OUT / "fmus"
+FMUS_OF_COPY = OUT / "fmus-of-copy"
+ARM = "aarch64-linux"
+WINE = Path("/usr/lib/wine/wine64")  # Debian's package puts it nowhere else
+WINE_FILES = OUT / "wine"
+
+
+def run(command: list[str | Path], environment: dict[str, str] | None = None) -> str:
+    """Runs a command that must succeed in silence, and returns what it prints."""
+    words = [str(word) for word in command]
+    settings = {**os.environ, **(environment or {})}
+    done = subprocess.run(words, capture_output=True, text=True, timeout=300, env=settings)
+    assert done.returncode == 0, f"{shlex.join(words)}\nexit code {done.returncode}\n{done.stdout}{done.stderr}"
+    assert not done.stderr, f"{shlex.join(words)}\n{done.stderr}"
+    return done.stdout
+
+
+@dataclass(frozen=True)
+class Machine:
+    """A platform whose programs run here."""
+
+    platform: str
+    compiler: list[str]
+    runner: list[str]
+    library: Path
+    environment: dict[str, str]
+
+    def compile(self, source: Path, *arguments: str | Path) -> Path:
+        """Compiles a C program, next to the library."""
+        program = self.library.parent / f"{source.stem}.exe"
+        run([*self.compiler, "-std=c99", "-O2", f"-I{PROJECT / 'include'}", source, "-o", program, *arguments])
+        return program
+
+    def run(self, program: Path, *arguments: str | Path) -> str:
+        """What the program prints, with plain ends of lines."""
+        output = run([*self.runner, program, *arguments], self.environment)
+        return output.replace("\r\n", "\n")
+
+
+def library_of(fmu: Path, platform: str, suffix: str, folder: Path) -> Path:
+    """The library of an FMU as a file of the name under which programs look for it."""
+    library = folder / platform / ("stribeck.dll" if suffix == ".dll" else f"libstribeck{suffix}")
+    library.parent.mkdir(parents=True, exist_ok=True)
+    with zipfile.ZipFile(fmu) as archive:
+        library.write_bytes(archive.read(f"binaries/{platform}/{fmu.stem}{suffix}"))
+    return library

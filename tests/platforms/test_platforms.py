@@ -1,0 +1,128 @@
+"""The packed libraries on the platforms that this machine can run: Linux, Windows under wine, ARM under qemu."""
+
+import os
+import signal
+import subprocess
+import sys
+import zipfile
+from contextlib import suppress
+from pathlib import Path
+
+import numpy
+import pytest
+from coupling import PROJECT, models_in
+from fmpy.util import add_remoting
+from machines import ARM, FMUS, FMUS_OF_COPY
+
+MODELS = models_in(FMUS)
+PLATFORMS = ["linux64", "win64", ARM]
+EXAMPLES = PROJECT / "examples" / "c"
+PROGRAMS = PROJECT / "tests" / "c"
+
+# First bytes of a file, and the number of its processor in it (System V ABI, PE format, mach-o/loader.h).
+ELF, INTEL_ELF, ARM_ELF = b"\x7fELF", b"\x3e\x00", b"\xb7\x00"
+UNIVERSAL = b"\xca\xfe\xba\xbe\x00\x00\x00\x02"
+
+
+def linked(machine, source):
+    """A program that finds the library beside it."""
+    beside = [] if machine.platform == "win64" else ["-Wl,-rpath,$ORIGIN", "-lm"]
+    return machine.compile(source, machine.library, *beside)
+
+
+def results_of_all_models(machine):
+    """Results of the program catalogue.c by model and variable."""
+    lines = machine.run(linked(machine, PROGRAMS / "catalogue.c")).splitlines()
+    return {(model, name): float(value) for model, name, value in (line.split(" ") for line in lines)}
+
+
+@pytest.mark.parametrize("model", MODELS)
+def test_one_file_holds_the_libraries_of_three_systems_and_arm_has_its_own(model):
+    def head(archive, path):
+        return archive.read(f"binaries/{path}")[:20]
+
+    with zipfile.ZipFile(FMUS / f"{model}.fmu") as archive:
+        folders = {name.split("/")[1] for name in archive.namelist() if name.startswith("binaries/")}
+        assert folders == {"linux64", "win64", "darwin64"}
+        linux = head(archive, f"linux64/{model}.so")
+        assert linux.startswith(ELF)
+        assert linux.endswith(INTEL_ELF)
+        assert head(archive, f"win64/{model}.dll").startswith(b"MZ")
+        assert head(archive, f"darwin64/{model}.dylib").startswith(UNIVERSAL)
+    with zipfile.ZipFile(FMUS / ARM / f"{model}.fmu") as archive:
+        # Importers on ARM look in one of the two.
+        for folder in ("linux64", ARM):
+            arm = head(archive, f"{folder}/{model}.so")
+            assert arm.startswith(ELF)
+            assert arm.endswith(ARM_ELF)
+
+
+def test_a_copy_of_the_project_in_another_folder_gives_the_same_bytes():
+    names = [path.relative_to(FMUS) for path in sorted(FMUS.rglob("*.fmu"))]
+    assert names == [path.relative_to(FMUS_OF_COPY) for path in sorted(FMUS_OF_COPY.rglob("*.fmu"))]
+    assert len(names) == 2 * len(MODELS)
+    different = [str(name) for name in names if (FMUS / name).read_bytes() != (FMUS_OF_COPY / name).read_bytes()]
+    assert different == []
+
+
+@pytest.mark.parametrize("platform", PLATFORMS)
+def test_a_host_loads_the_library_and_meets_every_function(machines, platform):
+    machine = machines[platform]
+    loads = [] if platform == "win64" else ["-lm", "-ldl"]
+    program = machine.compile(PROGRAMS / "fmi_test.c", *loads)
+    assert " 0 failed" in machine.run(program, machine.library)
+
+
+@pytest.mark.parametrize("platform", PLATFORMS)
+def test_the_master_in_c_prints_the_same_everywhere(machines, platform):
+    source = EXAMPLES / "fmu_master.c"
+    output = {name: machines[name].run(linked(machines[name], source)) for name in {"linux64", platform}}
+    assert "slips 5 times, first at 7.35" in output[platform]
+    assert output[platform] == output["linux64"]
+
+
+@pytest.mark.parametrize("platform", PLATFORMS)
+def test_all_models_have_the_results_of_linux(machines, platform):
+    expected, found = results_of_all_models(machines["linux64"]), results_of_all_models(machines[platform])
+    assert {model for model, _ in found} == set(MODELS)
+    assert found.keys() == expected.keys()
+    equal = sum(found[key] == value for key, value in expected.items())
+    print(f"{platform}: {equal} of {len(expected)} results of {len(MODELS)} models are equal to the last bit")
+    for key, value in expected.items():
+        # A difference of forces over 2e-8 m/s: the last bit of 1300 N becomes 1e-5 N.s/m.
+        digits = 1e-7 if key == ("ShockAbsorber", "dforce_dvelocity") else 1e-9
+        assert found[key] == pytest.approx(value, rel=digits, abs=1e-12), key
+
+
+def simulate(fmu, file, environment):
+    """Outputs of a run in fmpy. The process and what it started end with it, or after a minute."""
+    script = Path(__file__).with_name("remote.py")
+    python_path = os.pathsep.join([str(PROJECT / "examples" / "fmpy"), os.environ.get("PYTHONPATH", "")])
+    settings = {**os.environ, **environment, "PYTHONPATH": python_path}
+    log = file.with_suffix(".log")
+    with log.open("w") as output:
+        process = subprocess.Popen(
+            [sys.executable, script, fmu, file], stdout=output, stderr=output, env=settings, start_new_session=True
+        )
+        try:
+            status = process.wait(timeout=60)
+        finally:
+            with suppress(ProcessLookupError):
+                os.killpg(process.pid, signal.SIGKILL)
+    assert status == 0, log.read_text()
+    return numpy.load(file)
+
+
+@pytest.mark.parametrize("model", MODELS)
+def test_fmpy_runs_the_windows_library_as_the_linux_one(model, wine, tmp_path):
+    fmu = FMUS / f"{model}.fmu"
+    remote = tmp_path / fmu.name
+    with zipfile.ZipFile(fmu) as packed, zipfile.ZipFile(remote, "w") as archive:
+        for name in packed.namelist():
+            if not name.startswith("binaries/linux64/"):
+                archive.writestr(name, packed.read(name))
+    add_remoting(remote, "linux64", "win64")
+    here, there = simulate(fmu, tmp_path / "here.npy", {}), simulate(remote, tmp_path / "there.npy", wine)
+    assert len(here) == len(there) == 101
+    for name in here.dtype.names:
+        numpy.testing.assert_allclose(there[name], here[name], rtol=1e-9, atol=1e-12, err_msg=name)

@@ -1,0 +1,163 @@
+"""Rules of FMI 2.0 for modelDescription.xml that FMPy and the schema do not check, and a proof that each can fail."""
+
+import re
+from collections.abc import Callable
+from pathlib import Path
+from xml.etree import ElementTree
+from xml.etree.ElementTree import Element
+
+import pytest
+
+DESCRIPTIONS = sorted((Path(__file__).parents[2] / "modelDescription").glob("*.xml"))
+
+
+def kind_of(variable: Element) -> Element:
+    """The element that holds type, start and bounds of a variable."""
+    return next(child for child in variable if child.tag in {"Real", "Integer", "Boolean", "String", "Enumeration"})
+
+
+def duplicates(words: list[str]) -> list[str]:
+    return sorted({word for word in words if words.count(word) > 1})
+
+
+def range_breaches(root: Element) -> list[str]:
+    """min <= start <= max; an enumeration without bounds of its own has those of its items."""
+    items = {kind.get("name"): len(kind.findall("Enumeration/Item")) for kind in root.iter("SimpleType")}
+    found = []
+    for variable in root.iter("ScalarVariable"):
+        kind = kind_of(variable)
+        if kind.tag == "Boolean":
+            continue
+        is_choice = kind.tag == "Enumeration"
+        low = float(kind.get("min", 1 if is_choice else "-inf"))
+        high = float(kind.get("max", items[kind.get("declaredType")] if is_choice else "inf"))
+        start = float(kind.get("start", low if low > float("-inf") else min(0.0, high)))
+        if not low <= high:
+            found.append(f"{variable.get('name')}: min {low} > max {high}")
+        elif not low <= start <= high:
+            found.append(f"{variable.get('name')}: start {start} outside {low} to {high}")
+    return found
+
+
+def start_breaches(root: Element) -> list[str]:
+    """Who has a start value follows from causality and initial (FMI 2.0.5 section 2.2.7)."""
+    found = []
+    for variable in root.iter("ScalarVariable"):
+        needs = variable.get("causality") in {"input", "parameter"} or variable.get("initial") in {"exact", "approx"}
+        if needs != (kind_of(variable).get("start") is not None):
+            found.append(f"{variable.get('name')}: start value {'missing' if needs else 'where none may be'}")
+    return found
+
+
+def experiment_breaches(root: Element) -> list[str]:
+    values = {name: float(value) for name, value in root.find("DefaultExperiment").attrib.items()}
+    found = [f"{name} <= 0" for name in ("tolerance", "stepSize") if not values.get(name, 1.0) > 0.0]
+    if not values.get("startTime", 0.0) < values.get("stopTime", float("inf")):
+        found.append("stopTime <= startTime")
+    return found
+
+
+def name_breaches(root: Element) -> list[str]:
+    """Names that must differ, value references that must, and the identifier that must be one of C."""
+    identifiers = [
+        root.find(tag).get("modelIdentifier") for tag in ("CoSimulation", "ModelExchange") if root.find(tag) is not None
+    ]
+    found = [f"modelIdentifier {name}" for name in identifiers if not re.fullmatch("[A-Za-z_][A-Za-z0-9_]*", name)]
+    for path, key in [
+        ("UnitDefinitions/Unit", "name"),
+        ("TypeDefinitions/SimpleType", "name"),
+        ("LogCategories/Category", "name"),
+        ("ModelVariables/ScalarVariable", "name"),
+        ("ModelVariables/ScalarVariable", "valueReference"),
+    ]:
+        found += [f"{path} {key} {name} twice" for name in duplicates([e.get(key) for e in root.findall(path)])]
+    return found
+
+
+def reference_breaches(root: Element) -> list[str]:
+    """What is named is there: units, types."""
+    units = {unit.get("name") for unit in root.findall("UnitDefinitions/Unit")}
+    types = {kind.get("name") for kind in root.findall("TypeDefinitions/SimpleType")}
+    named = [(element, "unit", units) for element in root.iter("Real") if element.get("unit")]
+    named += [
+        (kind_of(v), "declaredType", types) for v in root.iter("ScalarVariable") if kind_of(v).get("declaredType")
+    ]
+    return [f"no {key} {element.get(key)}" for element, key, known in named if element.get(key) not in known]
+
+
+def structure_breaches(root: Element) -> list[str]:
+    """Outputs are complete, initial unknowns too, in rising order, with dependencies that exist."""
+    variables = root.findall("ModelVariables/ScalarVariable")
+    numbered = list(enumerate(variables, start=1))
+    outputs = [i for i, v in numbered if v.get("causality") == "output"]
+    unknowns = [i for i, v in numbered if v.get("causality") == "output" and v.get("initial") != "exact"]
+    listed = {
+        part: [int(unknown.get("index")) for unknown in root.findall(f"ModelStructure/{part}/Unknown")]
+        for part in ("Outputs", "InitialUnknowns")
+    }
+    found = [] if listed["Outputs"] == outputs else ["Outputs are not the outputs"]
+    if not set(unknowns) <= set(listed["InitialUnknowns"]):
+        found.append(f"InitialUnknowns lack {set(unknowns) - set(listed['InitialUnknowns'])}")
+    found += [f"{part} are not in order" for part, indices in listed.items() if indices != sorted(set(indices))]
+    for unknown in root.find("ModelStructure").iter("Unknown"):
+        dependencies = unknown.get("dependencies", "").split()
+        if not all(1 <= int(index) <= len(variables) for index in dependencies):
+            found.append(f"dependencies of {unknown.get('index')} that do not exist")
+        if unknown.get("dependenciesKind") and len(unknown.get("dependenciesKind").split()) != len(dependencies):
+            found.append(f"dependenciesKind of {unknown.get('index')} has another length")
+    return found
+
+
+RULES = [range_breaches, start_breaches, experiment_breaches, name_breaches, reference_breaches, structure_breaches]
+
+
+@pytest.mark.parametrize("path", DESCRIPTIONS, ids=lambda path: path.stem)
+def test_no_rule_is_broken(path: Path):
+    root = ElementTree.parse(path).getroot()
+    assert [breach for rule in RULES for breach in rule(root)] == []
+
+
+def edit(path: str, **attributes: str) -> Callable[[Element], None]:
+    """Gives the first element at `path` other attributes."""
+    return lambda root: root.find(path).attrib.update(attributes)
+
+
+def remove_last(path: str) -> Callable[[Element], None]:
+    def remove(root: Element) -> None:
+        parent = root.find(path)
+        parent.remove(parent[-1])
+
+    return remove
+
+
+MASS = "ModelVariables/ScalarVariable[@name='mass']"
+MISTAKES = {
+    "min > max": (edit(f"{MASS}/Real", min="2", max="1"), "min 2.0 > max 1.0"),
+    "start outside": (edit(f"{MASS}/Real", min="2"), "start 1.0 outside 2.0"),
+    "start missing": (lambda root: root.find(f"{MASS}/Real").attrib.pop("start"), "start value missing"),
+    "stop before start": (edit("DefaultExperiment", stopTime="-1"), "stopTime <= startTime"),
+    "negative step": (edit("DefaultExperiment", stepSize="-0.1"), "stepSize <= 0"),
+    "negative tolerance": (edit("DefaultExperiment", tolerance="-1"), "tolerance <= 0"),
+    "no C identifier": (edit("CoSimulation", modelIdentifier="3-D"), "modelIdentifier 3-D"),
+    "reference twice": (edit(MASS, valueReference="2"), "valueReference 2 twice"),
+    "name twice": (edit(MASS, name="stiffness"), "name stiffness twice"),
+    "unit twice": (lambda root: root.find("UnitDefinitions").append(root.find("UnitDefinitions/Unit")), "Unit name"),
+    "unknown unit": (edit(f"{MASS}/Real", unit="stone"), "no unit stone"),
+    "unknown type": (edit(f"{MASS}/Real", declaredType="Weight"), "no declaredType Weight"),
+    "initial unknown": (remove_last("ModelStructure/InitialUnknowns"), "InitialUnknowns lack {8}"),
+    "output": (remove_last("ModelStructure/Outputs"), "Outputs are not the outputs"),
+    "dependency": (edit("ModelStructure/InitialUnknowns/Unknown", dependencies="4 99"), "dependencies of 7"),
+}
+
+
+@pytest.mark.parametrize("mistake", MISTAKES)
+def test_each_rule_can_be_broken(mistake: str):
+    root = ElementTree.parse(next(path for path in DESCRIPTIONS if path.stem == "BeltRig")).getroot()
+    make, message = MISTAKES[mistake]
+    make(root)
+    breaches = [breach for rule in RULES for breach in rule(root)]
+    assert any(message in breach for breach in breaches), breaches
+
+
+def test_there_is_something_to_check():
+    assert len(DESCRIPTIONS) > 40
