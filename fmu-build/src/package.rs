@@ -181,7 +181,7 @@ mod tests {
     #[test]
     fn every_platform_has_its_folder_and_arm_two_of_them() {
         let binaries = |choices: &[Choice]| -> Vec<String> {
-            let files = contents(&entries()[0], &libraries(choices), root(), release_date()).unwrap();
+            let files = contents(&entries()[0], &libraries(choices), root(), release_date(), Choices::Named).unwrap();
             files.into_keys().filter(|path| path.starts_with("binaries/")).collect()
         };
         let of = |folder: &str, suffix: &str| format!("binaries/{folder}/{}{suffix}", entries()[0].model.name);
