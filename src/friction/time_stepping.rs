@@ -5,6 +5,7 @@
 
 use crate::laws::end_velocity::{self, Landing};
 use crate::laws::stopping::{force_to_stop, is_held};
+use crate::memory;
 use crate::model::{Fault, Model, boolean, real};
 use crate::number::{Dual, Real};
 
@@ -112,7 +113,8 @@ impl TimeStepping {
     /// With mass the force is that of a whole step, which an importer that integrates the body itself does not make.
     pub(crate) fn check_exchange(&self) -> Result<(), Fault> {
         if self.mass > 0.0 {
-            return Err(Fault(format!("mass = {}: must be 0 in Model Exchange, which holds no force", self.mass)));
+            let text = format_args!("mass = {}: must be 0 in Model Exchange, which holds no force", self.mass);
+            return Err(Fault(memory::text(text)));
         }
         Ok(())
     }

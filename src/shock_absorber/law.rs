@@ -4,6 +4,7 @@
 //! a new law can be chosen here without another line.
 
 use crate::friction::MODELS;
+use crate::memory;
 use crate::model::{Column, Columns, Enumeration, Fault, Item, ModelType, Path, Segment, Variable, Width, real};
 use crate::number::{Dual, Real};
 use crate::unit::same;
@@ -465,12 +466,11 @@ impl ChosenLaw {
     pub(crate) fn check_exchange(self, given: &Given<f64>, parameters: &LawParameters) -> Result<(), Fault> {
         let name = self.0.model.name;
         if !self.0.model.model_exchange {
-            return Err(Fault(format!(
-                "friction.model = {name}: must be a law that is offered for Model Exchange itself"
-            )));
+            let text = format_args!("friction.model = {name}: must be a law that is offered for Model Exchange itself");
+            return Err(Fault(memory::text(text)));
         }
         let row = self.row(given, parameters, &self.start());
-        let named = |fault: Fault| Fault(format!("friction.model = {name}: {}", fault.0));
+        let named = |fault: Fault| Fault(memory::text(format_args!("friction.model = {name}: {}", fault.0)));
         self.0.model.check_exchange(&row[..self.0.model.table.len()]).map_err(named)
     }
 
