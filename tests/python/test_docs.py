@@ -1,5 +1,6 @@
 """The Python examples in the pages of docs/: they run, and print what the page says."""
 
+import itertools
 import re
 from dataclasses import dataclass
 from pathlib import Path
@@ -22,7 +23,7 @@ class Example:
 def examples(page: str) -> list[Example]:
     """The Python blocks of a page; a block of text directly after one is what it prints."""
     found, blocks = [], list(BLOCK.finditer(page))
-    for block, following in zip(blocks, [*blocks[1:], None], strict=True):
+    for block, following in itertools.zip_longest(blocks, blocks[1:]):
         if block["language"] != "python":
             continue
         is_answer = following and following["language"] == "text" and not page[block.end() : following.start()].strip()
