@@ -489,7 +489,7 @@ pub trait Model: Described + Law {
         Ok(())
     }
 
-    /// Writes functions that change sign where derivatives or outputs jump or bend, for an importer to find the instant.
+    /// Writes functions that change sign where derivatives or outputs jump or bend, so that an importer finds the instant.
     fn event_indicators(&self, _indicators: &mut [f64]) {}
 
     /// Changes what changes at an event only; also called once before the run. Model Exchange only.
