@@ -215,7 +215,7 @@ fn refuse_stale(root: &Path) -> Result<()> {
 fn ssp(root: &Path, out: &Path) -> Result<()> {
     refuse_stale(root)?;
     let date = project::packing_date()?;
-    let libraries = build(root, &platform::platforms(&[])?)?;
+    let libraries = build(root, &platform::platforms(&[Choice::Host])?)?;
     let mut files = archive::Files::new();
     let models: Vec<String> = four_post::add_to(&mut files, root)?.into_iter().map(str::to_owned).collect();
     for entry in package::select(&models)? {
