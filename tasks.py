@@ -230,9 +230,9 @@ def clean() -> None:
 
 # What each task does, as it says when it starts. The times are those of a first run on two cores.
 TASKS = {
-    demo: "install the Python packages, build and pack the FMUs, run each of them, draw the results: 2 to 4 minutes, "
-    "then under one",
-    test: "check formatting and lints, run the Rust, C and Python tests: 5 to 10 minutes, then about 3",
+    demo: "install the Python packages, build and pack the FMUs, run each of them, draw the results: 5 to 9 minutes, "
+    "then about 2",
+    test: "check formatting and lints, run the Rust, C and Python tests: 15 to 25 minutes, then about 10",
     trust: "try what hosts may do to the library, in full, and print the figures: about an hour",
     bench: "build and run the benchmarks: 2 to 5 minutes",
     pack: "build the library and pack every model as an FMU into dist/: 1 to 2 minutes",
