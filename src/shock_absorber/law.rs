@@ -345,6 +345,7 @@ pub trait Evaluate: Real {
     fn evaluate(model: &ModelType, row: &mut [Self]) -> bool;
 
     /// Computes the time derivatives of the states.
+    #[inline(never)]
     fn rate(model: &ModelType, row: &[Self], rate: &mut [Self]);
 }
 
@@ -390,6 +391,7 @@ impl ChosenLaw {
     }
 
     /// Force at the given motion.
+    #[inline(never)]
     pub(crate) fn force<T: Evaluate>(
         self,
         given: &Given<T>,
@@ -402,6 +404,7 @@ impl ChosenLaw {
     }
 
     /// Advances the memory by `dt` while the motion is held.
+    #[inline(never)]
     pub(crate) fn advance(
         self,
         given: &Given<f64>,

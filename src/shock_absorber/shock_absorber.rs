@@ -295,6 +295,7 @@ impl Setting {
     }
 
     /// Friction force along the axis after a step, if the strut moves so; nothing is changed.
+    #[inline(never)]
     fn friction_after(&self, motion: &Motion<f64>, memory: [&[f64; MEMORY]; 2], dt: f64) -> f64 {
         let touches = self.touches(motion);
         let force = |at: usize| {
@@ -306,6 +307,7 @@ impl Setting {
     }
 
     /// Friction force along the axis at this instant.
+    #[inline(never)]
     fn friction_now(&self, motion: &Motion<f64>, memory: [&[f64; MEMORY]; 2]) -> f64 {
         let touches = self.touches(motion);
         let force = |at: usize| {
@@ -327,6 +329,7 @@ impl Setting {
 
     /// Derivatives of the force: with respect to length and to velocity at this instant, and to a velocity that is held
     /// over a step of `dt`.
+    #[inline(never)] // as the other parts of an output: what each puts on the stack is gone before the next
     fn tangents(&self, memory: [&[f64; MEMORY]; 2], state: &OtherStates<f64>, dt: f64) -> Tangents {
         let here = self.motion();
         let now = |motion: &Motion<f64>| {
@@ -589,6 +592,7 @@ impl<T: Evaluate> ShockAbsorber<T> {
     }
 
     /// Tangents and the step that they allow.
+    #[inline(never)]
     fn write_advice(&mut self, memories: &[[T; MEMORY]; 2]) {
         let setting = self.setting.map(&|number: T| number.value());
         let memories = memories.map(|memory| memory.map(|number| number.value()));
