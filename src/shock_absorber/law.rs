@@ -345,7 +345,6 @@ pub trait Evaluate: Real {
     fn evaluate(model: &ModelType, row: &mut [Self]) -> bool;
 
     /// Computes the time derivatives of the states.
-    #[inline(never)]
     fn rate(model: &ModelType, row: &[Self], rate: &mut [Self]);
 }
 
