@@ -138,14 +138,36 @@ typedef struct {
   double max;
 } stribeck_variable;
 
+/** An instance of a model. */
+typedef void *fmi2Component;
+
+/** `fmi2False` or `fmi2True`. */
+typedef int fmi2Boolean;
+
+/** Floating-point number. */
+typedef double fmi2Real;
+
+/** What an event has changed, or needs. */
+typedef struct {
+  /** Must fmi2NewDiscreteStates be called again? */
+  fmi2Boolean newDiscreteStatesNeeded;
+  /** Is the simulation to end? */
+  fmi2Boolean terminateSimulation;
+  /** Are there new nominal values of the states? */
+  fmi2Boolean nominalsOfContinuousStatesChanged;
+  /** Have the states jumped? */
+  fmi2Boolean valuesOfContinuousStatesChanged;
+  /** Is the time of the next event known? */
+  fmi2Boolean nextEventTimeDefined;
+  /** That time. */
+  fmi2Real nextEventTime;
+} fmi2EventInfo;
+
 /** Character. */
 typedef char fmi2Char;
 
 /** Zero-terminated text. */
 typedef const fmi2Char *fmi2String;
-
-/** An instance of a model. */
-typedef void *fmi2Component;
 
 /** Kind of an FMU, an argument of fmi2Instantiate: `fmi2ModelExchange` or `fmi2CoSimulation`. */
 typedef int fmi2Type;
@@ -183,12 +205,6 @@ typedef struct {
   /** Given back to the logger. */
   fmi2ComponentEnvironment componentEnvironment;
 } fmi2CallbackFunctions;
-
-/** `fmi2False` or `fmi2True`. */
-typedef int fmi2Boolean;
-
-/** Floating-point number. */
-typedef double fmi2Real;
 
 /** A saved state of an instance. */
 typedef void *fmi2FMUstate;
@@ -325,6 +341,39 @@ stribeck_status stribeck_save(stribeck_model *model, void *buffer, size_t size);
 /** Goes back to a saved state of this or of another model of the same kind. Foreign or damaged bytes are refused. */
 stribeck_status stribeck_restore(stribeck_model *model, const void *buffer, size_t size);
 
+/** Enters event mode, in which inputs may jump. */
+fmi2Status fmi2EnterEventMode(fmi2Component c);
+
+/** Settles what an event changes: once is enough. No model knows the time of its next event or ends the simulation. */
+fmi2Status fmi2NewDiscreteStates(fmi2Component c, fmi2EventInfo *eventInfo);
+
+/** Enters continuous-time mode, in which time and states move. */
+fmi2Status fmi2EnterContinuousTimeMode(fmi2Component c);
+
+/** A step of the importer's solver is done. Not needed: no model asks for an event in this way. */
+fmi2Status fmi2CompletedIntegratorStep(fmi2Component c,
+                                       fmi2Boolean noSetFMUStatePriorToCurrentPoint,
+                                       fmi2Boolean *enterEventMode,
+                                       fmi2Boolean *terminateSimulation);
+
+/** Declares the present time. */
+fmi2Status fmi2SetTime(fmi2Component c, fmi2Real time);
+
+/** Sets the states: all, or none with fmi2Discard if one is not finite. */
+fmi2Status fmi2SetContinuousStates(fmi2Component c, const fmi2Real *x, size_t nx);
+
+/** Time derivatives of the states. fmi2Discard if one is not finite: the solver may try a smaller step. */
+fmi2Status fmi2GetDerivatives(fmi2Component c, fmi2Real *derivatives, size_t nx);
+
+/** Functions that change sign where the derivatives jump or bend. fmi2Discard if one is not finite. */
+fmi2Status fmi2GetEventIndicators(fmi2Component c, fmi2Real *eventIndicators, size_t ni);
+
+/** The states. */
+fmi2Status fmi2GetContinuousStates(fmi2Component c, fmi2Real *x, size_t nx);
+
+/** The usual sizes of the states. */
+fmi2Status fmi2GetNominalsOfContinuousStates(fmi2Component c, fmi2Real *x_nominal, size_t nx);
+
 /** The platform of the types: "default". */
 fmi2String fmi2GetTypesPlatform(void);
 
@@ -334,9 +383,9 @@ fmi2String fmi2GetVersion(void);
 /**
  * Makes an instance of the model whose guid is `fmuGUID`, to be freed once with fmi2FreeInstance.
  *
- * `fmuType` must be `fmi2CoSimulation`. `callbacks` is copied; its function pointers may all be NULL.
- * `fmuResourceLocation` and `visible` are not used. Returns NULL, and says why to the logger, if the guid is that of no
- * model of this library, if the name is blank, or if there is no memory.
+ * `fmuType` must be `fmi2CoSimulation` or, for the models that offer it, `fmi2ModelExchange`. `callbacks` is copied; its
+ * function pointers may all be NULL. `fmuResourceLocation` and `visible` are not used. Returns NULL, and says why to the logger, if the guid is that of no
+ * model of this library, if the model does not offer that type, if the name is blank, or if there is no memory.
  */
 fmi2Component fmi2Instantiate(fmi2String instanceName,
                               fmi2Type fmuType,
@@ -369,7 +418,10 @@ fmi2Status fmi2SetupExperiment(fmi2Component c,
 /** Enters the initialization mode, in which inputs are set and outputs read at the start time. */
 fmi2Status fmi2EnterInitializationMode(fmi2Component c);
 
-/** Ends the initialization: parameters must now fit together, outputs must be finite. */
+/**
+ * Ends the initialization: parameters must now fit together, outputs must be finite. Model Exchange goes on in event
+ * mode.
+ */
 fmi2Status fmi2ExitInitializationMode(fmi2Component c);
 
 /** Ends the simulation run. Results can still be read. */
@@ -469,7 +521,10 @@ fmi2Status fmi2GetRealOutputDerivatives(fmi2Component c,
                                         const fmi2Integer *order,
                                         fmi2Real *value);
 
-/** Derivative of outputs in a direction of inputs, parameters and states: exact, by automatic differentiation. */
+/**
+ * Derivative of outputs, and of the states' time derivatives, in a direction of inputs, parameters and states: exact, by
+ * automatic differentiation.
+ */
 fmi2Status fmi2GetDirectionalDerivative(fmi2Component c,
                                         const fmi2ValueReference *vUnknown_ref,
                                         size_t nUnknown,
@@ -749,7 +804,7 @@ typedef enum stribeck_threlfall_variant {
 } stribeck_threlfall_variant;
 
 /** Guid of Coulomb for fmi2Instantiate. */
-#define STRIBECK_COULOMB_GUID "{115aa58d-503a-4303-3210-074cd6d511d0}"
+#define STRIBECK_COULOMB_GUID "{25452362-d868-365d-5f7f-915319ab1fdd}"
 
 /** Coulomb: Coulomb friction. Columns of "Coulomb". */
 typedef enum stribeck_coulomb_variable {
@@ -771,18 +826,20 @@ typedef enum stribeck_coulomb_variable {
   STRIBECK_COULOMB_PLANNING_STEP = 7,
   /** state [N]: Force planned for the coming step of a parallel exchange. (default 0) */
   STRIBECK_COULOMB_PLANNED_FORCE = 8,
+  /** state [Boolean]: Has an event of Model Exchange found the contact held at rest? (default false) */
+  STRIBECK_COULOMB_HELD = 9,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
-  STRIBECK_COULOMB_DISSIPATED_ENERGY = 9,
+  STRIBECK_COULOMB_DISSIPATED_ENERGY = 10,
   /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
-  STRIBECK_COULOMB_FRICTION_FORCE = 10,
+  STRIBECK_COULOMB_FRICTION_FORCE = 11,
   /** out [W]: Power taken out of the motion: friction force times velocity. */
-  STRIBECK_COULOMB_DISSIPATED_POWER = 11,
+  STRIBECK_COULOMB_DISSIPATED_POWER = 12,
   /** out [Boolean]: Is the contact sticking? */
-  STRIBECK_COULOMB_STICKING = 12,
+  STRIBECK_COULOMB_STICKING = 13,
 } stribeck_coulomb_variable;
 
 /** Guid of CoulombStiction for fmi2Instantiate. */
-#define STRIBECK_COULOMB_STICTION_GUID "{89560fc3-9e1c-3047-bf68-27a075a8e3c8}"
+#define STRIBECK_COULOMB_STICTION_GUID "{6636448a-cb91-dca0-0837-b738cc08c9b3}"
 
 /** CoulombStiction: Coulomb friction with stiction. Columns of "CoulombStiction". */
 typedef enum stribeck_coulomb_stiction_variable {
@@ -808,18 +865,20 @@ typedef enum stribeck_coulomb_stiction_variable {
   STRIBECK_COULOMB_STICTION_PLANNING_STEP = 9,
   /** state [N]: Force planned for the coming step of a parallel exchange. (default 0) */
   STRIBECK_COULOMB_STICTION_PLANNED_FORCE = 10,
+  /** state [Boolean]: Has an event of Model Exchange found the contact held at rest? (default false) */
+  STRIBECK_COULOMB_STICTION_HELD = 11,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
-  STRIBECK_COULOMB_STICTION_DISSIPATED_ENERGY = 11,
+  STRIBECK_COULOMB_STICTION_DISSIPATED_ENERGY = 12,
   /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
-  STRIBECK_COULOMB_STICTION_FRICTION_FORCE = 12,
+  STRIBECK_COULOMB_STICTION_FRICTION_FORCE = 13,
   /** out [W]: Power taken out of the motion: friction force times velocity. */
-  STRIBECK_COULOMB_STICTION_DISSIPATED_POWER = 13,
+  STRIBECK_COULOMB_STICTION_DISSIPATED_POWER = 14,
   /** out [Boolean]: Is the contact sticking? */
-  STRIBECK_COULOMB_STICTION_STICKING = 14,
+  STRIBECK_COULOMB_STICTION_STICKING = 15,
 } stribeck_coulomb_stiction_variable;
 
 /** Guid of CoulombViscous for fmi2Instantiate. */
-#define STRIBECK_COULOMB_VISCOUS_GUID "{1beb58eb-9376-47d8-f9ad-1321e0ca4a93}"
+#define STRIBECK_COULOMB_VISCOUS_GUID "{b23978ab-fd19-9c77-cf12-734f387aff5a}"
 
 /** CoulombViscous: Coulomb friction with a viscous part. Columns of "CoulombViscous". */
 typedef enum stribeck_coulomb_viscous_variable {
@@ -847,18 +906,20 @@ typedef enum stribeck_coulomb_viscous_variable {
   STRIBECK_COULOMB_VISCOUS_PLANNING_STEP = 10,
   /** state [N]: Force planned for the coming step of a parallel exchange. (default 0) */
   STRIBECK_COULOMB_VISCOUS_PLANNED_FORCE = 11,
+  /** state [Boolean]: Has an event of Model Exchange found the contact held at rest? (default false) */
+  STRIBECK_COULOMB_VISCOUS_HELD = 12,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
-  STRIBECK_COULOMB_VISCOUS_DISSIPATED_ENERGY = 12,
+  STRIBECK_COULOMB_VISCOUS_DISSIPATED_ENERGY = 13,
   /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
-  STRIBECK_COULOMB_VISCOUS_FRICTION_FORCE = 13,
+  STRIBECK_COULOMB_VISCOUS_FRICTION_FORCE = 14,
   /** out [W]: Power taken out of the motion: friction force times velocity. */
-  STRIBECK_COULOMB_VISCOUS_DISSIPATED_POWER = 14,
+  STRIBECK_COULOMB_VISCOUS_DISSIPATED_POWER = 15,
   /** out [Boolean]: Is the contact sticking? */
-  STRIBECK_COULOMB_VISCOUS_STICKING = 15,
+  STRIBECK_COULOMB_VISCOUS_STICKING = 16,
 } stribeck_coulomb_viscous_variable;
 
 /** Guid of Stribeck for fmi2Instantiate. */
-#define STRIBECK_STRIBECK_GUID "{8b4d1236-4d91-3b3e-fa03-f2d416620837}"
+#define STRIBECK_STRIBECK_GUID "{d8dc31ae-8f0d-70c7-6e62-50ee3cd5147e}"
 
 /** Stribeck: Friction that falls with speed from the static to the kinetic level (Stribeck). Columns of "Stribeck". */
 typedef enum stribeck_stribeck_variable {
@@ -893,18 +954,20 @@ typedef enum stribeck_stribeck_variable {
   STRIBECK_STRIBECK_PLANNING_STEP = 13,
   /** state [N]: Force planned for the coming step of a parallel exchange. (default 0) */
   STRIBECK_STRIBECK_PLANNED_FORCE = 14,
+  /** state [Boolean]: Has an event of Model Exchange found the contact held at rest? (default false) */
+  STRIBECK_STRIBECK_HELD = 15,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
-  STRIBECK_STRIBECK_DISSIPATED_ENERGY = 15,
+  STRIBECK_STRIBECK_DISSIPATED_ENERGY = 16,
   /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
-  STRIBECK_STRIBECK_FRICTION_FORCE = 16,
+  STRIBECK_STRIBECK_FRICTION_FORCE = 17,
   /** out [W]: Power taken out of the motion: friction force times velocity. */
-  STRIBECK_STRIBECK_DISSIPATED_POWER = 17,
+  STRIBECK_STRIBECK_DISSIPATED_POWER = 18,
   /** out [Boolean]: Is the contact sticking? */
-  STRIBECK_STRIBECK_STICKING = 18,
+  STRIBECK_STRIBECK_STICKING = 19,
 } stribeck_stribeck_variable;
 
 /** Guid of Bernard for fmi2Instantiate. */
-#define STRIBECK_BERNARD_GUID "{0f1beb23-4203-e434-0863-5db99371f7fc}"
+#define STRIBECK_BERNARD_GUID "{9290c366-dd09-0e05-177a-758d884e7149}"
 
 /** Bernard: Coulomb friction with a linear transition, by its slope (Bernard). Columns of "Bernard". */
 typedef enum stribeck_bernard_variable {
@@ -928,18 +991,20 @@ typedef enum stribeck_bernard_variable {
   STRIBECK_BERNARD_PLANNING_STEP = 8,
   /** state [N]: Force planned for the coming step of a parallel exchange. (default 0) */
   STRIBECK_BERNARD_PLANNED_FORCE = 9,
+  /** state [Boolean]: Has an event of Model Exchange found the contact held at rest? (default false) */
+  STRIBECK_BERNARD_HELD = 10,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
-  STRIBECK_BERNARD_DISSIPATED_ENERGY = 10,
+  STRIBECK_BERNARD_DISSIPATED_ENERGY = 11,
   /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
-  STRIBECK_BERNARD_FRICTION_FORCE = 11,
+  STRIBECK_BERNARD_FRICTION_FORCE = 12,
   /** out [W]: Power taken out of the motion: friction force times velocity. */
-  STRIBECK_BERNARD_DISSIPATED_POWER = 12,
+  STRIBECK_BERNARD_DISSIPATED_POWER = 13,
   /** out [Boolean]: Is the contact sticking? */
-  STRIBECK_BERNARD_STICKING = 13,
+  STRIBECK_BERNARD_STICKING = 14,
 } stribeck_bernard_variable;
 
 /** Guid of Threlfall for fmi2Instantiate. */
-#define STRIBECK_THRELFALL_GUID "{37b805ff-73bf-72c2-cf40-48ec8eaab1a1}"
+#define STRIBECK_THRELFALL_GUID "{f76f7d85-d82a-94e0-62b2-6745b39df7f0}"
 
 /** Threlfall: Coulomb friction with an exponential transition (Threlfall). Columns of "Threlfall". */
 typedef enum stribeck_threlfall_variable {
@@ -965,18 +1030,20 @@ typedef enum stribeck_threlfall_variable {
   STRIBECK_THRELFALL_PLANNING_STEP = 9,
   /** state [N]: Force planned for the coming step of a parallel exchange. (default 0) */
   STRIBECK_THRELFALL_PLANNED_FORCE = 10,
+  /** state [Boolean]: Has an event of Model Exchange found the contact held at rest? (default false) */
+  STRIBECK_THRELFALL_HELD = 11,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
-  STRIBECK_THRELFALL_DISSIPATED_ENERGY = 11,
+  STRIBECK_THRELFALL_DISSIPATED_ENERGY = 12,
   /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
-  STRIBECK_THRELFALL_FRICTION_FORCE = 12,
+  STRIBECK_THRELFALL_FRICTION_FORCE = 13,
   /** out [W]: Power taken out of the motion: friction force times velocity. */
-  STRIBECK_THRELFALL_DISSIPATED_POWER = 13,
+  STRIBECK_THRELFALL_DISSIPATED_POWER = 14,
   /** out [Boolean]: Is the contact sticking? */
-  STRIBECK_THRELFALL_STICKING = 14,
+  STRIBECK_THRELFALL_STICKING = 15,
 } stribeck_threlfall_variable;
 
 /** Guid of ThrelfallModified for fmi2Instantiate. */
-#define STRIBECK_THRELFALL_MODIFIED_GUID "{bc48fd0a-095a-fec8-8fd9-f6253474f144}"
+#define STRIBECK_THRELFALL_MODIFIED_GUID "{d1a12d1f-695f-27f4-a4c7-1dc84f3a9ff1}"
 
 /** ThrelfallModified: Coulomb friction with an exponential transition that ends at the Coulomb level (modified Threlfall). Columns of "ThrelfallModified". */
 typedef enum stribeck_threlfall_modified_variable {
@@ -1000,18 +1067,20 @@ typedef enum stribeck_threlfall_modified_variable {
   STRIBECK_THRELFALL_MODIFIED_PLANNING_STEP = 8,
   /** state [N]: Force planned for the coming step of a parallel exchange. (default 0) */
   STRIBECK_THRELFALL_MODIFIED_PLANNED_FORCE = 9,
+  /** state [Boolean]: Has an event of Model Exchange found the contact held at rest? (default false) */
+  STRIBECK_THRELFALL_MODIFIED_HELD = 10,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
-  STRIBECK_THRELFALL_MODIFIED_DISSIPATED_ENERGY = 10,
+  STRIBECK_THRELFALL_MODIFIED_DISSIPATED_ENERGY = 11,
   /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
-  STRIBECK_THRELFALL_MODIFIED_FRICTION_FORCE = 11,
+  STRIBECK_THRELFALL_MODIFIED_FRICTION_FORCE = 12,
   /** out [W]: Power taken out of the motion: friction force times velocity. */
-  STRIBECK_THRELFALL_MODIFIED_DISSIPATED_POWER = 12,
+  STRIBECK_THRELFALL_MODIFIED_DISSIPATED_POWER = 13,
   /** out [Boolean]: Is the contact sticking? */
-  STRIBECK_THRELFALL_MODIFIED_STICKING = 13,
+  STRIBECK_THRELFALL_MODIFIED_STICKING = 14,
 } stribeck_threlfall_modified_variable;
 
 /** Guid of RooneyDeravi for fmi2Instantiate. */
-#define STRIBECK_ROONEY_DERAVI_GUID "{d130bdbf-ecdb-fe65-5b24-31939bab10cd}"
+#define STRIBECK_ROONEY_DERAVI_GUID "{e6722192-153b-240e-302f-39059b31838c}"
 
 /** RooneyDeravi: Coulomb friction with a transition band (Rooney and Deravi). Columns of "RooneyDeravi". */
 typedef enum stribeck_rooney_deravi_variable {
@@ -1037,18 +1106,20 @@ typedef enum stribeck_rooney_deravi_variable {
   STRIBECK_ROONEY_DERAVI_PLANNING_STEP = 9,
   /** state [N]: Force planned for the coming step of a parallel exchange. (default 0) */
   STRIBECK_ROONEY_DERAVI_PLANNED_FORCE = 10,
+  /** state [Boolean]: Has an event of Model Exchange found the contact held at rest? (default false) */
+  STRIBECK_ROONEY_DERAVI_HELD = 11,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
-  STRIBECK_ROONEY_DERAVI_DISSIPATED_ENERGY = 11,
+  STRIBECK_ROONEY_DERAVI_DISSIPATED_ENERGY = 12,
   /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
-  STRIBECK_ROONEY_DERAVI_FRICTION_FORCE = 12,
+  STRIBECK_ROONEY_DERAVI_FRICTION_FORCE = 13,
   /** out [W]: Power taken out of the motion: friction force times velocity. */
-  STRIBECK_ROONEY_DERAVI_DISSIPATED_POWER = 13,
+  STRIBECK_ROONEY_DERAVI_DISSIPATED_POWER = 14,
   /** out [Boolean]: Is the contact sticking? */
-  STRIBECK_ROONEY_DERAVI_STICKING = 14,
+  STRIBECK_ROONEY_DERAVI_STICKING = 15,
 } stribeck_rooney_deravi_variable;
 
 /** Guid of Ambrosio for fmi2Instantiate. */
-#define STRIBECK_AMBROSIO_GUID "{ea6382c0-f9b7-d35c-23c9-7bcf5fec9d5b}"
+#define STRIBECK_AMBROSIO_GUID "{efd881f6-de53-d3ec-98c6-30fb5fad4322}"
 
 /** Ambrosio: Coulomb friction that is ramped in with speed (Ambrosio). Columns of "Ambrosio". */
 typedef enum stribeck_ambrosio_variable {
@@ -1074,18 +1145,20 @@ typedef enum stribeck_ambrosio_variable {
   STRIBECK_AMBROSIO_PLANNING_STEP = 9,
   /** state [N]: Force planned for the coming step of a parallel exchange. (default 0) */
   STRIBECK_AMBROSIO_PLANNED_FORCE = 10,
+  /** state [Boolean]: Has an event of Model Exchange found the contact held at rest? (default false) */
+  STRIBECK_AMBROSIO_HELD = 11,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
-  STRIBECK_AMBROSIO_DISSIPATED_ENERGY = 11,
+  STRIBECK_AMBROSIO_DISSIPATED_ENERGY = 12,
   /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
-  STRIBECK_AMBROSIO_FRICTION_FORCE = 12,
+  STRIBECK_AMBROSIO_FRICTION_FORCE = 13,
   /** out [W]: Power taken out of the motion: friction force times velocity. */
-  STRIBECK_AMBROSIO_DISSIPATED_POWER = 13,
+  STRIBECK_AMBROSIO_DISSIPATED_POWER = 14,
   /** out [Boolean]: Is the contact sticking? */
-  STRIBECK_AMBROSIO_STICKING = 14,
+  STRIBECK_AMBROSIO_STICKING = 15,
 } stribeck_ambrosio_variable;
 
 /** Guid of Karnopp for fmi2Instantiate. */
-#define STRIBECK_KARNOPP_GUID "{2f1fe997-97dc-55b3-622e-a2fcd4aa8305}"
+#define STRIBECK_KARNOPP_GUID "{b5063307-d8b4-ab9b-c2b8-f49e4bbd8dee}"
 
 /** Karnopp: Coulomb friction with a band of stiction (Karnopp). Columns of "Karnopp". */
 typedef enum stribeck_karnopp_variable {
@@ -1113,18 +1186,20 @@ typedef enum stribeck_karnopp_variable {
   STRIBECK_KARNOPP_PLANNING_STEP = 10,
   /** state [N]: Force planned for the coming step of a parallel exchange. (default 0) */
   STRIBECK_KARNOPP_PLANNED_FORCE = 11,
+  /** state [Boolean]: Has an event of Model Exchange found the contact held at rest? (default false) */
+  STRIBECK_KARNOPP_HELD = 12,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
-  STRIBECK_KARNOPP_DISSIPATED_ENERGY = 12,
+  STRIBECK_KARNOPP_DISSIPATED_ENERGY = 13,
   /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
-  STRIBECK_KARNOPP_FRICTION_FORCE = 13,
+  STRIBECK_KARNOPP_FRICTION_FORCE = 14,
   /** out [W]: Power taken out of the motion: friction force times velocity. */
-  STRIBECK_KARNOPP_DISSIPATED_POWER = 14,
+  STRIBECK_KARNOPP_DISSIPATED_POWER = 15,
   /** out [Boolean]: Is the contact sticking? */
-  STRIBECK_KARNOPP_STICKING = 15,
+  STRIBECK_KARNOPP_STICKING = 16,
 } stribeck_karnopp_variable;
 
 /** Guid of BengisuAkay for fmi2Instantiate. */
-#define STRIBECK_BENGISU_AKAY_GUID "{d7aa77df-1388-e69d-5847-13a09ce7693b}"
+#define STRIBECK_BENGISU_AKAY_GUID "{b86556c2-2059-1cc0-d60a-316fdb1f4682}"
 
 /** BengisuAkay: Continuous friction law with a stiction peak (Bengisu and Akay). Columns of "BengisuAkay". */
 typedef enum stribeck_bengisu_akay_variable {
@@ -1157,18 +1232,20 @@ typedef enum stribeck_bengisu_akay_variable {
   STRIBECK_BENGISU_AKAY_PLANNING_STEP = 12,
   /** state [N]: Force planned for the coming step of a parallel exchange. (default 0) */
   STRIBECK_BENGISU_AKAY_PLANNED_FORCE = 13,
+  /** state [Boolean]: Has an event of Model Exchange found the contact held at rest? (default false) */
+  STRIBECK_BENGISU_AKAY_HELD = 14,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
-  STRIBECK_BENGISU_AKAY_DISSIPATED_ENERGY = 14,
+  STRIBECK_BENGISU_AKAY_DISSIPATED_ENERGY = 15,
   /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
-  STRIBECK_BENGISU_AKAY_FRICTION_FORCE = 15,
+  STRIBECK_BENGISU_AKAY_FRICTION_FORCE = 16,
   /** out [W]: Power taken out of the motion: friction force times velocity. */
-  STRIBECK_BENGISU_AKAY_DISSIPATED_POWER = 16,
+  STRIBECK_BENGISU_AKAY_DISSIPATED_POWER = 17,
   /** out [Boolean]: Is the contact sticking? */
-  STRIBECK_BENGISU_AKAY_STICKING = 17,
+  STRIBECK_BENGISU_AKAY_STICKING = 18,
 } stribeck_bengisu_akay_variable;
 
 /** Guid of Hollars for fmi2Instantiate. */
-#define STRIBECK_HOLLARS_GUID "{34085c03-d34b-800f-4ebc-4a1693512507}"
+#define STRIBECK_HOLLARS_GUID "{913e7bf6-262f-3571-0def-33a6a3b6fa0e}"
 
 /** Hollars: Continuous friction law with a stiction peak, without exponentials (Hollars). Columns of "Hollars". */
 typedef enum stribeck_hollars_variable {
@@ -1196,18 +1273,20 @@ typedef enum stribeck_hollars_variable {
   STRIBECK_HOLLARS_PLANNING_STEP = 10,
   /** state [N]: Force planned for the coming step of a parallel exchange. (default 0) */
   STRIBECK_HOLLARS_PLANNED_FORCE = 11,
+  /** state [Boolean]: Has an event of Model Exchange found the contact held at rest? (default false) */
+  STRIBECK_HOLLARS_HELD = 12,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
-  STRIBECK_HOLLARS_DISSIPATED_ENERGY = 12,
+  STRIBECK_HOLLARS_DISSIPATED_ENERGY = 13,
   /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
-  STRIBECK_HOLLARS_FRICTION_FORCE = 13,
+  STRIBECK_HOLLARS_FRICTION_FORCE = 14,
   /** out [W]: Power taken out of the motion: friction force times velocity. */
-  STRIBECK_HOLLARS_DISSIPATED_POWER = 14,
+  STRIBECK_HOLLARS_DISSIPATED_POWER = 15,
   /** out [Boolean]: Is the contact sticking? */
-  STRIBECK_HOLLARS_STICKING = 15,
+  STRIBECK_HOLLARS_STICKING = 16,
 } stribeck_hollars_variable;
 
 /** Guid of Andersson for fmi2Instantiate. */
-#define STRIBECK_ANDERSSON_GUID "{53cd66be-60fa-383f-4ea8-74431bfb10c9}"
+#define STRIBECK_ANDERSSON_GUID "{6bfc73e1-adfe-0b6e-6b6e-d09b36bdbcd8}"
 
 /** Andersson: Smooth friction law with the Stribeck curve (Andersson). Columns of "Andersson". */
 typedef enum stribeck_andersson_variable {
@@ -1240,18 +1319,20 @@ typedef enum stribeck_andersson_variable {
   STRIBECK_ANDERSSON_PLANNING_STEP = 12,
   /** state [N]: Force planned for the coming step of a parallel exchange. (default 0) */
   STRIBECK_ANDERSSON_PLANNED_FORCE = 13,
+  /** state [Boolean]: Has an event of Model Exchange found the contact held at rest? (default false) */
+  STRIBECK_ANDERSSON_HELD = 14,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
-  STRIBECK_ANDERSSON_DISSIPATED_ENERGY = 14,
+  STRIBECK_ANDERSSON_DISSIPATED_ENERGY = 15,
   /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
-  STRIBECK_ANDERSSON_FRICTION_FORCE = 15,
+  STRIBECK_ANDERSSON_FRICTION_FORCE = 16,
   /** out [W]: Power taken out of the motion: friction force times velocity. */
-  STRIBECK_ANDERSSON_DISSIPATED_POWER = 16,
+  STRIBECK_ANDERSSON_DISSIPATED_POWER = 17,
   /** out [Boolean]: Is the contact sticking? */
-  STRIBECK_ANDERSSON_STICKING = 17,
+  STRIBECK_ANDERSSON_STICKING = 18,
 } stribeck_andersson_variable;
 
 /** Guid of Awrejcewicz for fmi2Instantiate. */
-#define STRIBECK_AWREJCEWICZ_GUID "{638d93be-5fc0-b31e-c60e-9addd8be6a6d}"
+#define STRIBECK_AWREJCEWICZ_GUID "{d860d24f-140e-3c02-8d9c-441022b7a32c}"
 
 /** Awrejcewicz: Continuous friction law that holds a load at rest (Awrejcewicz, Grzelczyk and Pyryev). Columns of "Awrejcewicz". */
 typedef enum stribeck_awrejcewicz_variable {
@@ -1280,18 +1361,20 @@ typedef enum stribeck_awrejcewicz_variable {
   STRIBECK_AWREJCEWICZ_PLANNING_STEP = 10,
   /** state [N]: Force planned for the coming step of a parallel exchange. (default 0) */
   STRIBECK_AWREJCEWICZ_PLANNED_FORCE = 11,
+  /** state [Boolean]: Has an event of Model Exchange found the contact held at rest? (default false) */
+  STRIBECK_AWREJCEWICZ_HELD = 12,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
-  STRIBECK_AWREJCEWICZ_DISSIPATED_ENERGY = 12,
+  STRIBECK_AWREJCEWICZ_DISSIPATED_ENERGY = 13,
   /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
-  STRIBECK_AWREJCEWICZ_FRICTION_FORCE = 13,
+  STRIBECK_AWREJCEWICZ_FRICTION_FORCE = 14,
   /** out [W]: Power taken out of the motion: friction force times velocity. */
-  STRIBECK_AWREJCEWICZ_DISSIPATED_POWER = 14,
+  STRIBECK_AWREJCEWICZ_DISSIPATED_POWER = 15,
   /** out [Boolean]: Is the contact sticking? */
-  STRIBECK_AWREJCEWICZ_STICKING = 15,
+  STRIBECK_AWREJCEWICZ_STICKING = 16,
 } stribeck_awrejcewicz_variable;
 
 /** Guid of Specker for fmi2Instantiate. */
-#define STRIBECK_SPECKER_GUID "{7b2aef4d-89dc-c500-8f4a-f18bc7ab8e4a}"
+#define STRIBECK_SPECKER_GUID "{b52a226d-8ca0-b972-ebfb-dadd9440e8c7}"
 
 /** Specker: Smooth friction law that passes through the static level (Specker). Columns of "Specker". */
 typedef enum stribeck_specker_variable {
@@ -1321,18 +1404,20 @@ typedef enum stribeck_specker_variable {
   STRIBECK_SPECKER_PLANNING_STEP = 11,
   /** state [N]: Force planned for the coming step of a parallel exchange. (default 0) */
   STRIBECK_SPECKER_PLANNED_FORCE = 12,
+  /** state [Boolean]: Has an event of Model Exchange found the contact held at rest? (default false) */
+  STRIBECK_SPECKER_HELD = 13,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
-  STRIBECK_SPECKER_DISSIPATED_ENERGY = 13,
+  STRIBECK_SPECKER_DISSIPATED_ENERGY = 14,
   /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
-  STRIBECK_SPECKER_FRICTION_FORCE = 14,
+  STRIBECK_SPECKER_FRICTION_FORCE = 15,
   /** out [W]: Power taken out of the motion: friction force times velocity. */
-  STRIBECK_SPECKER_DISSIPATED_POWER = 15,
+  STRIBECK_SPECKER_DISSIPATED_POWER = 16,
   /** out [Boolean]: Is the contact sticking? */
-  STRIBECK_SPECKER_STICKING = 16,
+  STRIBECK_SPECKER_STICKING = 17,
 } stribeck_specker_variable;
 
 /** Guid of LinearStiction for fmi2Instantiate. */
-#define STRIBECK_LINEAR_STICTION_GUID "{39f52cf4-bcf8-34f6-6491-c05bd855819c}"
+#define STRIBECK_LINEAR_STICTION_GUID "{665ad61b-d89b-a24f-cb4e-75042ab305e9}"
 
 /** LinearStiction: Friction law with stiction made of three straight lines. Columns of "LinearStiction". */
 typedef enum stribeck_linear_stiction_variable {
@@ -1360,18 +1445,20 @@ typedef enum stribeck_linear_stiction_variable {
   STRIBECK_LINEAR_STICTION_PLANNING_STEP = 10,
   /** state [N]: Force planned for the coming step of a parallel exchange. (default 0) */
   STRIBECK_LINEAR_STICTION_PLANNED_FORCE = 11,
+  /** state [Boolean]: Has an event of Model Exchange found the contact held at rest? (default false) */
+  STRIBECK_LINEAR_STICTION_HELD = 12,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
-  STRIBECK_LINEAR_STICTION_DISSIPATED_ENERGY = 12,
+  STRIBECK_LINEAR_STICTION_DISSIPATED_ENERGY = 13,
   /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
-  STRIBECK_LINEAR_STICTION_FRICTION_FORCE = 13,
+  STRIBECK_LINEAR_STICTION_FRICTION_FORCE = 14,
   /** out [W]: Power taken out of the motion: friction force times velocity. */
-  STRIBECK_LINEAR_STICTION_DISSIPATED_POWER = 14,
+  STRIBECK_LINEAR_STICTION_DISSIPATED_POWER = 15,
   /** out [Boolean]: Is the contact sticking? */
-  STRIBECK_LINEAR_STICTION_STICKING = 15,
+  STRIBECK_LINEAR_STICTION_STICKING = 16,
 } stribeck_linear_stiction_variable;
 
 /** Guid of BrownMcPhee for fmi2Instantiate. */
-#define STRIBECK_BROWN_MCPHEE_GUID "{142339eb-6d29-ad57-1831-913e5dfdfb9b}"
+#define STRIBECK_BROWN_MCPHEE_GUID "{738d66c7-ef35-b606-60d7-65115edb2762}"
 
 /** BrownMcPhee: Smooth friction law with a stiction peak (Brown and McPhee). Columns of "BrownMcPhee". */
 typedef enum stribeck_brown_mcphee_variable {
@@ -1401,18 +1488,20 @@ typedef enum stribeck_brown_mcphee_variable {
   STRIBECK_BROWN_MCPHEE_PLANNING_STEP = 11,
   /** state [N]: Force planned for the coming step of a parallel exchange. (default 0) */
   STRIBECK_BROWN_MCPHEE_PLANNED_FORCE = 12,
+  /** state [Boolean]: Has an event of Model Exchange found the contact held at rest? (default false) */
+  STRIBECK_BROWN_MCPHEE_HELD = 13,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
-  STRIBECK_BROWN_MCPHEE_DISSIPATED_ENERGY = 13,
+  STRIBECK_BROWN_MCPHEE_DISSIPATED_ENERGY = 14,
   /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
-  STRIBECK_BROWN_MCPHEE_FRICTION_FORCE = 14,
+  STRIBECK_BROWN_MCPHEE_FRICTION_FORCE = 15,
   /** out [W]: Power taken out of the motion: friction force times velocity. */
-  STRIBECK_BROWN_MCPHEE_DISSIPATED_POWER = 15,
+  STRIBECK_BROWN_MCPHEE_DISSIPATED_POWER = 16,
   /** out [Boolean]: Is the contact sticking? */
-  STRIBECK_BROWN_MCPHEE_STICKING = 16,
+  STRIBECK_BROWN_MCPHEE_STICKING = 17,
 } stribeck_brown_mcphee_variable;
 
 /** Guid of Dahl for fmi2Instantiate. */
-#define STRIBECK_DAHL_GUID "{a3069d23-b82a-0e4a-5f2c-eb4ac2f5c460}"
+#define STRIBECK_DAHL_GUID "{e3e650b7-fbbf-9583-1c45-84fde468a220}"
 
 /** Dahl: Pre-sliding displacement with hysteresis (Dahl). Columns of "Dahl". */
 typedef enum stribeck_dahl_variable {
@@ -1439,7 +1528,7 @@ typedef enum stribeck_dahl_variable {
 } stribeck_dahl_variable;
 
 /** Guid of LuGre for fmi2Instantiate. */
-#define STRIBECK_LUGRE_GUID "{27975fcc-6902-362c-2648-f1f7ce4d5af0}"
+#define STRIBECK_LUGRE_GUID "{af112de0-25b8-a853-1bc1-bbead92ee550}"
 
 /** LuGre: Bristle friction with Stribeck effect (LuGre). Columns of "LuGre". */
 typedef enum stribeck_lugre_variable {
@@ -2400,7 +2489,7 @@ typedef enum stribeck_wojewoda_variable {
 } stribeck_wojewoda_variable;
 
 /** Guid of BlimanSorine for fmi2Instantiate. */
-#define STRIBECK_BLIMAN_SORINE_GUID "{669053a7-680d-9c26-a317-714905022fca}"
+#define STRIBECK_BLIMAN_SORINE_GUID "{7c9bf12c-d2bf-238a-add8-64d929b0cd8e}"
 
 /** BlimanSorine: Pre-sliding displacement and breakaway peak in the sliding distance (Bliman-Sorine). Columns of "BlimanSorine". */
 typedef enum stribeck_bliman_sorine_variable {
@@ -2467,7 +2556,7 @@ typedef enum stribeck_reset_integrator_variable {
 } stribeck_reset_integrator_variable;
 
 /** Guid of Dankowicz for fmi2Instantiate. */
-#define STRIBECK_DANKOWICZ_GUID "{066f97b8-316e-0628-712d-20d525d1a296}"
+#define STRIBECK_DANKOWICZ_GUID "{c0758147-6861-93c3-4287-664588f30e92}"
 
 /** Dankowicz: Pre-sliding displacement of sheared asperities (Dankowicz, reconstructed). Columns of "Dankowicz". */
 typedef enum stribeck_dankowicz_variable {
@@ -2493,7 +2582,7 @@ typedef enum stribeck_dankowicz_variable {
 } stribeck_dankowicz_variable;
 
 /** Guid of ElastoPlastic for fmi2Instantiate. */
-#define STRIBECK_ELASTO_PLASTIC_GUID "{a5509116-f201-a60d-4dd1-fd7d5c83548a}"
+#define STRIBECK_ELASTO_PLASTIC_GUID "{e77f0a90-5207-525e-c162-e940d59905ce}"
 
 /** ElastoPlastic: Bristle friction without drift below breakaway (elasto-plastic). Columns of "ElastoPlastic". */
 typedef enum stribeck_elasto_plastic_variable {
@@ -2823,7 +2912,7 @@ typedef enum stribeck_bristle_variable {
 } stribeck_bristle_variable;
 
 /** Guid of SpeckerDynamic for fmi2Instantiate. */
-#define STRIBECK_SPECKER_DYNAMIC_GUID "{b2be4a03-d14c-47f6-786e-bf4782d7e5ab}"
+#define STRIBECK_SPECKER_DYNAMIC_GUID "{37a7ea98-33dc-8c46-3045-5cfdffa79969}"
 
 /** SpeckerDynamic: Smooth friction law with a velocity-dependent lag (Specker, reconstructed). Columns of "SpeckerDynamic". */
 typedef enum stribeck_specker_dynamic_variable {
@@ -3840,7 +3929,7 @@ typedef enum stribeck_leuven_variable {
 } stribeck_leuven_variable;
 
 /** Guid of Gonthier for fmi2Instantiate. */
-#define STRIBECK_GONTHIER_GUID "{db5b7fe9-916b-b381-8944-4b5d492a660c}"
+#define STRIBECK_GONTHIER_GUID "{46df8ecb-fb85-e063-e708-bbc9072b90c4}"
 
 /** Gonthier: Bristle friction with dwell time (Gonthier). Columns of "Gonthier". */
 typedef enum stribeck_gonthier_variable {
@@ -3931,7 +4020,7 @@ typedef enum stribeck_liang_variable {
 } stribeck_liang_variable;
 
 /** Guid of LuGrePlanar for fmi2Instantiate. */
-#define STRIBECK_LUGRE_PLANAR_GUID "{1870ec3b-2b75-8d36-c7dd-82bb10552e03}"
+#define STRIBECK_LUGRE_PLANAR_GUID "{ce0301fc-7ca4-c267-ed8f-dc2d18cf9db1}"
 
 /** LuGrePlanar: Bristle friction with Stribeck effect in a plane (LuGre). Columns of "LuGrePlanar". */
 typedef enum stribeck_lugre_planar_variable {
@@ -3975,7 +4064,7 @@ typedef enum stribeck_lugre_planar_variable {
 } stribeck_lugre_planar_variable;
 
 /** Guid of ElastoPlasticPlanar for fmi2Instantiate. */
-#define STRIBECK_ELASTO_PLASTIC_PLANAR_GUID "{df9a4515-e5b6-cbee-f6c5-96bbda884015}"
+#define STRIBECK_ELASTO_PLASTIC_PLANAR_GUID "{dead8a31-bcec-ef09-a520-7925e5a6d9d7}"
 
 /** ElastoPlasticPlanar: Bristle friction without drift below breakaway, in a plane (elasto-plastic). Columns of "ElastoPlasticPlanar". */
 typedef enum stribeck_elasto_plastic_planar_variable {
@@ -4022,7 +4111,7 @@ typedef enum stribeck_elasto_plastic_planar_variable {
 } stribeck_elasto_plastic_planar_variable;
 
 /** Guid of ShockAbsorber for fmi2Instantiate. */
-#define STRIBECK_SHOCK_ABSORBER_GUID "{bf9874d3-9808-f135-543d-3ceda92a0d8e}"
+#define STRIBECK_SHOCK_ABSORBER_GUID "{61747dc1-10de-8f5b-c2cd-52bb0ae96319}"
 
 /** ShockAbsorber: Telescopic shock absorber with friction from its side load. Columns of "ShockAbsorber". */
 typedef enum stribeck_shock_absorber_variable {
@@ -5557,7 +5646,7 @@ typedef enum stribeck_shock_absorber_variable {
 } stribeck_shock_absorber_variable;
 
 /** Guid of TelescopicJoint for fmi2Instantiate. */
-#define STRIBECK_TELESCOPIC_JOINT_GUID "{efa57d15-be77-ff43-076f-3b47b7852394}"
+#define STRIBECK_TELESCOPIC_JOINT_GUID "{28586ee4-f1a7-177a-25dd-f13ed0d2c71c}"
 
 /** TelescopicJoint: Contact forces of a telescopic joint, from its side load. Columns of "TelescopicJoint". */
 typedef enum stribeck_telescopic_joint_variable {
@@ -5600,7 +5689,7 @@ typedef enum stribeck_telescopic_joint_variable {
 } stribeck_telescopic_joint_variable;
 
 /** Guid of GuideContact for fmi2Instantiate. */
-#define STRIBECK_GUIDE_CONTACT_GUID "{f70218a5-4ccb-46c7-adf5-9359c0164382}"
+#define STRIBECK_GUIDE_CONTACT_GUID "{f40bf5ba-2af3-6dd2-9e7f-35b1f8feca75}"
 
 /** GuideContact: Friction of a rod in its guide, by any law of the catalogue. Columns of "GuideContact". */
 typedef enum stribeck_guide_contact_variable {
@@ -6216,7 +6305,7 @@ typedef enum stribeck_guide_contact_variable {
 } stribeck_guide_contact_variable;
 
 /** Guid of CoilSpring for fmi2Instantiate. */
-#define STRIBECK_COIL_SPRING_GUID "{911da05a-51f9-52d6-72cb-b1d73ba1fce7}"
+#define STRIBECK_COIL_SPRING_GUID "{66aff11f-c4c8-eddf-40a3-d3d66052303d}"
 
 /** CoilSpring: Coil spring with preload, linear or from a table. Columns of "CoilSpring". */
 typedef enum stribeck_coil_spring_variable {
@@ -6299,7 +6388,7 @@ typedef enum stribeck_coil_spring_variable {
 } stribeck_coil_spring_variable;
 
 /** Guid of GasSpring for fmi2Instantiate. */
-#define STRIBECK_GAS_SPRING_GUID "{1232d972-fc8b-e2aa-49b8-15359d36c1c2}"
+#define STRIBECK_GAS_SPRING_GUID "{9a2ec73e-821f-e788-b582-18f8726069b6}"
 
 /** GasSpring: Gas force on the rod of a shock absorber. Columns of "GasSpring". */
 typedef enum stribeck_gas_spring_variable {
@@ -6322,7 +6411,7 @@ typedef enum stribeck_gas_spring_variable {
 } stribeck_gas_spring_variable;
 
 /** Guid of EndStops for fmi2Instantiate. */
-#define STRIBECK_END_STOPS_GUID "{65b9349c-2a8f-c068-1e61-86f99f55edce}"
+#define STRIBECK_END_STOPS_GUID "{24831216-2ce1-c01d-6201-15270ebb9c7a}"
 
 /** EndStops: Bump stop and rebound stop of a shock absorber. Columns of "EndStops". */
 typedef enum stribeck_end_stops_variable {
@@ -6364,7 +6453,7 @@ typedef enum stribeck_end_stops_variable {
 } stribeck_end_stops_variable;
 
 /** Guid of HydraulicDamper for fmi2Instantiate. */
-#define STRIBECK_HYDRAULIC_DAMPER_GUID "{44efe0d6-b958-0c24-9ed3-5969b7c416ee}"
+#define STRIBECK_HYDRAULIC_DAMPER_GUID "{3ce16c4c-fd56-f10f-6e0f-05151e4836da}"
 
 /** HydraulicDamper: Hydraulic damper, linear, degressive or from a table. Columns of "HydraulicDamper". */
 typedef enum stribeck_hydraulic_damper_variable {
@@ -6482,7 +6571,7 @@ typedef enum stribeck_hydraulic_damper_variable {
 } stribeck_hydraulic_damper_variable;
 
 /** Guid of DamperTemperature for fmi2Instantiate. */
-#define STRIBECK_DAMPER_TEMPERATURE_GUID "{56511930-e600-469a-1df6-0a11faccb430}"
+#define STRIBECK_DAMPER_TEMPERATURE_GUID "{47c4cbdf-3256-dfa2-ddbe-641f99e1b710}"
 
 /** DamperTemperature: Temperature of a damper, and what it does to its force. Columns of "DamperTemperature". */
 typedef enum stribeck_damper_temperature_variable {
@@ -6508,7 +6597,7 @@ typedef enum stribeck_damper_temperature_variable {
 } stribeck_damper_temperature_variable;
 
 /** Guid of BeltRig for fmi2Instantiate. */
-#define STRIBECK_BELT_RIG_GUID "{3dabeb13-1982-d2f0-f079-ea700753fb2e}"
+#define STRIBECK_BELT_RIG_GUID "{5291947b-91f9-8e77-e603-77d90456119a}"
 
 /** BeltRig: Block on a moving belt, held by a spring. Columns of "BeltRig". */
 typedef enum stribeck_belt_rig_variable {
@@ -6531,7 +6620,7 @@ typedef enum stribeck_belt_rig_variable {
 } stribeck_belt_rig_variable;
 
 /** Guid of QuarterCar for fmi2Instantiate. */
-#define STRIBECK_QUARTER_CAR_GUID "{e8f94c15-64dc-e831-6b22-33cba3acb245}"
+#define STRIBECK_QUARTER_CAR_GUID "{76644b05-60d1-b4ce-d315-bb92657f5ae7}"
 
 /** QuarterCar: Quarter car: body, wheel and tyre, driven by the force of a strut. Columns of "QuarterCar". */
 typedef enum stribeck_quarter_car_variable {
@@ -6573,7 +6662,7 @@ typedef enum stribeck_quarter_car_variable {
 } stribeck_quarter_car_variable;
 
 /** Guid of FourPostCar for fmi2Instantiate. */
-#define STRIBECK_FOUR_POST_CAR_GUID "{6f0739c2-0e6f-67c6-c556-897c39f34bfb}"
+#define STRIBECK_FOUR_POST_CAR_GUID "{1a1e0513-be14-b194-d17b-2bdb4e5e7dd9}"
 
 /** FourPostCar: Car on four posts, driven by the forces of four struts. Columns of "FourPostCar". */
 typedef enum stribeck_four_post_car_variable {
@@ -6696,7 +6785,7 @@ typedef enum stribeck_four_post_car_variable {
 } stribeck_four_post_car_variable;
 
 /** Guid of DoubleTrackCar for fmi2Instantiate. */
-#define STRIBECK_DOUBLE_TRACK_CAR_GUID "{9d041519-baff-4f90-94ea-f3688d8a0048}"
+#define STRIBECK_DOUBLE_TRACK_CAR_GUID "{9c9380a9-6026-e6e7-3d19-81a628ce5898}"
 
 /** DoubleTrackCar: Car on two tracks that is steered at constant speed, with tyres after the Magic Formula. Columns of "DoubleTrackCar". */
 typedef enum stribeck_double_track_car_variable {
@@ -7100,7 +7189,7 @@ typedef enum stribeck_double_track_car_variable {
 } stribeck_double_track_car_variable;
 
 /** Guid of Posts for fmi2Instantiate. */
-#define STRIBECK_POSTS_GUID "{d31ea183-740a-585b-cedf-0500781a8777}"
+#define STRIBECK_POSTS_GUID "{c728d747-3fba-b8f7-8c6b-2793c8a4af6d}"
 
 /** Posts: Four posts that shake a car. Columns of "Posts". */
 typedef enum stribeck_posts_variable {

@@ -7,14 +7,18 @@ use crate::model::{Kind, Role, Segment, Variable};
 /// A guid in the registry form `{xxxxxxxx-xxxx-xxxx-xxxx-xxxxxxxxxxxx}`, as ASCII.
 pub type GuidText = [u8; 38];
 
-/// Fingerprint of a model: its name and everything of its columns that a caller depends on (name, role, type, unit,
-/// start, bounds, nominal value). Help texts, display units and the model's documentation are left out: rewording them breaks nobody.
-pub const fn fingerprint(model: &str, table: &[Variable]) -> GuidText {
+/// Fingerprint of a model: its name, everything of its columns that a caller depends on (name, role, type, unit, start,
+/// bounds, nominal value, whether a state jumps), and the number of its event indicators if it is offered for Model
+/// Exchange. Help texts, display units and the model's documentation are left out: rewording them breaks nobody.
+pub const fn fingerprint(model: &str, table: &[Variable], event_indicators: Option<usize>) -> GuidText {
     let mut hash = text(Fnv::START, model);
     let mut column = 0;
     while column < table.len() {
         hash = variable(hash, &table[column]);
         column += 1;
+    }
+    if let Some(count) = event_indicators {
+        hash = byte(hash, count as u8);
     }
     spell(hash.0)
 }
@@ -73,6 +77,9 @@ const fn variable(mut hash: Fnv, variable: &Variable) -> Fnv {
             hash
         }
     };
+    if variable.role.is_state() && variable.jumps && matches!(variable.kind, Kind::Real(_)) {
+        hash = byte(hash, 1);
+    }
     let Variable { start, bound, nominal, .. } = *variable;
     number(number(number(number(byte(hash, bound.is_open() as u8), start), bound.min()), bound.max()), nominal)
 }
@@ -120,19 +127,21 @@ mod tests {
     #[test]
     fn any_change_that_a_caller_sees_changes_the_guid() {
         let column = |name, start, unit| real(unit, start).named(Path::root(name), Role::Input, "help");
-        let base = fingerprint("M", &[column("a", 0.0, "m")]);
-        assert_ne!(base, fingerprint("N", &[column("a", 0.0, "m")]));
-        assert_ne!(base, fingerprint("M", &[column("b", 0.0, "m")]));
-        assert_ne!(base, fingerprint("M", &[column("a", 1.0, "m")]));
-        assert_ne!(base, fingerprint("M", &[column("a", 0.0, "N")]));
-        assert_ne!(base, fingerprint("M", &[]));
+        let base = fingerprint("M", &[column("a", 0.0, "m")], None);
+        assert_ne!(base, fingerprint("N", &[column("a", 0.0, "m")], None));
+        assert_ne!(base, fingerprint("M", &[column("b", 0.0, "m")], None));
+        assert_ne!(base, fingerprint("M", &[column("a", 1.0, "m")], None));
+        assert_ne!(base, fingerprint("M", &[column("a", 0.0, "N")], None));
+        assert_ne!(base, fingerprint("M", &[], None));
         let seen =
-            |column: crate::model::Column, role| fingerprint("M", &[column.named(Path::root("a"), role, "help")]);
+            |column: crate::model::Column, role| fingerprint("M", &[column.named(Path::root("a"), role, "help")], None);
+        assert_ne!(base, fingerprint("M", &[column("a", 0.0, "m")], Some(0)));
         let all = [
             seen(real("m", 1.0), Role::Input),
             seen(real("m", 1.0), Role::Fixed),
             seen(real("m", 1.0), Role::Tunable),
             seen(real("m", 1.0), Role::State),
+            seen(real("m", 1.0).discrete(), Role::State),
             seen(real("m", 1.0), Role::StateOutput),
             seen(real("m", 1.0), Role::Output),
             seen(real("m", 1.0).at_least(0.0), Role::Input),

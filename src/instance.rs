@@ -24,6 +24,9 @@ pub struct Instance {
     // Room to work in, so that no call allocates.
     rate: Box<[f64]>,
     duals: Box<[Dual]>,
+    rate_duals: Box<[Dual]>,
+    /// Columns of the states that an importer may integrate itself; none if the model is for co-simulation only.
+    continuous: Box<[usize]>,
 }
 
 /// Everything of an [`Instance`] that changes while it lives.
@@ -61,6 +64,8 @@ impl Instance {
             time: 0.0,
             rate: memory::filled(0.0, columns)?,
             duals: memory::filled(Dual::default(), columns)?,
+            rate_duals: memory::filled(Dual::default(), columns)?,
+            continuous: continuous_states(model)?,
         };
         instance.reset();
         Ok(instance)
@@ -244,14 +249,78 @@ impl Instance {
         Fault(memory::text(format_args!("{what} would not be finite{}: nothing was changed", Inputs(self))))
     }
 
-    /// Derivative of each column in the direction that `seeds` (column, component) span; exact.
-    pub fn derivative(&mut self, seeds: impl Iterator<Item = (usize, f64)>) -> &[Dual] {
+    /// Columns of the states that an importer may integrate itself, in the order of the table.
+    pub fn continuous_states(&self) -> &[usize] {
+        &self.continuous
+    }
+
+    /// Writes the states, whatever their bounds: on the way to a result a solver may look beyond.
+    pub(crate) fn put_states(&mut self, values: &[f64]) {
+        for (column, value) in self.continuous.iter().zip(values) {
+            self.row[*column] = *value;
+        }
+        self.stale = true;
+    }
+
+    /// Time derivatives of the states, in the states' columns.
+    pub fn rates(&mut self) -> Result<&[f64], Fault> {
+        self.model.rate(&self.row, &mut self.rate);
+        if self.continuous.iter().all(|column| self.rate[*column].is_finite()) {
+            Ok(&self.rate)
+        } else {
+            Err(self.not_finite(format_args!("the derivatives")))
+        }
+    }
+
+    /// What [`Instance::rates`] has last computed.
+    pub fn last_rates(&self) -> &[f64] {
+        &self.rate
+    }
+
+    /// Writes the event indicators.
+    pub fn indicate(&self, indicators: &mut [f64]) -> Result<(), Fault> {
+        self.model.indicate(&self.row, indicators);
+        if indicators.iter().all(|indicator| indicator.is_finite()) {
+            Ok(())
+        } else {
+            Err(self.not_finite(format_args!("the event indicators")))
+        }
+    }
+
+    /// Changes what changes at an event only. True if a continuous state was among it.
+    pub fn at_event(&mut self) -> Result<bool, Fault> {
+        self.rate.copy_from_slice(&self.row);
+        if !self.model.at_event(&mut self.row) {
+            return Err(self.not_finite(format_args!("the states after an event")));
+        }
+        self.stale = true;
+        Ok(self.continuous.iter().any(|column| self.rate[*column] != self.row[*column]))
+    }
+
+    /// Derivative of each state's time derivative in the direction that `seeds` span; exact. For Model Exchange.
+    pub fn rate_derivative(&mut self, seeds: impl Iterator<Item = (usize, f64)>) -> &[Dual] {
+        self.seed(seeds);
+        self.model.rate_dual(&self.duals, &mut self.rate_duals);
+        &self.rate_duals
+    }
+
+    /// What [`Instance::derivative`] and [`Instance::rate_derivative`] have last computed.
+    pub fn last_derivatives(&self) -> (&[Dual], &[Dual]) {
+        (&self.duals, &self.rate_duals)
+    }
+
+    fn seed(&mut self, seeds: impl Iterator<Item = (usize, f64)>) {
         for (dual, value) in self.duals.iter_mut().zip(&self.row) {
             *dual = Dual::from(*value);
         }
         for (column, component) in seeds {
             self.duals[column].slope += component;
         }
+    }
+
+    /// Derivative of each column in the direction that `seeds` (column, component) span; exact.
+    pub fn derivative(&mut self, seeds: impl Iterator<Item = (usize, f64)>) -> &[Dual] {
+        self.seed(seeds);
         self.model.output_dual(&mut self.duals);
         &self.duals
     }
@@ -305,6 +374,16 @@ impl Instance {
         self.stale = snapshot.stale;
         self.time = snapshot.time;
     }
+}
+
+/// Columns of the states that an importer may integrate itself.
+fn continuous_states(model: &ModelType) -> Result<Box<[usize]>, OutOfMemory> {
+    let columns = || model.continuous_states().filter(|_| model.model_exchange);
+    let mut continuous = memory::filled(0, columns().count())?;
+    for (place, column) in continuous.iter_mut().zip(columns()) {
+        *place = column;
+    }
+    Ok(continuous)
 }
 
 /// The inputs and their values, as a message names them.

@@ -259,11 +259,12 @@ pub struct Column {
     bound: Bound,
     nominal: f64,
     display: Option<&'static str>,
+    jumps: bool,
 }
 
 impl Column {
     const fn new(kind: Kind, start: f64, bound: Bound) -> Column {
-        Column { kind, start, bound, nominal: 1.0, display: None }
+        Column { kind, start, bound, nominal: 1.0, display: None, jumps: !matches!(kind, Kind::Real(_)) }
     }
 
     /// Admits values > 0 only.
@@ -298,6 +299,12 @@ impl Column {
         self
     }
 
+    /// A state that changes from step to step only, and not with time.
+    pub const fn discrete(mut self) -> Column {
+        self.jumps = true;
+        self
+    }
+
     /// The finished variable. A start value outside its own bound does not compile.
     pub const fn named(self, path: Path, role: Role, help: &'static str) -> Variable {
         assert!(self.bound.admits(self.start), "the start value is outside its bound");
@@ -309,6 +316,7 @@ impl Column {
             bound: self.bound,
             nominal: self.nominal,
             display: self.display,
+            jumps: self.jumps,
             help: help.trim_ascii(),
         }
     }
@@ -354,6 +362,8 @@ pub struct Variable {
     pub nominal: f64,
     /// Preferred display unit.
     pub display: Option<&'static str>,
+    /// Does it change at instants only, as all but real numbers do?
+    pub jumps: bool,
     /// One line of ASCII text that says what it is.
     pub help: &'static str,
 }
@@ -363,6 +373,11 @@ impl Variable {
     #[inline]
     pub fn admits(&self, value: f64) -> bool {
         self.bound.admits(value) && (matches!(self.kind, Kind::Real(_)) || value.fract() == 0.0)
+    }
+
+    /// Is it a state that moves with time, as [`Law::derivatives`] says?
+    pub const fn is_continuous_state(&self) -> bool {
+        self.role.is_state() && !self.jumps
     }
 
     /// Refuses `value` with the text that the user sees.
@@ -432,10 +447,13 @@ pub unsafe trait Described: Columns {
     type Dual: Law;
 }
 
-/// The equations that give the outputs, written once for every number type.
+/// The equations of a model, written once for every number type.
 pub trait Law {
     /// Computes the [`Role::Output`] columns from the others.
     fn output(&mut self);
+
+    /// Writes the time derivatives of the continuous states into their columns of `rate`.
+    fn derivatives(&self, _rate: &mut Self) {}
 }
 
 /// A named set of parameter values with its source.
@@ -451,6 +469,13 @@ pub struct Preset {
 
 /// What a model adds to its table: how it moves in time.
 pub trait Model: Described + Law {
+    /// May an importer integrate the continuous states itself, as FMI's Model Exchange has it? Then they move by
+    /// [`Law::derivatives`] alone, and nothing else of the state matters or all of it changes in [`Model::at_event`].
+    const MODEL_EXCHANGE: bool = false;
+
+    /// Number of event indicators.
+    const EVENT_INDICATORS: usize = 0;
+
     /// Named parameter sets.
     const PRESETS: &'static [Preset] = &[];
 
@@ -458,6 +483,17 @@ pub trait Model: Described + Law {
     fn check(&self) -> Result<(), Fault> {
         Ok(())
     }
+
+    /// Refuses parameters with which the model is for co-simulation only.
+    fn check_exchange(&self) -> Result<(), Fault> {
+        Ok(())
+    }
+
+    /// Writes functions that change sign where derivatives or outputs jump or bend, so that an importer finds the instant.
+    fn event_indicators(&self, _indicators: &mut [f64]) {}
+
+    /// Changes what changes at an event only; also called once before the run. Model Exchange only.
+    fn at_event(&mut self) {}
 
     /// Advances the states by `dt` > 0 while the inputs are held.
     fn step(&mut self, dt: f64);
@@ -486,8 +522,10 @@ pub trait Model: Described + Law {
         0
     }
 
-    /// Writes the time derivatives of the continuous states into their columns of `rate`.
-    fn rate(&self, _rate: &mut Self) {}
+    /// [`Law::derivatives`]; to be overridden by a model that knows them as plain numbers only.
+    fn rate(&self, rate: &mut Self) {
+        self.derivatives(rate);
+    }
 }
 
 /// What a master's calls on every step must know of a column, packed closely.
@@ -530,6 +568,10 @@ pub struct ModelType {
     pub ports: &'static [Port],
     /// Its named parameter sets.
     pub presets: &'static [Preset],
+    /// Is it offered for Model Exchange?
+    pub model_exchange: bool,
+    /// Number of its event indicators.
+    pub event_indicators: usize,
     guid: GuidText,
     check: fn(&[f64]) -> Result<(), Fault>,
     advance: fn(&mut [f64], f64) -> bool,
@@ -537,6 +579,10 @@ pub struct ModelType {
     output: fn(&mut [f64]) -> bool,
     output_dual: fn(&mut [Dual]),
     rate: fn(&[f64], &mut [f64]),
+    rate_dual: fn(&[Dual], &mut [Dual]),
+    check_exchange: fn(&[f64]) -> Result<(), Fault>,
+    indicate: fn(&[f64], &mut [f64]),
+    at_event: fn(&mut [f64]) -> bool,
 }
 
 impl ModelType {
@@ -549,7 +595,13 @@ impl ModelType {
             table: M::TABLE,
             ports: M::PORTS,
             presets: M::PRESETS,
-            guid: guid::fingerprint(M::NAME, M::TABLE),
+            model_exchange: M::MODEL_EXCHANGE,
+            event_indicators: M::EVENT_INDICATORS,
+            guid: guid::fingerprint(
+                M::NAME,
+                M::TABLE,
+                if M::MODEL_EXCHANGE { Some(M::EVENT_INDICATORS) } else { None },
+            ),
             check: |row| view::<M, f64>(row).check(),
             advance: |row, dt| commit::<M>(row, first_result(M::TABLE), |model| model.step_and_output(dt)),
             advance_ramp: |row, slope, dt| {
@@ -567,6 +619,13 @@ impl ModelType {
                 rate.fill(0.0);
                 view::<M, f64>(row).rate(view_mut(rate));
             },
+            rate_dual: |row, rate| {
+                rate.fill(Dual::default());
+                view::<M::Dual, Dual>(row).derivatives(view_mut(rate));
+            },
+            check_exchange: |row| view::<M, f64>(row).check_exchange(),
+            indicate: |row, indicators| view::<M, f64>(row).event_indicators(indicators),
+            at_event: |row| commit::<M>(row, 0, M::at_event),
         }
     }
 
@@ -614,6 +673,32 @@ impl ModelType {
     /// Time derivatives of the states, in the states' columns; 0 elsewhere.
     pub fn rate(&self, row: &[f64], rate: &mut [f64]) {
         (self.rate)(row, rate);
+    }
+
+    /// The same with their derivatives in the direction that the columns of `row` carry; for Model Exchange.
+    pub fn rate_dual(&self, row: &[Dual], rate: &mut [Dual]) {
+        (self.rate_dual)(row, rate);
+    }
+
+    /// The columns of the states that move with time.
+    pub fn continuous_states(&self) -> impl Iterator<Item = usize> {
+        let table = self.table;
+        (0..table.len()).filter(|column| table[*column].is_continuous_state())
+    }
+
+    /// Refuses parameters with which the model is for co-simulation only.
+    pub fn check_exchange(&self, row: &[f64]) -> Result<(), Fault> {
+        (self.check_exchange)(row)
+    }
+
+    /// Writes the event indicators.
+    pub fn indicate(&self, row: &[f64], indicators: &mut [f64]) {
+        (self.indicate)(row, indicators);
+    }
+
+    /// Changes what changes at an event only. False, and the row unchanged, if a result is not finite.
+    pub fn at_event(&self, row: &mut [f64]) -> bool {
+        (self.at_event)(row)
     }
 }
 

@@ -11,6 +11,7 @@ use std::ptr::{null, null_mut};
 
 use stribeck::c_api::*;
 use stribeck::catalogue;
+use stribeck::fmi2::exchange::*;
 use stribeck::fmi2::setup::*;
 use stribeck::fmi2::snapshot::*;
 use stribeck::fmi2::step::fmi2DoStep;
@@ -116,7 +117,7 @@ fn the_counter_counts() {
     assert_eq!(allocations(|| ()), 0);
 }
 
-fn instantiate(guid: &CStr) -> fmi2Component {
+fn instantiate(guid: &CStr, kind: fmi2Type) -> fmi2Component {
     let callbacks = fmi2CallbackFunctions {
         logger: listener(),
         allocateMemory: None,
@@ -125,7 +126,7 @@ fn instantiate(guid: &CStr) -> fmi2Component {
         componentEnvironment: null_mut(),
     };
     // SAFETY: texts are terminated, and the struct lives during the call.
-    unsafe { fmi2Instantiate(c"slave".as_ptr(), fmi2CoSimulation, guid.as_ptr(), null(), &callbacks, 0, 1) }
+    unsafe { fmi2Instantiate(c"slave".as_ptr(), kind, guid.as_ptr(), null(), &callbacks, 0, 1) }
 }
 
 thread_local! {
@@ -160,7 +161,7 @@ struct Slave {
 
 impl Slave {
     fn new(model: &ModelType) -> Slave {
-        let component = instantiate(&guid(model));
+        let component = instantiate(&guid(model), fmi2CoSimulation);
         // SAFETY: a live component, or NULL, which is refused.
         let statuses = unsafe {
             [
@@ -221,6 +222,60 @@ fn no_model_allocates_in_10_000_steps() {
     assert!(tested > 0);
 }
 
+/// What a solver calls between two events.
+#[test]
+fn no_model_allocates_while_a_solver_integrates_it() {
+    let mut tested = 0;
+    for model in catalogue::models().filter(|model| model.model_exchange) {
+        let c = instantiate(&guid(model), fmi2ModelExchange);
+        let mut x = vec![0.0; model.continuous_states().count()];
+        let mut rates = x.clone();
+        let mut indicators = vec![0.0; model.event_indicators];
+        let mut event = fmi2EventInfo {
+            newDiscreteStatesNeeded: fmi2False,
+            terminateSimulation: fmi2False,
+            nominalsOfContinuousStatesChanged: fmi2False,
+            valuesOfContinuousStatesChanged: fmi2False,
+            nextEventTimeDefined: fmi2False,
+            nextEventTime: 0.0,
+        };
+        let (mut enters, mut ends) = (fmi2False, fmi2False);
+        // SAFETY: a live component, freed once, and arrays with their lengths.
+        unsafe {
+            let ready = [
+                fmi2SetupExperiment(c, 0, 0.0, 0.0, 0, 0.0),
+                fmi2EnterInitializationMode(c),
+                fmi2ExitInitializationMode(c),
+                fmi2NewDiscreteStates(c, &mut event),
+                fmi2EnterContinuousTimeMode(c),
+                fmi2GetContinuousStates(c, x.as_mut_ptr(), x.len()),
+            ];
+            assert_eq!(ready, [fmi2Status::fmi2OK; 6], "{}", model.name);
+            let mut integrate = || {
+                for k in 1..=1_000 {
+                    let statuses = [
+                        fmi2SetTime(c, f64::from(k) * 1e-6),
+                        fmi2SetContinuousStates(c, x.as_ptr(), x.len()),
+                        fmi2GetDerivatives(c, rates.as_mut_ptr(), rates.len()),
+                        fmi2GetEventIndicators(c, indicators.as_mut_ptr(), indicators.len()),
+                        fmi2CompletedIntegratorStep(c, fmi2True, &mut enters, &mut ends),
+                        fmi2EnterEventMode(c),
+                        fmi2NewDiscreteStates(c, &mut event),
+                        fmi2EnterContinuousTimeMode(c),
+                        fmi2GetContinuousStates(c, x.as_mut_ptr(), x.len()),
+                    ];
+                    assert_eq!(statuses, [fmi2Status::fmi2OK; 9], "{}", model.name);
+                    x.iter_mut().zip(&rates).for_each(|(x, rate)| *x += 1e-6 * rate);
+                }
+            };
+            assert_eq!(allocations(&mut integrate), 0, "{} allocates", model.name);
+            fmi2FreeInstance(c);
+        }
+        tested += 1;
+    }
+    assert!(tested > 0);
+}
+
 #[test]
 fn a_million_steps_allocate_nothing() {
     for name in ["LuGre", "QuarterCar"] {
@@ -235,7 +290,7 @@ fn a_million_steps_allocate_nothing() {
 fn instantiation_is_seen_by_the_counter() {
     let guid = guid(catalogue::models().next().expect("the catalogue is not empty"));
     let mut component = null_mut();
-    assert!(allocations(|| component = instantiate(&guid)) > 0);
+    assert!(allocations(|| component = instantiate(&guid, fmi2CoSimulation)) > 0);
     assert!(!component.is_null());
     // SAFETY: a live component, freed once.
     assert!(allocations(|| unsafe { fmi2FreeInstance(component) }) > 0);
@@ -269,17 +324,20 @@ fn no_memory_for_an_fmu_is_an_error() {
     let mut tested = 0;
     for model in catalogue::models() {
         let guid = guid(model);
-        let made = failures(model.name, || {
-            let heard = HEARD.get();
-            let component = instantiate(&guid);
-            // SAFETY: a live component or NULL, freed once.
-            unsafe { fmi2FreeInstance(component) };
-            assert_eq!(HEARD.get() - heard, usize::from(component.is_null()), "a refusal is told");
-            !component.is_null()
-        });
-        // Slave, name, and four arrays, each refused alone and with all that follow.
-        assert!(made >= 12, "{}: {made} failures", model.name);
-        tested += made;
+        let kinds = [fmi2CoSimulation, fmi2ModelExchange];
+        for kind in kinds.into_iter().filter(|kind| *kind == fmi2CoSimulation || model.model_exchange) {
+            let made = failures(model.name, || {
+                let heard = HEARD.get();
+                let component = instantiate(&guid, kind);
+                // SAFETY: a live component or NULL, freed once.
+                unsafe { fmi2FreeInstance(component) };
+                assert_eq!(HEARD.get() - heard, usize::from(component.is_null()), "a refusal is told");
+                !component.is_null()
+            });
+            // Slave, name, and five arrays, each refused alone and with all that follow.
+            assert!(made >= 14, "{}: {made} failures", model.name);
+            tested += made;
+        }
 
         let slave = Slave::new(model);
         let c = slave.component;

@@ -163,6 +163,7 @@ const EVEN: &[&str] = &[
     "dwell",
     "element.slipping",
     "stuck",
+    "held",
     "step_size",
     "planning_step",
     "has_past",

@@ -13,12 +13,27 @@ use stribeck::model::{Kind, ModelType, Variable};
 /// sticks or slides for the only reason that it did so before, takes up to 2000).
 const ROWS: usize = 20_000;
 
-/// For each column, which of the `candidates` its value is computed from; empty for columns that are not computed.
+/// Has the model arrays? Trying does not find every one of hundreds of elements.
+pub fn has_elements(model: &ModelType) -> bool {
+    model.table.iter().any(|variable| variable.path.segments()[0].index > 0)
+}
+
+/// Are the derivatives of its states tried, too?
+fn has_rates(model: &ModelType) -> bool {
+    model.model_exchange && !has_elements(model)
+}
+
+/// For each column, which of the `candidates` its value is computed from; empty for columns that are not computed. Then
+/// the same for the time derivatives of the columns, if the model is offered for Model Exchange and has no arrays.
 pub fn of(model: &ModelType, candidates: impl Fn(usize) -> bool) -> Vec<BTreeSet<usize>> {
-    let (known, computed): (Vec<usize>, Vec<usize>) =
-        (0..model.table.len()).partition(|column| !model.table[*column].role.is_computed());
+    let columns = model.table.len();
+    let (known, mut computed): (Vec<usize>, Vec<usize>) =
+        (0..columns).partition(|column| !model.table[*column].role.is_computed());
     let known: Vec<usize> = known.into_iter().filter(|column| candidates(*column)).collect();
-    let mut found = vec![BTreeSet::new(); model.table.len()];
+    if has_rates(model) {
+        computed.extend(model.continuous_states().map(|state| columns + state));
+    }
+    let mut found = vec![BTreeSet::new(); 2 * columns];
     // Any seed will do; a fixed one makes every run the same.
     let mut rng = Rng::with_seed(1);
     for _ in 0..ROWS {
@@ -27,7 +42,7 @@ pub fn of(model: &ModelType, candidates: impl Fn(usize) -> bool) -> Vec<BTreeSet
             continue;
         }
         for &column in &known {
-            let mut changed = row.clone();
+            let mut changed = row[..columns].to_vec();
             changed[column] = draw(&model.table[column], &mut rng);
             if changed[column] == row[column] || !evaluate(model, &mut changed) {
                 continue;
@@ -40,9 +55,18 @@ pub fn of(model: &ModelType, candidates: impl Fn(usize) -> bool) -> Vec<BTreeSet
     found
 }
 
-/// Computes the outputs of the row; false if the model refuses it.
-fn evaluate(model: &ModelType, row: &mut [f64]) -> bool {
-    model.check(row).is_ok() && model.output(row)
+/// Computes the outputs of the row and appends its time derivatives; false if the model refuses it.
+fn evaluate(model: &ModelType, row: &mut Vec<f64>) -> bool {
+    if model.check(row).is_err() || !model.output(row) {
+        return false;
+    }
+    let columns = row.len();
+    row.resize(2 * columns, 0.0);
+    let (row, rate) = row.split_at_mut(columns);
+    if has_rates(model) {
+        model.rate(row, rate);
+    }
+    rate.iter().all(|rate| rate.is_finite())
 }
 
 /// A row in which some columns, from a few to all, have left their start values.

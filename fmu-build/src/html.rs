@@ -157,10 +157,20 @@ fn meaning(capability: &str) -> &'static str {
     }
 }
 
+/// What an importer that integrates finds.
+fn exchange(model: &ModelType) -> String {
+    format!("{} continuous states, {} event indicators.", model.continuous_states().count(), model.event_indicators)
+}
+
 fn capabilities(page: &mut String, model: &ModelType) {
     push(page, format_args!("<h2>This FMU</h2>\n"));
+    let (interface, remark) = if model.model_exchange {
+        ("FMI 2.0 for Co-Simulation and Model Exchange".to_owned(), exchange(model))
+    } else {
+        ("FMI 2.0 for Co-Simulation".to_owned(), String::new())
+    };
     let facts = [
-        ["Interface".to_owned(), "FMI 2.0 for Co-Simulation".to_owned(), String::new()],
+        ["Interface".to_owned(), interface, remark],
         ["Version".to_owned(), VERSION.to_owned(), String::new()],
         ["Model identifier".to_owned(), format!("<code>{}</code>", model.name), String::new()],
         [

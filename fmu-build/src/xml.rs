@@ -19,6 +19,17 @@ use crate::text::{limits, number};
 type Xml = Writer<Vec<u8>>;
 type Attributes = Vec<(&'static str, String)>;
 
+/// What `<ModelExchange>` promises.
+pub const EXCHANGE_CAPABILITIES: [(&str, &str); 7] = [
+    ("needsExecutionTool", "false"),
+    ("completedIntegratorStepNotNeeded", "true"),
+    ("canBeInstantiatedOnlyOncePerProcess", "false"),
+    ("canNotUseMemoryManagementFunctions", "true"),
+    ("canGetAndSetFMUstate", "true"),
+    ("canSerializeFMUstate", "true"),
+    ("providesDirectionalDerivative", "true"),
+];
+
 /// What `<CoSimulation>` promises.
 pub const CAPABILITIES: [(&str, &str); 10] = [
     ("needsExecutionTool", "false"),
@@ -47,7 +58,10 @@ pub fn model_description(model: &ModelType, date: Timestamp, choices: Choices) -
     let mut xml = Writer::new_with_indent(Vec::new(), b' ', 2);
     xml.write_event(Event::Decl(BytesDecl::new("1.0", Some("UTF-8"), None)))?;
     parent(&mut xml, "fmiModelDescription", root_attributes(model, date), |xml| {
-        co_simulation(xml, model)?;
+        if model.model_exchange {
+            interface(xml, "ModelExchange", model, &EXCHANGE_CAPABILITIES)?;
+        }
+        interface(xml, "CoSimulation", model, &CAPABILITIES)?;
         unit_definitions(xml, model)?;
         type_definitions(xml, model)?;
         log_categories(xml)?;
@@ -83,7 +97,7 @@ fn element<'a>(xml: &'a mut Xml, name: &'static str, attributes: &Attributes) ->
 }
 
 fn root_attributes(model: &ModelType, date: Timestamp) -> Attributes {
-    vec![
+    let mut attributes = vec![
         ("fmiVersion", "2.0".into()),
         ("modelName", model.name.into()),
         ("guid", model.guid().into()),
@@ -95,13 +109,37 @@ fn root_attributes(model: &ModelType, date: Timestamp) -> Attributes {
         ("generationTool", format!("Stribeck {VERSION}")),
         ("generationDateAndTime", date.to_string()),
         ("variableNamingConvention", "structured".into()),
-    ]
+    ];
+    if model.model_exchange {
+        attributes.push(("numberOfEventIndicators", model.event_indicators.to_string()));
+    }
+    attributes
 }
 
-fn co_simulation(xml: &mut Xml, model: &ModelType) -> io::Result<()> {
+fn interface(
+    xml: &mut Xml,
+    element: &'static str,
+    model: &ModelType,
+    capabilities: &[(&'static str, &str)],
+) -> io::Result<()> {
     let identifier = ("modelIdentifier", model.name.to_owned());
-    let capabilities = CAPABILITIES.map(|(name, value)| (name, value.to_owned()));
-    leaf(xml, "CoSimulation", [identifier].into_iter().chain(capabilities).collect())
+    let capabilities = capabilities.iter().map(|(name, value)| (*name, (*value).to_owned()));
+    leaf(xml, element, [identifier].into_iter().chain(capabilities).collect())
+}
+
+/// The states whose derivatives are variables: those that an importer may integrate.
+fn integrated(model: &ModelType) -> Vec<usize> {
+    if model.model_exchange { model.continuous_states().collect() } else { Vec::new() }
+}
+
+/// The unit of the time derivative of a state, if there is one of its own. The rate of a pure number is no frequency.
+fn unit_of_rate(state: &Variable) -> Option<&'static Unit> {
+    let unit = match state.kind {
+        Kind::Real(unit) if unit.name != "1" => unit,
+        _ => return None,
+    };
+    let exponents = |unit: &Unit| (unit.kg, unit.m, unit.kelvin, unit.rad);
+    UNITS.iter().find(|rate| exponents(rate) == exponents(unit) && rate.s == unit.s - 1)
 }
 
 /// The unit of the independent variable.
@@ -115,7 +153,8 @@ fn units(model: &ModelType) -> BTreeMap<&'static str, &'static Unit> {
         Kind::Real(unit) => Some(unit),
         _ => None,
     });
-    of_variables.chain([second()]).map(|unit| (unit.name, unit)).collect()
+    let of_rates = integrated(model).into_iter().filter_map(|state| unit_of_rate(&model.table[state]));
+    of_variables.chain(of_rates).chain([second()]).map(|unit| (unit.name, unit)).collect()
 }
 
 /// Enumerations of the variables, each once, by name.
@@ -198,7 +237,21 @@ fn model_variables(xml: &mut Xml, model: &ModelType, choices: Choices) -> io::Re
         }
         let independent = ["independent", "continuous", ""];
         let attributes = scalar_attributes("time".into(), model.table.len(), "Time.", independent);
-        parent(xml, "ScalarVariable", attributes, |xml| leaf(xml, "Real", real_type(second())))
+        parent(xml, "ScalarVariable", attributes, |xml| leaf(xml, "Real", real_type(second())))?;
+        integrated(model).into_iter().enumerate().try_for_each(|(place, state)| derivative(xml, model, place, state))
+    })
+}
+
+/// The variable behind the independent one that is the time derivative of a state.
+fn derivative(xml: &mut Xml, model: &ModelType, place: usize, state: usize) -> io::Result<()> {
+    let variable = &model.table[state];
+    let (name, help) = (format!("der({})", variable.path), format!("Time derivative of {}.", variable.path));
+    let reference = model.table.len() + 1 + place;
+    let attributes = scalar_attributes(name, reference, &help, ["local", "continuous", "calculated"]);
+    parent(xml, "ScalarVariable", attributes, |xml| {
+        let mut attributes = unit_of_rate(variable).map(real_type).unwrap_or_default();
+        attributes.push(("derivative", (state + 1).to_string()));
+        leaf(xml, "Real", attributes)
     })
 }
 
@@ -223,7 +276,8 @@ fn scalar_attributes(
 
 /// Causality, variability and initial; the standard forbids `initial` for inputs.
 fn causality(variable: &Variable) -> [&'static str; 3] {
-    let changing = if matches!(variable.kind, Kind::Real(_)) { "continuous" } else { "discrete" };
+    let jumps = if variable.role.is_state() { variable.jumps } else { !matches!(variable.kind, Kind::Real(_)) };
+    let changing = if jumps { "discrete" } else { "continuous" };
     match variable.role {
         Role::Input => ["input", changing, ""],
         Role::Fixed => ["parameter", "fixed", "exact"],
@@ -269,28 +323,50 @@ fn start(variable: &Variable) -> String {
 }
 
 fn model_structure(xml: &mut Xml, model: &ModelType) -> io::Result<()> {
-    // Trying does not find every one of hundreds of elements. An entry that names none depends on all.
-    let has_elements = model.table.iter().any(|variable| variable.path.segments()[0].index > 0);
-    let is_input = |column: &&usize| model.table[**column].role == Role::Input;
-    let dependencies = dependencies::of(model, |column| !has_elements || is_input(&&column));
+    let columns = model.table.len();
+    // An entry that names no dependencies depends on all.
+    let has_elements = dependencies::has_elements(model);
+    let is_input = |column: usize| model.table[column].role == Role::Input;
+    let dependencies = dependencies::of(model, |column| !has_elements || is_input(column));
+    let states = integrated(model);
+    let outputs: Vec<usize> = (0..columns).filter(|column| model.table[*column].role.is_output()).collect();
     parent(xml, "ModelStructure", vec![], |xml| {
-        let outputs = || (0..model.table.len()).filter(|column| model.table[*column].role.is_output());
-        if outputs().next().is_some() {
-            parent(xml, "Outputs", vec![], |xml| {
-                outputs().try_for_each(|output| {
-                    let inputs = dependencies[output].iter().filter(is_input).copied().collect();
-                    unknown(xml, output, Some(&inputs))
-                })
-            })?;
-        }
-        let mut initial = outputs().filter(|output| model.table[*output].role.is_computed()).peekable();
-        if initial.peek().is_some() {
-            parent(xml, "InitialUnknowns", vec![], |xml| {
-                initial.try_for_each(|output| unknown(xml, output, (!has_elements).then_some(&dependencies[output])))
-            })?;
-        }
-        Ok(())
+        list(xml, "Outputs", &outputs, |xml, output| {
+            let inputs = dependencies[output].iter().filter(|column| is_input(**column));
+            let of_states = states.iter().filter(|state| {
+                **state == output
+                    || !model.table[output].role.is_state() && has_elements
+                    || dependencies[output].contains(state)
+            });
+            unknown(xml, output, Some(&inputs.chain(of_states).copied().collect()))
+        })?;
+        let derivatives: Vec<usize> = (0..states.len()).map(|place| columns + 1 + place).collect();
+        let of_derivative = |unknown: usize| &dependencies[columns + states[unknown - columns - 1]];
+        let is_known = |column: &&usize| is_input(**column) || states.contains(column);
+        list(xml, "Derivatives", &derivatives, |xml, derivative| {
+            let known = of_derivative(derivative).iter().filter(is_known).copied().collect();
+            unknown(xml, derivative, (!has_elements).then_some(&known))
+        })?;
+        let calculated = outputs.iter().filter(|output| model.table[**output].role.is_computed());
+        let initial: Vec<usize> = calculated.chain(&derivatives).copied().collect();
+        list(xml, "InitialUnknowns", &initial, |xml, column| {
+            let known = if column < columns { &dependencies[column] } else { of_derivative(column) };
+            unknown(xml, column, (!has_elements).then_some(known))
+        })
     })
+}
+
+/// A list of the model structure, unless it is empty.
+fn list(
+    xml: &mut Xml,
+    name: &'static str,
+    entries: &[usize],
+    mut entry: impl FnMut(&mut Xml, usize) -> io::Result<()>,
+) -> io::Result<()> {
+    if entries.is_empty() {
+        return Ok(());
+    }
+    parent(xml, name, vec![], |xml| entries.iter().try_for_each(|column| entry(xml, *column)))
 }
 
 /// An entry of the model structure. Its indices count the variables from 1.
@@ -372,7 +448,7 @@ mod tests {
 
     #[test]
     fn elements_stand_in_the_order_of_the_schema() {
-        on_every_description(|_, document| {
+        on_every_description(|model, document| {
             let children: Vec<_> = document
                 .root_element()
                 .children()
@@ -380,6 +456,7 @@ mod tests {
                 .map(|node| node.tag_name().name())
                 .collect();
             let schema = [
+                "ModelExchange",
                 "CoSimulation",
                 "UnitDefinitions",
                 "TypeDefinitions",
@@ -388,17 +465,23 @@ mod tests {
                 "ModelVariables",
                 "ModelStructure",
             ];
-            assert_eq!(children, schema);
+            assert_eq!(children, schema[usize::from(!model.model_exchange)..]);
+            assert_eq!(document.root_element().has_attribute("numberOfEventIndicators"), model.model_exchange);
         });
     }
 
     #[test]
     fn model_identifier_is_the_name_and_a_c_identifier() {
         on_every_description(|model, document| {
-            let identifier = text(all(document, "CoSimulation")[0], "modelIdentifier");
-            assert_eq!(identifier, model.name);
-            assert!(identifier.starts_with(|first: char| first.is_ascii_alphabetic()), "{identifier}");
-            assert!(identifier.chars().all(|letter| letter.is_ascii_alphanumeric() || letter == '_'), "{identifier}");
+            for interface in all(document, "CoSimulation").into_iter().chain(all(document, "ModelExchange")) {
+                let identifier = text(interface, "modelIdentifier");
+                assert_eq!(identifier, model.name);
+                assert!(identifier.starts_with(|first: char| first.is_ascii_alphabetic()), "{identifier}");
+                assert!(
+                    identifier.chars().all(|letter| letter.is_ascii_alphanumeric() || letter == '_'),
+                    "{identifier}"
+                );
+            }
         });
     }
 
@@ -410,12 +493,15 @@ mod tests {
             assert_unique(
                 variables.iter().map(|(node, _)| *node).chain(types).map(|node| text(node, "name").to_owned()),
             );
-            for (column, (node, _)) in variables.iter().enumerate() {
+            let columns = model.table.iter().map(|variable| variable.path.to_string());
+            let states = model.continuous_states().filter(|_| model.model_exchange);
+            let derivatives = states.map(|state| format!("der({})", model.table[state].path));
+            let names: Vec<String> = columns.chain(["time".to_owned()]).chain(derivatives).collect();
+            assert_eq!(variables.len(), names.len());
+            for (column, ((node, _), name)) in variables.iter().zip(names).enumerate() {
                 assert_eq!(text(*node, "valueReference"), column.to_string());
-                let name = model.table.get(column).map_or("time".into(), |variable| variable.path.to_string());
                 assert_eq!(text(*node, "name"), name);
             }
-            assert_eq!(variables.len(), model.table.len() + 1);
         });
     }
 
@@ -486,8 +572,34 @@ mod tests {
             };
             let is_output = |node: Node| text(node, "causality") == "output";
             assert_eq!(unknowns(document, "Outputs"), indices(&is_output));
-            let is_unknown = |node: Node| is_output(node) && text(node, "initial") == "calculated";
+            let is_derivative = |node: Node| node.first_element_child().unwrap().has_attribute("derivative");
+            assert_eq!(unknowns(document, "Derivatives"), indices(&is_derivative));
+            let is_unknown = |node: Node| node.attribute("initial") == Some("calculated");
             assert_eq!(unknowns(document, "InitialUnknowns"), indices(&is_unknown));
+        });
+    }
+
+    /// A derivative is that of a continuous state, in a unit that is the state's per second.
+    #[test]
+    fn derivatives_are_those_of_continuous_states() {
+        on_every_description(|_, document| {
+            let variables = variables(document);
+            for (_, declaration) in &variables {
+                let Some(state) = number_of(*declaration, "derivative") else { continue };
+                let (node, state) = variables[state as usize - 1];
+                assert_eq!([text(node, "variability"), text(node, "initial")], ["continuous", "exact"], "{node:?}");
+                let exponent = |declaration: Node, base: &str| {
+                    let units = all(document, "BaseUnit");
+                    let is_its = |unit: &&Node| {
+                        unit.parent_element().unwrap().attribute("name") == declaration.attribute("unit")
+                    };
+                    number_of(*units.iter().find(is_its).unwrap(), base).unwrap_or(0.0)
+                };
+                if declaration.has_attribute("unit") {
+                    assert_eq!(exponent(*declaration, "s"), exponent(state, "s") - 1.0, "{node:?}");
+                    assert!(["kg", "m", "K"].iter().all(|base| exponent(*declaration, base) == exponent(state, base)));
+                }
+            }
         });
     }
 
@@ -495,11 +607,14 @@ mod tests {
     fn dependencies_are_on_what_is_known() {
         on_every_description(|_, document| {
             let variables = variables(document);
+            let states = variables.iter().filter_map(|(_, declaration)| number_of(*declaration, "derivative"));
+            let states: BTreeSet<usize> = states.map(|index| index as usize).collect();
             for entry in all(document, "Unknown") {
                 let is_initial = entry.parent_element().unwrap().has_tag_name("InitialUnknowns");
                 let mut before = 0;
                 let listed = entry.attribute("dependencies");
-                assert!(listed.is_some() || is_initial, "{entry:?}");
+                let is_output = entry.parent_element().unwrap().has_tag_name("Outputs");
+                assert!(listed.is_some() || !is_output, "{entry:?}");
                 let indices: Vec<usize> =
                     listed.unwrap_or_default().split_whitespace().map(|index| index.parse().unwrap()).collect();
                 let kinds = entry.attribute("dependenciesKind").unwrap_or_default();
@@ -507,7 +622,8 @@ mod tests {
                 for index in indices {
                     let known = variables[index - 1].0;
                     let is_exact = is_initial && known.attribute("initial") == Some("exact");
-                    assert!(text(known, "causality") == "input" || is_exact, "{entry:?}");
+                    let is_state = states.contains(&index);
+                    assert!(text(known, "causality") == "input" || is_exact || is_state, "{entry:?}");
                     assert!(index > before, "{entry:?}");
                     before = index;
                 }

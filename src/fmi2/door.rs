@@ -4,7 +4,7 @@ use std::ffi::CStr;
 use std::fmt;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
-use super::lifecycle::{Call, State};
+use super::lifecycle::{Call, Purpose, State};
 use super::log::Log;
 use super::types::{fmi2Component, fmi2Status};
 use crate::float_mode::DefaultMode;
@@ -16,6 +16,7 @@ use crate::model::Fault;
 pub(super) struct Slave {
     magic: u64,
     pub instance: Instance,
+    pub purpose: Purpose,
     pub state: State,
     pub experiment: Experiment,
     pub log: Log,
@@ -38,8 +39,8 @@ impl Experiment {
 const MAGIC: u64 = u64::from_le_bytes(*b"STRIBECK");
 
 impl Slave {
-    pub fn new(instance: Instance, log: Log) -> Slave {
-        Slave { magic: MAGIC, instance, state: State::Instantiated, experiment: Experiment::NONE, log }
+    pub fn new(instance: Instance, purpose: Purpose, log: Log) -> Slave {
+        Slave { magic: MAGIC, instance, purpose, state: State::Instantiated, experiment: Experiment::NONE, log }
     }
 }
 
@@ -89,8 +90,8 @@ pub(super) fn refuse<T>(text: impl fmt::Display) -> Result<T, Refusal> {
 pub(super) unsafe fn enter(c: fmi2Component, call: Call, body: impl FnOnce(&mut Slave) -> Outcome) -> fmi2Status {
     // SAFETY: the caller's promise.
     let Some(slave) = (unsafe { slave(c) }) else { return fmi2Status::fmi2Error };
-    if !call.is_allowed(slave.state) {
-        return refused(slave, call, not_allowed(slave.state));
+    if !call.is_allowed(slave.state) || !call.is_for(slave.purpose) {
+        return refused(slave, call, not_allowed(slave, call));
     }
     let _mode = DefaultMode::enter();
     // A panic leaves the row as it was: models work on a copy. Everything else that a body writes, it writes last.
@@ -144,8 +145,12 @@ pub(super) unsafe fn take(c: fmi2Component) -> Option<Box<Slave>> {
 
 #[cold]
 #[inline(never)]
-fn not_allowed(state: State) -> Refusal {
-    Refusal::error(format_args!("may not be called in state {state:?}"))
+fn not_allowed(slave: &Slave, call: Call) -> Refusal {
+    if call.is_for(slave.purpose) {
+        Refusal::error(format_args!("may not be called in state {:?}", slave.state))
+    } else {
+        Refusal::error(format_args!("is no function of an instance for {:?}", slave.purpose))
+    }
 }
 
 #[cold]

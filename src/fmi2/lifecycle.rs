@@ -1,6 +1,16 @@
-//! The state machine of FMI 2.0.5 section 4.2.4, as one table: which function may be called in which state.
+//! The state machines of FMI 2.0.5 sections 3.2.3 (Model Exchange) and 4.2.4 (co-simulation), as one table: which function
+//! may be called in which state.
 
-/// States that a synchronous slave can reach. It never discards a step, and never fails beyond repair.
+/// What an instance is for, as it was said to fmi2Instantiate.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Purpose {
+    /// The instance makes steps.
+    CoSimulation,
+    /// The importer integrates the states.
+    ModelExchange,
+}
+
+/// States that an instance can reach. It never discards a step, and never fails beyond repair.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum State {
     /// After fmi2Instantiate or fmi2Reset.
@@ -13,11 +23,33 @@ pub enum State {
     Terminated,
     /// After a call that returned fmi2Error.
     Error,
+    /// Model Exchange: where inputs and discrete states may jump.
+    EventMode,
+    /// Model Exchange: where time and states move.
+    ContinuousTimeMode,
 }
 
 /// All states, in the order of the columns of [`ALLOWED`].
-pub const STATES: [State; 5] =
-    [State::Instantiated, State::Initialization, State::StepComplete, State::Terminated, State::Error];
+pub const STATES: [State; 7] = [
+    State::Instantiated,
+    State::Initialization,
+    State::StepComplete,
+    State::Terminated,
+    State::Error,
+    State::EventMode,
+    State::ContinuousTimeMode,
+];
+
+impl State {
+    /// Can an instance for that purpose be in this state?
+    pub const fn is_for(self, purpose: Purpose) -> bool {
+        match self {
+            State::StepComplete => matches!(purpose, Purpose::CoSimulation),
+            State::EventMode | State::ContinuousTimeMode => matches!(purpose, Purpose::ModelExchange),
+            _ => true,
+        }
+    }
+}
 
 /// The functions that act on an instance.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -53,51 +85,83 @@ pub enum Call {
     GetIntegerStatus,
     GetBooleanStatus,
     GetStringStatus,
+    EnterEventMode,
+    NewDiscreteStates,
+    EnterContinuousTimeMode,
+    CompletedIntegratorStep,
+    SetTime,
+    SetContinuousStates,
+    GetDerivatives,
+    GetEventIndicators,
+    GetContinuousStates,
+    GetNominalsOfContinuousStates,
 }
 
 const X: bool = true;
 const O: bool = false;
 
-/// Row: function, in the order of [`Call`]. Column: instantiated, initialization, stepComplete, terminated, error.
+const BOTH: [Purpose; 2] = [Purpose::CoSimulation, Purpose::ModelExchange];
+const CS: [Purpose; 2] = [Purpose::CoSimulation; 2];
+const ME: [Purpose; 2] = [Purpose::ModelExchange; 2];
+
+/// Row: function, in the order of [`Call`]; instances that have it. Column: instantiated, initialization, stepComplete,
+/// terminated, error, event mode, continuous-time mode.
 #[rustfmt::skip]
-pub const ALLOWED: [(Call, [bool; 5]); 30] = [
-    (Call::SetDebugLogging,          [X, X, X, X, X]),
-    (Call::SetupExperiment,          [X, O, O, O, O]),
-    (Call::EnterInitializationMode,  [X, O, O, O, O]),
-    (Call::ExitInitializationMode,   [O, X, O, O, O]),
-    (Call::Terminate,                [O, O, X, O, O]),
-    (Call::Reset,                    [X, X, X, X, X]),
-    (Call::GetReal,                  [O, X, X, X, X]),
-    (Call::GetInteger,               [O, X, X, X, X]),
-    (Call::GetBoolean,               [O, X, X, X, X]),
-    (Call::GetString,                [O, X, X, X, X]),
-    (Call::SetReal,                  [X, X, X, O, O]),
-    (Call::SetInteger,               [X, X, X, O, O]),
-    (Call::SetBoolean,               [X, X, X, O, O]),
-    (Call::SetString,                [X, X, X, O, O]),
-    (Call::GetFMUstate,              [X, X, X, X, X]),
-    (Call::SetFMUstate,              [X, X, X, X, X]),
-    (Call::FreeFMUstate,             [X, X, X, X, X]),
-    (Call::SerializedFMUstateSize,   [X, X, X, X, X]),
-    (Call::SerializeFMUstate,        [X, X, X, X, X]),
-    (Call::DeSerializeFMUstate,      [X, X, X, X, X]),
-    (Call::GetDirectionalDerivative, [O, X, X, X, X]),
-    (Call::SetRealInputDerivatives,  [X, X, X, O, O]),
-    (Call::GetRealOutputDerivatives, [O, O, X, X, X]),
-    (Call::DoStep,                   [O, O, X, O, O]),
-    (Call::CancelStep,               [O, O, O, O, O]),
-    (Call::GetStatus,                [O, O, X, X, O]),
-    (Call::GetRealStatus,            [O, O, X, X, O]),
-    (Call::GetIntegerStatus,         [O, O, X, X, O]),
-    (Call::GetBooleanStatus,         [O, O, X, X, O]),
-    (Call::GetStringStatus,          [O, O, X, X, O]),
+pub const ALLOWED: [(Call, [Purpose; 2], [bool; 7]); 40] = [
+    (Call::SetDebugLogging,               BOTH, [X, X, X, X, X, X, X]),
+    (Call::SetupExperiment,               BOTH, [X, O, O, O, O, O, O]),
+    (Call::EnterInitializationMode,       BOTH, [X, O, O, O, O, O, O]),
+    (Call::ExitInitializationMode,        BOTH, [O, X, O, O, O, O, O]),
+    (Call::Terminate,                     BOTH, [O, O, X, O, O, X, X]),
+    (Call::Reset,                         BOTH, [X, X, X, X, X, X, X]),
+    (Call::GetReal,                       BOTH, [O, X, X, X, X, X, X]),
+    (Call::GetInteger,                    BOTH, [O, X, X, X, X, X, X]),
+    (Call::GetBoolean,                    BOTH, [O, X, X, X, X, X, X]),
+    (Call::GetString,                     BOTH, [O, X, X, X, X, X, X]),
+    (Call::SetReal,                       BOTH, [X, X, X, O, O, X, X]),
+    (Call::SetInteger,                    BOTH, [X, X, X, O, O, X, O]),
+    (Call::SetBoolean,                    BOTH, [X, X, X, O, O, X, O]),
+    (Call::SetString,                     BOTH, [X, X, X, O, O, X, O]),
+    (Call::GetFMUstate,                   BOTH, [X, X, X, X, X, X, X]),
+    (Call::SetFMUstate,                   BOTH, [X, X, X, X, X, X, X]),
+    (Call::FreeFMUstate,                  BOTH, [X, X, X, X, X, X, X]),
+    (Call::SerializedFMUstateSize,        BOTH, [X, X, X, X, X, X, X]),
+    (Call::SerializeFMUstate,             BOTH, [X, X, X, X, X, X, X]),
+    (Call::DeSerializeFMUstate,           BOTH, [X, X, X, X, X, X, X]),
+    (Call::GetDirectionalDerivative,      BOTH, [O, X, X, X, X, X, X]),
+    (Call::SetRealInputDerivatives,       CS,   [X, X, X, O, O, O, O]),
+    (Call::GetRealOutputDerivatives,      CS,   [O, O, X, X, X, O, O]),
+    (Call::DoStep,                        CS,   [O, O, X, O, O, O, O]),
+    (Call::CancelStep,                    CS,   [O, O, O, O, O, O, O]),
+    (Call::GetStatus,                     CS,   [O, O, X, X, O, O, O]),
+    (Call::GetRealStatus,                 CS,   [O, O, X, X, O, O, O]),
+    (Call::GetIntegerStatus,              CS,   [O, O, X, X, O, O, O]),
+    (Call::GetBooleanStatus,              CS,   [O, O, X, X, O, O, O]),
+    (Call::GetStringStatus,               CS,   [O, O, X, X, O, O, O]),
+    (Call::EnterEventMode,                ME,   [O, O, O, O, O, X, X]),
+    (Call::NewDiscreteStates,             ME,   [O, O, O, O, O, X, O]),
+    (Call::EnterContinuousTimeMode,       ME,   [O, O, O, O, O, X, O]),
+    (Call::CompletedIntegratorStep,       ME,   [O, O, O, O, O, O, X]),
+    (Call::SetTime,                       ME,   [O, O, O, O, O, X, X]),
+    (Call::SetContinuousStates,           ME,   [O, O, O, O, O, O, X]),
+    (Call::GetDerivatives,                ME,   [O, O, O, X, X, X, X]),
+    (Call::GetEventIndicators,            ME,   [O, X, O, X, X, X, X]),
+    (Call::GetContinuousStates,           ME,   [O, X, O, X, X, X, X]),
+    (Call::GetNominalsOfContinuousStates, ME,   [X, O, O, X, X, X, X]),
 ];
 
 impl Call {
     /// May it be called in that state?
     #[inline]
     pub const fn is_allowed(self, state: State) -> bool {
-        ALLOWED[self as usize].1[state as usize]
+        ALLOWED[self as usize].2[state as usize]
+    }
+
+    /// Do instances for that purpose have it?
+    #[inline]
+    pub const fn is_for(self, purpose: Purpose) -> bool {
+        let [one, other] = ALLOWED[self as usize].1;
+        one as u8 == purpose as u8 || other as u8 == purpose as u8
     }
 }
 

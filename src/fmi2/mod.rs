@@ -1,4 +1,4 @@
-//! The functions of FMI 2.0 for co-simulation, as the standard's headers declare them.
+//! The functions of FMI 2.0 for co-simulation and Model Exchange, as the standard's headers declare them.
 //!
 //! Every call on an instance passes one door: null pointer, state (the table in [`lifecycle`]), panic, log. The
 //! entry points are written out because cbindgen cannot see what macros make.
@@ -8,6 +8,7 @@
 #![allow(non_camel_case_types, non_snake_case, non_upper_case_globals, reason = "the names of the standard")]
 
 mod door;
+pub mod exchange;
 pub mod lifecycle;
 pub mod log;
 pub mod setup;

@@ -5,12 +5,13 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::ptr::null_mut;
 
 use super::door::{self, Experiment, Slave, array, enter, refuse};
-use super::lifecycle::{Call, State};
+use super::lifecycle::{Call, Purpose, State};
 use super::log::{self, Log};
 use super::types::*;
 use crate::catalogue;
 use crate::instance::Instance;
 use crate::memory;
+use crate::model::ModelType;
 
 /// The platform of the types: "default".
 #[unsafe(no_mangle)]
@@ -26,9 +27,9 @@ pub extern "C" fn fmi2GetVersion() -> fmi2String {
 
 /// Makes an instance of the model whose guid is `fmuGUID`, to be freed once with fmi2FreeInstance.
 ///
-/// `fmuType` must be `fmi2CoSimulation`. `callbacks` is copied; its function pointers may all be NULL.
-/// `fmuResourceLocation` and `visible` are not used. Returns NULL, and says why to the logger, if the guid is that of no
-/// model of this library, if the name is blank, or if there is no memory.
+/// `fmuType` must be `fmi2CoSimulation` or, for the models that offer it, `fmi2ModelExchange`. `callbacks` is copied; its
+/// function pointers may all be NULL. `fmuResourceLocation` and `visible` are not used. Returns NULL, and says why to the logger, if the guid is that of no
+/// model of this library, if the model does not offer that type, if the name is blank, or if there is no memory.
 ///
 /// # Safety
 /// Texts must be NULL or zero-terminated; `callbacks` must be NULL or point to a valid struct.
@@ -70,10 +71,6 @@ fn instantiate(
     if name.to_bytes().trim_ascii().is_empty() {
         return Err(memory::text("instanceName is NULL or blank"));
     }
-    if kind != fmi2CoSimulation {
-        let text = format_args!("fmuType is {kind}: only co-simulation ({fmi2CoSimulation}) is offered");
-        return Err(memory::text(text));
-    }
     let guid = guid.ok_or_else(|| memory::text("fmuGUID is NULL"))?;
     let guid = guid.to_str().unwrap_or("that is no UTF-8");
     let model = catalogue::by_guid(guid).ok_or_else(|| {
@@ -82,8 +79,23 @@ fn instantiate(
             env!("CARGO_PKG_VERSION")
         ))
     })?;
-    let make = || memory::boxed(Slave::new(Instance::try_new(model)?, Log::new(callbacks, name, logging)?));
+    let purpose = purpose(kind, model)?;
+    let make = || memory::boxed(Slave::new(Instance::try_new(model)?, purpose, Log::new(callbacks, name, logging)?));
     make().map_err(memory::text)
+}
+
+fn purpose(kind: fmi2Type, model: &ModelType) -> Result<Purpose, String> {
+    let name = model.name;
+    match kind {
+        fmi2CoSimulation => Ok(Purpose::CoSimulation),
+        fmi2ModelExchange if model.model_exchange => Ok(Purpose::ModelExchange),
+        fmi2ModelExchange => Err(memory::text(format_args!(
+            "fmuType is {kind}: {name} has states that no solver can integrate and is for co-simulation only"
+        ))),
+        _ => Err(memory::text(format_args!(
+            "fmuType is {kind}: must be {fmi2ModelExchange} (Model Exchange) or {fmi2CoSimulation}"
+        ))),
+    }
 }
 
 /// Frees an instance. NULL is ignored.
@@ -176,7 +188,8 @@ pub unsafe extern "C" fn fmi2EnterInitializationMode(c: fmi2Component) -> fmi2St
     unsafe { enter(c, Call::EnterInitializationMode, body) }
 }
 
-/// Ends the initialization: parameters must now fit together, outputs must be finite.
+/// Ends the initialization: parameters must now fit together, outputs must be finite. Model Exchange goes on in event
+/// mode.
 ///
 /// # Safety
 /// `c` as for every call on an instance.
@@ -185,7 +198,14 @@ pub unsafe extern "C" fn fmi2ExitInitializationMode(c: fmi2Component) -> fmi2Sta
     let body = |slave: &mut Slave| {
         slave.instance.check()?;
         slave.instance.refresh()?;
-        slave.state = State::StepComplete;
+        slave.state = match slave.purpose {
+            Purpose::CoSimulation => State::StepComplete,
+            Purpose::ModelExchange => {
+                slave.instance.model().check_exchange(slave.instance.row())?;
+                slave.instance.at_event()?;
+                State::EventMode
+            }
+        };
         Ok(())
     };
     // SAFETY: the caller's promise about `c`.

@@ -114,6 +114,9 @@ pub unsafe extern "C" fn fmi2SetFMUstate(c: fmi2Component, FMUstate: fmi2FMUstat
     let body = |slave: &mut Slave| {
         // SAFETY: the caller's promise.
         let saved = unsafe { saved(slave, FMUstate) }?;
+        if !saved.state.is_for(slave.purpose) {
+            return refuse(format_args!("FMUstate is in state {:?}, not one of {:?}", saved.state, slave.purpose));
+        }
         slave.instance.restore(&saved.snapshot);
         slave.state = saved.state;
         slave.experiment = saved.experiment;

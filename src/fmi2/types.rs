@@ -85,6 +85,24 @@ pub type fmi2CallbackFreeMemory = Option<unsafe extern "C" fn(obj: *mut c_void)>
 pub type fmi2StepFinished =
     Option<unsafe extern "C" fn(componentEnvironment: fmi2ComponentEnvironment, status: fmi2Status)>;
 
+/// What an event has changed, or needs.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct fmi2EventInfo {
+    /// Must fmi2NewDiscreteStates be called again?
+    pub newDiscreteStatesNeeded: fmi2Boolean,
+    /// Is the simulation to end?
+    pub terminateSimulation: fmi2Boolean,
+    /// Are there new nominal values of the states?
+    pub nominalsOfContinuousStatesChanged: fmi2Boolean,
+    /// Have the states jumped?
+    pub valuesOfContinuousStatesChanged: fmi2Boolean,
+    /// Is the time of the next event known?
+    pub nextEventTimeDefined: fmi2Boolean,
+    /// That time.
+    pub nextEventTime: fmi2Real,
+}
+
 /// What the importer offers. It is copied by fmi2Instantiate and need not outlive that call.
 #[repr(C)]
 #[derive(Clone, Copy)]

@@ -61,6 +61,13 @@ impl Slave {
         reference as usize == self.instance.row().len() && B::TYPE == BaseType::Real
     }
 
+    /// The column of the state whose derivative that value reference means: they follow behind `time`, in the order of
+    /// the states.
+    fn derivative_of<B: Base>(&self, reference: fmi2ValueReference) -> Option<usize> {
+        let place = (reference as usize).checked_sub(self.instance.row().len() + 1)?;
+        self.instance.continuous_states().get(place).copied().filter(|_| B::TYPE == BaseType::Real)
+    }
+
     /// The variable behind a value reference; an error if it is of another type, or if there is none.
     fn variable<B: Base>(&self, reference: fmi2ValueReference) -> Result<&'static Variable, Refusal> {
         match self.instance.variable(reference as usize) {
@@ -70,11 +77,15 @@ impl Slave {
     }
 }
 
-/// FMI 2.0.5 section 4.2.4, conditions 1, 3 and 6 of the table: what may be set in a state.
+/// FMI 2.0.5, conditions of the tables in sections 3.2.3 (1, 3, 4 and 5) and 4.2.4 (1, 3 and 6): what may be set in a
+/// state.
 fn may_set(state: State, role: Role) -> bool {
     match role {
-        Role::Input | Role::Tunable => true,
-        Role::Fixed | Role::State | Role::StateOutput => state != State::StepComplete,
+        Role::Input => true,
+        Role::Tunable => state != State::ContinuousTimeMode,
+        Role::Fixed | Role::State | Role::StateOutput => {
+            matches!(state, State::Instantiated | State::Initialization)
+        }
         Role::Output => false,
     }
 }
@@ -95,7 +106,7 @@ fn check_value(slave: &Slave, variable: &Variable, value: f64) -> Outcome {
         return refuse(format_args!("{} is computed and cannot be set", variable.path));
     }
     if !may_set(state, variable.role) {
-        let text = "is neither input nor tunable and cannot be set in state";
+        let text = "cannot be set in state";
         return refuse(format_args!("{} {text} {state:?}", variable.path));
     }
     if !variable.admits(value) {
@@ -117,7 +128,7 @@ unsafe fn get<B: Base>(
         // SAFETY: the importer promises `n` value references and room for `n` values.
         let (references, values) = unsafe { (array(vr, n, "vr")?, array_mut(value, n, "value")?) };
         for reference in references {
-            if !slave.is_time::<B>(*reference) {
+            if !slave.is_time::<B>(*reference) && slave.derivative_of::<B>(*reference).is_none() {
                 slave.variable::<B>(*reference)?;
             }
         }
@@ -128,9 +139,14 @@ unsafe fn get<B: Base>(
         if slave.state != State::Error && references.iter().any(is_result) {
             slave.instance.refresh()?;
         }
-        let row = slave.instance.row();
+        let is_rate = |reference: &fmi2ValueReference| slave.derivative_of::<B>(*reference).is_some();
+        if slave.state != State::Error && references.iter().any(is_rate) {
+            slave.instance.rates()?;
+        }
+        let (row, rates) = (slave.instance.row(), slave.instance.last_rates());
         for (reference, value) in references.iter().zip(values) {
-            let found = row.get(*reference as usize).copied();
+            let rate = || slave.derivative_of::<B>(*reference).map(|column| rates[column]);
+            let found = row.get(*reference as usize).copied().or_else(rate);
             *value = B::from_number(found.unwrap_or(slave.instance.time()));
         }
         Ok(())
@@ -438,7 +454,8 @@ pub unsafe extern "C" fn fmi2GetRealOutputDerivatives(
     unsafe { enter(c, Call::GetRealOutputDerivatives, body) }
 }
 
-/// Derivative of outputs in a direction of inputs, parameters and states: exact, by automatic differentiation.
+/// Derivative of outputs, and of the states' time derivatives, in a direction of inputs, parameters and states: exact, by
+/// automatic differentiation.
 ///
 /// # Safety
 /// `c` as for every call on an instance; the arrays must have `nUnknown` and `nKnown` elements.
@@ -462,10 +479,10 @@ pub unsafe extern "C" fn fmi2GetDirectionalDerivative(
                 array_mut(dvUnknown, nUnknown, "dvUnknown")?,
             )
         };
-        for reference in unknowns {
+        for reference in unknowns.iter().filter(|reference| slave.derivative_of::<Real>(**reference).is_none()) {
             let variable = slave.variable::<Real>(*reference)?;
             if !variable.role.is_output() {
-                return refuse(format_args!("{} is not an output", variable.path));
+                return refuse(format_args!("{} is neither an output nor a derivative", variable.path));
             }
         }
         for reference in knowns {
@@ -475,13 +492,21 @@ pub unsafe extern "C" fn fmi2GetDirectionalDerivative(
             }
         }
         slave.instance.refresh()?;
-        let seeds = knowns.iter().map(|reference| *reference as usize).zip(seed.iter().copied());
-        let derivative = slave.instance.derivative(seeds);
-        if let Some(reference) = unknowns.iter().find(|unknown| !derivative[**unknown as usize].slope.is_finite()) {
+        let seeds = || knowns.iter().map(|reference| *reference as usize).zip(seed.iter().copied());
+        if unknowns.iter().any(|reference| slave.derivative_of::<Real>(*reference).is_some()) {
+            slave.instance.rate_derivative(seeds());
+        }
+        slave.instance.derivative(seeds());
+        let (outputs, rates) = slave.instance.last_derivatives();
+        let slope = |reference: fmi2ValueReference| {
+            let rate = slave.derivative_of::<Real>(reference).map(|column| rates[column]);
+            rate.unwrap_or_else(|| outputs[reference as usize]).slope
+        };
+        if let Some(reference) = unknowns.iter().find(|unknown| !slope(**unknown).is_finite()) {
             return refuse(format_args!("the derivative of value reference {reference} is not finite"));
         }
         for (reference, value) in unknowns.iter().zip(result) {
-            *value = derivative[*reference as usize].slope;
+            *value = slope(*reference);
         }
         Ok(())
     };

@@ -169,9 +169,20 @@ impl<T: Real> Law for BlimanSorine<T> {
         let elastic = self.velocity.value() == 0.0 || missing > ELASTIC_SHARE;
         self.sticking = T::from(f64::from(u8::from(elastic && self.coulomb().value() > 0.0)));
     }
+
+    fn derivatives(&self, rate: &mut Self) {
+        if self.normal_force.value() > 0.0 {
+            rate.y_1 = (self.velocity - self.velocity.abs() * self.y_1) / self.fast_length();
+            if self.is_second_order() {
+                rate.y_2 = (self.velocity - self.velocity.abs() * self.y_2) / self.eps_f;
+            }
+        }
+        rate.dissipated_energy = self.force() * self.velocity;
+    }
 }
 
 impl Model for BlimanSorine {
+    const MODEL_EXCHANGE: bool = true;
     const PRESETS: &'static [Preset] = &[
         Preset {
             name: "thesis",
@@ -200,16 +211,6 @@ impl Model for BlimanSorine {
         let fast_path = distance - fast * direction * (self.y_1 - before.0);
         let slow_path = distance - slow * direction * (self.y_2 - before.1);
         self.dissipated_energy += self.coulomb() * fast_path + self.slow_level() * (fast_path - slow_path);
-    }
-
-    fn rate(&self, rate: &mut Self) {
-        if self.normal_force > 0.0 {
-            rate.y_1 = (self.velocity - self.velocity.abs() * self.y_1) / self.fast_length();
-            if self.is_second_order() {
-                rate.y_2 = (self.velocity - self.velocity.abs() * self.y_2) / self.eps_f;
-            }
-        }
-        rate.dissipated_energy = self.force() * self.velocity;
     }
 }
 

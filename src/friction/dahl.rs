@@ -118,9 +118,19 @@ impl<T: Real> Law for Dahl<T> {
         let elastic = self.velocity.value() == 0.0 || share > ELASTIC_SHARE;
         self.sticking = T::from(f64::from(u8::from(elastic && self.coulomb().value() > 0.0)));
     }
+
+    /// Eq. (7.1), divided by sigma_0.
+    fn derivatives(&self, rate: &mut Self) {
+        if self.coulomb().value() > 0.0 {
+            let distance = self.distance_to_sliding();
+            rate.bristle_deflection = self.velocity * distance.sign() * distance.abs().powf(self.alpha);
+        }
+        rate.dissipated_energy = self.force() * self.velocity;
+    }
 }
 
 impl Model for Dahl {
+    const MODEL_EXCHANGE: bool = true;
     const PRESETS: &'static [Preset] = &[
         Preset { name: "thesis", source: "Novais (2024), Tables 6.1 and 7.1: the start values", values: &[] },
         Preset {
@@ -146,15 +156,6 @@ impl Model for Dahl {
             let elastic = missing / self.sigma_0 * mean_path(missing.abs() / coulomb, shrinkage, self.alpha);
             self.dissipated_energy += coulomb * (distance - elastic);
         }
-    }
-
-    /// Eq. (7.1), divided by sigma_0.
-    fn rate(&self, rate: &mut Self) {
-        if self.coulomb() > 0.0 {
-            let distance = self.distance_to_sliding();
-            rate.bristle_deflection = self.velocity * distance.sign() * distance.abs().powf(self.alpha);
-        }
-        rate.dissipated_energy = self.force() * self.velocity;
     }
 }
 

@@ -108,9 +108,17 @@ impl<T: Real> Law for Dankowicz<T> {
         let elastic = self.velocity.value() == 0.0 || self.elastic_share().value() > ELASTIC_SHARE;
         self.sticking = T::from(f64::from(u8::from(elastic && self.coulomb().value() > 0.0)));
     }
+
+    fn derivatives(&self, rate: &mut Self) {
+        if self.normal_force.value() > 0.0 {
+            rate.bristle_deflection = self.velocity * self.elastic_share();
+        }
+        rate.dissipated_energy = self.force() * self.velocity;
+    }
 }
 
 impl Model for Dankowicz {
+    const MODEL_EXCHANGE: bool = true;
     const PRESETS: &'static [Preset] = &[Preset {
         name: "thesis",
         source: "Novais (2024), Table 6.1, and delta_t = f_C / sigma_0 with Table 7.1: the start values",
@@ -128,13 +136,6 @@ impl Model for Dankowicz {
         self.bristle_deflection = relaxation::after(before, direction * self.delta_t, distance / self.delta_t);
         // The integral of z over the distance: dz = ds - (z / delta_t) ds, forwards.
         self.dissipated_energy += self.coulomb() * (distance - direction * (self.bristle_deflection - before));
-    }
-
-    fn rate(&self, rate: &mut Self) {
-        if self.normal_force > 0.0 {
-            rate.bristle_deflection = self.velocity * self.elastic_share();
-        }
-        rate.dissipated_energy = self.force() * self.velocity;
     }
 }
 

@@ -200,9 +200,15 @@ impl<T: Real> Law for ElastoPlastic<T> {
         let elastic = velocity == 0.0 || rate * velocity.sign() > ELASTIC_SHARE * velocity.abs();
         self.sticking = T::from(f64::from(u8::from(elastic && self.normal_force.value() > 0.0)));
     }
+
+    fn derivatives(&self, rate: &mut Self) {
+        rate.bristle_deflection = self.deflection_rate();
+        rate.dissipated_energy = self.force(rate.bristle_deflection) * self.velocity;
+    }
 }
 
 impl Model for ElastoPlastic {
+    const MODEL_EXCHANGE: bool = true;
     const PRESETS: &'static [Preset] = &[
         Preset {
             name: "thesis",
@@ -248,11 +254,6 @@ impl Model for ElastoPlastic {
         }
         self.dissipated_energy += self.damping() * self.velocity * (self.bristle_deflection - begin)
             + self.viscous_coefficient * self.velocity.abs() * distance;
-    }
-
-    fn rate(&self, rate: &mut Self) {
-        rate.bristle_deflection = self.deflection_rate();
-        rate.dissipated_energy = self.force(rate.bristle_deflection) * self.velocity;
     }
 }
 

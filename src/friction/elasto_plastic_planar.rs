@@ -189,9 +189,16 @@ impl<T: Component> Law for ElastoPlasticPlanar<T> {
         let elastic = speed == 0.0 || rate.dot(&direction(&self.velocity())).value() > ELASTIC_SHARE * speed;
         self.sticking = T::from(f64::from(u8::from(elastic && self.normal_force.value() > 0.0)));
     }
+
+    fn derivatives(&self, rate: &mut Self) {
+        let change = self.deflection_rate(self.level());
+        [rate.bristle_deflection_x, rate.bristle_deflection_y] = change.into();
+        rate.dissipated_energy = self.force(change).dot(&self.velocity());
+    }
 }
 
 impl Model for ElastoPlasticPlanar {
+    const MODEL_EXCHANGE: bool = true;
     const PRESETS: &'static [Preset] = &[Preset {
         name: "thesis",
         source: "Novais (2024), Tables 6.1 and 7.1, and kappa = 0.7 from its text: the start values",
@@ -220,12 +227,6 @@ impl Model for ElastoPlasticPlanar {
             [self.bristle_deflection_x, self.bristle_deflection_y] = after.into();
             self.dissipated_energy += level * (steady * end.area) + self.damping() * (after - before).dot(&velocity);
         }
-    }
-
-    fn rate(&self, rate: &mut Self) {
-        let change = self.deflection_rate(self.level());
-        [rate.bristle_deflection_x, rate.bristle_deflection_y] = change.into();
-        rate.dissipated_energy = self.force(change).dot(&self.velocity());
     }
 }
 

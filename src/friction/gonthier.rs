@@ -162,6 +162,12 @@ impl<T: Real> Gonthier<T> {
         self.coulomb() + self.excess() * self.dwell
     }
 
+    /// Rate at which s_d goes to s.
+    fn dwell_rate(&self) -> T {
+        let rises = self.stick_share() >= self.dwell;
+        if rises { T::from(1.0) / self.dwell_time_constant } else { self.sigma_0 / self.sigma_1 }
+    }
+
     fn force(&self) -> T {
         if self.normal_force.value() == 0.0 {
             return T::zero();
@@ -179,14 +185,15 @@ impl<T: Real> Law for Gonthier<T> {
         let elastic = velocity == 0.0 || within && rate * velocity.sign() > ELASTIC_SHARE * velocity.abs();
         self.sticking = T::from(f64::from(u8::from(elastic && self.normal_force.value() > 0.0)));
     }
+
+    fn derivatives(&self, rate: &mut Self) {
+        rate.bristle_deflection = self.deflection_rate();
+        rate.dwell = self.dwell_rate() * (self.stick_share() - self.dwell);
+        rate.dissipated_energy = self.force() * self.velocity;
+    }
 }
 
 impl Gonthier {
-    /// Rate at which s_d goes to s.
-    fn dwell_rate(&self) -> f64 {
-        if self.stick_share() >= self.dwell { 1.0 / self.dwell_time_constant } else { self.sigma_0 / self.sigma_1 }
-    }
-
     /// The motion of the states from now on, while the inputs are held.
     fn course(&self) -> Course {
         let u = self.velocity / self.stribeck_velocity;
@@ -202,6 +209,7 @@ impl Gonthier {
 }
 
 impl Model for Gonthier {
+    const MODEL_EXCHANGE: bool = true;
     const PRESETS: &'static [Preset] =
         &[Preset { name: "thesis", source: "Novais (2024), Tables 6.1 and 7.1: the start values", values: &[] }];
 
@@ -221,12 +229,6 @@ impl Model for Gonthier {
             let viscous = self.viscous_coefficient * self.velocity * dt;
             self.dissipated_energy += self.velocity * (course.impulse(dt) + viscous);
         }
-    }
-
-    fn rate(&self, rate: &mut Self) {
-        rate.bristle_deflection = self.deflection_rate();
-        rate.dwell = self.dwell_rate() * (self.stick_share() - self.dwell);
-        rate.dissipated_energy = self.force() * self.velocity;
     }
 }
 

@@ -114,11 +114,26 @@ impl<T: Real> Law for Karnopp<T> {
         self.dissipated_power = self.friction_force * self.velocity;
         self.sticking = contact.sticking(&self.time_stepping);
     }
+
+    fn derivatives(&self, rate: &mut Self) {
+        rate.dissipated_energy = self.time_stepping.force(&self.contact()) * self.velocity;
+    }
 }
 
 impl Model for Karnopp {
+    const MODEL_EXCHANGE: bool = true;
+    const EVENT_INDICATORS: usize = 2;
+
     fn check(&self) -> Result<(), Fault> {
         crate::friction::static_not_below_kinetic(self.mu_s, self.mu_k)
+    }
+
+    fn check_exchange(&self) -> Result<(), Fault> {
+        self.time_stepping.check_exchange()
+    }
+
+    fn event_indicators(&self, indicators: &mut [f64]) {
+        self.contact().write_indicators(indicators);
     }
 
     fn step(&mut self, dt: f64) {
@@ -134,10 +149,6 @@ impl Model for Karnopp {
 
     fn step_ramp(&mut self, slope: &Self, dt: f64) {
         time_stepping::step_ramp(self, self.time_stepping.mass, slope, dt);
-    }
-
-    fn rate(&self, rate: &mut Self) {
-        rate.dissipated_energy = self.time_stepping.force(&self.contact()) * self.velocity;
     }
 }
 

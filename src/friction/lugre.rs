@@ -163,6 +163,11 @@ impl<T: Real> Law for LuGre<T> {
     fn output(&mut self) {
         self.respond(self.level(), self.damping());
     }
+
+    fn derivatives(&self, rate: &mut Self) {
+        rate.bristle_deflection = self.deflection_rate(self.level());
+        rate.dissipated_energy = self.force(rate.bristle_deflection, self.damping()) * self.velocity;
+    }
 }
 
 impl LuGre {
@@ -190,6 +195,7 @@ impl LuGre {
 }
 
 impl Model for LuGre {
+    const MODEL_EXCHANGE: bool = true;
     const PRESETS: &'static [Preset] = &[
         Preset { name: "thesis", source: "Novais (2024), Tables 6.1 and 7.1: the start values", values: &[] },
         Preset {
@@ -223,11 +229,6 @@ impl Model for LuGre {
         let (level, damping) = (self.level(), self.damping());
         self.relax(level, damping, dt);
         self.respond(level, damping);
-    }
-
-    fn rate(&self, rate: &mut Self) {
-        rate.bristle_deflection = self.deflection_rate(self.level());
-        rate.dissipated_energy = self.force(rate.bristle_deflection, self.damping()) * self.velocity;
     }
 }
 

@@ -171,9 +171,16 @@ impl<T: Component> Law for LuGrePlanar<T> {
         let elastic = speed == 0.0 || rate.dot(&direction(&self.velocity())).value() > ELASTIC_SHARE * speed;
         self.sticking = T::from(f64::from(u8::from(elastic && self.normal_force.value() > 0.0)));
     }
+
+    fn derivatives(&self, rate: &mut Self) {
+        let change = self.deflection_rate(self.level());
+        [rate.bristle_deflection_x, rate.bristle_deflection_y] = change.into();
+        rate.dissipated_energy = self.force(change).dot(&self.velocity());
+    }
 }
 
 impl Model for LuGrePlanar {
+    const MODEL_EXCHANGE: bool = true;
     const PRESETS: &'static [Preset] =
         &[Preset { name: "thesis", source: "Novais (2024), Tables 6.1 and 7.1: the start values", values: &[] }];
 
@@ -202,12 +209,6 @@ impl Model for LuGrePlanar {
         self.dissipated_energy += level * (distance - (after - before).dot(&forward))
             + self.damping() * (after - before).dot(&velocity)
             + viscous;
-    }
-
-    fn rate(&self, rate: &mut Self) {
-        let change = self.deflection_rate(self.level());
-        [rate.bristle_deflection_x, rate.bristle_deflection_y] = change.into();
-        rate.dissipated_energy = self.force(change).dot(&self.velocity());
     }
 }
 

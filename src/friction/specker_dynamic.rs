@@ -123,6 +123,13 @@ impl<T: Real> SpeckerDynamic<T> {
         }
     }
 
+    /// T(v).
+    fn time_constant(&self, curve: &SpeckerCurve<T>) -> T {
+        let u = self.velocity / self.peak_velocity;
+        let share = (-u * u).exp();
+        self.slip_time * (T::from(1.0) - share) + curve.slope_at_rest() / self.sigma_0 * share
+    }
+
     fn force(&self) -> T {
         if self.normal_force.value() > 0.0 { self.lagging_force } else { T::zero() }
     }
@@ -135,18 +142,21 @@ impl<T: Real> Law for SpeckerDynamic<T> {
         let is_slow = self.velocity.abs() < self.peak_velocity;
         self.sticking = T::from(f64::from(u8::from(is_slow && self.normal_force.value() > 0.0)));
     }
-}
 
-impl SpeckerDynamic {
-    /// T(v).
-    fn time_constant(&self, curve: &SpeckerCurve<f64>) -> f64 {
-        let u = self.velocity / self.peak_velocity;
-        let share = (-u * u).exp();
-        self.slip_time * (1.0 - share) + curve.slope_at_rest() / self.sigma_0 * share
+    fn derivatives(&self, rate: &mut Self) {
+        if self.normal_force.value() > 0.0 {
+            let curve = self.curve();
+            let time_constant = self.time_constant(&curve);
+            if time_constant.value() > 0.0 {
+                rate.lagging_force = (curve.force(self.velocity) - self.lagging_force) / time_constant;
+            }
+        }
+        rate.dissipated_energy = self.force() * self.velocity;
     }
 }
 
 impl Model for SpeckerDynamic {
+    const MODEL_EXCHANGE: bool = true;
     const PRESETS: &'static [Preset] = &[Preset {
         name: "thesis",
         source: "Novais (2024), Tables 6.1 and 7.1, and (6.28) for v_S = 1 mm/s: the start values; T_slip is chosen",
@@ -168,17 +178,6 @@ impl Model for SpeckerDynamic {
         self.lagging_force = relaxation::after(before, steady, dt / time_constant);
         // The integral of f_f over time: f_f = f_stat - T df_f/dt.
         self.dissipated_energy += self.velocity * (steady * dt - time_constant * (self.lagging_force - before));
-    }
-
-    fn rate(&self, rate: &mut Self) {
-        if self.normal_force > 0.0 {
-            let curve = self.curve();
-            let time_constant = self.time_constant(&curve);
-            if time_constant > 0.0 {
-                rate.lagging_force = (curve.force(self.velocity) - self.lagging_force) / time_constant;
-            }
-        }
-        rate.dissipated_energy = self.force() * self.velocity;
     }
 }
 

@@ -5,7 +5,8 @@
 
 use crate::laws::end_velocity::{self, Landing};
 use crate::laws::stopping::{force_to_stop, is_held};
-use crate::model::{Model, real};
+use crate::memory;
+use crate::model::{Fault, Model, boolean, real};
 use crate::number::{Dual, Real};
 
 crate::choices! {
@@ -26,11 +27,13 @@ crate::part! {
         /// Order in which the master exchanges values; used with mass > 0.
         exchange: fixed = Exchange::Sequential.start(),
         /// Length of the last step; 0 before the first one.
-        step_size: state = real("s", 0.0).at_least(0.0).nominal(1e-3).shown_in("ms"),
+        step_size: state = real("s", 0.0).at_least(0.0).nominal(1e-3).shown_in("ms").discrete(),
         /// Step for which a parallel exchange plans: the longest of late.
-        planning_step: state = real("s", 0.0).at_least(0.0).nominal(1e-3).shown_in("ms"),
+        planning_step: state = real("s", 0.0).at_least(0.0).nominal(1e-3).shown_in("ms").discrete(),
         /// Force planned for the coming step of a parallel exchange.
-        planned_force: state = real("N", 0.0),
+        planned_force: state = real("N", 0.0).discrete(),
+        /// Has an event of Model Exchange found the contact held at rest?
+        held: state = boolean(false),
     }
 }
 
@@ -104,10 +107,20 @@ impl TimeStepping {
     /// Without what it remembers: a mass that is given later finds no old plan.
     #[inline]
     pub(crate) fn forgotten(self) -> TimeStepping {
-        TimeStepping { step_size: 0.0, planning_step: 0.0, planned_force: 0.0, ..self }
+        TimeStepping { step_size: 0.0, planning_step: 0.0, planned_force: 0.0, held: 0.0, ..self }
+    }
+
+    /// With mass the force is that of a whole step, which an importer that integrates the body itself does not make.
+    pub(crate) fn check_exchange(&self) -> Result<(), Fault> {
+        if self.mass > 0.0 {
+            let text = format_args!("mass = {}: must be 0 in Model Exchange, which holds no force", self.mass);
+            return Err(Fault(memory::text(text)));
+        }
+        Ok(())
     }
 
     fn step_with_mass(&mut self, contact: &impl Contact<f64>, dt: f64) -> Done {
+        self.held = 0.0;
         let is_first = self.step_size == 0.0;
         self.step_size = dt;
         // A force that stops the body in a short step throws it back in a long one, and the next step is not known yet.
@@ -160,9 +173,47 @@ impl<T: Real> TwoLevels<T> {
         let sticking = if time_stepping.is_active() {
             self.stuck
         } else {
-            self.is_at_rest() && self.external_force.abs() <= self.statical
+            (self.stuck || self.is_at_rest()) && self.external_force.abs() <= self.statical
         };
         truth(sticking && self.statical.value() > 0.0)
+    }
+}
+
+/// Speed up to which an importer that has found the instant of rest has found it (chosen: it knows the instant to some
+/// 1e-12 s).
+const REST: f64 = 1e-9;
+
+/// The same for the instant at which the static level is reached, relative to the level (chosen).
+const REACHED: f64 = 1e-9;
+
+/// Speed above which a held body is moved by something else, such as a velocity that is given (chosen).
+const MOVED: f64 = 1e-6;
+
+/// Event indicators of a contact that is set-valued at rest: the instants of rest and, once it is held, of its release.
+fn rest_and_release(is_held: bool, velocity: f64, external_force: f64, level: f64) -> [f64; 2] {
+    if is_held { [NO_EVENT, (level - external_force.abs()).min(MOVED - velocity.abs())] } else { [velocity, NO_EVENT] }
+}
+
+/// At an event: does such a contact hold the external force?
+fn holds(is_held: bool, velocity: f64, external_force: f64, level: f64) -> bool {
+    let rest = if is_held { (1.0 - REACHED) * MOVED } else { REST };
+    velocity.abs() <= rest && external_force.abs() < (1.0 - REACHED) * level
+}
+
+impl TwoLevels<f64> {
+    /// The instants of rest, or of the edge of the band, and of breakaway.
+    pub(crate) fn write_indicators(&self, indicators: &mut [f64]) {
+        let TwoLevels { velocity, external_force, statical, band, stuck, .. } = *self;
+        let reserve = if self.is_at_rest() { statical - external_force.abs() } else { NO_EVENT };
+        indicators.copy_from_slice(&match band > 0.0 {
+            true => [velocity.abs() - band, reserve],
+            false => rest_and_release(stuck, velocity, external_force, statical),
+        });
+    }
+
+    /// At an event: does a contact that has come to rest, or is stuck, hold the external force?
+    pub(crate) fn is_caught(&self) -> bool {
+        holds(self.stuck, self.velocity, self.external_force, self.statical)
     }
 }
 
@@ -181,7 +232,11 @@ impl<T: Real> Contact<T> for TwoLevels<T> {
 
     /// The law without memory: kinetic level outside the band; inside it the external force, up to the static level.
     fn printed(&self) -> T {
-        if self.is_at_rest() { self.external_force.limited(self.statical) } else { self.kinetic * self.velocity.sign() }
+        if self.stuck || self.is_at_rest() {
+            self.external_force.limited(self.statical)
+        } else {
+            self.kinetic * self.velocity.sign()
+        }
     }
 
     fn largest(&self) -> T {
@@ -232,6 +287,8 @@ pub(crate) struct OnCurve<'a, T, L> {
     pub velocity: T,
     pub normal_force: T,
     pub external_force: T,
+    /// Has an event of Model Exchange found the contact held?
+    pub held: bool,
 }
 
 impl<T: Copy, L> Clone for OnCurve<'_, T, L> {
@@ -257,7 +314,8 @@ impl<T: Real, L: Curve<T> + Lift> OnCurve<'_, T, L> {
     /// Is it at rest, and is the external force within the level of a set-valued law?
     fn is_held(&self) -> bool {
         let is_set_valued = self.law.band().is_none();
-        is_set_valued && self.velocity.value() == 0.0 && self.external_force.abs() <= self.law.level()
+        let is_at_rest = self.held || self.velocity.value() == 0.0;
+        is_set_valued && is_at_rest && self.external_force.abs() <= self.law.level()
     }
 
     /// What the body meets first, in the direction `side` in which it is driven.
@@ -312,7 +370,7 @@ impl<T: Real, L: Curve<T> + Lift> Contact<T> for OnCurve<'_, T, L> {
 
     #[inline]
     fn printed(&self) -> T {
-        if self.law.band().is_none() && self.velocity.value() == 0.0 {
+        if self.law.band().is_none() && (self.held || self.velocity.value() == 0.0) {
             return self.external_force.limited(self.law.level());
         }
         self.law.curve(self.velocity)
@@ -345,6 +403,29 @@ impl<T: Real, L: Curve<T> + Lift> Contact<T> for OnCurve<'_, T, L> {
     }
 }
 
+/// Event indicators of a law with a curve: where it jumps at rest, at breakaway, and at its kinks.
+pub(crate) const EVENTS_ON_CURVE: usize = 4;
+
+impl<L: Curve<f64>> OnCurve<'_, f64, L> {
+    pub(crate) fn write_indicators(&self, indicators: &mut [f64]) {
+        let distance = |kink: f64| if kink > 0.0 { self.velocity.abs() - kink } else { NO_EVENT };
+        let [near, far] = self.law.kinks();
+        let [rest, release] = match self.law.band() {
+            Some(_) => [NO_EVENT; 2],
+            None => rest_and_release(self.held, self.velocity, self.external_force, self.law.level()),
+        };
+        indicators.copy_from_slice(&[rest, release, distance(near), distance(far)]);
+    }
+
+    /// At an event: does a set-valued law that has come to rest, or is held, hold the external force?
+    pub(crate) fn is_caught(&self) -> bool {
+        self.law.band().is_none() && holds(self.held, self.velocity, self.external_force, self.law.level())
+    }
+}
+
+/// Event indicator of what does not happen.
+pub(crate) const NO_EVENT: f64 = 1.0;
+
 /// Advances a law by `dt` while its inputs move with `slope`. With mass its force belongs to the whole step.
 pub(crate) fn step_ramp<M: Model>(law: &mut M, mass: f64, slope: &M, dt: f64) {
     if mass > 0.0 {
@@ -372,6 +453,7 @@ macro_rules! memoryless {
                     velocity: self.velocity,
                     normal_force: self.normal_force,
                     external_force: self.external_force,
+                    held: self.time_stepping.held.value() != 0.0,
                 }
             }
         }
@@ -393,10 +475,17 @@ macro_rules! memoryless {
                 self.dissipated_power = force * self.velocity;
                 self.sticking = sticking;
             }
+
+            fn derivatives(&self, rate: &mut Self) {
+                rate.dissipated_energy = self.time_stepping.force(&self.contact()) * self.velocity;
+            }
         }
     };
 
     () => {
+        const MODEL_EXCHANGE: bool = true;
+        const EVENT_INDICATORS: usize = $crate::friction::time_stepping::EVENTS_ON_CURVE;
+
         fn step(&mut self, dt: f64) {
             let mut time_stepping = self.time_stepping;
             self.dissipated_energy += time_stepping.step(&self.contact(), dt).energy;
@@ -407,7 +496,7 @@ macro_rules! memoryless {
         fn step_and_output(&mut self, dt: f64) {
             if self.time_stepping.mass == 0.0 {
                 // The force over the step is the force after it.
-                if self.time_stepping.step_size != 0.0 {
+                if self.time_stepping.step_size != 0.0 || self.time_stepping.held != 0.0 {
                     self.time_stepping = self.time_stepping.forgotten();
                 }
                 $crate::model::Law::output(self);
@@ -426,8 +515,16 @@ macro_rules! memoryless {
             $crate::friction::time_stepping::step_ramp(self, self.time_stepping.mass, slope, dt);
         }
 
-        fn rate(&self, rate: &mut Self) {
-            rate.dissipated_energy = self.time_stepping.force(&self.contact()) * self.velocity;
+        fn check_exchange(&self) -> Result<(), $crate::model::Fault> {
+            self.time_stepping.check_exchange()
+        }
+
+        fn event_indicators(&self, indicators: &mut [f64]) {
+            self.contact().write_indicators(indicators);
+        }
+
+        fn at_event(&mut self) {
+            self.time_stepping.held = f64::from(u8::from(self.contact().is_caught()));
         }
     };
 }

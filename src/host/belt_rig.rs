@@ -75,6 +75,18 @@ impl<T: Real> Law for BeltRig<T> {
         self.velocity = self.block_velocity - self.belt_velocity;
         self.external_force = -self.stiffness * self.position;
     }
+
+    fn derivatives(&self, rate: &mut Self) {
+        rate.position = self.block_velocity;
+        rate.block_velocity = self.acceleration();
+    }
+}
+
+impl<T: Real> BeltRig<T> {
+    /// Eq. (6.32).
+    fn acceleration(&self) -> T {
+        -(self.stiffness * self.position + self.friction_force) / self.mass
+    }
 }
 
 impl BeltRig {
@@ -92,14 +104,11 @@ impl BeltRig {
         self.position += t * (self.block_velocity + t * (acceleration * c_2 + t * jerk * c_3));
         self.block_velocity += t * (acceleration * c_1 + t * jerk * c_2);
     }
-
-    /// Eq. (6.32).
-    fn acceleration(&self) -> f64 {
-        -(self.stiffness * self.position + self.friction_force) / self.mass
-    }
 }
 
 impl Model for BeltRig {
+    const MODEL_EXCHANGE: bool = true;
+
     fn step(&mut self, dt: f64) {
         self.advance(0.0, dt);
     }
@@ -107,11 +116,6 @@ impl Model for BeltRig {
     fn step_ramp(&mut self, slope: &Self, dt: f64) {
         self.advance(slope.friction_force, dt);
         self.friction_force += slope.friction_force * dt;
-    }
-
-    fn rate(&self, rate: &mut Self) {
-        rate.position = self.block_velocity;
-        rate.block_velocity = self.acceleration();
     }
 }
 

@@ -308,75 +308,94 @@ impl<T: Real> Law for DoubleTrackCar<T> {
         }
         self.lateral_acceleration = sum / self.mass();
     }
+
+    fn derivatives(&self, rate: &mut Self) {
+        let motion = self.plane_motion();
+        let [sin, cos] = [self.yaw_angle.sin(), self.yaw_angle.cos()];
+        rate.position_x = self.speed * cos - self.lateral_velocity * sin;
+        rate.position_y = self.speed * sin + self.lateral_velocity * cos;
+        rate.yaw_angle = self.yaw_rate;
+        rate.lateral_velocity = motion.acceleration - self.speed * self.yaw_rate;
+        rate.yaw_rate = motion.yaw_acceleration;
+        self.body.rate(self.load_of_body(&motion), &mut rate.body);
+        for corner in Corner::ALL {
+            let by_links = self.link_force(corner, &motion) / self.axle(corner).suspension.wheel_mass;
+            let rate = rate.corner_mut(corner);
+            rate.side_slip = self.side_slip_rate(corner);
+            rate.wheel.wheel_height = self.wheel(corner).wheel_velocity;
+            rate.wheel.wheel_velocity = self.wheel_acceleration(corner) + by_links;
+        }
+    }
 }
 
 /// How the car moves in the plane of the road.
-struct PlaneMotion {
+struct PlaneMotion<T> {
     /// Acceleration of the car's centre of gravity.
-    acceleration: f64,
-    yaw_acceleration: f64,
+    acceleration: T,
+    yaw_acceleration: T,
     /// Of the front and of the rear axle.
-    axles: [AxleForce; 2],
+    axles: [AxleForce<T>; 2],
 }
 
 /// What the road does to an axle.
 #[derive(Clone, Copy)]
-struct AxleForce {
+struct AxleForce<T> {
     /// Place of the axle ahead of the car's centre of gravity.
-    x: f64,
+    x: T,
     /// Lateral force of both tyres.
-    force: f64,
+    force: T,
     /// Aligning torque of both tyres.
-    torque: f64,
+    torque: T,
 }
 
-impl PlaneMotion {
-    fn axle(&self, corner: Corner) -> AxleForce {
+impl<T: Real> PlaneMotion<T> {
+    fn axle(&self, corner: Corner) -> AxleForce<T> {
         self.axles[usize::from(!corner.is_front())]
     }
 
     /// Force of inertia of both wheels of an axle, in the direction of the acceleration.
-    fn of_wheels(&self, corner: Corner, axle: &RollingAxle) -> f64 {
+    fn of_wheels(&self, corner: Corner, axle: &RollingAxle<T>) -> T {
         let acceleration = self.acceleration + self.axle(corner).x * self.yaw_acceleration;
-        2.0 * axle.axle.suspension.wheel_mass * acceleration
+        T::from(2.0) * axle.axle.suspension.wheel_mass * acceleration
     }
 
     /// What the body takes of the lateral force of an axle: B_a.
-    fn on_body(&self, corner: Corner, axle: &RollingAxle) -> f64 {
+    fn on_body(&self, corner: Corner, axle: &RollingAxle<T>) -> T {
         self.axle(corner).force - self.of_wheels(corner, axle)
     }
 }
 
-impl DoubleTrackCar {
+impl<T: Real> DoubleTrackCar<T> {
     /// Equations (1) and (2).
-    fn plane_motion(&self) -> PlaneMotion {
+    fn plane_motion(&self) -> PlaneMotion<T> {
         let axle = |left: Corner, right: Corner| {
             let [left_wrench, right_wrench] = [left, right].map(|corner| self.wrench(corner));
             let force = left_wrench.force_y + right_wrench.force_y;
             AxleForce { x: self.ahead(left), force, torque: left_wrench.moment_z + right_wrench.moment_z }
         };
         let axles = [axle(Corner::FrontLeft, Corner::FrontRight), axle(Corner::RearLeft, Corner::RearRight)];
-        let moment: f64 = axles.iter().map(|axle| axle.x * axle.force + axle.torque).sum();
+        let moment = axles.iter().fold(T::zero(), |sum, axle| sum + (axle.x * axle.force + axle.torque));
         let force = axles[0].force + axles[1].force;
         PlaneMotion { acceleration: force / self.mass(), yaw_acceleration: moment / self.yaw_inertia, axles }
     }
 
     /// Right-hand sides of (5), (6) and (7).
-    fn load_of_body(&self, motion: &PlaneMotion) -> Load<f64> {
+    fn load_of_body(&self, motion: &PlaneMotion<T>) -> Load<T> {
         let Body { body_mass, wheelbase, cg_to_front, roll, .. } = self.body;
         let mut load = self.strut_load();
         for corner in [Corner::FrontLeft, Corner::RearLeft] {
             let axle = self.rolling_axle(corner);
-            load.roll_moment += motion.on_body(corner, axle) * (self.cg_height - axle.roll_centre_height);
+            let lever = self.cg_height - axle.roll_centre_height;
+            load.roll_moment = load.roll_moment + motion.on_body(corner, axle) * lever;
         }
         let [front, rear] = [self.front.roll_centre_height, self.rear.roll_centre_height];
         let roll_axis = front + (rear - front) * cg_to_front / wheelbase;
-        load.roll_moment += body_mass * GRAVITY * (self.cg_height - roll_axis) * roll;
+        load.roll_moment = load.roll_moment + body_mass * T::from(GRAVITY) * (self.cg_height - roll_axis) * roll;
         load
     }
 
     /// Force on a wheel from the links that hold it: the last term of (8).
-    fn link_force(&self, corner: Corner, motion: &PlaneMotion) -> f64 {
+    fn link_force(&self, corner: Corner, motion: &PlaneMotion<T>) -> T {
         let axle = self.rolling_axle(corner);
         let tilting = motion.on_body(corner, axle) * axle.roll_centre_height
             + motion.of_wheels(corner, axle) * self.wheel_centre_height;
@@ -385,7 +404,7 @@ impl DoubleTrackCar {
     }
 
     /// Right-hand side of (3).
-    fn side_slip_rate(&self, corner: Corner) -> f64 {
+    fn side_slip_rate(&self, corner: Corner) -> T {
         let path = ((self.lateral_velocity + self.ahead(corner) * self.yaw_rate) / self.speed).atan();
         let steered = if corner.is_front() { path - self.steering_angle } else { path };
         self.speed / self.relaxation_length * (steered - self.corner(corner).side_slip)
@@ -393,6 +412,8 @@ impl DoubleTrackCar {
 }
 
 impl Model for DoubleTrackCar {
+    const MODEL_EXCHANGE: bool = true;
+
     fn check(&self) -> Result<(), Fault> {
         if self.tyre.pky2 == 0.0 {
             return Err(Fault("tyre.pky2 = 0: must not be 0".into()));
@@ -410,24 +431,6 @@ impl Model for DoubleTrackCar {
 
     fn branches(&self) -> u32 {
         self.wheels_on_ground()
-    }
-
-    fn rate(&self, rate: &mut Self) {
-        let motion = self.plane_motion();
-        let (sin, cos) = self.yaw_angle.sin_cos();
-        rate.position_x = self.speed * cos - self.lateral_velocity * sin;
-        rate.position_y = self.speed * sin + self.lateral_velocity * cos;
-        rate.yaw_angle = self.yaw_rate;
-        rate.lateral_velocity = motion.acceleration - self.speed * self.yaw_rate;
-        rate.yaw_rate = motion.yaw_acceleration;
-        self.body.rate(self.load_of_body(&motion), &mut rate.body);
-        for corner in Corner::ALL {
-            let by_links = self.link_force(corner, &motion) / self.axle(corner).suspension.wheel_mass;
-            let rate = rate.corner_mut(corner);
-            rate.side_slip = self.side_slip_rate(corner);
-            rate.wheel.wheel_height = self.wheel(corner).wheel_velocity;
-            rate.wheel.wheel_velocity = self.wheel_acceleration(corner) + by_links;
-        }
     }
 }
 

@@ -169,9 +169,20 @@ impl<T: Real> Law for FourPostCar<T> {
     fn output(&mut self) {
         self.output_wheels();
     }
+
+    fn derivatives(&self, rate: &mut Self) {
+        self.body.rate(self.strut_load(), &mut rate.body);
+        for corner in Corner::ALL {
+            let rate = rate.wheel_mut(corner);
+            rate.wheel_height = self.wheel(corner).wheel_velocity;
+            rate.wheel_velocity = self.wheel_acceleration(corner);
+        }
+    }
 }
 
 impl Model for FourPostCar {
+    const MODEL_EXCHANGE: bool = true;
+
     fn check(&self) -> Result<(), Fault> {
         self.body.check()
     }
@@ -186,15 +197,6 @@ impl Model for FourPostCar {
 
     fn branches(&self) -> u32 {
         self.wheels_on_ground()
-    }
-
-    fn rate(&self, rate: &mut Self) {
-        self.body.rate(self.strut_load(), &mut rate.body);
-        for corner in Corner::ALL {
-            let rate = rate.wheel_mut(corner);
-            rate.wheel_height = self.wheel(corner).wheel_velocity;
-            rate.wheel_velocity = self.wheel_acceleration(corner);
-        }
     }
 }
 

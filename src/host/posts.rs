@@ -99,19 +99,21 @@ impl<T: Real> Law for Posts<T> {
             post.follow(self.angle, self.frequency);
         }
     }
+
+    fn derivatives(&self, rate: &mut Self) {
+        rate.angle = T::from(TAU) * self.frequency;
+    }
 }
 
 impl Model for Posts {
+    const MODEL_EXCHANGE: bool = true;
+
     fn step(&mut self, dt: f64) {
         self.angle += TAU * self.frequency * dt;
     }
 
     fn step_ramp(&mut self, _slope: &Self, dt: f64) {
         self.step(dt);
-    }
-
-    fn rate(&self, rate: &mut Self) {
-        rate.angle = TAU * self.frequency;
     }
 }
 

@@ -114,9 +114,18 @@ impl<T: Real> Law for QuarterCar<T> {
         let (road, static_load) = (self.road(), self.static_load());
         self.wheel.output(&self.suspension, body, road, static_load);
     }
+
+    fn derivatives(&self, rate: &mut Self) {
+        rate.body_height = self.body_velocity;
+        rate.body_velocity = self.wheel.lift(&self.suspension) / self.body_mass;
+        rate.wheel.wheel_height = self.wheel.wheel_velocity;
+        rate.wheel.wheel_velocity = self.wheel.acceleration(&self.suspension, self.road(), self.static_load());
+    }
 }
 
 impl Model for QuarterCar {
+    const MODEL_EXCHANGE: bool = true;
+
     fn step(&mut self, dt: f64) {
         integrate::held::<_, 4>(self, dt);
     }
@@ -127,13 +136,6 @@ impl Model for QuarterCar {
 
     fn branches(&self) -> u32 {
         self.wheel.is_on(&self.suspension, self.road(), self.static_load()).into()
-    }
-
-    fn rate(&self, rate: &mut Self) {
-        rate.body_height = self.body_velocity;
-        rate.body_velocity = self.wheel.lift(&self.suspension) / self.body_mass;
-        rate.wheel.wheel_height = self.wheel.wheel_velocity;
-        rate.wheel.wheel_velocity = self.wheel.acceleration(&self.suspension, self.road(), self.static_load());
     }
 }
 

@@ -9,6 +9,11 @@ pub fn linear<T: Real>(points: &[(T, T)], x: T) -> T {
     y_0 + slope * (x - x_0)
 }
 
+/// Slope of [`linear`] at `x`.
+pub fn linear_slope<T: Real>(points: &[(T, T)], x: T) -> T {
+    secant(points, interval(points, x))
+}
+
 /// Value at `x` on the monotone cubic of Fritsch and Butland (1984), doi:10.1137/0905021: smooth in the first derivative,
 /// rising wherever the points rise, and without overshoot.
 pub fn monotone_cubic<T: Real>(points: &[(T, T)], x: T) -> T {
@@ -28,6 +33,24 @@ pub fn monotone_cubic<T: Real>(points: &[(T, T)], x: T) -> T {
     let rest = one - t;
     rest * rest * ((one + two * t) * y_0 + t * length * slope(points, at))
         + t * t * ((three - two * t) * y_1 - rest * length * slope(points, at + 1))
+}
+
+/// Slope of [`monotone_cubic`] at `x`.
+pub fn monotone_cubic_slope<T: Real>(points: &[(T, T)], x: T) -> T {
+    let last = points.len() - 1;
+    if x < points[0].0 {
+        return slope(points, 0);
+    }
+    if x > points[last].0 {
+        return slope(points, last);
+    }
+    let at = interval(points, x);
+    let t = (x - points[at].0) / (points[at + 1].0 - points[at].0);
+    let [one, two, three, six] = [1.0, 2.0, 3.0, 6.0].map(T::from);
+    let rest = one - t;
+    six * t * rest * secant(points, at)
+        + rest * (one - three * t) * slope(points, at)
+        + t * (three * t - two) * slope(points, at + 1)
 }
 
 /// Index of the interval that contains x; the first or the last one for an x outside.
@@ -91,6 +114,19 @@ mod tests {
         for (x, y) in POINTS {
             assert_eq!(linear(&POINTS, x), y);
             assert!((monotone_cubic(&POINTS, x) - y).abs() < 1e-15);
+        }
+    }
+
+    #[test]
+    fn slopes_are_those_of_central_differences() {
+        let h = 1e-6;
+        for x in [-1.5, -0.3, 0.2, 0.49, 1.0, 2.3, 2.9, 4.0] {
+            for (slope, value) in [
+                (linear_slope(&POINTS, x), [x - h, x + h].map(|x| linear(&POINTS, x))),
+                (monotone_cubic_slope(&POINTS, x), [x - h, x + h].map(|x| monotone_cubic(&POINTS, x))),
+            ] {
+                assert!((slope - (value[1] - value[0]) / (2.0 * h)).abs() < 1e-8, "{x}");
+            }
         }
     }
 

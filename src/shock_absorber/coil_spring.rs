@@ -156,6 +156,8 @@ impl<T: Real> Law for CoilSpring<T> {
 }
 
 impl Model for CoilSpring {
+    const MODEL_EXCHANGE: bool = true;
+
     fn check(&self) -> Result<(), Fault> {
         self.spring.check()
     }

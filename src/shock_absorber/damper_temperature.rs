@@ -26,6 +26,14 @@ impl<T: Real> Heating<T> {
         }
         (-self.beta * (temperature - self.temperature_ref)).exp()
     }
+
+    /// Time derivative of the temperature.
+    pub(crate) fn rate(&self, temperature: T, ambient: T, power: T) -> T {
+        if self.enabled.value() == 0.0 {
+            return T::zero();
+        }
+        (power - self.conductance * (temperature - ambient)) / self.capacity
+    }
 }
 
 impl Heating {
@@ -39,14 +47,6 @@ impl Heating {
         }
         let steady = ambient + power / self.conductance;
         relaxation::after(temperature, steady, self.conductance * dt / self.capacity)
-    }
-
-    /// Time derivative of the temperature.
-    pub(crate) fn rate(&self, temperature: f64, ambient: f64, power: f64) -> f64 {
-        if self.enabled == 0.0 {
-            return 0.0;
-        }
-        (power - self.conductance * (temperature - ambient)) / self.capacity
     }
 }
 
@@ -114,9 +114,14 @@ impl<T: Real> Law for DamperTemperature<T> {
     fn output(&mut self) {
         self.force_factor = self.thermal.factor(self.temperature);
     }
+
+    fn derivatives(&self, rate: &mut Self) {
+        rate.temperature = self.thermal.rate(self.temperature, self.temperature_ambient, self.power);
+    }
 }
 
 impl Model for DamperTemperature {
+    const MODEL_EXCHANGE: bool = true;
     const PRESETS: &'static [Preset] = &[Preset {
         name: "heating",
         source: "Example with 50 W, heating switched on",
@@ -125,10 +130,6 @@ impl Model for DamperTemperature {
 
     fn step(&mut self, dt: f64) {
         self.temperature = self.thermal.after(self.temperature, self.temperature_ambient, self.power, dt);
-    }
-
-    fn rate(&self, rate: &mut Self) {
-        rate.temperature = self.thermal.rate(self.temperature, self.temperature_ambient, self.power);
     }
 }
 

@@ -163,6 +163,8 @@ impl<T: Real> Law for EndStops<T> {
 }
 
 impl Model for EndStops {
+    const MODEL_EXCHANGE: bool = true;
+
     fn step(&mut self, _dt: f64) {}
 }
 

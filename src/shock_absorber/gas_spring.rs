@@ -115,6 +115,8 @@ impl<T: Real> Law for GasSpring<T> {
 }
 
 impl Model for GasSpring {
+    const MODEL_EXCHANGE: bool = true;
+
     fn step(&mut self, _dt: f64) {}
 }
 

@@ -2,7 +2,7 @@ use crate::friction::Exchange;
 use crate::model::{Fault, Law, Model, boolean, choice, real};
 use crate::number::Real;
 use crate::shock_absorber::law::{
-    Answer, BLANK_MEMORY, ChosenLaw, Evaluate, FRICTION_MODEL, Given, LUGRE, LawParameters, MEMORY,
+    Answer, ChosenLaw, Evaluate, FRICTION_MODEL, Given, LUGRE, LawParameters, MEMORY, MOST_EVENTS, blank_memory,
 };
 
 crate::choices! {
@@ -180,6 +180,14 @@ impl<T: Real> FrictionLaw<T> {
         answer
     }
 
+    /// Time derivatives of what the law remembers.
+    pub(crate) fn rate(&self, levels: &Levels<T>, touch: &Touch<T>, memory: &[T; MEMORY]) -> [T; MEMORY]
+    where
+        T: Evaluate,
+    {
+        self.chosen().map_or([T::zero(); MEMORY], |law| law.rate(&self.given(levels, touch), &self.law, memory))
+    }
+
     /// What the law remembers at its start, also if it is switched on only later.
     pub(crate) fn fresh(&self) -> [f64; MEMORY] {
         ChosenLaw::of(self.model.value()).map_or([0.0; MEMORY], ChosenLaw::start)
@@ -220,22 +228,41 @@ impl FrictionLaw {
         memory
     }
 
-    /// Time derivatives of what the law remembers.
-    pub(crate) fn rate(&self, levels: &Levels, touch: &Touch<f64>, memory: &[f64; MEMORY]) -> [f64; MEMORY] {
-        self.chosen().map_or([0.0; MEMORY], |law| law.rate(&self.given(levels, touch), &self.law, memory))
-    }
-
     /// Refuses parameters that the chosen law refuses.
     pub(crate) fn check(&self, levels: &Levels) -> Result<(), Fault> {
-        let touch = Touch {
+        self.chosen().map_or(Ok(()), |law| law.check(&self.given(levels, &self.loaded_at_rest()), &self.law))
+    }
+
+    /// Refuses a law that is for co-simulation only.
+    pub(crate) fn check_exchange(&self, levels: &Levels) -> Result<(), Fault> {
+        self.chosen().map_or(Ok(()), |law| law.check_exchange(&self.given(levels, &self.loaded_at_rest()), &self.law))
+    }
+
+    /// Event indicators of the law; what does not happen is 1.
+    pub(crate) fn indicators(&self, levels: &Levels, touch: &Touch<f64>, memory: &[f64; MEMORY]) -> [f64; MOST_EVENTS] {
+        let mut indicators = [1.0; MOST_EVENTS];
+        if let Some(law) = self.chosen() {
+            law.indicate(&self.given(levels, touch), &self.law, memory, &mut indicators);
+        }
+        indicators
+    }
+
+    /// Changes what the law remembers where it changes at an event.
+    pub(crate) fn at_event(&self, levels: &Levels, touch: &Touch<f64>, memory: &mut [f64; MEMORY]) {
+        if let Some(law) = self.chosen() {
+            law.at_event(&self.given(levels, touch), &self.law, memory);
+        }
+    }
+
+    fn loaded_at_rest(&self) -> Touch<f64> {
+        Touch {
             velocity: 0.0,
             rim_velocity: 0.0,
             normal_force: 1.0,
             acceleration: 0.0,
             external_force: 0.0,
             mass: self.mass,
-        };
-        self.chosen().map_or(Ok(()), |law| law.check(&self.given(levels, &touch), &self.law))
+        }
     }
 }
 
@@ -322,7 +349,7 @@ crate::model! {
         /// Friction law.
         friction: FrictionLaw,
         /// What the friction law remembers: its states in their order, in SI units.
-        memory: [state; MEMORY] = BLANK_MEMORY,
+        memory: [state; MEMORY] = blank_memory(1.0),
         /// Has the run begun?
         started: state = boolean(false),
         /// Energy taken out of the motion since the start.

@@ -106,6 +106,35 @@ impl<T: Real> Hydraulics<T> {
         self.scale * resistance
     }
 
+    /// Slope of the resistance over the velocity of the piston.
+    fn slope(&self, velocity: T) -> T {
+        let extends = velocity.value() > 0.0;
+        let (c, degression) = if extends { (self.c_reb, self.degr_reb) } else { (self.c_comp, self.degr_comp) };
+        let slope = match DamperMode::of(self.mode.value()) {
+            DamperMode::Linear => c,
+            DamperMode::Degressive => {
+                let fading = T::from(1.0) + degression * velocity.abs();
+                c / (fading * fading)
+            }
+            DamperMode::Table => {
+                let (points, count) = points(&self.tab_v, &self.tab_f, self.tab_n);
+                match Interpolation::of(self.interpolation.value()) {
+                    Interpolation::Linear => table::linear_slope(&points[..count], velocity),
+                    Interpolation::Cubic => table::monotone_cubic_slope(&points[..count], velocity),
+                }
+            }
+        };
+        self.scale * slope
+    }
+
+    /// Time derivative of the velocity of the piston behind the series stiffness. `factor` multiplies the resistance.
+    pub(crate) fn rate(&self, piston_velocity: T, velocity: T, factor: T) -> T {
+        let slope = factor * self.slope(piston_velocity);
+        // Where the characteristic is level, the piston follows at once.
+        let lags = self.has_series() && slope.value() > 0.0;
+        if lags { self.k_series * (velocity - piston_velocity) / slope } else { T::zero() }
+    }
+
     fn interpolated(&self, velocity: T) -> T {
         let (points, count) = points(&self.tab_v, &self.tab_f, self.tab_n);
         match Interpolation::of(self.interpolation.value()) {
@@ -149,14 +178,6 @@ impl Hydraulics {
         *piston_velocity = second;
         let power = |w: f64| resistance(w).value * w;
         dt * ((1.0 - GAMMA) * power(first) + GAMMA * power(second))
-    }
-
-    /// Time derivative of the velocity of the piston behind the series stiffness. `factor` multiplies the resistance.
-    pub(crate) fn rate(&self, piston_velocity: f64, velocity: f64, factor: f64) -> f64 {
-        let law = self.map(&|number| Dual::from(number));
-        let slope = factor * law.resistance(Dual { value: piston_velocity, slope: 1.0 }).slope;
-        // Where the characteristic is level, the piston follows at once.
-        if self.has_series() && slope > 0.0 { self.k_series * (velocity - piston_velocity) / slope } else { 0.0 }
     }
 
     /// Refuses tables that no damper has.
@@ -270,9 +291,16 @@ impl<T: Real> Law for HydraulicDamper<T> {
         self.force = -resistance;
         self.dissipated_power = resistance * self.piston();
     }
+
+    fn derivatives(&self, rate: &mut Self) {
+        rate.dissipated_energy = self.damper.resistance(self.piston()) * self.piston();
+        rate.piston_velocity = self.damper.rate(self.piston_velocity, self.velocity, T::from(1.0));
+    }
 }
 
 impl Model for HydraulicDamper {
+    const MODEL_EXCHANGE: bool = true;
+
     fn check(&self) -> Result<(), Fault> {
         self.damper.check()
     }
@@ -284,11 +312,6 @@ impl Model for HydraulicDamper {
             self.dissipated_energy +=
                 self.damper.advance(&mut self.piston_velocity, self.velocity, 1.0, dt / f64::from(count));
         }
-    }
-
-    fn rate(&self, rate: &mut Self) {
-        rate.dissipated_energy = self.damper.resistance(self.piston()) * self.piston();
-        rate.piston_velocity = self.damper.rate(self.piston_velocity, self.velocity, 1.0);
     }
 }
 

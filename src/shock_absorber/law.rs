@@ -4,7 +4,8 @@
 //! a new law can be chosen here without another line.
 
 use crate::friction::MODELS;
-use crate::model::{Columns, Enumeration, Fault, Item, ModelType, Path, Segment, Variable, Width, real};
+use crate::memory;
+use crate::model::{Column, Columns, Enumeration, Fault, Item, ModelType, Path, Segment, Variable, Width, real};
 use crate::number::{Dual, Real};
 use crate::unit::same;
 
@@ -342,11 +343,18 @@ pub(crate) struct Answer<T> {
 pub trait Evaluate: Real {
     /// Computes the outputs of the row.
     fn evaluate(model: &ModelType, row: &mut [Self]) -> bool;
+
+    /// Computes the time derivatives of the states.
+    fn rate(model: &ModelType, row: &[Self], rate: &mut [Self]);
 }
 
 impl Evaluate for f64 {
     fn evaluate(model: &ModelType, row: &mut [f64]) -> bool {
         model.output(row)
+    }
+
+    fn rate(model: &ModelType, row: &[f64], rate: &mut [f64]) {
+        model.rate(row, rate);
     }
 }
 
@@ -354,6 +362,10 @@ impl Evaluate for Dual {
     fn evaluate(model: &ModelType, row: &mut [Dual]) -> bool {
         model.output_dual(row);
         true
+    }
+
+    fn rate(model: &ModelType, row: &[Dual], rate: &mut [Dual]) {
+        model.rate_dual(row, rate);
     }
 }
 
@@ -378,6 +390,7 @@ impl ChosenLaw {
     }
 
     /// Force at the given motion.
+    #[inline(never)]
     pub(crate) fn force<T: Evaluate>(
         self,
         given: &Given<T>,
@@ -390,6 +403,7 @@ impl ChosenLaw {
     }
 
     /// Advances the memory by `dt` while the motion is held.
+    #[inline(never)]
     pub(crate) fn advance(
         self,
         given: &Given<f64>,
@@ -399,20 +413,21 @@ impl ChosenLaw {
     ) -> Answer<f64> {
         let mut row = self.row(given, parameters, memory);
         let is_finite = self.0.model.advance(&mut row[..self.0.model.table.len()], dt);
-        for (source, value) in self.sources().iter().zip(row) {
-            if let Source::Memory(place) = source {
-                memory[usize::from(*place)] = value;
-            }
-        }
+        self.remember(&row, memory);
         self.answer(&row, is_finite)
     }
 
     /// Time derivatives of what the law remembers.
-    pub(crate) fn rate(self, given: &Given<f64>, parameters: &LawParameters, memory: &[f64; MEMORY]) -> [f64; MEMORY] {
+    pub(crate) fn rate<T: Evaluate>(
+        self,
+        given: &Given<T>,
+        parameters: &LawParameters<T>,
+        memory: &[T; MEMORY],
+    ) -> [T; MEMORY] {
         let columns = self.0.model.table.len();
-        let (row, mut rates) = (self.row(given, parameters, memory), [0.0; WIDEST]);
-        self.0.model.rate(&row[..columns], &mut rates[..columns]);
-        let mut rate = [0.0; MEMORY];
+        let (row, mut rates) = (self.row(given, parameters, memory), [T::zero(); WIDEST]);
+        T::rate(self.0.model, &row[..columns], &mut rates[..columns]);
+        let mut rate = [T::zero(); MEMORY];
         for (source, value) in self.sources().iter().zip(rates) {
             if let Source::Memory(place) = source {
                 rate[usize::from(*place)] = value;
@@ -449,6 +464,45 @@ impl ChosenLaw {
         self.0.model.check(&row[..self.0.model.table.len()]).map_err(named)
     }
 
+    /// Refuses a law, or parameters, that are for co-simulation only.
+    pub(crate) fn check_exchange(self, given: &Given<f64>, parameters: &LawParameters) -> Result<(), Fault> {
+        let name = self.0.model.name;
+        if !self.0.model.model_exchange {
+            let text = format_args!("friction.model = {name}: must be a law that is offered for Model Exchange itself");
+            return Err(Fault(memory::text(text)));
+        }
+        let row = self.row(given, parameters, &self.start());
+        let named = |fault: Fault| Fault(memory::text(format_args!("friction.model = {name}: {}", fault.0)));
+        self.0.model.check_exchange(&row[..self.0.model.table.len()]).map_err(named)
+    }
+
+    /// Event indicators of the law.
+    pub(crate) fn indicate(
+        self,
+        given: &Given<f64>,
+        parameters: &LawParameters,
+        memory: &[f64; MEMORY],
+        indicators: &mut [f64; MOST_EVENTS],
+    ) {
+        let (model, row) = (self.0.model, self.row(given, parameters, memory));
+        model.indicate(&row[..model.table.len()], &mut indicators[..model.event_indicators]);
+    }
+
+    /// Changes what the law remembers where it changes at an event.
+    pub(crate) fn at_event(self, given: &Given<f64>, parameters: &LawParameters, memory: &mut [f64; MEMORY]) {
+        let mut row = self.row(given, parameters, memory);
+        self.0.model.at_event(&mut row[..self.0.model.table.len()]);
+        self.remember(&row, memory);
+    }
+
+    fn remember(self, row: &[f64; WIDEST], memory: &mut [f64; MEMORY]) {
+        for (source, value) in self.sources().iter().zip(row) {
+            if let Source::Memory(place) = source {
+                memory[usize::from(*place)] = *value;
+            }
+        }
+    }
+
     fn row<T: Real>(self, given: &Given<T>, parameters: &LawParameters<T>, memory: &[T; MEMORY]) -> [T; WIDEST] {
         let mut row = [T::zero(); WIDEST];
         for ((value, source), variable) in row.iter_mut().zip(self.sources()).zip(self.0.model.table) {
@@ -482,5 +536,44 @@ impl ChosenLaw {
     }
 }
 
-/// The columns of a memory.
-pub(crate) const BLANK_MEMORY: [crate::model::Column; MEMORY] = [real("1", 0.0); MEMORY];
+/// As many numbers of a memory move with time in a law that is offered for Model Exchange; the others jump, if anything.
+const MOVING: usize = {
+    let (mut most, mut law) = (0, 0);
+    while law < COUNT {
+        let (mut place, mut at) = (0, 0);
+        while at < LAWS[law].table.len() {
+            let variable = &LAWS[law].table[at];
+            place += is_remembered(variable) as usize;
+            let moves = is_remembered(variable) && variable.is_continuous_state();
+            if LAWS[law].model_exchange && moves && place > most {
+                most = place;
+            }
+            at += 1;
+        }
+        law += 1;
+    }
+    most
+};
+
+/// Most event indicators of any law.
+pub(crate) const MOST_EVENTS: usize = {
+    let (mut most, mut at) = (0, 0);
+    while at < COUNT {
+        if LAWS[at].event_indicators > most {
+            most = LAWS[at].event_indicators;
+        }
+        at += 1;
+    }
+    most
+};
+
+/// The columns of a memory; `nominal` is the usual size of what moves in it.
+pub(crate) const fn blank_memory(nominal: f64) -> [Column; MEMORY] {
+    let mut memory = [real("1", 0.0).discrete(); MEMORY];
+    let mut at = 0;
+    while at < MOVING {
+        memory[at] = real("1", 0.0).nominal(nominal);
+        at += 1;
+    }
+    memory
+}

@@ -9,7 +9,7 @@ use crate::shock_absorber::end_stops::{BumpStop, ReboundStop};
 use crate::shock_absorber::gas_spring::GasChamber;
 use crate::shock_absorber::guide_contact::{FrictionLaw, Levels, Touch};
 use crate::shock_absorber::hydraulic_damper::Hydraulics;
-use crate::shock_absorber::law::{Answer, BLANK_MEMORY, Evaluate, MEMORY};
+use crate::shock_absorber::law::{Answer, Evaluate, MEMORY, MOST_EVENTS, blank_memory};
 use crate::shock_absorber::telescopic_joint::{Guidance, NormalSum, SideConvention, SideLoad, Wrench};
 
 crate::choices! {
@@ -295,6 +295,7 @@ impl Setting {
     }
 
     /// Friction force along the axis after a step, if the strut moves so; nothing is changed.
+    #[inline(never)]
     fn friction_after(&self, motion: &Motion<f64>, memory: [&[f64; MEMORY]; 2], dt: f64) -> f64 {
         let touches = self.touches(motion);
         let force = |at: usize| {
@@ -306,6 +307,7 @@ impl Setting {
     }
 
     /// Friction force along the axis at this instant.
+    #[inline(never)]
     fn friction_now(&self, motion: &Motion<f64>, memory: [&[f64; MEMORY]; 2]) -> f64 {
         let touches = self.touches(motion);
         let force = |at: usize| {
@@ -327,6 +329,7 @@ impl Setting {
 
     /// Derivatives of the force: with respect to length and to velocity at this instant, and to a velocity that is held
     /// over a step of `dt`.
+    #[inline(never)] // as the other parts of an output: what each puts on the stack is gone before the next
     fn tangents(&self, memory: [&[f64; MEMORY]; 2], state: &OtherStates<f64>, dt: f64) -> Tangents {
         let here = self.motion();
         let now = |motion: &Motion<f64>| {
@@ -371,6 +374,9 @@ struct OtherStates<T> {
     piston_velocity: T,
     temperature: T,
 }
+
+/// Size of the deflections that most laws remember, in m.
+const DEFLECTION: f64 = 1e-5;
 
 crate::model! {
     /// Telescopic shock absorber with spring, gas, stops, damper and the friction of its joint under side load.
@@ -459,15 +465,15 @@ crate::model! {
         /// Inputs and parameters.
         setting: (Setting),
         /// What the friction law at the rod guide remembers: its states in their order, in SI units.
-        memory_1: [state; MEMORY] = BLANK_MEMORY,
+        memory_1: [state; MEMORY] = blank_memory(DEFLECTION),
         /// What the friction law at the piston remembers: its states in their order, in SI units.
-        memory_2: [state; MEMORY] = BLANK_MEMORY,
+        memory_2: [state; MEMORY] = blank_memory(DEFLECTION),
         /// Velocity of the damper's piston behind its series stiffness; that of the strut if there is none.
         piston_velocity: state = real("m/s", 0.0),
         /// Has the run begun?
         started: state = boolean(false),
         /// Last communication step; 0 before the first.
-        step_size: state = real("s", 0.0).at_least(0.0).shown_in("ms"),
+        step_size: state = real("s", 0.0).at_least(0.0).shown_in("ms").discrete(),
         /// Temperature of the damper.
         temperature: state_output = real("K", 293.15).positive().nominal(300.0).shown_in("degC"),
         /// Energy taken out of the motion by friction and damper since the start.
@@ -586,6 +592,7 @@ impl<T: Evaluate> ShockAbsorber<T> {
     }
 
     /// Tangents and the step that they allow.
+    #[inline(never)]
     fn write_advice(&mut self, memories: &[[T; MEMORY]; 2]) {
         let setting = self.setting.map(&|number: T| number.value());
         let memories = memories.map(|memory| memory.map(|number| number.value()));
@@ -622,6 +629,20 @@ impl<T: Evaluate> Law for ShockAbsorber<T> {
         self.overlap_low = truth(self.setting.geom.guidance.is_low(motion.length));
         self.bump_active = truth(self.setting.bump.is_active(self.compression));
         self.write_advice(&memories);
+    }
+
+    fn derivatives(&self, rate: &mut Self) {
+        let setting = &self.setting;
+        let motion = setting.motion();
+        let (touches, memories) = (setting.touches(&motion), self.memories());
+        [rate.memory_1, rate.memory_2] =
+            [0, 1].map(|at| setting.friction.rate(setting.contacts()[at], &touches[at], &memories[at]));
+        let (piston, factor) = (self.damper_state().piston_velocity, setting.thermal.factor(self.temperature));
+        rate.piston_velocity = setting.damper.rate(piston, motion.velocity, factor);
+        let mut now = *self;
+        now.output();
+        rate.energy_dissipated = now.power_dissipated;
+        rate.temperature = setting.thermal.rate(self.temperature, setting.temperature_ambient, now.power_dissipated);
     }
 }
 
@@ -661,6 +682,8 @@ impl ShockAbsorber {
 }
 
 impl Model for ShockAbsorber {
+    const MODEL_EXCHANGE: bool = true;
+    const EVENT_INDICATORS: usize = 2 * MOST_EVENTS;
     const PRESETS: &'static [Preset] = &[
         Preset { name: "front", source: "Formula Student, front axle: the start values", values: &[] },
         Preset {
@@ -693,6 +716,26 @@ impl Model for ShockAbsorber {
             return Err(Fault("adapter.length_gain = 0: must not be 0".into()));
         }
         Ok(())
+    }
+
+    fn check_exchange(&self) -> Result<(), Fault> {
+        self.setting.friction.check_exchange(&self.setting.c1)
+    }
+
+    fn event_indicators(&self, indicators: &mut [f64]) {
+        let (touches, memories) = (self.setting.touches(&self.setting.motion()), self.memories());
+        for (at, indicators) in indicators.chunks_exact_mut(MOST_EVENTS).enumerate() {
+            let levels = self.setting.contacts()[at];
+            indicators.copy_from_slice(&self.setting.friction.indicators(levels, &touches[at], &memories[at]));
+        }
+    }
+
+    fn at_event(&mut self) {
+        self.start();
+        let touches = self.setting.touches(&self.setting.motion());
+        for (at, memory) in [&mut self.memory_1, &mut self.memory_2].into_iter().enumerate() {
+            self.setting.friction.at_event(self.setting.contacts()[at], &touches[at], memory);
+        }
     }
 
     fn step(&mut self, dt: f64) {
@@ -728,19 +771,5 @@ impl Model for ShockAbsorber {
             self.pump(friction, h);
         }
         ramp::set_inputs(self, &begin, &slope, dt);
-    }
-
-    fn rate(&self, rate: &mut Self) {
-        let setting = &self.setting;
-        let motion = setting.motion();
-        let (touches, memories) = (setting.touches(&motion), self.memories());
-        [rate.memory_1, rate.memory_2] =
-            [0, 1].map(|at| setting.friction.rate(setting.contacts()[at], &touches[at], &memories[at]));
-        let mut now = *self;
-        now.output();
-        rate.energy_dissipated = now.power_dissipated;
-        rate.temperature = setting.thermal.rate(self.temperature, setting.temperature_ambient, now.power_dissipated);
-        let (piston, factor) = (self.damper_state().piston_velocity, setting.thermal.factor(self.temperature));
-        rate.piston_velocity = setting.damper.rate(piston, motion.velocity, factor);
     }
 }

@@ -221,6 +221,7 @@ impl<T: Real> Law for TelescopicJoint<T> {
 }
 
 impl Model for TelescopicJoint {
+    const MODEL_EXCHANGE: bool = true;
     const PRESETS: &'static [Preset] = &[Preset {
         name: "side_force",
         source: "Example of a side load of 100 N at the upper eye",

@@ -86,16 +86,19 @@ def reference_breaches(root: Element) -> list[str]:
 
 
 def structure_breaches(root: Element) -> list[str]:
-    """Outputs are complete, initial unknowns too, in rising order, with dependencies that exist."""
+    """Outputs, derivatives and initial unknowns are complete, in rising order, with dependencies that exist."""
     variables = root.findall("ModelVariables/ScalarVariable")
     numbered = list(enumerate(variables, start=1))
     outputs = [i for i, v in numbered if v.get("causality") == "output"]
-    unknowns = [i for i, v in numbered if v.get("causality") == "output" and v.get("initial") != "exact"]
+    derivatives = [i for i, v in numbered if kind_of(v).get("derivative") is not None]
+    unknowns = [i for i in outputs if variables[i - 1].get("initial") != "exact"] + derivatives
     listed = {
         part: [int(unknown.get("index")) for unknown in root.findall(f"ModelStructure/{part}/Unknown")]
-        for part in ("Outputs", "InitialUnknowns")
+        for part in ("Outputs", "Derivatives", "InitialUnknowns")
     }
     found = [] if listed["Outputs"] == outputs else ["Outputs are not the outputs"]
+    if listed["Derivatives"] != derivatives:
+        found.append("Derivatives are not the derivatives")
     if not set(unknowns) <= set(listed["InitialUnknowns"]):
         found.append(f"InitialUnknowns lack {set(unknowns) - set(listed['InitialUnknowns'])}")
     found += [f"{part} are not in order" for part, indices in listed.items() if indices != sorted(set(indices))]
@@ -144,8 +147,9 @@ MISTAKES = {
     "unit twice": (lambda root: root.find("UnitDefinitions").append(root.find("UnitDefinitions/Unit")), "Unit name"),
     "unknown unit": (edit(f"{MASS}/Real", unit="stone"), "no unit stone"),
     "unknown type": (edit(f"{MASS}/Real", declaredType="Weight"), "no declaredType Weight"),
-    "initial unknown": (remove_last("ModelStructure/InitialUnknowns"), "InitialUnknowns lack {8}"),
+    "initial unknown": (remove_last("ModelStructure/InitialUnknowns"), "InitialUnknowns lack {11}"),
     "output": (remove_last("ModelStructure/Outputs"), "Outputs are not the outputs"),
+    "derivative": (remove_last("ModelStructure/Derivatives"), "Derivatives are not the derivatives"),
     "dependency": (edit("ModelStructure/InitialUnknowns/Unknown", dependencies="4 99"), "dependencies of 7"),
 }
 

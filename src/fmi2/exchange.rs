@@ -1,0 +1,216 @@
+//! Model Exchange: the importer integrates the states, and asks for their derivatives.
+
+use super::door::{Outcome, Refusal, Slave, array, array_mut, enter, refuse};
+use super::lifecycle::{Call, State};
+use super::types::*;
+use crate::model::Fault;
+
+/// What a solver can mend by a smaller step.
+fn discard(fault: Fault) -> Refusal {
+    Refusal::Discard(fault.0)
+}
+
+/// Refuses an array of another length than that of what it is to hold.
+fn check_length(given: usize, wanted: usize, what: &str) -> Outcome {
+    if given == wanted { Ok(()) } else { refuse(format_args!("{given} {what}: there are {wanted}")) }
+}
+
+/// Enters event mode, in which inputs may jump.
+///
+/// # Safety
+/// `c` as for every call on an instance.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmi2EnterEventMode(c: fmi2Component) -> fmi2Status {
+    let body = |slave: &mut Slave| {
+        slave.state = State::EventMode;
+        Ok(())
+    };
+    // SAFETY: the caller's promise about `c`.
+    unsafe { enter(c, Call::EnterEventMode, body) }
+}
+
+/// Settles what an event changes: once is enough. No model knows the time of its next event or ends the simulation.
+///
+/// # Safety
+/// `c` as for every call on an instance; `eventInfo` must be NULL or writable.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmi2NewDiscreteStates(c: fmi2Component, eventInfo: *mut fmi2EventInfo) -> fmi2Status {
+    let body = |slave: &mut Slave| {
+        // SAFETY: the caller promises NULL or a writable struct.
+        let Some(info) = (unsafe { eventInfo.as_mut() }) else { return refuse("eventInfo is NULL") };
+        slave.instance.check()?;
+        let has_jumped = slave.instance.at_event()?;
+        *info = fmi2EventInfo {
+            newDiscreteStatesNeeded: fmi2False,
+            terminateSimulation: fmi2False,
+            nominalsOfContinuousStatesChanged: fmi2False,
+            valuesOfContinuousStatesChanged: fmi2Boolean::from(has_jumped),
+            nextEventTimeDefined: fmi2False,
+            nextEventTime: 0.0,
+        };
+        Ok(())
+    };
+    // SAFETY: the caller's promise about `c`.
+    unsafe { enter(c, Call::NewDiscreteStates, body) }
+}
+
+/// Enters continuous-time mode, in which time and states move.
+///
+/// # Safety
+/// `c` as for every call on an instance.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmi2EnterContinuousTimeMode(c: fmi2Component) -> fmi2Status {
+    let body = |slave: &mut Slave| {
+        slave.instance.check()?;
+        slave.state = State::ContinuousTimeMode;
+        Ok(())
+    };
+    // SAFETY: the caller's promise about `c`.
+    unsafe { enter(c, Call::EnterContinuousTimeMode, body) }
+}
+
+/// A step of the importer's solver is done. Not needed: no model asks for an event in this way.
+///
+/// # Safety
+/// `c` as for every call on an instance; `enterEventMode` and `terminateSimulation` must be NULL or writable.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmi2CompletedIntegratorStep(
+    c: fmi2Component,
+    _noSetFMUStatePriorToCurrentPoint: fmi2Boolean,
+    enterEventMode: *mut fmi2Boolean,
+    terminateSimulation: *mut fmi2Boolean,
+) -> fmi2Status {
+    let body = |_: &mut Slave| {
+        // SAFETY: the caller promises NULL or writable values.
+        let answers = unsafe { (enterEventMode.as_mut(), terminateSimulation.as_mut()) };
+        let (Some(event), Some(end)) = answers else { return refuse("enterEventMode or terminateSimulation is NULL") };
+        (*event, *end) = (fmi2False, fmi2False);
+        Ok(())
+    };
+    // SAFETY: the caller's promise about `c`.
+    unsafe { enter(c, Call::CompletedIntegratorStep, body) }
+}
+
+/// Declares the present time.
+///
+/// # Safety
+/// `c` as for every call on an instance.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmi2SetTime(c: fmi2Component, time: fmi2Real) -> fmi2Status {
+    let body = |slave: &mut Slave| {
+        if !time.is_finite() {
+            return refuse(format_args!("time = {time}: must be finite"));
+        }
+        slave.instance.set_time(time);
+        Ok(())
+    };
+    // SAFETY: the caller's promise about `c`.
+    unsafe { enter(c, Call::SetTime, body) }
+}
+
+/// Sets the states: all, or none with fmi2Discard if one is not finite.
+///
+/// # Safety
+/// `c` as for every call on an instance; `x` must have `nx` elements.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmi2SetContinuousStates(c: fmi2Component, x: *const fmi2Real, nx: usize) -> fmi2Status {
+    let body = |slave: &mut Slave| {
+        check_length(nx, slave.instance.continuous_states().len(), "states")?;
+        // SAFETY: the caller promises `nx` elements.
+        let values = unsafe { array(x, nx, "x") }?;
+        if let Some(at) = values.iter().position(|value| !value.is_finite()) {
+            return Err(Refusal::discard(format_args!("x[{at}] = {}: must be finite", values[at])));
+        }
+        slave.instance.put_states(values);
+        Ok(())
+    };
+    // SAFETY: the caller's promise about `c`.
+    unsafe { enter(c, Call::SetContinuousStates, body) }
+}
+
+/// Time derivatives of the states. fmi2Discard if one is not finite: the solver may try a smaller step.
+///
+/// # Safety
+/// `c` as for every call on an instance; `derivatives` must have `nx` elements.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmi2GetDerivatives(c: fmi2Component, derivatives: *mut fmi2Real, nx: usize) -> fmi2Status {
+    let body = |slave: &mut Slave| {
+        check_length(nx, slave.instance.continuous_states().len(), "derivatives")?;
+        // SAFETY: the caller promises `nx` elements.
+        let values = unsafe { array_mut(derivatives, nx, "derivatives") }?;
+        // After an error the last derivatives are read, for debugging.
+        if slave.state != State::Error {
+            slave.instance.rates().map_err(discard)?;
+        }
+        let rates = slave.instance.last_rates();
+        for (value, column) in values.iter_mut().zip(slave.instance.continuous_states()) {
+            *value = rates[*column];
+        }
+        Ok(())
+    };
+    // SAFETY: the caller's promise about `c`.
+    unsafe { enter(c, Call::GetDerivatives, body) }
+}
+
+/// Functions that change sign where the derivatives jump or bend. fmi2Discard if one is not finite.
+///
+/// # Safety
+/// `c` as for every call on an instance; `eventIndicators` must have `ni` elements.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmi2GetEventIndicators(
+    c: fmi2Component,
+    eventIndicators: *mut fmi2Real,
+    ni: usize,
+) -> fmi2Status {
+    let body = |slave: &mut Slave| {
+        check_length(ni, slave.instance.model().event_indicators, "event indicators")?;
+        // SAFETY: the caller promises `ni` elements.
+        let values = unsafe { array_mut(eventIndicators, ni, "eventIndicators") }?;
+        slave.instance.indicate(values).map_err(discard)
+    };
+    // SAFETY: the caller's promise about `c`.
+    unsafe { enter(c, Call::GetEventIndicators, body) }
+}
+
+/// The states.
+///
+/// # Safety
+/// `c` as for every call on an instance; `x` must have `nx` elements.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmi2GetContinuousStates(c: fmi2Component, x: *mut fmi2Real, nx: usize) -> fmi2Status {
+    let body = |slave: &mut Slave| {
+        check_length(nx, slave.instance.continuous_states().len(), "states")?;
+        // SAFETY: the caller promises `nx` elements.
+        let values = unsafe { array_mut(x, nx, "x") }?;
+        for (value, column) in values.iter_mut().zip(slave.instance.continuous_states()) {
+            *value = slave.instance.row()[*column];
+        }
+        Ok(())
+    };
+    // SAFETY: the caller's promise about `c`.
+    unsafe { enter(c, Call::GetContinuousStates, body) }
+}
+
+/// The usual sizes of the states.
+///
+/// # Safety
+/// `c` as for every call on an instance; `x_nominal` must have `nx` elements.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmi2GetNominalsOfContinuousStates(
+    c: fmi2Component,
+    x_nominal: *mut fmi2Real,
+    nx: usize,
+) -> fmi2Status {
+    let body = |slave: &mut Slave| {
+        check_length(nx, slave.instance.continuous_states().len(), "nominal values")?;
+        // SAFETY: the caller promises `nx` elements.
+        let values = unsafe { array_mut(x_nominal, nx, "x_nominal") }?;
+        let table = slave.instance.model().table;
+        for (value, column) in values.iter_mut().zip(slave.instance.continuous_states()) {
+            *value = table[*column].nominal;
+        }
+        Ok(())
+    };
+    // SAFETY: the caller's promise about `c`.
+    unsafe { enter(c, Call::GetNominalsOfContinuousStates, body) }
+}

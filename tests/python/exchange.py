@@ -1,0 +1,190 @@
+"""An importer that integrates: FMUs for Model Exchange, coupled by their inputs and outputs, and SciPy's solver."""
+
+import shutil
+from collections.abc import Iterator
+from contextlib import contextmanager
+from ctypes import c_double
+from dataclasses import dataclass, field
+
+import fmpy
+import numpy
+from coupling import path_of
+from fmpy.fmi2 import FMU2Model
+from fmpy.simulation import apply_start_values
+from scipy.integrate import solve_ivp
+
+
+@dataclass
+class Part:
+    """An instance for Model Exchange, after its initialisation."""
+
+    fmu: FMU2Model
+    references: dict[str, int]
+    states: int
+    indicators: int
+
+    def get(self, name: str) -> float:
+        """Value of a variable."""
+        return self.fmu.getReal([self.references[name]])[0]
+
+    def set(self, name: str, value: float) -> None:
+        """Sets an input."""
+        self.fmu.setReal([self.references[name]], [value])
+
+    @property
+    def x(self) -> numpy.ndarray:
+        """The states."""
+        return self._read(self.fmu.getContinuousStates, self.states)
+
+    @x.setter
+    def x(self, values: numpy.ndarray) -> None:
+        self.fmu.setContinuousStates((c_double * self.states)(*values), self.states)
+
+    def rates(self) -> numpy.ndarray:
+        """Time derivatives of the states."""
+        return self._read(self.fmu.getDerivatives, self.states)
+
+    def event_indicators(self) -> numpy.ndarray:
+        """The event indicators."""
+        return self._read(self.fmu.getEventIndicators, self.indicators)
+
+    def directional(self, unknown: str, known: str) -> float:
+        """Derivative of one variable with respect to another."""
+        return self.fmu.getDirectionalDerivative([self.references[unknown]], [self.references[known]], [1.0])[0]
+
+    def settle(self) -> None:
+        """What an event changes, and back to continuous time."""
+        while self.fmu.newDiscreteStates()[0]:
+            pass
+        self.fmu.enterContinuousTimeMode()
+
+    def at_event(self) -> None:
+        """Changes what an event changes."""
+        self.fmu.enterEventMode()
+        self.settle()
+
+    @staticmethod
+    def _read(function, count: int) -> numpy.ndarray:
+        values = (c_double * count)()
+        function(values, count)
+        return numpy.array(values)
+
+
+@contextmanager
+def open_part(model: str, **parameters: float) -> Iterator[Part]:
+    """Instantiates and initialises an FMU for Model Exchange; it is left in continuous-time mode."""
+    path = path_of(model)
+    description = fmpy.read_model_description(str(path))
+    folder = fmpy.extract(str(path))
+    fmu = FMU2Model(
+        guid=description.guid,
+        modelIdentifier=description.modelExchange.modelIdentifier,
+        unzipDirectory=str(folder),
+        instanceName=model,
+    )
+    try:
+        fmu.instantiate()
+        fmu.setupExperiment(startTime=0.0)
+        apply_start_values(fmu, description, dict(parameters))
+        fmu.enterInitializationMode()
+        fmu.exitInitializationMode()
+        references = {variable.name: variable.valueReference for variable in description.modelVariables}
+        part = Part(fmu, references, description.numberOfContinuousStates, description.numberOfEventIndicators)
+        part.settle()
+        yield part
+        fmu.terminate()
+        fmu.freeInstance()
+    finally:
+        shutil.rmtree(folder, ignore_errors=True)
+
+
+@dataclass(frozen=True)
+class System:
+    """Parts whose outputs are the inputs of others; `links` are (from, output, to, input), in the order of transfer."""
+
+    parts: list[Part]
+    links: list[tuple[Part, str, Part, str]]
+
+    def put(self, time: float, x: numpy.ndarray) -> None:
+        """Gives all parts their time, states and inputs."""
+        for part in self.parts:
+            part.fmu.setTime(time)
+            part.x, x = x[: part.states], x[part.states :]
+        for source, output, target, wanted in self.links:
+            target.set(wanted, source.get(output))
+
+    def x(self) -> numpy.ndarray:
+        """The states of all parts."""
+        return numpy.concatenate([part.x for part in self.parts])
+
+    def rates(self, time: float, x: numpy.ndarray) -> numpy.ndarray:
+        """Their time derivatives."""
+        self.put(time, x)
+        return numpy.concatenate([part.rates() for part in self.parts])
+
+    def indicators(self, time: float, x: numpy.ndarray) -> numpy.ndarray:
+        """The event indicators of all parts."""
+        self.put(time, x)
+        return numpy.concatenate([part.event_indicators() for part in self.parts])
+
+    def at_event(self, time: float, x: numpy.ndarray) -> numpy.ndarray:
+        """Lets all parts change what an event changes; returns the states after it."""
+        self.put(time, x)
+        for part in self.parts:
+            part.at_event()
+        return self.x()
+
+
+# A solver that finds an event stops behind it: by so much, in s.
+BEHIND = 1e-11
+
+# More events than that in a run are chattering.
+MOST_EVENTS = 1000
+
+
+@dataclass
+class Run:
+    """A run of a system: its states at the times asked for, and the instants of its events."""
+
+    states: list[numpy.ndarray] = field(default_factory=list)
+    events: list[float] = field(default_factory=list)
+
+
+def integrate(system: System, times: numpy.ndarray, method: str, tolerance: float) -> Run:
+    """Integrates a system and stops at its events."""
+    run, time = Run(), float(times[0])
+    x = system.at_event(time, system.x())
+    count = len(system.indicators(time, x))
+    events = [_event(system, at) for at in range(count)]
+    while len(run.events) < MOST_EVENTS:
+        asked = times[times >= time]
+        if len(asked) == 0:
+            return run
+        nominal = numpy.maximum(numpy.abs(x), 1e-5)
+        solution = solve_ivp(
+            system.rates,
+            (time, float(times[-1])),
+            x,
+            method=method,
+            rtol=tolerance,
+            atol=tolerance * nominal,
+            events=events,
+            dense_output=True,
+            max_step=0.05,
+        )
+        assert solution.success, solution.message
+        run.states += [solution.sol(at) for at in asked if at <= solution.t[-1]]
+        if solution.status == 0:
+            return run
+        run.events.append(float(solution.t[-1]))
+        time = run.events[-1] + BEHIND
+        x = system.at_event(time, solution.sol(time))
+    raise AssertionError(f"more than {MOST_EVENTS} events until {time} s")
+
+
+def _event(system: System, at: int):
+    def event(time, x):
+        return system.indicators(time, x)[at]
+
+    event.terminal = True
+    return event

@@ -1,0 +1,198 @@
+"""Model Exchange: every FMU that offers it gives the same results to a solver as its own steps do, with few events."""
+
+import math
+
+import fmpy
+import numpy
+import pytest
+from coupling import FMUS, models_in, path_of
+from exchange import System, integrate, open_part
+from fmpy import simulate_fmu
+
+DESCRIPTIONS = {model: fmpy.read_model_description(str(path_of(model))) for model in models_in(FMUS)}
+MODELS = [model for model, description in DESCRIPTIONS.items() if description.modelExchange]
+
+# How far inputs move about their start values, by unit.
+SWING = {"m/s": 2e-3, "m": 2e-3, "N": 0.5, "m/s2": 0.0, "rad": 0.02, "rad/s": 0.1, "W": 10.0, "K": 5.0, "N.m": 0.1}
+PIECES, PIECE, STEP = 20, 0.01, 1e-3
+
+# Advice on the communication step, of which a solver makes none.
+ADVICE = {"dforce_dlength", "dforce_dvelocity", "step_limit"}
+
+
+def real_inputs(model: str) -> list:
+    """The continuous inputs of a model."""
+    return [v for v in DESCRIPTIONS[model].modelVariables if v.causality == "input" and v.type == "Real"]
+
+
+def staircase(model: str) -> numpy.ndarray | None:
+    """Inputs that are held for a while and then jump, in both directions: both kinds of FMU see the same."""
+    inputs = real_inputs(model)
+    if not inputs:
+        return None
+    rows = []
+    for piece in range(PIECES):
+        values = [float(v.start) + SWING[v.unit] * math.sin(2.3 * piece + at + 0.5) for at, v in enumerate(inputs)]
+        rows += [(piece * PIECE, *values), ((piece + 1) * PIECE, *values)]
+    return numpy.array(rows, dtype=[("time", float)] + [(v.name, float) for v in inputs])
+
+
+def simulate(model: str, kind: str, log=None, **options) -> numpy.ndarray:
+    """A run of all outputs."""
+    variables = DESCRIPTIONS[model].modelVariables
+    outputs = [v.name for v in variables if v.type == "Real" and v.causality == "output" and v.name not in ADVICE]
+    return simulate_fmu(
+        str(path_of(model)),
+        output=outputs,
+        fmi_type=kind,
+        record_events=False,
+        fmi_call_logger=log,
+        **options,
+    )
+
+
+def test_models_with_a_continuous_state_offer_it():
+    assert set(MODELS) >= {"LuGre", "LuGrePlanar", "Dahl", "ElastoPlastic", "BlimanSorine", "Coulomb", "BrownMcPhee"}
+    assert set(MODELS) >= {"BeltRig", "QuarterCar", "FourPostCar", "DoubleTrackCar", "ShockAbsorber", "HydraulicDamper"}
+    assert not set(MODELS) & {"Bristle", "FrictionalLag", "Armstrong", "Wojewoda"}, "delays and random bonds"
+
+
+@pytest.mark.parametrize("model", MODELS)
+def test_a_solver_finds_what_the_steps_find(model):
+    options = {"stop_time": PIECES * PIECE, "input": staircase(model), "output_interval": STEP}
+    stepped = simulate(model, "CoSimulation", step_size=STEP, **options)
+    solved = simulate(model, "ModelExchange", relative_tolerance=1e-9, **options)
+    assert len(solved) == len(stepped) == round(PIECES * PIECE / STEP) + 1
+    # At a jump one sees the instant before it, and the other the instant after.
+    between = numpy.arange(len(stepped)) % round(PIECE / STEP) != 0
+    for name in stepped.dtype.names[1:]:
+        size = numpy.abs(stepped[name]).max()
+        assert numpy.abs(solved[name] - stepped[name])[between].max() <= 1e-5 * size, name
+
+
+def is_law_with_events(model: str) -> bool:
+    """Is it a law of friction that jumps or bends?"""
+    names = [v.name for v in DESCRIPTIONS[model].modelVariables]
+    return DESCRIPTIONS[model].numberOfEventIndicators > 0 and "friction_force" in names
+
+
+def reversing(model: str) -> numpy.ndarray:
+    """Two periods of a velocity that swings past every kink of the laws, other inputs at their start values."""
+    inputs = real_inputs(model)
+    time = numpy.linspace(0.0, 2.0, 401)
+    columns = [
+        0.02 * numpy.sin(2.0 * numpy.pi * time + 0.4) if v.name == "velocity" else float(v.start) for v in inputs
+    ]
+    rows = numpy.zeros(len(time), dtype=[("time", float)] + [(v.name, float) for v in inputs])
+    rows["time"] = time
+    for variable, column in zip(inputs, columns, strict=True):
+        rows[variable.name] = column
+    return rows
+
+
+def sign_changes(model: str, signals: numpy.ndarray) -> int:
+    """How often the event indicators change their sign on a fine grid, counted without a solver."""
+    with open_part(model) as part:
+        count = 0
+
+        def signs(time: float) -> list[bool]:
+            for name in signals.dtype.names[1:]:
+                part.set(name, float(numpy.interp(time, signals["time"], signals[name])))
+            return list(part.event_indicators() > 0.0)
+
+        signs(0.0)
+        part.at_event()
+        before = signs(0.0)
+        for time in numpy.linspace(0.0, 2.0, 8001):
+            if signs(time) != before:
+                count += 1
+                part.at_event()
+                before = signs(time)
+        return count
+
+
+@pytest.mark.parametrize("model", [model for model in MODELS if is_law_with_events(model)])
+def test_a_reversing_velocity_has_no_more_events_than_kinks(model):
+    signals, calls = reversing(model), []
+    simulate(model, "ModelExchange", log=calls.append, stop_time=2.0, input=signals, output_interval=1e-2)
+    events = sum("fmi2EnterEventMode" in call for call in calls)
+    crossings = sign_changes(model, signals)
+    assert crossings <= events <= 2 * crossings
+
+
+# The benchmark of the thesis: mass, stiffness, velocity of the belt, static and kinetic level.
+MASS, STIFFNESS, BELT, STATIC, KINETIC = 1.0, 2.0, 0.1, 0.1 * 1.5 * 9.81, 0.1 * 9.81
+RUN = 40.0
+
+
+def breakaways_and_captures() -> list[float]:
+    """Instants of slip and stick in closed form, for a contact with two levels that starts at rest on the belt."""
+    frequency = math.sqrt(STIFFNESS / MASS)
+    sticking = 2.0 * (STATIC - KINETIC) / (STIFFNESS * BELT)
+    slipping = 2.0 / frequency * (math.pi - math.atan((STATIC - KINETIC) * frequency / (STIFFNESS * BELT)))
+    instants, time = [], STATIC / (STIFFNESS * BELT)
+    while time < RUN:
+        instants += [time, time + slipping]
+        time += slipping + sticking
+    return [instant for instant in instants if instant < RUN]
+
+
+def on_the_belt(law: str, method: str, tolerance: float):
+    """A law of friction on the belt, all in one loop of a solver."""
+    with open_part("BeltRig") as rig, open_part(law) as friction:
+        links = [(rig, "velocity", friction, "velocity")]
+        if "external_force" in friction.references:
+            links.append((rig, "external_force", friction, "external_force"))
+        links.append((friction, "friction_force", rig, "friction_force"))
+        times = numpy.linspace(0.0, RUN, 2001)
+        return times, integrate(System([rig, friction], links), times, method, tolerance)
+
+
+def test_stick_and_slip_on_the_belt_are_events_at_the_instants_of_the_closed_form():
+    expected = breakaways_and_captures()
+    _, run = on_the_belt("CoulombStiction", "DOP853", 1e-10)
+    assert len(expected) >= 6
+    assert len(expected) <= len(run.events) <= 2 * len(expected)
+    for instant in expected:
+        assert min(abs(event - instant) for event in run.events) < 1e-6, instant
+
+
+@pytest.mark.parametrize(
+    "law", ["Coulomb", "CoulombViscous", "Stribeck", "Karnopp", "BrownMcPhee", "LuGre", "Gonthier"]
+)
+def test_a_contact_on_the_belt_does_not_chatter(law):
+    _, run = on_the_belt(law, "LSODA", 1e-8)
+    assert len(run.events) <= 2 * len(breakaways_and_captures()), run.events
+
+
+@pytest.mark.parametrize("model", MODELS)
+def test_directional_derivatives_of_derivatives_are_those_of_central_differences(model):
+    description = DESCRIPTIONS[model]
+    rates = [v for v in description.modelVariables if v.derivative is not None]
+    knowns = [v.name for v in real_inputs(model)] + [v.derivative.name for v in rates]
+    values = {v.name: float(v.start) + 0.3 * SWING.get(v.unit, 0.0) for v in real_inputs(model)}
+    with open_part(model) as part:
+        for name, value in values.items():
+            part.set(name, value)
+        start, states = part.x, [v.derivative.name for v in rates]
+
+        def rates_at(known: str, shift: float) -> numpy.ndarray:
+            x = start.copy()
+            if known in values:
+                part.set(known, values[known] + shift)
+            else:
+                x[states.index(known)] += shift
+            part.x = x
+            found = part.rates()
+            part.x = start
+            for name, value in values.items():
+                part.set(name, value)
+            return found
+
+        for known in knowns:
+            size = abs(values.get(known, 0.0)) or 1e-4
+            shift = 1e-5 * size
+            difference = (rates_at(known, shift) - rates_at(known, -shift)) / (2.0 * shift)
+            exact = numpy.array([part.directional(v.name, known) for v in rates])
+            scale = numpy.maximum(numpy.abs(exact), 1e-9 * numpy.abs(part.rates()) / shift)
+            assert (numpy.abs(difference - exact) <= 1e-4 * scale + 1e-9).all(), known
