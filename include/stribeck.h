@@ -383,9 +383,10 @@ fmi2String fmi2GetVersion(void);
 /**
  * Makes an instance of the model whose guid is `fmuGUID`, to be freed once with fmi2FreeInstance.
  *
- * `fmuType` must be `fmi2CoSimulation` or, for the models that offer it, `fmi2ModelExchange`. `callbacks` is copied; its
- * function pointers may all be NULL. `fmuResourceLocation` and `visible` are not used. Returns NULL, and says why to the logger, if the guid is that of no
- * model of this library, if the model does not offer that type, if the name is blank, or if there is no memory.
+ * `fmuType` must be `fmi2CoSimulation` or, for the models that offer it, `fmi2ModelExchange`. `callbacks` is copied;
+ * its function pointers may all be NULL. `fmuResourceLocation` and `visible` are not used. Returns NULL, and says why
+ * to the logger, if the guid is that of no model of this library, if the model does not offer that type, if the name
+ * is blank, or if there is no memory.
  */
 fmi2Component fmi2Instantiate(fmi2String instanceName,
                               fmi2Type fmuType,

@@ -27,9 +27,10 @@ pub extern "C" fn fmi2GetVersion() -> fmi2String {
 
 /// Makes an instance of the model whose guid is `fmuGUID`, to be freed once with fmi2FreeInstance.
 ///
-/// `fmuType` must be `fmi2CoSimulation` or, for the models that offer it, `fmi2ModelExchange`. `callbacks` is copied; its
-/// function pointers may all be NULL. `fmuResourceLocation` and `visible` are not used. Returns NULL, and says why to the logger, if the guid is that of no
-/// model of this library, if the model does not offer that type, if the name is blank, or if there is no memory.
+/// `fmuType` must be `fmi2CoSimulation` or, for the models that offer it, `fmi2ModelExchange`. `callbacks` is copied;
+/// its function pointers may all be NULL. `fmuResourceLocation` and `visible` are not used. Returns NULL, and says why
+/// to the logger, if the guid is that of no model of this library, if the model does not offer that type, if the name
+/// is blank, or if there is no memory.
 ///
 /// # Safety
 /// Texts must be NULL or zero-terminated; `callbacks` must be NULL or point to a valid struct.

@@ -46,6 +46,16 @@ static const char *const FUNCTIONS[] = {
     "fmi2GetIntegerStatus",
     "fmi2GetBooleanStatus",
     "fmi2GetStringStatus",
+    "fmi2EnterEventMode",
+    "fmi2NewDiscreteStates",
+    "fmi2EnterContinuousTimeMode",
+    "fmi2CompletedIntegratorStep",
+    "fmi2SetTime",
+    "fmi2SetContinuousStates",
+    "fmi2GetDerivatives",
+    "fmi2GetEventIndicators",
+    "fmi2GetContinuousStates",
+    "fmi2GetNominalsOfContinuousStates",
 };
 
 /* The functions that this program calls. */
@@ -65,6 +75,14 @@ typedef struct {
     fmi2Status (*GetReal)(fmi2Component, const fmi2ValueReference[], size_t, fmi2Real[]);
     fmi2Status (*GetBoolean)(fmi2Component, const fmi2ValueReference[], size_t, fmi2Boolean[]);
     fmi2Status (*DoStep)(fmi2Component, fmi2Real, fmi2Real, fmi2Boolean);
+    fmi2Status (*EnterEventMode)(fmi2Component);
+    fmi2Status (*NewDiscreteStates)(fmi2Component, fmi2EventInfo *);
+    fmi2Status (*EnterContinuousTimeMode)(fmi2Component);
+    fmi2Status (*SetTime)(fmi2Component, fmi2Real);
+    fmi2Status (*SetContinuousStates)(fmi2Component, const fmi2Real[], size_t);
+    fmi2Status (*GetContinuousStates)(fmi2Component, fmi2Real[], size_t);
+    fmi2Status (*GetDerivatives)(fmi2Component, fmi2Real[], size_t);
+    fmi2Status (*CompletedIntegratorStep)(fmi2Component, fmi2Boolean, fmi2Boolean *, fmi2Boolean *);
     fmi2Status (*GetFMUstate)(fmi2Component, fmi2FMUstate *);
     fmi2Status (*SetFMUstate)(fmi2Component, fmi2FMUstate);
     fmi2Status (*FreeFMUstate)(fmi2Component, fmi2FMUstate *);
@@ -96,6 +114,14 @@ static functions resolve(library loaded) {
     RESOLVE(loaded, &fmi, GetReal);
     RESOLVE(loaded, &fmi, GetBoolean);
     RESOLVE(loaded, &fmi, DoStep);
+    RESOLVE(loaded, &fmi, EnterEventMode);
+    RESOLVE(loaded, &fmi, NewDiscreteStates);
+    RESOLVE(loaded, &fmi, EnterContinuousTimeMode);
+    RESOLVE(loaded, &fmi, SetTime);
+    RESOLVE(loaded, &fmi, SetContinuousStates);
+    RESOLVE(loaded, &fmi, GetContinuousStates);
+    RESOLVE(loaded, &fmi, GetDerivatives);
+    RESOLVE(loaded, &fmi, CompletedIntegratorStep);
     RESOLVE(loaded, &fmi, GetFMUstate);
     RESOLVE(loaded, &fmi, SetFMUstate);
     RESOLVE(loaded, &fmi, FreeFMUstate);
@@ -128,12 +154,16 @@ static void logger(fmi2ComponentEnvironment environment, fmi2String instance, fm
     va_end(arguments);
 }
 
-static fmi2Component make(const functions *fmi, fmi2String guid, message_log *log) {
+static fmi2Component make_for(const functions *fmi, fmi2Type purpose, fmi2String guid, message_log *log) {
     fmi2CallbackFunctions callbacks = {logger, NULL, NULL, NULL, log};
-    fmi2Component slave = fmi->Instantiate("contact", fmi2CoSimulation, guid, NULL, &callbacks, fmi2False, fmi2True);
+    fmi2Component made = fmi->Instantiate("contact", purpose, guid, NULL, &callbacks, fmi2False, fmi2True);
     /* The structure belongs to the caller again: nobody may look at it any more. */
     memset(&callbacks, 0xFF, sizeof callbacks);
-    return slave;
+    return made;
+}
+
+static fmi2Component make(const functions *fmi, fmi2String guid, message_log *log) {
+    return make_for(fmi, fmi2CoSimulation, guid, log);
 }
 
 static void initialise(const functions *fmi, fmi2Component slave) {
@@ -214,6 +244,64 @@ static void rig_swings_with_its_period(const functions *fmi) {
     CHECK(fabs(get(fmi, rig, STRIBECK_BELT_RIG_BLOCK_VELOCITY)) < 1e-14);
     fmi->FreeInstance(rig);
     CHECK(log.count == 0);
+}
+
+/* Position and velocity of the block. */
+#define STATES 2
+
+static void slopes_at(const functions *fmi, fmi2Component rig, double t, const double x[STATES],
+                      double slopes[STATES]) {
+    CHECK(fmi->SetTime(rig, t) == fmi2OK);
+    CHECK(fmi->SetContinuousStates(rig, x, STATES) == fmi2OK);
+    CHECK(fmi->GetDerivatives(rig, slopes, STATES) == fmi2OK);
+}
+
+/* One step of the midpoint rule, as a master with a solver of its own makes it. */
+static void integrate(const functions *fmi, fmi2Component rig, double t, double h) {
+    double x[STATES], middle[STATES], slopes[STATES];
+    CHECK(fmi->GetContinuousStates(rig, x, STATES) == fmi2OK);
+    slopes_at(fmi, rig, t, x, slopes);
+    for (int i = 0; i < STATES; i++) {
+        middle[i] = x[i] + 0.5 * h * slopes[i];
+    }
+    slopes_at(fmi, rig, t + 0.5 * h, middle, slopes);
+    for (int i = 0; i < STATES; i++) {
+        x[i] += h * slopes[i];
+    }
+    CHECK(fmi->SetTime(rig, t + h) == fmi2OK);
+    CHECK(fmi->SetContinuousStates(rig, x, STATES) == fmi2OK);
+    fmi2Boolean event = fmi2True, end = fmi2True;
+    CHECK(fmi->CompletedIntegratorStep(rig, fmi2True, &event, &end) == fmi2OK);
+    CHECK(event == fmi2False && end == fmi2False);
+}
+
+/* The block swings with its period in Model Exchange, too; the midpoint rule is off by less than (omega h)^2. */
+static void rig_swings_in_a_solver(const functions *fmi) {
+    message_log log = {0};
+    fmi2Component rig = make_for(fmi, fmi2ModelExchange, STRIBECK_BELT_RIG_GUID, &log);
+    REQUIRE(rig != NULL);
+    set(fmi, rig, STRIBECK_BELT_RIG_POSITION, 0.3);
+    set(fmi, rig, STRIBECK_BELT_RIG_BLOCK_VELOCITY, 0.0);
+    initialise(fmi, rig);
+    fmi2EventInfo info;
+    CHECK(fmi->NewDiscreteStates(rig, &info) == fmi2OK);
+    CHECK(info.newDiscreteStatesNeeded == fmi2False && info.nextEventTimeDefined == fmi2False);
+    CHECK(fmi->EnterContinuousTimeMode(rig) == fmi2OK);
+    const int steps = 2000;
+    const double omega = sqrt(2.0), h = 2.0 * acos(-1.0) / omega / steps;
+    for (int i = 0; i < steps; i++) {
+        integrate(fmi, rig, i * h, h);
+    }
+    double off = omega * h * omega * h;
+    CHECK(fabs(get(fmi, rig, STRIBECK_BELT_RIG_POSITION) - 0.3) < 0.3 * off);
+    CHECK(fabs(get(fmi, rig, STRIBECK_BELT_RIG_BLOCK_VELOCITY)) < 2.0 * 0.3 * omega * off);
+    CHECK(fmi->EnterEventMode(rig) == fmi2OK);
+    CHECK(fmi->Terminate(rig) == fmi2OK);
+    fmi->FreeInstance(rig);
+    CHECK(log.count == 0);
+    /* A law with random bonds has no derivative: it says so. */
+    CHECK(make_for(fmi, fmi2ModelExchange, STRIBECK_BRISTLE_GUID, &log) == NULL);
+    CHECK(log.count == 1);
 }
 
 /* Refused calls say why, through a logger that expands its format. */
@@ -317,6 +405,7 @@ int main(int argc, char **argv) {
     platform_and_version(&fmi);
     plain_run_reaches_steady_sliding(&fmi);
     rig_swings_with_its_period(&fmi);
+    rig_swings_in_a_solver(&fmi);
     refusals_are_logged(&fmi);
     state_travels_between_instances(&fmi);
     close_library(loaded);
