@@ -204,7 +204,7 @@ impl Instance {
     #[inline(never)]
     fn step_with_care(&mut self, dt: f64) -> Result<(), Fault> {
         if !(dt > 0.0 && dt.is_finite()) {
-            return Err(Fault(memory::text(format_args!("a step of {dt} s: must be > 0 and finite"))));
+            return Err(Fault::new(format_args!("a step of {dt} s: must be > 0 and finite")));
         }
         self.check()?;
         let finite = if self.slopes_are_new {
@@ -233,7 +233,7 @@ impl Instance {
             let rounding = 4.0 * f64::EPSILON * (start.abs() + change.abs());
             let is_outside = (end - variable.bound.nearest(end)).abs() > rounding;
             if is_outside || !end.is_finite() {
-                return Err(Fault(memory::text(format_args!("at the end of its ramp {}", variable.fault(end)))));
+                return Err(Fault::new(format_args!("at the end of its ramp {}", variable.fault(end))));
             }
         }
         Ok(())
@@ -246,7 +246,7 @@ impl Instance {
 
     #[cold]
     fn not_finite(&self, what: fmt::Arguments) -> Fault {
-        Fault(memory::text(format_args!("{what} would not be finite{}: nothing was changed", Inputs(self))))
+        Fault::new(format_args!("{what} would not be finite{}: nothing was changed", Inputs(self)))
     }
 
     /// Columns of the states that an importer may integrate itself, in the order of the table.

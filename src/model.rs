@@ -382,13 +382,20 @@ impl Variable {
 
     /// Refuses `value` with the text that the user sees.
     pub fn fault(&self, value: f64) -> Fault {
-        Fault(memory::text(format_args!("{} = {value}: must be {}", self.path, self.bound)))
+        Fault::new(format_args!("{} = {value}: must be {}", self.path, self.bound))
     }
 }
 
 /// Why a value, or a set of parameters, was refused. The text names the variable, its value and the limit.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Fault(pub String);
+pub struct Fault(pub(crate) String);
+
+impl Fault {
+    /// A fault with this text. Where there is no memory for it, it is cut.
+    pub fn new(text: impl fmt::Display) -> Fault {
+        Fault(memory::text(text))
+    }
+}
 
 impl fmt::Display for Fault {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
@@ -400,7 +407,7 @@ impl std::error::Error for Fault {}
 
 impl From<OutOfMemory> for Fault {
     fn from(error: OutOfMemory) -> Fault {
-        Fault(memory::text(error))
+        Fault::new(error)
     }
 }
 

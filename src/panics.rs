@@ -38,5 +38,5 @@ fn is_ours(info: &PanicHookInfo) -> bool {
 pub(crate) fn text(panic: &(dyn Any + Send)) -> String {
     let said = panic.downcast_ref::<&str>().copied();
     let said = said.or_else(|| panic.downcast_ref::<String>().map(String::as_str));
-    format!("internal fault, please report it: {}", said.unwrap_or("no message"))
+    crate::memory::text(format_args!("internal fault, please report it: {}", said.unwrap_or("no message")))
 }

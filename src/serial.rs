@@ -43,8 +43,7 @@ pub fn write(model: &ModelType, snapshot: &Snapshot, owners: [f64; OWNERS], byte
 
 /// Reads a snapshot of `model` back.
 pub fn read(model: &ModelType, bytes: &[u8]) -> Result<(Snapshot, [f64; OWNERS]), Fault> {
-    let refuse =
-        |why: fmt::Arguments| Err(Fault(memory::text(format_args!("serialised state of {}: {why}", model.name))));
+    let refuse = |why: fmt::Arguments| Err(Fault::new(format_args!("serialised state of {}: {why}", model.name)));
     if bytes.len() != size(model) {
         return refuse(format_args!("{} bytes, {} are expected", bytes.len(), size(model)));
     }

@@ -381,6 +381,38 @@ fn no_memory_for_an_fmu_is_an_error() {
     println!("FMI: {tested} refused requests for memory, as many errors");
 }
 
+/// Parameters that a rule of the model refuses together, for most laws and the strut.
+const REFUSED_TOGETHER: [(&str, f64); 2] = [("mu_s", 0.01), ("c1.mu_s", 0.01)];
+
+#[test]
+fn a_refused_parameter_without_memory_for_the_reason_is_an_error() {
+    let mut tested = 0;
+    for model in catalogue::models() {
+        for (name, value) in REFUSED_TOGETHER {
+            let Some(column) = model.find(name) else { continue };
+            let component = instantiate(&guid(model), fmi2CoSimulation);
+            assert!(!component.is_null());
+            let reference = column as fmi2ValueReference;
+            // SAFETY: a live component, freed once, and arrays of one element.
+            let status = unsafe {
+                assert_eq!(fmi2SetupExperiment(component, fmi2False, 0.0, 0.0, fmi2False, 0.0), fmi2Status::fmi2OK);
+                assert_eq!(fmi2EnterInitializationMode(component), fmi2Status::fmi2OK);
+                REFUSED.set(Refused { first: 0, ..Refused::NONE });
+                let mut status = fmi2SetReal(component, &reference, 1, &value);
+                if status == fmi2Status::fmi2OK {
+                    status = fmi2ExitInitializationMode(component);
+                }
+                assert!(REFUSED.replace(Refused::NONE).asked > 0, "{}: a reason is written", model.name);
+                fmi2FreeInstance(component);
+                status
+            };
+            assert!(matches!(status, fmi2Status::fmi2Error | fmi2Status::fmi2Discard), "{}: {status:?}", model.name);
+            tested += 1;
+        }
+    }
+    assert!(tested > 20, "{tested} models");
+}
+
 #[test]
 fn no_memory_for_a_c_caller_is_a_status() {
     let mut tested = 0;

@@ -8,7 +8,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use stribeck::catalogue;
-use stribeck::model::{Fault, ModelType};
+use stribeck::model::ModelType;
 use thiserror::Error;
 
 use crate::parameter_set::{ParameterSet, SetError};
@@ -368,8 +368,7 @@ impl Reader {
         let column = car.find(&name).ok_or("is no key of the format")?;
         let variable = &car.table[column];
         if !variable.admits(value) {
-            let Fault(text) = variable.fault(value);
-            return Err(text);
+            return Err(variable.fault(value).to_string());
         }
         if self.value(&name).is_some() {
             return Err("is given twice, in two sections".into());

@@ -131,7 +131,7 @@ impl Model for Ambrosio {
     fn check(&self) -> Result<(), Fault> {
         if self.sliding_velocity <= self.transition_velocity {
             let [from, to] = [self.transition_velocity, self.sliding_velocity];
-            return Err(Fault(format!("sliding_velocity = {to}: must be > transition_velocity = {from}")));
+            return Err(Fault::new(format_args!("sliding_velocity = {to}: must be > transition_velocity = {from}")));
         }
         Ok(())
     }

@@ -228,7 +228,7 @@ impl Model for Bristle {
         crate::friction::static_not_below_kinetic(self.mu_s, self.mu_k)?;
         if self.span() > 2.0 * self.delta {
             let least = self.mu_s / 3.0;
-            return Err(Fault(format!("mu_k = {}: must be >= mu_s / 3 = {least}", self.mu_k)));
+            return Err(Fault::new(format_args!("mu_k = {}: must be >= mu_s / 3 = {least}", self.mu_k)));
         }
         Ok(())
     }

@@ -224,7 +224,7 @@ impl Model for ElastoPlastic {
 
     fn check(&self) -> Result<(), Fault> {
         if self.plastic_exponent % 2.0 == 0.0 {
-            return Err(Fault(format!("plastic_exponent = {}: must be odd", self.plastic_exponent)));
+            return Err(Fault::new(format_args!("plastic_exponent = {}: must be odd", self.plastic_exponent)));
         }
         crate::friction::static_not_below_kinetic(self.mu_s, self.mu_k)
     }

@@ -283,7 +283,7 @@ impl Model for Leuven {
         let strength = self.hysteresis_strength;
         if strength < 1.0 {
             let rule = "the elements together must carry the static level";
-            return Err(Fault(format!("hysteresis_strength = {strength}: must be >= 1, because {rule}")));
+            return Err(Fault::new(format_args!("hysteresis_strength = {strength}: must be >= 1, because {rule}")));
         }
         Ok(())
     }

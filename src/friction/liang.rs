@@ -243,7 +243,7 @@ impl Model for Liang {
 
     fn check(&self) -> Result<(), Fault> {
         if length(&Vector3::new(self.normal_x, self.normal_y, self.normal_z)) == 0.0 {
-            return Err(Fault("normal_x, normal_y, normal_z = 0, 0, 0: the normal must have a length > 0".to_owned()));
+            return Err(Fault::new("normal_x, normal_y, normal_z = 0, 0, 0: the normal must have a length > 0"));
         }
         crate::friction::static_not_below_kinetic(self.mu_s, self.mu_k)
     }

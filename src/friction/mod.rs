@@ -55,7 +55,7 @@ use crate::model::Fault;
 /// The rule between the two coefficients that every model with stiction has.
 fn static_not_below_kinetic(mu_s: f64, mu_k: f64) -> Result<(), Fault> {
     if mu_s < mu_k {
-        return Err(Fault(format!("mu_s = {mu_s}: must be >= mu_k = {mu_k}")));
+        return Err(Fault::new(format_args!("mu_s = {mu_s}: must be >= mu_k = {mu_k}")));
     }
     Ok(())
 }

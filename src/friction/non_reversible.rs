@@ -164,7 +164,7 @@ impl Model for NonReversible {
     fn check(&self) -> Result<(), Fault> {
         crate::friction::static_not_below_kinetic(self.mu_s, self.mu_k)?;
         if self.mu_stop > self.mu_s {
-            return Err(Fault(format!("mu_stop = {}: must be <= mu_s = {}", self.mu_stop, self.mu_s)));
+            return Err(Fault::new(format_args!("mu_stop = {}: must be <= mu_s = {}", self.mu_stop, self.mu_s)));
         }
         Ok(())
     }

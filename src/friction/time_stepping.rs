@@ -5,7 +5,6 @@
 
 use crate::laws::end_velocity::{self, Landing};
 use crate::laws::stopping::{force_to_stop, is_held};
-use crate::memory;
 use crate::model::{Fault, Model, boolean, real};
 use crate::number::{Dual, Real};
 
@@ -114,7 +113,7 @@ impl TimeStepping {
     pub(crate) fn check_exchange(&self) -> Result<(), Fault> {
         if self.mass > 0.0 {
             let text = format_args!("mass = {}: must be 0 in Model Exchange, which holds no force", self.mass);
-            return Err(Fault(memory::text(text)));
+            return Err(Fault::new(text));
         }
         Ok(())
     }

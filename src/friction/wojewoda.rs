@@ -269,7 +269,7 @@ impl Model for Wojewoda {
     fn check(&self) -> Result<(), Fault> {
         crate::friction::static_not_below_kinetic(self.mu_s, self.mu_k)?;
         if self.mu_s > 2.0 * self.mu_k {
-            return Err(Fault(format!("mu_s = {}: must be <= 2 mu_k = {}", self.mu_s, 2.0 * self.mu_k)));
+            return Err(Fault::new(format_args!("mu_s = {}: must be <= 2 mu_k = {}", self.mu_s, 2.0 * self.mu_k)));
         }
         Ok(())
     }

@@ -416,7 +416,7 @@ impl Model for DoubleTrackCar {
 
     fn check(&self) -> Result<(), Fault> {
         if self.tyre.pky2 == 0.0 {
-            return Err(Fault("tyre.pky2 = 0: must not be 0".into()));
+            return Err(Fault::new("tyre.pky2 = 0: must not be 0"));
         }
         self.body.check()
     }

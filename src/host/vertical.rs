@@ -211,7 +211,7 @@ impl Body {
     pub fn check(&self) -> Result<(), Fault> {
         let Body { cg_to_front, wheelbase, .. } = *self;
         if cg_to_front > wheelbase {
-            return Err(Fault(format!("cg_to_front = {cg_to_front}: must be <= wheelbase = {wheelbase}")));
+            return Err(Fault::new(format_args!("cg_to_front = {cg_to_front}: must be <= wheelbase = {wheelbase}")));
         }
         Ok(())
     }

@@ -67,7 +67,7 @@ pub(crate) fn check_rising(name: &str, x: &[f64; POINTS], count: f64) -> Result<
     for at in 1..count as usize {
         if x[at] <= x[at - 1] {
             let (i, before) = (at + 1, x[at - 1]);
-            return Err(Fault(format!("{name}[{i}] = {}: must be > {name}[{at}] = {before}", x[at])));
+            return Err(Fault::new(format_args!("{name}[{i}] = {}: must be > {name}[{at}] = {before}", x[at])));
         }
     }
     Ok(())

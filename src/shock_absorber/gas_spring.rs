@@ -45,7 +45,7 @@ impl GasChamber {
     pub(crate) fn check(&self, stroke: f64) -> Result<(), Fault> {
         let displaced = self.rod_area() * stroke;
         if self.enabled != 0.0 && self.V0 <= displaced {
-            return Err(Fault(format!(
+            return Err(Fault::new(format_args!(
                 "gas.V0 = {} m3: must be > {displaced:e} m3, the volume of the rod over a stroke of {stroke} m",
                 self.V0
             )));

@@ -59,10 +59,12 @@ impl Levels {
         let pairs = [("mu", self.mu_s, self.mu_k), ("preload", self.preload_s, self.preload_k)];
         for (name, statical, kinetic) in pairs {
             if statical < kinetic {
-                return Err(Fault(format!("{part}{name}_s = {statical}: must be >= {part}{name}_k = {kinetic}")));
+                return Err(Fault::new(format_args!(
+                    "{part}{name}_s = {statical}: must be >= {part}{name}_k = {kinetic}"
+                )));
             }
             if statical > 0.0 && kinetic == 0.0 {
-                return Err(Fault(format!(
+                return Err(Fault::new(format_args!(
                     "{part}{name}_k = 0: must be > 0 where {part}{name}_s = {statical} is, or the force would vanish in sliding"
                 )));
             }

@@ -190,17 +190,19 @@ impl Hydraulics {
             let (i, force, velocity) = (at + 1, self.tab_f[at], self.tab_v[at]);
             if at > 0 && force < self.tab_f[at - 1] {
                 let before = self.tab_f[at - 1];
-                return Err(Fault(format!("damper.tab_f[{i}] = {force}: must be >= damper.tab_f[{at}] = {before}")));
+                return Err(Fault::new(format_args!(
+                    "damper.tab_f[{i}] = {force}: must be >= damper.tab_f[{at}] = {before}"
+                )));
             }
             if force * velocity < 0.0 {
-                return Err(Fault(format!(
+                return Err(Fault::new(format_args!(
                     "damper.tab_f[{i}] = {force}: must have the sign of damper.tab_v[{i}] = {velocity}"
                 )));
             }
         }
         let at_rest = self.interpolated(0.0);
         if at_rest != 0.0 {
-            return Err(Fault(format!(
+            return Err(Fault::new(format_args!(
                 "damper.tab_f: must give 0 at velocity 0, gives {at_rest} N; add the point (0, 0)"
             )));
         }

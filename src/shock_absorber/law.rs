@@ -4,7 +4,6 @@
 //! a new law can be chosen here without another line.
 
 use crate::friction::MODELS;
-use crate::memory;
 use crate::model::{Column, Columns, Enumeration, Fault, Item, ModelType, Path, Segment, Variable, Width, real};
 use crate::number::{Dual, Real};
 use crate::unit::same;
@@ -455,7 +454,7 @@ impl ChosenLaw {
     /// Refuses parameters that the law refuses.
     pub(crate) fn check(self, given: &Given<f64>, parameters: &LawParameters) -> Result<(), Fault> {
         let row = self.row(given, parameters, &self.start());
-        let named = |fault: Fault| Fault(format!("friction.model = {}: {}", self.0.model.name, fault.0));
+        let named = |fault: Fault| Fault::new(format_args!("friction.model = {}: {}", self.0.model.name, fault.0));
         for ((variable, source), value) in self.0.model.table.iter().zip(self.sources()).zip(row) {
             if matches!(source, Source::Parameter(_)) && !variable.admits(value) {
                 return Err(named(variable.fault(value)));
@@ -469,10 +468,10 @@ impl ChosenLaw {
         let name = self.0.model.name;
         if !self.0.model.model_exchange {
             let text = format_args!("friction.model = {name}: must be a law that is offered for Model Exchange itself");
-            return Err(Fault(memory::text(text)));
+            return Err(Fault::new(text));
         }
         let row = self.row(given, parameters, &self.start());
-        let named = |fault: Fault| Fault(memory::text(format_args!("friction.model = {name}: {}", fault.0)));
+        let named = |fault: Fault| Fault::new(format_args!("friction.model = {name}: {}", fault.0));
         self.0.model.check_exchange(&row[..self.0.model.table.len()]).map_err(named)
     }
 

@@ -713,7 +713,7 @@ impl Model for ShockAbsorber {
         setting.gas.check(setting.geom.stroke)?;
         setting.damper.check()?;
         if setting.adapter.length_gain == 0.0 {
-            return Err(Fault("adapter.length_gain = 0: must not be 0".into()));
+            return Err(Fault::new("adapter.length_gain = 0: must not be 0"));
         }
         Ok(())
     }
