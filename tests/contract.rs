@@ -501,7 +501,7 @@ fn inverted_coefficients_are_refused_by_name() {
         let mut bench = Bench::new(model.name, &[("mu_s", 0.05)]);
         let before = bench.instance.save();
         let fault = bench.instance.step(1e-3).expect_err("mu_s < mu_k");
-        assert_eq!(fault.0, "mu_s = 0.05: must be >= mu_k = 0.1", "{}", model.name);
+        assert_eq!(fault.to_string(), "mu_s = 0.05: must be >= mu_k = 0.1", "{}", model.name);
         assert_eq!(bench.instance.save(), before, "{}", model.name);
     }
 }
