@@ -159,18 +159,31 @@ fn meaning(capability: &str) -> &'static str {
 
 /// What an importer that integrates finds.
 fn exchange(model: &ModelType) -> String {
-    format!("{} continuous states, {} event indicators.", model.continuous_states().count(), model.event_indicators)
+    if !model.model_exchange {
+        return "Not for Model Exchange: its memory is no set of continuous states.".to_owned();
+    }
+    let states = match model.continuous_states().count() {
+        1 => "1 continuous state".to_owned(),
+        count => format!("{count} continuous states"),
+    };
+    let events = match model.event_indicators {
+        0 => "no event indicators",
+        1 => "1 event indicator, where it jumps or bends",
+        count => &format!("{count} event indicators, where it jumps or bends"),
+    };
+    let mass = if model.find("mass").is_some() {
+        " <code>mass</code> must be 0 in Model Exchange, where no force is held over a step."
+    } else {
+        ""
+    };
+    format!("In Model Exchange {states}, {events}.{mass}")
 }
 
 fn capabilities(page: &mut String, model: &ModelType) {
     push(page, format_args!("<h2>This FMU</h2>\n"));
-    let (interface, remark) = if model.model_exchange {
-        ("FMI 2.0 for Co-Simulation and Model Exchange".to_owned(), exchange(model))
-    } else {
-        ("FMI 2.0 for Co-Simulation".to_owned(), String::new())
-    };
+    let kinds = if model.model_exchange { "Co-Simulation and Model Exchange" } else { "Co-Simulation" };
     let facts = [
-        ["Interface".to_owned(), interface, remark],
+        ["Interface".to_owned(), format!("FMI 2.0 for {kinds}"), exchange(model)],
         ["Version".to_owned(), VERSION.to_owned(), String::new()],
         ["Model identifier".to_owned(), format!("<code>{}</code>", model.name), String::new()],
         [
