@@ -375,10 +375,10 @@ const MODEL_EXCHANGE: [(&str, &str); 31] = [
     ("CompletedIntegratorStep", "---x--"),
     ("SetTime", "--xx--"),
     ("SetContinuousStates", "---x--"),
-    ("GetDerivatives", "--xxxx"),
+    ("GetDerivatives", "-xxxxx"),
     ("GetEventIndicators", "-xxxxx"),
     ("GetContinuousStates", "-xxxxx"),
-    ("GetNominalsOfContinuousStates", "x-xxxx"),
+    ("GetNominalsOfContinuousStates", "xxxxxx"),
 ];
 
 /// One call of each function in each state of a model; their number. A function that the table does not name is no

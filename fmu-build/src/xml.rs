@@ -224,7 +224,7 @@ fn log_categories(xml: &mut Xml) -> io::Result<()> {
 
 /// Forty seconds show several cycles of stick-slip of the thesis' benchmark with the default parameters (chosen).
 fn default_experiment(xml: &mut Xml) -> io::Result<()> {
-    let attributes = [("startTime", 0.0), ("stopTime", 40.0), ("tolerance", 1e-8), ("stepSize", 1e-3)];
+    let attributes = [("startTime", 0.0), ("stopTime", 40.0), ("tolerance", 1e-6), ("stepSize", 1e-3)];
     leaf(xml, "DefaultExperiment", attributes.map(|(name, value)| (name, number(value))).into())
 }
 

@@ -42,6 +42,23 @@ impl Slave {
     pub fn new(instance: Instance, purpose: Purpose, log: Log) -> Slave {
         Slave { magic: MAGIC, instance, purpose, state: State::Instantiated, experiment: Experiment::NONE, log }
     }
+
+    /// Refuses parameters that do not fit together, or that do not serve this instance's purpose.
+    pub fn check(&mut self) -> Result<(), Fault> {
+        self.instance.check()?;
+        match self.purpose {
+            Purpose::CoSimulation => Ok(()),
+            Purpose::ModelExchange => self.instance.model().check_exchange(self.instance.row()),
+        }
+    }
+
+    /// Results that would not be finite: a solver may try a smaller step, or other inputs. Elsewhere the run is over.
+    pub fn out_of_domain(&self, fault: Fault) -> Refusal {
+        match self.state {
+            State::EventMode | State::ContinuousTimeMode => Refusal::Discard(fault.0),
+            _ => Refusal::Error(fault.0),
+        }
+    }
 }
 
 /// Why a call was refused. Where there is no memory for a text it is cut, even to nothing.

@@ -38,7 +38,7 @@ pub unsafe extern "C" fn fmi2NewDiscreteStates(c: fmi2Component, eventInfo: *mut
     let body = |slave: &mut Slave| {
         // SAFETY: the caller promises NULL or a writable struct.
         let Some(info) = (unsafe { eventInfo.as_mut() }) else { return refuse("eventInfo is NULL") };
-        slave.instance.check()?;
+        slave.check()?;
         let has_jumped = slave.instance.at_event()?;
         *info = fmi2EventInfo {
             newDiscreteStatesNeeded: fmi2False,
@@ -61,7 +61,7 @@ pub unsafe extern "C" fn fmi2NewDiscreteStates(c: fmi2Component, eventInfo: *mut
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi2EnterContinuousTimeMode(c: fmi2Component) -> fmi2Status {
     let body = |slave: &mut Slave| {
-        slave.instance.check()?;
+        slave.check()?;
         slave.state = State::ContinuousTimeMode;
         Ok(())
     };

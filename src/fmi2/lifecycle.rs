@@ -144,10 +144,10 @@ pub const ALLOWED: [(Call, [Purpose; 2], [bool; 7]); 40] = [
     (Call::CompletedIntegratorStep,       ME,   [O, O, O, O, O, O, X]),
     (Call::SetTime,                       ME,   [O, O, O, O, O, X, X]),
     (Call::SetContinuousStates,           ME,   [O, O, O, O, O, O, X]),
-    (Call::GetDerivatives,                ME,   [O, O, O, X, X, X, X]),
+    (Call::GetDerivatives,                ME,   [O, X, O, X, X, X, X]),
     (Call::GetEventIndicators,            ME,   [O, X, O, X, X, X, X]),
     (Call::GetContinuousStates,           ME,   [O, X, O, X, X, X, X]),
-    (Call::GetNominalsOfContinuousStates, ME,   [X, O, O, X, X, X, X]),
+    (Call::GetNominalsOfContinuousStates, ME,   [X, X, O, X, X, X, X]),
 ];
 
 impl Call {

@@ -197,12 +197,11 @@ pub unsafe extern "C" fn fmi2EnterInitializationMode(c: fmi2Component) -> fmi2St
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi2ExitInitializationMode(c: fmi2Component) -> fmi2Status {
     let body = |slave: &mut Slave| {
-        slave.instance.check()?;
+        slave.check()?;
         slave.instance.refresh()?;
         slave.state = match slave.purpose {
             Purpose::CoSimulation => State::StepComplete,
             Purpose::ModelExchange => {
-                slave.instance.model().check_exchange(slave.instance.row())?;
                 slave.instance.at_event()?;
                 State::EventMode
             }

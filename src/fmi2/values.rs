@@ -79,10 +79,11 @@ impl Slave {
 
 /// FMI 2.0.5, conditions of the tables in sections 3.2.3 (1, 3, 4 and 5) and 4.2.4 (1, 3 and 6): what may be set in a
 /// state.
-fn may_set(state: State, role: Role) -> bool {
-    match role {
+fn may_set(state: State, variable: &Variable) -> bool {
+    match variable.role {
         Role::Input => true,
         Role::Tunable => state != State::ContinuousTimeMode,
+        Role::State | Role::StateOutput if state == State::ContinuousTimeMode => variable.is_continuous_state(),
         Role::Fixed | Role::State | Role::StateOutput => {
             matches!(state, State::Instantiated | State::Initialization)
         }
@@ -105,7 +106,7 @@ fn check_value(slave: &Slave, variable: &Variable, value: f64) -> Outcome {
     if variable.role == Role::Output {
         return refuse(format_args!("{} is computed and cannot be set", variable.path));
     }
-    if !may_set(state, variable.role) {
+    if !may_set(state, variable) {
         let text = "cannot be set in state";
         return refuse(format_args!("{} {text} {state:?}", variable.path));
     }
@@ -137,11 +138,12 @@ unsafe fn get<B: Base>(
         };
         // After an error the last results are read, for debugging.
         if slave.state != State::Error && references.iter().any(is_result) {
-            slave.instance.refresh()?;
+            slave.instance.refresh().map_err(|fault| slave.out_of_domain(fault))?;
         }
         let is_rate = |reference: &fmi2ValueReference| slave.derivative_of::<B>(*reference).is_some();
         if slave.state != State::Error && references.iter().any(is_rate) {
-            slave.instance.rates()?;
+            let rates = slave.instance.rates().map(|_| ());
+            rates.map_err(|fault| slave.out_of_domain(fault))?;
         }
         let (row, rates) = (slave.instance.row(), slave.instance.last_rates());
         for (reference, value) in references.iter().zip(values) {
