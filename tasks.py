@@ -46,8 +46,8 @@ TARGETS = [
     "x86_64-apple-darwin",
     "aarch64-apple-darwin",
 ]
-# Tests of the library that Miri makes within seconds: those of memory, of states as bytes, of the laws' tools.
-UNDER_MIRI = ["fmi2::", "guid::", "memory::", "number::", "probe::", "serial::"]
+# What Miri runs: memory, states as bytes, instances of the test model, and a whole life of every model.
+UNDER_MIRI = ["guid::", "memory::", "number::", "probe::", "serial::", "fmi2::tests::child"]
 # What the task trust needs beside what every test needs.
 TRUST_PROGRAMS = {"valgrind": "valgrind", "localedef": "libc-bin", "gcc": "gcc"}
 # Programs that build for other platforms and run what was built, and the packages of Debian and Ubuntu they are in.
@@ -260,11 +260,15 @@ def trust() -> None:
         *([PYTHON, "-m", "pytest", "-s", "-q", test] for test in python_tests),
         [PYTHON, "tests/c/run.py", "--thorough"],
         ["cargo", "+nightly", "miri", "test", "--package", "stribeck", "--lib", "--", *UNDER_MIRI],
+        ["cargo", "+nightly", "miri", "test", "--package", "stribeck", "--test", "life"],
     ]
+    # Under Miri there is no second process, in which the test of panics runs otherwise.
+    miri = "-Zmiri-env-set=STRIBECK_TEST_PANICS=1"
     found, failed = [], []
     for command in commands:
         try:
-            found += ["", shlex.join(map(str, command)), *(f"    {figure}" for figure in figures(*command))]
+            lines = figures(*command, MIRIFLAGS=miri)
+            found += ["", shlex.join(map(str, command)), *(f"    {line}" for line in lines)]
         except TaskError as error:
             failed.append(str(error))
     print("\n\nWhat was tried, and what came of it:", *found, sep="\n")

@@ -347,7 +347,7 @@ def test_faults(compiler, results, thorough):
     faults = compiler.compile(TESTS / "faults.c", "shared", False)
     loads = compiler.compile(TESTS / "loads.c", "loaded", False)
 
-    seconds = "15" if thorough else "0.5"
+    seconds = "5" if thorough else "0.5"
     for fault in ["stack", "threads", seconds, *(["long"] if thorough else [])]:
         results.check(f"fault: {fault}", lambda fault=fault: report(faults, fault, *all_models))
     guid = all_models[0].partition("=")[2]
