@@ -18,6 +18,7 @@ from __future__ import annotations
 import argparse
 import os
 import platform
+import re
 import shlex
 import shutil
 import subprocess
@@ -45,6 +46,10 @@ TARGETS = [
     "x86_64-apple-darwin",
     "aarch64-apple-darwin",
 ]
+# What Miri runs: memory, states as bytes, instances of the test model, and a whole life of every model.
+UNDER_MIRI = ["guid::", "memory::", "number::", "probe::", "serial::", "fmi2::tests::child"]
+# What the task trust needs beside what every test needs.
+TRUST_PROGRAMS = {"valgrind": "valgrind", "localedef": "libc-bin", "gcc": "gcc"}
 # Programs that build for other platforms and run what was built, and the packages of Debian and Ubuntu they are in.
 PLATFORM_PROGRAMS = {
     "x86_64-w64-mingw32-gcc": "gcc-mingw-w64-x86-64-win32",
@@ -70,6 +75,23 @@ def run(*command: str | Path, **environment: str) -> None:
         raise TaskError(f"cannot run {words[0]}: {error}") from error
     if status != 0:
         raise TaskError(f"exit code {status}: {shown}")
+
+
+def figures(*command: str | Path, **environment: str) -> list[str]:
+    """Runs a command as `run` does, and returns what it prints behind `figure:` or cargo's `test result:`."""
+    words = [str(word) for word in command]
+    print(f"\n> {shlex.join(words)}", flush=True)
+    found = []
+    settings = {**os.environ, **environment}
+    with subprocess.Popen(
+        words, cwd=ROOT, env=settings, stdout=subprocess.PIPE, text=True, encoding="utf-8"
+    ) as process:
+        for line in process.stdout:
+            print(line, end="", flush=True)
+            found += re.findall(r"(?:figure|test result): (.*\S)", line)
+    if process.returncode != 0:
+        raise TaskError(f"exit code {process.returncode}: {shlex.join(words)}")
+    return found
 
 
 def need(program: str, cure: str) -> None:
@@ -127,14 +149,19 @@ def setup() -> None:
 
 
 def setup_platforms() -> None:
-    """Installs what builds and runs the libraries of all platforms. Only root can install system packages."""
+    """Installs what builds and runs the libraries of all platforms."""
     if platform.system() != "Linux" or platform.machine() != "x86_64":
         raise TaskError("this task needs Linux on x86-64; elsewhere `fmu-build pack --platform all` packs what it can")
     need("rustup", "this task needs the Rust of https://rustup.rs, which has standard libraries for other platforms")
     setup()
     run(PYTHON, "-m", "pip", "install", "--quiet", "--disable-pip-version-check", "-r", REQUIREMENTS_OF_PLATFORMS)
     run("rustup", "target", "add", *TARGETS)
-    missing = [package for program, package in PLATFORM_PROGRAMS.items() if shutil.which(program) is None]
+    install_programs(PLATFORM_PROGRAMS)
+
+
+def install_programs(packages: dict[str, str]) -> None:
+    """Installs the programs that are missing. Only root can do it."""
+    missing = [package for program, package in packages.items() if shutil.which(program) is None]
     if not missing:
         return
     install = ["apt-get", "install", "--yes", "--no-install-recommends", *" ".join(missing).split()]
@@ -145,10 +172,11 @@ def setup_platforms() -> None:
 
 
 def pack_for_all(project: Path, fmus: Path) -> None:
-    """Packs the FMUs of a copy of this project for all platforms; everything it builds is in that copy."""
+    """Packs the FMUs of a copy of this project for all platforms. The libraries are built in that copy; what the packer
+    itself is made of is built once, here."""
     run(
-        *("cargo", "run", "--manifest-path", project / "Cargo.toml", "--package", "fmu-build", "--"),
-        *("pack", "--platform", "all", "--strict", "--out", fmus),
+        *("cargo", "run", "--target-dir", ROOT / "target", "--manifest-path", project / "Cargo.toml"),
+        *("--package", "fmu-build", "--", "pack", "--platform", "all", "--strict", "--out", fmus),
         PATH=f"{PROGRAMS}{os.pathsep}{os.environ['PATH']}",
         CARGO_TARGET_DIR=str(project / "target"),
     )
@@ -208,11 +236,44 @@ def test() -> None:
     run(PYTHON, "-m", "pytest", "tests/python")
 
 
+def setup_trust() -> None:
+    """Installs what the task trust needs. Miri and the sanitizers are parts of nightly Rust; any one will do."""
+    if platform.system() != "Linux" or platform.machine() != "x86_64":
+        raise TaskError("this task needs Linux on x86-64")
+    need("rustup", "this task needs the Rust of https://rustup.rs, which has nightly versions")
+    setup()
+    install_programs(TRUST_PROGRAMS)
+    miri = ["cargo", "+nightly", "miri", "--version"]
+    if subprocess.run(miri, capture_output=True).returncode != 0:
+        run("rustup", "toolchain", "install", "nightly", "--profile", "minimal", "--component", "miri,rust-src")
+
+
 def trust() -> None:
-    """The fault tests in full, with their figures."""
+    """What docs/trust.md lists but for the platforms, in full, and its figures at the end."""
     need_rust()
     need_c_compiler()
-    run(sys.executable, "tests/c/run.py", "--thorough")
+    setup_trust()
+    pack()
+    python_tests = [f"tests/python/test_{name}.py" for name in ("model_description", "exchange", "importers", "ssp")]
+    commands = [
+        ["cargo", "test", "--test", "fmi", "--test", "allocation", "--", "--nocapture"],
+        *([PYTHON, "-m", "pytest", "-s", "-q", test] for test in python_tests),
+        [PYTHON, "tests/c/run.py", "--thorough"],
+        ["cargo", "+nightly", "miri", "test", "--package", "stribeck", "--lib", "--", *UNDER_MIRI],
+        ["cargo", "+nightly", "miri", "test", "--package", "stribeck", "--test", "life"],
+    ]
+    # Under Miri there is no second process, in which the test of panics runs otherwise.
+    miri = "-Zmiri-env-set=STRIBECK_TEST_PANICS=1"
+    found, failed = [], []
+    for command in commands:
+        try:
+            lines = figures(*command, MIRIFLAGS=miri)
+            found += ["", shlex.join(map(str, command)), *(f"    {line}" for line in lines)]
+        except TaskError as error:
+            failed.append(str(error))
+    print("\n\nWhat was tried, and what came of it:", *found, sep="\n")
+    if failed:
+        raise TaskError("; ".join(failed))
 
 
 def bench() -> None:

@@ -44,20 +44,21 @@ pub fn write(model: &ModelType, snapshot: &Snapshot, owners: [f64; OWNERS], byte
 /// Reads a snapshot of `model` back.
 pub fn read(model: &ModelType, bytes: &[u8]) -> Result<(Snapshot, [f64; OWNERS]), Fault> {
     let refuse = |why: fmt::Arguments| Err(Fault::new(format_args!("serialised state of {}: {why}", model.name)));
-    if bytes.len() != size(model) {
-        return refuse(format_args!("{} bytes, {} are expected", bytes.len(), size(model)));
-    }
-    let (body, checksum) = bytes.split_at(bytes.len() - CHECKSUM);
-    let (head, data) = body.split_at(HEAD);
-    if &head[..8] != MAGIC {
+    // Who wrote the bytes comes first: those of another version are of another size, too.
+    let Some(head) = bytes.get(..HEAD).filter(|head| head.starts_with(MAGIC)) else {
         return refuse(format_args!("not a state of this library"));
-    }
+    };
     if head[8..12] != FORMAT.to_le_bytes() {
         return refuse(format_args!("written in another format by another version of this library"));
     }
     if &head[12..] != model.guid().as_bytes() {
         return refuse(format_args!("it belongs to another model or another version of it"));
     }
+    if bytes.len() != size(model) {
+        return refuse(format_args!("{} bytes, {} are expected", bytes.len(), size(model)));
+    }
+    let (body, checksum) = bytes.split_at(bytes.len() - CHECKSUM);
+    let data = &body[HEAD..];
     if checksum != hash(body).to_le_bytes() {
         return refuse(format_args!("damaged, the checksum differs"));
     }

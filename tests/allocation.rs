@@ -282,6 +282,7 @@ fn a_million_steps_allocate_nothing() {
         let mut slave = Slave::new(catalogue::by_name(name).expect(name));
         let mut values = vec![0.0; slave.reals.len()];
         assert_eq!(allocations(|| slave.run(1_000_000, &mut values)), 0, "{name} allocates");
+        println!("figure: {name}: a million steps, no allocation");
     }
 }
 
@@ -378,7 +379,7 @@ fn no_memory_for_an_fmu_is_an_error() {
             assert_eq!(fmi2FreeFMUstate(c, &mut state), fmi2Status::fmi2OK);
         }
     }
-    println!("FMI: {tested} refused requests for memory, as many errors");
+    println!("figure: FMI: {tested} refused requests for memory, as many errors");
 }
 
 /// Parameters that a rule of the model refuses together, for most laws and the strut.
@@ -437,5 +438,5 @@ fn no_memory_for_a_c_caller_is_a_status() {
             stribeck_free(model);
         }
     }
-    println!("C: {tested} refused requests for memory, as many errors");
+    println!("figure: C: {tested} refused requests for memory, as many errors");
 }

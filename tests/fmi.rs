@@ -2,9 +2,12 @@
 
 mod common;
 
+use std::cell::RefCell;
 use std::ffi::{CStr, CString, c_void};
+use std::ops::Range;
 use std::ptr::{null, null_mut};
 use std::sync::Mutex;
+use std::thread;
 
 use stribeck::catalogue;
 use stribeck::fmi2::exchange::*;
@@ -20,11 +23,16 @@ use stribeck::model::{Kind, Role, Variable};
 /// What the logger of an importer heard.
 type Heard = Mutex<Vec<(fmi2Status, String, String)>>;
 
+thread_local! {
+    /// The instance that was heard last.
+    static NAME: RefCell<String> = const { RefCell::new(String::new()) };
+}
+
 /// Rust cannot define variadic functions, but on the platforms of these tests a function that names the first variadic
 /// argument receives it: on x86-64 and AArch64 Linux and on x86-64 Windows pointers travel in the same registers.
 unsafe extern "C" fn listen(
     environment: *mut c_void,
-    _name: fmi2String,
+    name: fmi2String,
     status: fmi2Status,
     category: fmi2String,
     message: fmi2String,
@@ -34,6 +42,7 @@ unsafe extern "C" fn listen(
     unsafe {
         assert_eq!(CStr::from_ptr(message), c"%s", "the message is a format and must be constant");
         let text = |text| CStr::from_ptr(text).to_string_lossy().into_owned();
+        NAME.set(text(name));
         let heard = &*environment.cast::<Heard>();
         heard.lock().expect("one thread").push((status, text(category), text(argument)));
     }
@@ -212,7 +221,7 @@ fn call(importer: &Importer, purpose: Purpose, call: Call) -> fmi2Status {
             Call::SetDebugLogging => fmi2SetDebugLogging(c, fmi2True, 0, null()),
             Call::SetupExperiment => fmi2SetupExperiment(c, fmi2False, 0.0, 0.0, fmi2False, 0.0),
             Call::EnterInitializationMode => {
-                if importer.one_state_is_set_up() {
+                if !c.is_null() && importer.one_state_is_set_up() {
                     fmi2SetupExperiment(c, fmi2False, 0.0, 0.0, fmi2False, 0.0);
                 }
                 fmi2EnterInitializationMode(c)
@@ -418,7 +427,9 @@ fn every_function_in_every_state_answers_as_the_standard_asks() {
             calls += every_function_answers(name, Purpose::ModelExchange, &STATES_OF_MODEL_EXCHANGE, &MODEL_EXCHANGE);
         }
     }
-    println!("{calls} calls, one of each function in each state of each model, for each purpose that it serves");
+    println!(
+        "figure: {calls} calls, one of each function in each state of each model, for each purpose that it serves"
+    );
 }
 
 #[test]
@@ -450,6 +461,27 @@ fn instantiation_refuses_what_it_cannot_serve() {
     unsafe { fmi2FreeInstance(null_mut()) };
 }
 
+/// Texts of the importer are only valid during the call.
+#[test]
+fn the_name_of_an_instance_is_copied_and_a_logger_that_is_off_hears_nothing() {
+    let heard = Heard::default();
+    let callbacks = callbacks(&heard);
+    let mut name = *b"first\0";
+    // SAFETY: valid texts and callbacks; the instance is freed once.
+    unsafe {
+        let guid = guid("LuGre");
+        let c = fmi2Instantiate(name.as_ptr().cast(), 1, guid.as_ptr(), null(), &callbacks, fmi2False, fmi2False);
+        name.copy_from_slice(b"other\0");
+        assert_eq!(fmi2SetReal(c, &0, 1, &f64::NAN), fmi2Discard);
+        assert_eq!(fmi2Terminate(c), fmi2Error);
+        assert!(heard.lock().expect("one thread").is_empty());
+        assert_eq!(fmi2SetDebugLogging(c, fmi2True, 0, null()), fmi2OK);
+        assert_eq!(fmi2Terminate(c), fmi2Error);
+        assert_eq!(NAME.take(), "first");
+        fmi2FreeInstance(c);
+    }
+}
+
 /// The struct of callbacks is only valid during fmi2Instantiate, and all its pointers may be NULL.
 #[test]
 fn callbacks_are_copied_and_optional() {
@@ -475,13 +507,11 @@ fn callbacks_are_copied_and_optional() {
 
 #[test]
 fn null_components_are_errors() {
-    let c = null_mut();
-    // SAFETY: NULL is allowed everywhere.
-    unsafe {
-        assert_eq!(fmi2DoStep(c, 0.0, 1.0, fmi2True), fmi2Error);
-        assert_eq!(fmi2GetReal(c, null(), 0, null_mut()), fmi2Error);
-        assert_eq!(fmi2GetFMUstate(c, null_mut()), fmi2Error);
-        assert_eq!(fmi2Reset(c), fmi2Error);
+    for (function, ..) in ALLOWED {
+        let nobody = Importer { c: null_mut(), model: "LuGre", heard: Box::default() };
+        for purpose in [Purpose::CoSimulation, Purpose::ModelExchange] {
+            assert_eq!(call(&nobody, purpose, function), fmi2Error, "fmi2{function:?}");
+        }
     }
     // Memory that is no instance is refused too, as long as it is memory.
     let mut other = [0u64; 64];
@@ -560,6 +590,27 @@ fn communication_points_are_compared_with_a_relative_tolerance() {
     assert_eq!(computed.step(90.0, 10.0 - 2e-13), fmi2OK);
     assert_eq!(computed.step(100.0 - 2e-13, 2e-13), fmi2OK, "a last step of 2e-13 s");
     assert_eq!(computed.step(100.0, 1e-3), fmi2Error, "past the stop time");
+}
+
+/// However a master computes the time, and be it wrong by a rounding error, equal steps give equal results.
+#[test]
+fn results_do_not_depend_on_how_the_time_is_computed() {
+    let h = 1e-3;
+    let mut accumulated = vec![0.0];
+    (0..500).for_each(|k| accumulated.push(accumulated[k] + h));
+    assert_ne!(accumulated[500], 500.0 * h, "rounding errors have piled up");
+    for model in catalogue::models() {
+        let run = |time: &dyn Fn(i32) -> f64| drive(&Importer::ready(model.name), 0..500, h, time);
+        let computed = run(&millisecond);
+        let clocks: [(&str, &dyn Fn(i32) -> f64); 3] = [
+            ("accumulated", &|k| accumulated[k as usize]),
+            ("an ulp late", &|k| millisecond(k).next_up()),
+            ("an ulp early", &|k| if k == 0 { 0.0 } else { millisecond(k).next_down() }),
+        ];
+        for (which, clock) in clocks {
+            assert_eq!(run(clock), computed, "{} with time {which}", model.name);
+        }
+    }
 }
 
 #[test]
@@ -815,32 +866,43 @@ fn an_error_is_left_by_reset_or_by_a_saved_state() {
     assert_eq!(importer.step(7.0, 200.0), fmi2OK, "the old stop time is forgotten");
 }
 
+/// Makes steps of `h` with inputs that depend on the number of the step only, each at the time that `time` gives for its
+/// number, and returns the bits of all that can be read after each of them.
+fn drive(importer: &Importer, steps: Range<i32>, h: f64, time: impl Fn(i32) -> f64) -> Vec<u64> {
+    let model = catalogue::by_name(importer.model).expect("a model");
+    let reals = |role: fn(Role) -> bool| {
+        let table = model.table.iter().enumerate();
+        table.filter(move |(_, variable)| role(variable.role) && matches!(variable.kind, Kind::Real(_)))
+    };
+    let outputs: Vec<u32> = reals(Role::is_output).map(|(column, _)| column as u32).collect();
+    let mut values = vec![f64::NAN; outputs.len()];
+    let mut bits = Vec::new();
+    for k in steps {
+        for (column, variable) in reals(|role| role == Role::Input) {
+            let swing = if variable.bound.admits(-1.0) { f64::from(k).sin() } else { 1.0 };
+            let value = variable.start + 0.01 * swing;
+            // SAFETY: one reference, one value.
+            assert_eq!(unsafe { fmi2SetReal(importer.c, &(column as u32), 1, &value) }, fmi2OK);
+        }
+        assert_eq!(importer.step(time(k), h), fmi2OK, "{} in step {k}", importer.model);
+        // SAFETY: as many references as values.
+        let status = unsafe { fmi2GetReal(importer.c, outputs.as_ptr(), outputs.len(), values.as_mut_ptr()) };
+        assert_eq!(status, fmi2OK, "{}", importer.model);
+        bits.extend(values.iter().map(|value| value.to_bits()));
+    }
+    bits
+}
+
+/// The time of a step of 1 ms.
+fn millisecond(k: i32) -> f64 {
+    f64::from(k) * 1e-3
+}
+
 /// Save, 1000 steps, restore, 1000 steps: the same bits, also through bytes and in another instance.
 #[test]
 fn a_restored_state_has_the_same_future() {
     for model in catalogue::models() {
-        let drive = |importer: &Importer, from: i32| -> Vec<u64> {
-            let outputs =
-                model.table.iter().enumerate().filter(|(_, v)| v.role.is_output() && matches!(v.kind, Kind::Real(_)));
-            let outputs: Vec<u32> = outputs.map(|(column, _)| column as u32).collect();
-            let mut bits = Vec::new();
-            for k in from..from + 1000 {
-                for (column, variable) in model.table.iter().enumerate().filter(|(_, v)| v.role == Role::Input) {
-                    let swing = if variable.bound.admits(-1.0) { f64::from(k).sin() } else { 1.0 };
-                    let value = variable.start + 0.01 * swing;
-                    // SAFETY: one reference, one value.
-                    assert_eq!(unsafe { fmi2SetReal(importer.c, &(column as u32), 1, &value) }, fmi2OK);
-                }
-                assert_eq!(importer.step(f64::from(k) * 1e-3, 1e-3), fmi2OK);
-                for output in &outputs {
-                    let mut value = 0.0;
-                    // SAFETY: one reference, one value.
-                    assert_eq!(unsafe { fmi2GetReal(importer.c, output, 1, &mut value) }, fmi2OK);
-                    bits.push(value.to_bits());
-                }
-            }
-            bits
-        };
+        let drive = |importer: &Importer, from| drive(importer, from..from + 1000, 1e-3, millisecond);
         let importer = Importer::ready(model.name);
         drive(&importer, 0);
         let mut saved = importer.save();
@@ -868,6 +930,95 @@ fn a_restored_state_has_the_same_future() {
             assert_eq!(fmi2FreeFMUstate(importer.c, &mut saved), fmi2OK);
         }
     }
+}
+
+/// What one thread has saved another one restores, in an instance of its own, and frees.
+#[test]
+fn a_saved_state_goes_on_in_another_thread() {
+    struct Carried(fmi2FMUstate);
+    // SAFETY: a saved state belongs to no thread.
+    unsafe impl Send for Carried {}
+    for model in catalogue::models() {
+        let importer = Importer::ready(model.name);
+        drive(&importer, 0..100, 1e-3, millisecond);
+        let carried = Carried(importer.save());
+        let future = drive(&importer, 100..200, 1e-3, millisecond);
+        let elsewhere = thread::spawn(move || {
+            let Carried(mut saved) = { carried };
+            let other = Importer::new(model.name);
+            // SAFETY: a state of this library, freed once.
+            unsafe {
+                assert_eq!(fmi2SetFMUstate(other.c, saved), fmi2OK);
+                assert_eq!(fmi2FreeFMUstate(other.c, &mut saved), fmi2OK);
+            }
+            drive(&other, 100..200, 1e-3, millisecond)
+        });
+        assert_eq!(elsewhere.join().expect("no panic"), future, "{}", model.name);
+    }
+}
+
+/// FNV-1a of 64 bits, as RFC 9923 has it: it ends every serialised state.
+fn seal(bytes: &mut [u8]) {
+    let (body, checksum) = bytes.split_at_mut(bytes.len() - 8);
+    let mut hash: u64 = 14_695_981_039_346_656_037;
+    for byte in body {
+        hash = (hash ^ u64::from(*byte)).wrapping_mul(1_099_511_628_211);
+    }
+    checksum.copy_from_slice(&hash.to_le_bytes());
+}
+
+/// States that are sound in themselves, but not of this version of the model: the error says so, and nothing changes.
+#[test]
+fn states_of_other_versions_are_refused_as_such() {
+    let importer = Importer::ready("LuGre");
+    let mut state = importer.save();
+    let own: Vec<u8> = importer.bytes(state).iter().map(|byte| *byte as u8).collect();
+    let (format, guid) = (8, 12..50);
+    let changed = |change: &dyn Fn(&mut Vec<u8>)| {
+        let mut bytes = own.clone();
+        change(&mut bytes);
+        seal(&mut bytes);
+        bytes
+    };
+    let of_format = |number: u8| changed(&|bytes| bytes[format] = number);
+    let of_other_model = |length: usize| {
+        changed(&|bytes| {
+            bytes[guid.clone()].copy_from_slice(b"{00000000-0000-0000-0000-000000000000}");
+            bytes.truncate(length);
+        })
+    };
+    let short = |length: usize| changed(&|bytes| bytes.truncate(length));
+    let (other_format, other_model) = ("another format by another version", "another model or another version of it");
+    let cases = [
+        (own.clone(), None),
+        (of_format(0), Some(other_format)),
+        (of_format(2), Some(other_format)),
+        (of_other_model(own.len()), Some(other_model)),
+        // An older one had fewer variables.
+        (of_other_model(own.len() - 32), Some(other_model)),
+        (short(own.len() - 8), Some("bytes, ")),
+        (short(40), Some("not a state of this library")),
+    ];
+    for (bytes, why) in cases {
+        let mut read = null_mut();
+        // SAFETY: bytes of this test; states freed once.
+        let status = unsafe { fmi2DeSerializeFMUstate(importer.c, bytes.as_ptr().cast(), bytes.len(), &mut read) };
+        match why {
+            None => assert_eq!(status, fmi2OK),
+            Some(why) => {
+                assert_eq!(status, fmi2Error, "{why}");
+                assert!(read.is_null());
+                let text = importer.one_message().2;
+                assert!(text.contains("serialised state of LuGre: ") && text.contains(why), "{text}");
+                // SAFETY: a state of this instance.
+                assert_eq!(unsafe { fmi2SetFMUstate(importer.c, state) }, fmi2OK, "the way out of an error");
+            }
+        }
+        // SAFETY: freed once, or NULL.
+        unsafe { fmi2FreeFMUstate(importer.c, &mut read) };
+    }
+    // SAFETY: freed once.
+    unsafe { fmi2FreeFMUstate(importer.c, &mut state) };
 }
 
 #[test]

@@ -127,8 +127,9 @@ crate::model! {
 /// by).
 const TOLERANCE: f64 = 1e-13;
 
-/// So close to steady sliding its approach is an exponential: 1 - alpha is of second order (chosen).
-const NEAR: f64 = 1e-10;
+/// So close to steady sliding, in units of z_ss - z_ba, its approach is an exponential (chosen: there 1 - alpha is less
+/// than 3e-13, which is (pi / 2 NEAR)^2).
+const NEAR: f64 = 3e-7;
 
 impl<T: Component> ElastoPlasticPlanar<T> {
     fn velocity(&self) -> Vector2<T> {
@@ -259,7 +260,7 @@ impl Bristle {
         let (mut left, mut piece) = (distance, 0.01 * (1.0 - kappa));
         while left > 0.0 {
             let [along, across, area] = at;
-            if (along - 1.0).abs() < NEAR && across.abs() < NEAR {
+            if (along - 1.0).hypot(across) < NEAR * (1.0 - kappa) {
                 let gone = -(-left).exp_m1();
                 at = [along - (along - 1.0) * gone, across * (1.0 - gone), area + left + (along - 1.0) * gone];
                 break;

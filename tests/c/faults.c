@@ -1,7 +1,7 @@
 /* What a host may do to a library without a mistake of its own: small stacks, many threads, odd floating-point modes,
  * senseless numbers. Every model of the library is tried.
  *
- * Usage: faults stack|threads|race|environment|long|<CPU seconds of the sweep for each model> <model>={guid} ...
+ * Usage: faults stack|threads|race|short|environment|long|<CPU seconds of the sweep for each model> <model>={guid} ...
  */
 #define _GNU_SOURCE
 #include <fenv.h>
@@ -518,6 +518,17 @@ static void race(void) {
     fmi2FreeInstance(slave);
 }
 
+/* Wrong on purpose: an array is shorter than the library is told. To prove that an address sanitizer is at work there. */
+static void short_array(void) {
+    double *value = memory(sizeof *value);
+    fmi2ValueReference twice[2] = {models[0].reals[0], models[0].reals[0]};
+    fmi2Component slave = make(&models[0], NULL);
+    CHECK(initialise(slave) == fmi2OK);
+    CHECK(fmi2GetReal(slave, twice, 2, value) == fmi2OK);
+    fmi2FreeInstance(slave);
+    free(value);
+}
+
 /* ---------------------------------------------------------------------- floating-point environment, locale */
 
 /* The bits of 200 everyday steps. */
@@ -657,6 +668,8 @@ int main(int argc, char **argv) {
         threads();
     } else if (strcmp(what, "race") == 0) {
         race();
+    } else if (strcmp(what, "short") == 0) {
+        short_array();
     } else if (strcmp(what, "environment") == 0) {
         environment();
     } else if (strcmp(what, "long") == 0) {

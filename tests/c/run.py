@@ -2,7 +2,8 @@
 """Compiles and runs the C and C++ programs against include/stribeck.h and the release library.
 
     python3 tests/c/run.py              in about two minutes
-    python3 tests/c/run.py --thorough   with 10,000 loads, a million steps, under Valgrind and thread sanitizer
+    python3 tests/c/run.py --thorough   with 10,000 loads, a million steps, under Valgrind and with sanitizers in the
+                                        library itself; needs nightly Rust
 
 Every program is compiled with warnings as errors, linked to the shared and to the static library, and run as it is and
 under the address and undefined-behaviour sanitizers. On Linux faults of hosts are then tried on every model. The
@@ -161,6 +162,12 @@ def runs(program, *arguments, prints=()):
     return done
 
 
+def report(program, *arguments, label=""):
+    """Runs a program that prints what it has tried, and prints that as figures."""
+    done = runs(program, *arguments, prints=[" 0 failed"])
+    print("".join(f"figure: {label}{line}\n" for line in done.stdout.splitlines()), end="", flush=True)
+
+
 def refuses(program, *arguments, complains):
     """The program must fail with exit code 1 and say why."""
     done = run([program, *arguments])
@@ -259,22 +266,52 @@ def test_valgrind(compiler, results):
     results.check("valgrind: faults", lambda: clean(faults, "threads", *models()))
 
 
+class Instrumented:
+    """Library and programs with a sanitizer in both; the standard library of Rust has none in it."""
+
+    TARGET = "x86_64-unknown-linux-gnu"
+
+    def __init__(self, sanitizer, output_folder):
+        self.flag = f"-fsanitize={sanitizer}"
+        self.folder = output_folder / f"{sanitizer}-sanitizer"
+        self.library = self.folder / self.TARGET / "debug" / "libstribeck.so"
+        cargo = ["cargo", "+nightly", "build", "--lib", "-p", "stribeck", "--target", self.TARGET]
+        flags = f"-Zsanitizer={sanitizer} -Cunsafe-allow-abi-mismatch=sanitizer"
+        settings = {**os.environ, "RUSTFLAGS": flags, "CARGO_TARGET_DIR": str(self.folder)}
+        if subprocess.run(cargo, cwd=ROOT, env=settings).returncode != 0:
+            cure = "if there is no nightly: rustup toolchain install nightly"
+            raise Failed(f"no library with {sanitizer} sanitizer; {cure}")
+
+    def compile(self, *sources):
+        """The sources of a program, linked to the library."""
+        program = self.folder / sources[0].stem
+        compiler = [*find_compiler("CC", "gcc"), STANDARD[".c"], self.flag, "-g", "-O1", f"-I{ROOT / 'include'}"]
+        linked = [self.library, f"-Wl,-rpath,{self.library.parent}", "-lm", "-lpthread", "-ldl"]
+        succeed([*compiler, *sources, "-o", program, *linked])
+        return program
+
+
 def test_threads(output_folder, results):
-    """Thread sanitizer in the library itself and in its host; the standard library of Rust is not instrumented."""
-    target = "x86_64-unknown-linux-gnu"
-    cargo = ["cargo", "+nightly", "build", "--lib", "-p", "stribeck", "--target", target]
-    build_folder = output_folder / "tsan"
-    flags = "-Zsanitizer=thread -Cunsafe-allow-abi-mismatch=sanitizer"
-    settings = {**os.environ, "RUSTFLAGS": flags, "CARGO_TARGET_DIR": str(build_folder)}
-    if subprocess.run(cargo, cwd=ROOT, env=settings).returncode != 0:
-        raise Failed("no library with thread sanitizer; if there is no nightly: rustup toolchain install nightly")
-    library = build_folder / target / "debug" / "libstribeck.so"
-    sources = [TESTS / "faults.c", TESTS / "tsan.c"]
-    program = output_folder / "faults-tsan"
-    compiler = [*find_compiler("CC", "gcc"), "-std=c99", "-fsanitize=thread", "-g", "-O1", f"-I{ROOT / 'include'}"]
-    succeed([*compiler, *sources, "-o", program, library, f"-Wl,-rpath,{library.parent}", "-lm", "-lpthread"])
-    results.check("thread sanitizer: race", lambda: is_caught(program, "race", *models(), by="src/instance.rs"))
-    results.check("thread sanitizer: threads", lambda: runs(program, "threads", *models(), prints=[" 0 failed"]))
+    """The thread sanitizer sees two threads in one instance, and none in a thousand that are handed round."""
+    faults = Instrumented("thread", output_folder).compile(TESTS / "faults.c", TESTS / "tsan.c")
+    label = "thread sanitizer: "
+    results.check(f"{label}race", lambda: is_caught(faults, "race", *models(), by="src/instance.rs"))
+    results.check(f"{label}threads", lambda: report(faults, "threads", *models(), label=label))
+
+
+def test_addresses(output_folder, results):
+    """The address sanitizer sees an array that is too short, and nothing in the fault programs; no leak either."""
+    instrumented = Instrumented("address", output_folder)
+    faults, loads = instrumented.compile(TESTS / "faults.c"), instrumented.compile(TESTS / "loads.c")
+    guid = models()[0].partition("=")[2]
+    label = "address sanitizer: "
+    results.check(f"{label}short array", lambda: is_caught(faults, "short", *models(), by="src/fmi2/values.rs"))
+    results.check(f"{label}environment", lambda: report_environments(faults, label))
+    for fault in ["threads", "0.5"]:
+        results.check(f"{label}{fault}", lambda fault=fault: report(faults, fault, *models(), label=label))
+    with tempfile.TemporaryDirectory() as folder:
+        arguments = [instrumented.library, folder, 200, guid]
+        results.check(f"{label}loads", lambda: report(loads, *arguments, label=label))
 
 
 def models():
@@ -290,6 +327,17 @@ def models():
     return found
 
 
+def report_environments(faults, label=""):
+    """Odd floating-point modes, and the German locale, whether or not it is installed."""
+    if shutil.which("localedef") is None or not Path("/usr/share/i18n/locales/de_DE").is_file():
+        raise Failed("no definition of the German locale: apt install locales (Debian, Ubuntu)")
+    with tempfile.TemporaryDirectory() as folder:
+        # With warnings, as some definitions have, the exit code is 1; the program checks the locale.
+        run(["localedef", "-i", "de_DE", "-f", "UTF-8", Path(folder) / "de_DE.UTF-8"])
+        os.environ["LOCPATH"] = folder
+        report(faults, "environment", *models(), label=label)
+
+
 def test_faults(compiler, results, thorough):
     """What a host may do to the library. Each program prints what it has tried, with the figures."""
     if platform.system() != "Linux":
@@ -299,25 +347,12 @@ def test_faults(compiler, results, thorough):
     faults = compiler.compile(TESTS / "faults.c", "shared", False)
     loads = compiler.compile(TESTS / "loads.c", "loaded", False)
 
-    def report(program, *arguments):
-        print(runs(program, *arguments, prints=[" 0 failed"]).stdout, end="")
-
-    def german(folder):
-        """The German locale, whether or not it is installed."""
-        if shutil.which("localedef") is None or not Path("/usr/share/i18n/locales/de_DE").is_file():
-            raise Failed("no definition of the German locale: apt install locales (Debian, Ubuntu)")
-        # With warnings, as some definitions have, the exit code is 1; the program checks the locale.
-        run(["localedef", "-i", "de_DE", "-f", "UTF-8", Path(folder) / "de_DE.UTF-8"])
-        os.environ["LOCPATH"] = folder
-        report(faults, "environment", *all_models)
-
-    seconds = "60" if thorough else "0.5"
+    seconds = "5" if thorough else "0.5"
     for fault in ["stack", "threads", seconds, *(["long"] if thorough else [])]:
         results.check(f"fault: {fault}", lambda fault=fault: report(faults, fault, *all_models))
     guid = all_models[0].partition("=")[2]
     cycles = 10_000 if thorough else 500
-    with tempfile.TemporaryDirectory() as folder:
-        results.check("fault: environment", lambda: german(folder))
+    results.check("fault: environment", lambda: report_environments(faults))
     with tempfile.TemporaryDirectory() as folder:
         results.check("fault: loads", lambda: report(loads, compiler.shared_library(), folder, cycles, guid))
 
@@ -356,8 +391,9 @@ def main():
     if thorough:
         test_valgrind(compiler, results)
         test_threads(output_folder, results)
+        test_addresses(output_folder, results)
 
-    print(f"{results.passed} passed, {results.failed} failed")
+    print(f"figure: C programs: {results.passed} passed, {results.failed} failed")
     return 1 if results.failed else 0
 
 

@@ -36,6 +36,14 @@ def pytest_sessionstart() -> None:
         pytest.exit(f"missing or outdated in {FMUS}: {', '.join(stale)}; run `python3 tasks.py pack`", returncode=1)
 
 
+def pytest_terminal_summary(terminalreporter) -> None:
+    """What `tasks.py trust` keeps of a run."""
+    counts = [
+        f"{len(terminalreporter.stats.get(word, []))} {word}" for word in ("passed", "skipped", "failed", "error")
+    ]
+    terminalreporter.write_line(f"figure: {', '.join(counts)}")
+
+
 @functools.cache
 def _cached_run(model: str, step: float, time: float, exchange: str, parameters: tuple) -> BeltRun:
     return run_belt(FMUS, model, step, time, exchange, dict(parameters))

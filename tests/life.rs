@@ -1,0 +1,180 @@
+//! A whole life of every model through both C interfaces: short, so that Miri can watch each access to memory.
+
+#![allow(non_upper_case_globals, reason = "the names of the standard")]
+
+use std::ffi::{CStr, CString};
+use std::ptr::{null, null_mut};
+
+use stribeck::c_api::stribeck_status::{STRIBECK_OK, STRIBECK_REFUSED_VALUE};
+use stribeck::c_api::*;
+use stribeck::catalogue;
+use stribeck::fmi2::exchange::*;
+use stribeck::fmi2::setup::*;
+use stribeck::fmi2::snapshot::*;
+use stribeck::fmi2::step::*;
+use stribeck::fmi2::types::fmi2Status::*;
+use stribeck::fmi2::types::*;
+use stribeck::fmi2::values::*;
+use stribeck::model::{Kind, ModelType, Role, Variable};
+
+/// Value references of the Real variables that are wanted.
+fn reals(model: &ModelType, is_wanted: impl Fn(&Variable) -> bool) -> Vec<fmi2ValueReference> {
+    let is_real = |variable: &Variable| matches!(variable.kind, Kind::Real(_));
+    let table = model.table.iter().enumerate();
+    table.filter(|(_, variable)| is_real(variable) && is_wanted(variable)).map(|(column, _)| column as u32).collect()
+}
+
+fn is_output(variable: &Variable) -> bool {
+    variable.role.is_output()
+}
+
+/// An initialised instance whose inputs have their start values.
+///
+/// # Safety
+/// The instance must be freed.
+unsafe fn begin(model: &ModelType, kind: fmi2Type) -> fmi2Component {
+    let guid = CString::new(model.guid()).expect("no zero byte");
+    let callbacks = fmi2CallbackFunctions {
+        logger: None,
+        allocateMemory: None,
+        freeMemory: None,
+        stepFinished: None,
+        componentEnvironment: null_mut(),
+    };
+    let inputs = reals(model, |variable| variable.role == Role::Input);
+    let starts: Vec<f64> = inputs.iter().map(|column| model.table[*column as usize].start).collect();
+    // SAFETY: valid texts, callbacks and arrays.
+    unsafe {
+        let name = c"life".as_ptr();
+        let c = fmi2Instantiate(name, kind, guid.as_ptr(), null(), &callbacks, fmi2False, fmi2True);
+        assert!(!c.is_null(), "{}", model.name);
+        assert_eq!(fmi2SetupExperiment(c, fmi2False, 0.0, 0.0, fmi2False, 0.0), fmi2OK);
+        assert_eq!(fmi2EnterInitializationMode(c), fmi2OK);
+        assert_eq!(fmi2SetReal(c, inputs.as_ptr(), inputs.len(), starts.as_ptr()), fmi2OK);
+        assert_eq!(fmi2ExitInitializationMode(c), fmi2OK);
+        c
+    }
+}
+
+/// Reads the outputs, and their slopes against the first input.
+///
+/// # Safety
+/// `c` must be a live instance of the model.
+unsafe fn look(model: &ModelType, c: fmi2Component) -> Vec<f64> {
+    let (outputs, inputs) = (reals(model, is_output), reals(model, |variable| variable.role == Role::Input));
+    let mut values = vec![f64::NAN; 2 * outputs.len()];
+    let (found, slopes) = values.split_at_mut(outputs.len());
+    let (count, known) = (outputs.len(), inputs.len().min(1));
+    // SAFETY: arrays of as many elements as are named.
+    unsafe {
+        assert_eq!(fmi2GetReal(c, outputs.as_ptr(), count, found.as_mut_ptr()), fmi2OK);
+        let status =
+            fmi2GetDirectionalDerivative(c, outputs.as_ptr(), count, inputs.as_ptr(), known, &1.0, slopes.as_mut_ptr());
+        assert_eq!(status, fmi2OK);
+    }
+    values
+}
+
+#[test]
+fn steps_and_states_of_co_simulation() {
+    for model in catalogue::models() {
+        // SAFETY: an instance and states of this test, each freed once; arrays of as many elements as are named.
+        unsafe {
+            let c = begin(model, fmi2CoSimulation);
+            assert_eq!(fmi2DoStep(c, 0.0, 1e-3, fmi2True), fmi2OK, "{}", model.name);
+            let (mut state, mut copy, mut size) = (null_mut(), null_mut(), 0);
+            assert_eq!(fmi2GetFMUstate(c, &mut state), fmi2OK);
+            assert_eq!(fmi2SerializedFMUstateSize(c, state, &mut size), fmi2OK);
+            let mut bytes = vec![0; size];
+            assert_eq!(fmi2SerializeFMUstate(c, state, bytes.as_mut_ptr(), size), fmi2OK);
+            for input in reals(model, |variable| variable.role == Role::Input) {
+                assert_eq!(fmi2SetRealInputDerivatives(c, &input, 1, &1, &1e-6), fmi2OK);
+            }
+            assert_eq!(fmi2DoStep(c, 1e-3, 1e-6, fmi2True), fmi2OK, "{}: a ramp", model.name);
+            for output in reals(model, is_output) {
+                assert_eq!(fmi2GetRealOutputDerivatives(c, &output, 1, &1, &mut 0.0), fmi2OK);
+            }
+            let seen = look(model, c);
+            assert_eq!(fmi2DoStep(c, f64::NAN, 1e-3, fmi2True), fmi2Error);
+            assert_eq!(fmi2DeSerializeFMUstate(c, bytes.as_ptr(), size, &mut copy), fmi2OK);
+            assert_eq!(fmi2SetFMUstate(c, copy), fmi2OK);
+            assert_eq!(fmi2GetFMUstate(c, &mut state), fmi2OK, "overwritten");
+            for input in reals(model, |variable| variable.role == Role::Input) {
+                assert_eq!(fmi2SetRealInputDerivatives(c, &input, 1, &1, &1e-6), fmi2OK);
+            }
+            assert_eq!(fmi2DoStep(c, 1e-3, 1e-6, fmi2True), fmi2OK);
+            assert_eq!(look(model, c), seen, "{}", model.name);
+            assert_eq!(fmi2FreeFMUstate(c, &mut state), fmi2OK);
+            assert_eq!(fmi2FreeFMUstate(c, &mut copy), fmi2OK);
+            assert_eq!(fmi2Terminate(c), fmi2OK);
+            assert_eq!(fmi2Reset(c), fmi2OK);
+            fmi2FreeInstance(c);
+        }
+    }
+}
+
+#[test]
+fn events_and_rates_of_model_exchange() {
+    for model in catalogue::models().filter(|model| model.model_exchange) {
+        let states = model.continuous_states().count();
+        let (mut x, mut rates, mut indicators) =
+            (vec![0.0; states], vec![0.0; states], vec![0.0; model.event_indicators]);
+        let (mut enters, mut ends) = (fmi2False, fmi2False);
+        let mut event = fmi2EventInfo {
+            newDiscreteStatesNeeded: fmi2False,
+            terminateSimulation: fmi2False,
+            nominalsOfContinuousStatesChanged: fmi2False,
+            valuesOfContinuousStatesChanged: fmi2False,
+            nextEventTimeDefined: fmi2False,
+            nextEventTime: 0.0,
+        };
+        // SAFETY: an instance of this test, freed once; arrays of as many elements as are named.
+        unsafe {
+            let c = begin(model, fmi2ModelExchange);
+            assert_eq!(fmi2NewDiscreteStates(c, &mut event), fmi2OK);
+            assert_eq!(fmi2EnterContinuousTimeMode(c), fmi2OK);
+            assert_eq!(fmi2GetNominalsOfContinuousStates(c, x.as_mut_ptr(), states), fmi2OK);
+            assert!(x.iter().all(|nominal| *nominal > 0.0), "{}", model.name);
+            assert_eq!(fmi2GetContinuousStates(c, x.as_mut_ptr(), states), fmi2OK);
+            assert_eq!(fmi2SetTime(c, 1e-3), fmi2OK);
+            assert_eq!(fmi2SetContinuousStates(c, x.as_ptr(), states), fmi2OK);
+            assert_eq!(fmi2GetDerivatives(c, rates.as_mut_ptr(), states), fmi2OK, "{}", model.name);
+            assert_eq!(fmi2GetEventIndicators(c, indicators.as_mut_ptr(), indicators.len()), fmi2OK);
+            assert!(rates.iter().chain(&indicators).all(|value| value.is_finite()), "{}", model.name);
+            assert_eq!(fmi2CompletedIntegratorStep(c, fmi2True, &mut enters, &mut ends), fmi2OK);
+            look(model, c);
+            assert_eq!(fmi2EnterEventMode(c), fmi2OK);
+            fmi2FreeInstance(c);
+        }
+    }
+}
+
+#[test]
+fn handles_of_the_c_interface() {
+    for model in catalogue::models() {
+        let name = CString::new(model.name).expect("no zero byte");
+        let mut handle = null_mut();
+        // SAFETY: a handle of this test, freed once; texts that end, and a buffer of the size that is named.
+        unsafe {
+            assert_eq!(stribeck_create(name.as_ptr(), &mut handle), STRIBECK_OK);
+            let mut variable = std::mem::zeroed();
+            let (last, mut found, mut value) = (stribeck_column_count(handle) - 1, u32::MAX, f64::NAN);
+            assert_eq!(stribeck_describe(handle, last, &mut variable), STRIBECK_OK);
+            assert_eq!(stribeck_find(handle, variable.name, &mut found), STRIBECK_OK);
+            assert_eq!((found, stribeck_get(handle, found, &mut value)), (last, STRIBECK_OK));
+            let mut bytes = vec![0u8; stribeck_state_size(handle)];
+            assert_eq!(stribeck_save(handle, bytes.as_mut_ptr().cast(), bytes.len()), STRIBECK_OK);
+            assert_eq!(stribeck_step(handle, 1e-3), STRIBECK_OK, "{}", model.name);
+            assert_eq!(stribeck_step(handle, -1.0), STRIBECK_REFUSED_VALUE);
+            assert!(CStr::from_ptr(stribeck_last_error(handle)).to_string_lossy().contains("dt = -1"));
+            let input = reals(model, |variable| variable.role != Role::Output)[0];
+            for output in reals(model, is_output) {
+                assert_eq!(stribeck_derivative(handle, output, input, &mut 0.0), STRIBECK_OK);
+            }
+            assert_eq!(stribeck_restore(handle, bytes.as_ptr().cast(), bytes.len()), STRIBECK_OK);
+            assert_eq!(stribeck_time(handle), 0.0);
+            assert_eq!(stribeck_reset(handle), STRIBECK_OK);
+            stribeck_free(handle);
+        }
+    }
+}
