@@ -3,7 +3,9 @@
 mod archive;
 mod binary;
 mod block;
+mod compatibility;
 mod curve;
+mod declarations;
 mod defaults;
 mod dependencies;
 mod diagrams;
@@ -13,6 +15,7 @@ mod generated;
 mod header;
 mod html;
 mod icon;
+mod interface;
 mod library;
 mod mathematics;
 mod package;
@@ -39,6 +42,7 @@ use anyhow::{Context, Result, bail, ensure};
 use clap::{Parser, Subcommand};
 use jiff::Timestamp;
 
+use crate::generated::Generated;
 use crate::library::Library;
 use crate::package::Entry;
 use crate::platform::{Choice, Platform};
@@ -53,9 +57,10 @@ struct Arguments {
 
 #[derive(Subcommand)]
 enum Command {
-    /// Write modelDescription/*.xml, include/stribeck.h and the tables in README.md and docs.
+    /// Write modelDescription/*.xml, include/stribeck.h, interface.csv and the tables in README.md and docs. Refuses
+    /// changes of the interface that break hosts, unless the version begins a new series.
     Generate,
-    /// Write nothing; fail if one of these files is stale or a table breaks a rule.
+    /// Write nothing; fail if one of these files is stale, a table breaks a rule, or a change breaks hosts.
     Check,
     /// Write the documentation pages of the FMUs alone, to look at them.
     Pages {
@@ -106,7 +111,8 @@ fn main() -> ExitCode {
 }
 
 fn generate(root: &Path) -> Result<()> {
-    let stale = generated::stale(root)?;
+    let Generated { stale, interface } = generated::of(root)?;
+    compatibility::review(root, &interface)?;
     for file in &stale {
         file.write(root)?;
         println!("wrote {}", file.path.display());
@@ -118,7 +124,8 @@ fn generate(root: &Path) -> Result<()> {
 }
 
 fn check(root: &Path) -> Result<()> {
-    let stale = generated::stale(root)?;
+    let Generated { stale, interface } = generated::of(root)?;
+    compatibility::review(root, &interface)?;
     let breaches = rules::breaches(root)?;
     for file in &stale {
         println!("stale: {}", file.path.display());
@@ -132,7 +139,10 @@ fn check(root: &Path) -> Result<()> {
     if !breaches.is_empty() {
         bail!("broken rules: {}", breaches.len());
     }
-    println!("generated files are up to date, and the tables keep the rules");
+    println!(
+        "generated files are up to date, the tables keep the rules, and the interface is that of {}",
+        interface::FILE
+    );
     Ok(())
 }
 
@@ -183,7 +193,8 @@ fn buildable(root: &Path, platforms: &[Platform]) -> Result<(Vec<Platform>, Vec<
 fn build(root: &Path, platforms: &[Platform]) -> Result<Vec<Library>> {
     let header = root.join("include").join("stribeck.h");
     let header = fs::read_to_string(&header).with_context(|| format!("cannot read {}", header.display()))?;
-    let functions = header::functions(&header);
+    let declared = declarations::of(&header).into_iter().filter(|found| found.kind == declarations::Kind::Function);
+    let functions: Vec<_> = declared.map(|function| function.name).collect();
     let mut libraries = Vec::new();
     for platform in platforms {
         let library = library::build(root, *platform, &functions)?;
@@ -206,7 +217,7 @@ fn write(entries: &[Entry], libraries: &[Library], root: &Path, date: Timestamp,
 
 /// The library refuses an FMU whose XML was written from another table.
 fn refuse_stale(root: &Path) -> Result<()> {
-    if let Some(file) = generated::stale(root)?.first() {
+    if let Some(file) = generated::of(root)?.stale.first() {
         bail!("{} is stale: run `cargo run -p fmu-build -- generate` and review the change", file.path.display());
     }
     Ok(())
