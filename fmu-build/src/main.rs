@@ -4,6 +4,7 @@ mod archive;
 mod binary;
 mod block;
 mod compatibility;
+mod crates;
 mod curve;
 mod declarations;
 mod defaults;
@@ -17,12 +18,14 @@ mod html;
 mod icon;
 mod interface;
 mod library;
+mod licenses;
 mod mathematics;
 mod package;
 mod platform;
 mod project;
 mod readme;
 mod rules;
+mod sbom;
 #[cfg(test)]
 mod specimen;
 mod ssp;
@@ -40,11 +43,10 @@ use std::process::ExitCode;
 
 use anyhow::{Context, Result, bail, ensure};
 use clap::{Parser, Subcommand};
-use jiff::Timestamp;
 
 use crate::generated::Generated;
 use crate::library::Library;
-use crate::package::Entry;
+use crate::package::{Entry, Packing};
 use crate::platform::{Choice, Platform};
 
 /// Writes what derives from the tables of Stribeck's models, and packs its FMUs.
@@ -166,14 +168,15 @@ fn pack(root: &Path, models: &[String], out: &Path, choices: &[Choice], strict: 
     for library in build(root, &platforms)? {
         bundles.entry(library.platform.subfolder()).or_default().push(library);
     }
-    for (folder, libraries) in &bundles {
+    let is_empty = bundles.is_empty();
+    for (folder, libraries) in bundles {
         let out = if folder.is_empty() { out.to_owned() } else { out.join(folder) };
-        write(&entries, libraries, root, date, &out)?;
+        write(&entries, &Packing::new(root, libraries, date)?, &out)?;
     }
     for line in &left_out {
         println!("left out: {line}");
     }
-    ensure!(!bundles.is_empty(), "nothing to pack: every platform was left out");
+    ensure!(!is_empty, "nothing to pack: every platform was left out");
     Ok(())
 }
 
@@ -205,13 +208,12 @@ fn build(root: &Path, platforms: &[Platform]) -> Result<Vec<Library>> {
     Ok(libraries)
 }
 
-fn write(entries: &[Entry], libraries: &[Library], root: &Path, date: Timestamp, out: &Path) -> Result<()> {
+fn write(entries: &[Entry], packing: &Packing, out: &Path) -> Result<()> {
     for entry in entries {
-        let size = package::write(entry, libraries, root, date, out)?;
+        let size = packing.write(entry, out)?;
         println!("{:<20} {:>9} bytes", format!("{}.fmu", entry.model.name), size);
     }
-    let names: Vec<_> = libraries.iter().map(|library| library.platform.name()).collect();
-    println!("{} FMUs for {} in {}", entries.len(), names.join(", "), out.display());
+    println!("{} FMUs for {} in {}", entries.len(), packing.platforms().join(", "), out.display());
     Ok(())
 }
 
@@ -226,12 +228,12 @@ fn refuse_stale(root: &Path) -> Result<()> {
 fn ssp(root: &Path, out: &Path) -> Result<()> {
     refuse_stale(root)?;
     let date = project::packing_date()?;
-    let libraries = build(root, &platform::platforms(&[Choice::Host])?)?;
+    let packing = Packing::new(root, build(root, &platform::platforms(&[Choice::Host])?)?, date)?;
     let mut files = archive::Files::new();
     let models: Vec<String> = four_post::add_to(&mut files, root)?.into_iter().map(str::to_owned).collect();
     for entry in package::select(&models)? {
         // libcosim and Ecos know no enumerations.
-        let bytes = package::fmu(&entry, &libraries, root, date, xml::Choices::Numbered)?;
+        let bytes = packing.fmu(&entry, xml::Choices::Numbered)?;
         files.insert(ssp::fmu(entry.model.name), bytes);
     }
     let file = format!("{}.ssp", four_post::NAME);
