@@ -7,6 +7,7 @@
     python3 tasks.py bench    the benchmarks
     python3 tasks.py pack     the FMUs into dist/
     python3 tasks.py platforms  the FMUs for Linux, Windows and macOS, run under wine and qemu
+    python3 tasks.py supply   licences, sources and known faults of the crates, with cargo-deny
     python3 tasks.py setup    .venv with the Python packages
     python3 tasks.py clean    remove what the other tasks have made
 
@@ -32,6 +33,10 @@ REQUIREMENTS_OF_PLATFORMS = ROOT / "requirements-platforms.txt"
 WINDOWS = os.name == "nt"
 PROGRAMS = VENV / ("Scripts" if WINDOWS else "bin")
 PYTHON = PROGRAMS / ("python.exe" if WINDOWS else "python")
+
+# Programs that cargo builds for tasks, outside the project's own crates, with their versions.
+TOOLS = ROOT / "target" / "tools"
+CARGO_DENY = "0.20.2"
 
 RUST_FOLDERS = ["src", "tests", "benches", "fmu-build", "lab", "examples"]
 PYTHON_FOLDERS = ["tasks.py", "examples", "tests"]
@@ -276,6 +281,32 @@ def trust() -> None:
         raise TaskError("; ".join(failed))
 
 
+def setup_tool(name: str, version: str) -> Path:
+    """Builds a program from crates.io, if it is not there in this version, and returns its path."""
+    run("cargo", "install", "--quiet", "--locked", "--root", TOOLS, f"{name}@{version}")
+    return TOOLS / "bin" / (f"{name}.exe" if WINDOWS else name)
+
+
+def supply() -> None:
+    """What deny.toml demands of the crates of the library and of the workspace; then the faults that are known."""
+    need_rust()
+    deny = setup_tool("cargo-deny", CARGO_DENY)
+    library = [deny, "--locked", "--manifest-path", "Cargo.toml", "--exclude-dev"]
+    workspace = [deny, "--locked", "--manifest-path", "Cargo.toml", "--workspace"]
+    # The exceptions of deny.toml are for crates that are not in the library.
+    run(*library, "check", "--allow", "license-exception-not-encountered", "bans", "licenses", "sources")
+    run(*workspace, "check", "licenses", "sources")
+    print("\nlicences, bans and sources: passed", flush=True)
+    try:
+        run(*workspace, "fetch", "db")
+    except TaskError as error:
+        raise TaskError(
+            "advisories NOT CHECKED, everything else passed: the list of known faults (github.com/RustSec/advisory-db) "
+            "could not be fetched; repeat this where github.com can be reached"
+        ) from error
+    run(*workspace, "check", "--disable-fetch", "advisories")
+
+
 def bench() -> None:
     """The benchmarks."""
     need_rust()
@@ -295,6 +326,8 @@ TASKS = {
     "then about 2",
     test: "check formatting and lints, run the Rust, C and Python tests: 15 to 25 minutes, then about 10",
     trust: "try what hosts may do to the library, in full, and print the figures: about an hour",
+    supply: "check licences, bans and sources of the crates, and their known faults if github.com can be reached: 5 to "
+    "10 minutes, then seconds",
     bench: "build and run the benchmarks: 2 to 5 minutes",
     pack: "build the library and pack every model as an FMU into dist/: 1 to 2 minutes",
     platforms: "pack for all platforms twice, compare, run the libraries under wine and qemu; as root it installs what "

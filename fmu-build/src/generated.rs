@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use anyhow::{Context, Result};
 use stribeck::catalogue;
 
+use crate::interface::{self, Interface};
 use crate::{defaults, header, project, readme, xml};
 
 const DESCRIPTIONS: &str = "modelDescription";
@@ -40,19 +41,31 @@ impl File {
     }
 }
 
-/// The files that differ from what the tables give.
-pub fn stale(root: &Path) -> Result<Vec<File>> {
-    let mut files = Vec::new();
+/// What the tables give.
+pub struct Generated {
+    /// The files that differ from it.
+    pub stale: Vec<File>,
+    /// The interface.
+    pub interface: Interface,
+}
+
+/// Generates everything, and compares.
+pub fn of(root: &Path) -> Result<Generated> {
+    let mut descriptions = Vec::new();
     for model in catalogue::models() {
-        let text = xml::model_description(model, project::release_date(), xml::Choices::Named)?;
-        files.push(File::new(description(model.name), text));
+        descriptions.push((model, xml::model_description(model, project::release_date(), xml::Choices::Named)?));
     }
-    files.push(File::new("include/stribeck.h", header::text(root)?));
-    files.push(File::new("README.md", readme::with_table(&read(root, "README.md")?, root)?));
-    files.push(File::new(defaults::PAGE, defaults::with_tables(&read(root, defaults::PAGE)?)?));
-    files.extend(left_over(root)?);
-    files.retain(|file| file.is_stale(root));
-    Ok(files)
+    let header = header::text(root)?;
+    let interface = Interface::of(&descriptions, &header)?;
+    let described = descriptions.into_iter().map(|(model, text)| File::new(description(model.name), text));
+    let mut stale: Vec<File> = described.collect();
+    stale.push(File::new("include/stribeck.h", header));
+    stale.push(File::new(interface::FILE, interface.text()?));
+    stale.push(File::new("README.md", readme::with_table(&read(root, "README.md")?, root)?));
+    stale.push(File::new(defaults::PAGE, defaults::with_tables(&read(root, defaults::PAGE)?)?));
+    stale.extend(left_over(root)?);
+    stale.retain(|file| file.is_stale(root));
+    Ok(Generated { stale, interface })
 }
 
 fn read(root: &Path, file: &str) -> Result<String> {

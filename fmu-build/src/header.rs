@@ -199,14 +199,6 @@ fn snake(name: &str) -> String {
     snake
 }
 
-/// Names of the functions that a header declares. A declaration begins its line, other lines are indented or framed.
-pub fn functions(header: &str) -> Vec<String> {
-    let is_declaration = |line: &&str| line.starts_with(|first: char| first.is_ascii_alphabetic());
-    let lines = header.lines().filter(is_declaration).filter(|line| !line.starts_with("typedef"));
-    let heads = lines.filter_map(|line| Some(line.split_once('(')?.0));
-    heads.filter_map(|head| Some(head.rsplit([' ', '*']).next()?.to_owned())).collect()
-}
-
 /// Items of the header that no comment explains, in words.
 pub fn without_comment(header: &str) -> Vec<String> {
     let mut bare = Vec::new();
@@ -248,17 +240,6 @@ mod tests {
         assert_eq!(comment(&count), "  /** state [Integer]: Count. (default 3) */");
         let force = real("N", 0.0).named(Name::root("force"), Role::Output, "Force.");
         assert_eq!(comment(&force), "  /** out [N]: Force. */");
-    }
-
-    #[test]
-    fn functions_are_found_among_comments_and_types() {
-        let header = "/**\n * Not this: call(1).\n */\ntypedef void (*callback)(int);\n#define SQUARE(x) x\n\
-                      const char *text(void);\nstatus set(model *model,\n           int (*other)(void));\n}\n";
-        assert_eq!(functions(header), ["text", "set"]);
-        let of_library = functions(&fs::read_to_string(crate::project::root().join("include/stribeck.h")).unwrap());
-        for name in ["fmi2DoStep", "fmi2GetTypesPlatform", "stribeck_create", "stribeck_model_name"] {
-            assert!(of_library.iter().any(|known| known == name), "{name}");
-        }
     }
 
     #[test]

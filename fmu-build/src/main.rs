@@ -3,7 +3,10 @@
 mod archive;
 mod binary;
 mod block;
+mod compatibility;
+mod crates;
 mod curve;
+mod declarations;
 mod defaults;
 mod dependencies;
 mod diagrams;
@@ -13,13 +16,16 @@ mod generated;
 mod header;
 mod html;
 mod icon;
+mod interface;
 mod library;
+mod licenses;
 mod mathematics;
 mod package;
 mod platform;
 mod project;
 mod readme;
 mod rules;
+mod sbom;
 #[cfg(test)]
 mod specimen;
 mod ssp;
@@ -37,10 +43,10 @@ use std::process::ExitCode;
 
 use anyhow::{Context, Result, bail, ensure};
 use clap::{Parser, Subcommand};
-use jiff::Timestamp;
 
+use crate::generated::Generated;
 use crate::library::Library;
-use crate::package::Entry;
+use crate::package::{Entry, Packing};
 use crate::platform::{Choice, Platform};
 
 /// Writes what derives from the tables of Stribeck's models, and packs its FMUs.
@@ -53,9 +59,10 @@ struct Arguments {
 
 #[derive(Subcommand)]
 enum Command {
-    /// Write modelDescription/*.xml, include/stribeck.h and the tables in README.md and docs.
+    /// Write modelDescription/*.xml, include/stribeck.h, interface.csv and the tables in README.md and docs. Refuses
+    /// changes of the interface that break hosts, unless the version begins a new series.
     Generate,
-    /// Write nothing; fail if one of these files is stale or a table breaks a rule.
+    /// Write nothing; fail if one of these files is stale, a table breaks a rule, or a change breaks hosts.
     Check,
     /// Write the documentation pages of the FMUs alone, to look at them.
     Pages {
@@ -106,7 +113,8 @@ fn main() -> ExitCode {
 }
 
 fn generate(root: &Path) -> Result<()> {
-    let stale = generated::stale(root)?;
+    let Generated { stale, interface } = generated::of(root)?;
+    compatibility::review(root, &interface)?;
     for file in &stale {
         file.write(root)?;
         println!("wrote {}", file.path.display());
@@ -118,7 +126,8 @@ fn generate(root: &Path) -> Result<()> {
 }
 
 fn check(root: &Path) -> Result<()> {
-    let stale = generated::stale(root)?;
+    let Generated { stale, interface } = generated::of(root)?;
+    compatibility::review(root, &interface)?;
     let breaches = rules::breaches(root)?;
     for file in &stale {
         println!("stale: {}", file.path.display());
@@ -132,7 +141,10 @@ fn check(root: &Path) -> Result<()> {
     if !breaches.is_empty() {
         bail!("broken rules: {}", breaches.len());
     }
-    println!("generated files are up to date, and the tables keep the rules");
+    println!(
+        "generated files are up to date, the tables keep the rules, and the interface is that of {}",
+        interface::FILE
+    );
     Ok(())
 }
 
@@ -156,14 +168,15 @@ fn pack(root: &Path, models: &[String], out: &Path, choices: &[Choice], strict: 
     for library in build(root, &platforms)? {
         bundles.entry(library.platform.subfolder()).or_default().push(library);
     }
-    for (folder, libraries) in &bundles {
+    let is_empty = bundles.is_empty();
+    for (folder, libraries) in bundles {
         let out = if folder.is_empty() { out.to_owned() } else { out.join(folder) };
-        write(&entries, libraries, root, date, &out)?;
+        write(&entries, &Packing::new(root, libraries, date)?, &out)?;
     }
     for line in &left_out {
         println!("left out: {line}");
     }
-    ensure!(!bundles.is_empty(), "nothing to pack: every platform was left out");
+    ensure!(!is_empty, "nothing to pack: every platform was left out");
     Ok(())
 }
 
@@ -183,7 +196,8 @@ fn buildable(root: &Path, platforms: &[Platform]) -> Result<(Vec<Platform>, Vec<
 fn build(root: &Path, platforms: &[Platform]) -> Result<Vec<Library>> {
     let header = root.join("include").join("stribeck.h");
     let header = fs::read_to_string(&header).with_context(|| format!("cannot read {}", header.display()))?;
-    let functions = header::functions(&header);
+    let declared = declarations::of(&header).into_iter().filter(|found| found.kind == declarations::Kind::Function);
+    let functions: Vec<_> = declared.map(|function| function.name).collect();
     let mut libraries = Vec::new();
     for platform in platforms {
         let library = library::build(root, *platform, &functions)?;
@@ -194,19 +208,18 @@ fn build(root: &Path, platforms: &[Platform]) -> Result<Vec<Library>> {
     Ok(libraries)
 }
 
-fn write(entries: &[Entry], libraries: &[Library], root: &Path, date: Timestamp, out: &Path) -> Result<()> {
+fn write(entries: &[Entry], packing: &Packing, out: &Path) -> Result<()> {
     for entry in entries {
-        let size = package::write(entry, libraries, root, date, out)?;
+        let size = packing.write(entry, out)?;
         println!("{:<20} {:>9} bytes", format!("{}.fmu", entry.model.name), size);
     }
-    let names: Vec<_> = libraries.iter().map(|library| library.platform.name()).collect();
-    println!("{} FMUs for {} in {}", entries.len(), names.join(", "), out.display());
+    println!("{} FMUs for {} in {}", entries.len(), packing.platforms().join(", "), out.display());
     Ok(())
 }
 
 /// The library refuses an FMU whose XML was written from another table.
 fn refuse_stale(root: &Path) -> Result<()> {
-    if let Some(file) = generated::stale(root)?.first() {
+    if let Some(file) = generated::of(root)?.stale.first() {
         bail!("{} is stale: run `cargo run -p fmu-build -- generate` and review the change", file.path.display());
     }
     Ok(())
@@ -215,12 +228,12 @@ fn refuse_stale(root: &Path) -> Result<()> {
 fn ssp(root: &Path, out: &Path) -> Result<()> {
     refuse_stale(root)?;
     let date = project::packing_date()?;
-    let libraries = build(root, &platform::platforms(&[Choice::Host])?)?;
+    let packing = Packing::new(root, build(root, &platform::platforms(&[Choice::Host])?)?, date)?;
     let mut files = archive::Files::new();
     let models: Vec<String> = four_post::add_to(&mut files, root)?.into_iter().map(str::to_owned).collect();
     for entry in package::select(&models)? {
         // libcosim and Ecos know no enumerations.
-        let bytes = package::fmu(&entry, &libraries, root, date, xml::Choices::Numbered)?;
+        let bytes = packing.fmu(&entry, xml::Choices::Numbered)?;
         files.insert(ssp::fmu(entry.model.name), bytes);
     }
     let file = format!("{}.ssp", four_post::NAME);

@@ -9,9 +9,10 @@ use stribeck::catalogue::{self, Family};
 use stribeck::model::ModelType;
 
 use crate::archive::{self, Files};
+use crate::crates::{self, Crate};
 use crate::library::Library;
 use crate::xml::Choices;
-use crate::{html, icon, xml};
+use crate::{html, icon, licenses, sbom, toolchain, xml};
 
 /// A model with what its FMU says about it.
 pub struct Entry {
@@ -44,14 +45,55 @@ pub fn entries() -> Vec<Entry> {
     of(Family::Friction).chain(of(Family::ShockAbsorber)).chain(of(Family::Host)).collect()
 }
 
-/// Writes one FMU, with these libraries, and returns its size in bytes.
-pub fn write(entry: &Entry, libraries: &[Library], root: &Path, date: Timestamp, folder: &Path) -> Result<usize> {
-    save(folder, &format!("{}.fmu", entry.model.name), &fmu(entry, libraries, root, date, Choices::Named)?)
+/// What the FMUs of one packing have in common.
+pub struct Packing {
+    libraries: Vec<Library>,
+    crates: Vec<Crate>,
+    licenses: Files,
+    rust: String,
+    date: Timestamp,
 }
 
-/// The bytes of one FMU.
-pub fn fmu(entry: &Entry, libraries: &[Library], root: &Path, date: Timestamp, choices: Choices) -> Result<Vec<u8>> {
-    archive::zip(&contents(entry, libraries, root, date, choices)?, date)
+impl Packing {
+    /// FMUs with these libraries, which carry this date.
+    pub fn new(root: &Path, libraries: Vec<Library>, date: Timestamp) -> Result<Packing> {
+        let triples = libraries.iter().map(|library| library.platform.triples()).collect::<Result<Vec<_>>>()?.concat();
+        let crates = crates::linked(root, &triples)?;
+        let licenses = licenses::files(root, &crates)?;
+        Ok(Packing { libraries, crates, licenses, rust: toolchain::version()?, date })
+    }
+
+    /// Names of the platforms that the FMUs run on.
+    pub fn platforms(&self) -> Vec<&'static str> {
+        self.libraries.iter().map(|library| library.platform.name()).collect()
+    }
+
+    /// Writes one FMU and returns its size in bytes.
+    pub fn write(&self, entry: &Entry, folder: &Path) -> Result<usize> {
+        save(folder, &format!("{}.fmu", entry.model.name), &self.fmu(entry, Choices::Named)?)
+    }
+
+    /// The bytes of one FMU.
+    pub fn fmu(&self, entry: &Entry, choices: Choices) -> Result<Vec<u8>> {
+        archive::zip(&self.contents(entry, choices)?, self.date)
+    }
+
+    fn contents(&self, entry: &Entry, choices: Choices) -> Result<Files> {
+        let Entry { model, family, .. } = *entry;
+        let mut files = Files::from([
+            ("documentation/index.html".into(), html::page(entry)?.into()),
+            (sbom::FILE.into(), sbom::text(model, &self.crates, &self.rust)?.into()),
+            ("model.png".into(), icon::png(model, family)?),
+            ("modelDescription.xml".into(), xml::model_description(model, self.date, choices)?.into()),
+        ]);
+        files.extend(self.licenses.clone());
+        for Library { platform, bytes, .. } in &self.libraries {
+            for folder in platform.folders {
+                files.insert(format!("binaries/{folder}/{}{}", model.name, platform.suffix), bytes.clone());
+            }
+        }
+        Ok(files)
+    }
 }
 
 /// Writes a file into a folder, which is made if it is not there, and returns the size of the file.
@@ -76,33 +118,6 @@ pub fn write_page(entry: &Entry, folder: &Path) -> Result<()> {
     Ok(())
 }
 
-fn contents(entry: &Entry, libraries: &[Library], root: &Path, date: Timestamp, choices: Choices) -> Result<Files> {
-    let Entry { model, family, .. } = *entry;
-    let mut files = Files::from([
-        ("documentation/index.html".into(), html::page(entry)?.into()),
-        ("documentation/licenses/license.txt".into(), license(root)?.into()),
-        ("model.png".into(), icon::png(model, family)?),
-        ("modelDescription.xml".into(), xml::model_description(model, date, choices)?.into()),
-    ]);
-    for Library { platform, bytes, .. } in libraries {
-        for folder in platform.folders {
-            files.insert(format!("binaries/{folder}/{}{}", model.name, platform.suffix), bytes.clone());
-        }
-    }
-    Ok(files)
-}
-
-/// Both licences in one text.
-fn license(root: &Path) -> Result<String> {
-    let read = |name: &str| fs::read_to_string(root.join(name)).with_context(|| format!("cannot read {name}"));
-    let rule = "-".repeat(80);
-    Ok(format!(
-        "Stribeck is licensed under the MIT licence or the Apache License 2.0, at your choice.\n\n{rule}\n\n{}\n{rule}\n\n{}",
-        read("LICENSE-MIT")?,
-        read("LICENSE-APACHE")?,
-    ))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -110,16 +125,17 @@ mod tests {
     use crate::project::{release_date, root};
     use jiff::SignedDuration;
 
-    /// Libraries of these platforms, which are only carried.
-    fn libraries(choices: &[Choice]) -> Vec<Library> {
+    /// FMUs with libraries of these platforms, which are only carried.
+    fn packing(choices: &[Choice], date: Timestamp) -> Packing {
         let bytes: Vec<_> = (0..100_000_u32).flat_map(|number| (number / 7).to_le_bytes()).collect();
         let library = |platform| Library { platform, bytes: bytes.clone(), glibc: None };
-        platforms(choices).unwrap().into_iter().map(library).collect()
+        let libraries = platforms(choices).unwrap().into_iter().map(library).collect();
+        Packing::new(root(), libraries, date).unwrap()
     }
 
-    fn packed(entry: &Entry, choice: Choice, date: Timestamp) -> Vec<u8> {
+    fn packed(entry: &Entry, packing: &Packing) -> Vec<u8> {
         let folder = tempfile::tempdir().unwrap();
-        let size = write(entry, &libraries(&[choice]), root(), date, folder.path()).unwrap();
+        let size = packing.write(entry, folder.path()).unwrap();
         let bytes = fs::read(folder.path().join(format!("{}.fmu", entry.model.name))).unwrap();
         assert_eq!(bytes.len(), size);
         bytes
@@ -164,13 +180,17 @@ mod tests {
 
     #[test]
     fn archives_keep_the_rules_of_the_standard() {
+        let packing = packing(&[Choice::Win64], release_date());
         for entry in entries() {
-            let names = names_by_the_rules(&packed(&entry, Choice::Win64, release_date()));
+            let names = names_by_the_rules(&packed(&entry, &packing));
             let binary = format!("binaries/win64/{}.dll", entry.model.name);
             let expected = [
                 binary.as_str(),
                 "documentation/index.html",
+                "documentation/licenses/crates.txt",
                 "documentation/licenses/license.txt",
+                "documentation/licenses/rust.html",
+                "documentation/sbom.cdx.json",
                 "model.png",
                 "modelDescription.xml",
             ];
@@ -181,7 +201,7 @@ mod tests {
     #[test]
     fn every_platform_has_its_folder_and_arm_two_of_them() {
         let binaries = |choices: &[Choice]| -> Vec<String> {
-            let files = contents(&entries()[0], &libraries(choices), root(), release_date(), Choices::Named).unwrap();
+            let files = packing(choices, release_date()).contents(&entries()[0], Choices::Named).unwrap();
             files.into_keys().filter(|path| path.starts_with("binaries/")).collect()
         };
         let of = |folder: &str, suffix: &str| format!("binaries/{folder}/{}{suffix}", entries()[0].model.name);
@@ -196,15 +216,9 @@ mod tests {
     fn packing_twice_gives_the_same_bytes_and_the_date_is_the_given_one() {
         let entry = &entries()[0];
         let date = release_date();
-        let packed = |date| packed(entry, Choice::Win64, date);
+        let packed = |date| packed(entry, &packing(&[Choice::Win64], date));
         assert_eq!(packed(date), packed(date));
         assert_ne!(packed(date), packed(date + SignedDuration::from_hours(30)));
-    }
-
-    #[test]
-    fn license_text_holds_both_licences() {
-        let text = license(root()).unwrap();
-        assert!(text.contains("Permission is hereby granted") && text.contains("Apache License"));
     }
 
     #[test]

@@ -7,7 +7,7 @@ use clap::ValueEnum;
 
 use crate::binary::{self, Binary};
 use crate::toolchain::{
-    LINUX_AARCH64, LINUX_X86_64, MACOS_AARCH64, MACOS_X86_64, OLDEST_GLIBC, Target, WINDOWS_X86_64,
+    self, LINUX_AARCH64, LINUX_X86_64, MACOS_AARCH64, MACOS_X86_64, OLDEST_GLIBC, Target, WINDOWS_X86_64,
 };
 
 /// What can be asked for on the command line.
@@ -120,6 +120,14 @@ impl Platform {
     /// Whether this machine builds the library for itself; it then runs here, and maybe not on older systems.
     pub fn is_host(&self) -> bool {
         self.targets.is_empty()
+    }
+
+    /// Rust's names of what its library is built for.
+    pub fn triples(&self) -> Result<Vec<String>> {
+        match self.is_host() {
+            true => Ok(vec![toolchain::host()?]),
+            false => Ok(self.targets.iter().map(|target| target.triple.to_owned()).collect()),
+        }
     }
 
     /// Folder of its FMUs below that of all others; none if they share a file. Two processors cannot share `linux64`.

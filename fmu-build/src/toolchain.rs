@@ -141,10 +141,26 @@ pub fn sysroot() -> Result<PathBuf> {
     Ok(stdout(rustc().args(["--print", "sysroot"]))?.trim().into())
 }
 
+/// Rust's name of this machine.
+pub fn host() -> Result<String> {
+    of_rustc("host")
+}
+
+/// Version of the compiler and of its standard library.
+pub fn version() -> Result<String> {
+    of_rustc("release")
+}
+
+/// What the compiler says of itself.
+fn of_rustc(property: &str) -> Result<String> {
+    let text = stdout(rustc().args(["--version", "--verbose"]))?;
+    let mut properties = text.lines().filter_map(|line| line.split_once(": "));
+    let found = properties.find(|(name, _)| *name == property);
+    Ok(found.with_context(|| format!("rustc does not name its {property}"))?.1.into())
+}
+
 fn has_rust_lld() -> Result<bool> {
-    let version = stdout(rustc().args(["--version", "--verbose"]))?;
-    let host = version.lines().find_map(|line| line.strip_prefix("host: ")).context("rustc does not name its host")?;
-    let programs = sysroot()?.join("lib").join("rustlib").join(host).join("bin");
+    let programs = sysroot()?.join("lib").join("rustlib").join(host()?).join("bin");
     let name = |tool: &str| programs.join(format!("{tool}{}", env::consts::EXE_SUFFIX));
     // The latter strips what the former links.
     Ok(name("rust-lld").is_file() && name("rust-objcopy").is_file())

@@ -1,0 +1,139 @@
+//! The licences of everything that the library in an FMU is made of, as files in the FMU. Every text is a file of its
+//! owner: of this project, of a crate, or of the Rust toolchain.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use anyhow::{Context, Result, ensure};
+
+use crate::archive::Files;
+use crate::crates::{Crate, LIBRARY};
+use crate::toolchain;
+
+const FOLDER: &str = "documentation/licenses";
+
+/// How names of files begin that hold a licence, or what a licence wants handed on.
+const BEGINNINGS: [&str; 6] = ["LICENSE", "LICENCE", "COPYING", "COPYRIGHT", "NOTICE", "UNLICENSE"];
+
+/// Crates that are parts of the standard library of Rust 1.95, but not of its notices. Their licences are those that
+/// their manifests at crates.io name.
+const UNNAMED_BY_RUST: &str = "\
+rust.html may leave out these crates of the standard library: addr2line, adler2, miniz_oxide and object, which are
+used under the Apache License below, and memchr, which is in the public domain (Unlicense).";
+
+/// The folder `documentation/licenses`, whose entry the standard calls `license.txt` (FMI 2.0.5, section 2.3).
+pub fn files(root: &Path, crates: &[Crate]) -> Result<Files> {
+    Ok(Files::from([
+        (format!("{FOLDER}/license.txt"), own(root)?.into()),
+        (format!("{FOLDER}/crates.txt"), of_crates(crates)?.into()),
+        (format!("{FOLDER}/rust.html"), of_standard_library()?),
+    ]))
+}
+
+/// Both licences of this project in one text.
+fn own(root: &Path) -> Result<String> {
+    let rule = "-".repeat(80);
+    Ok(format!(
+        "Stribeck is licensed under the MIT licence or the Apache License 2.0, at your choice.\n\n\
+         The library in this FMU has other people's code in it: the crates in crates.txt, each with its licence, and\n\
+         parts of Rust's standard library, with the notices in rust.html. ../sbom.cdx.json lists them for programs.\n\n\
+         {UNNAMED_BY_RUST}\n\n\
+         {rule}\n\n{}\n{rule}\n\n{}",
+        read(&root.join("LICENSE-MIT"))?,
+        read(&root.join("LICENSE-APACHE"))?,
+    ))
+}
+
+/// A list of the crates, then each text once, with the crates that it comes from.
+fn of_crates(crates: &[Crate]) -> Result<String> {
+    let mut list = String::from("Crates in the library, with the licences that their authors offer:\n\n");
+    let mut texts: BTreeMap<String, Vec<String>> = BTreeMap::new();
+    for one in crates.iter().filter(|one| one.name != LIBRARY) {
+        list.push_str(&format!("{}: {}\n", one.id(), one.license));
+        for file in texts_of(one)? {
+            let name = file.file_name().unwrap_or_default().to_string_lossy();
+            texts.entry(read(&file)?).or_default().push(format!("{name} of {}", one.id()));
+        }
+    }
+    let rule = "-".repeat(80);
+    Ok(texts.iter().fold(list, |all, (text, owners)| format!("{all}\n{rule}\n{}\n{rule}\n\n{text}", owners.join("\n"))))
+}
+
+/// The files of a crate that hold its licences; there must be one.
+fn texts_of(one: &Crate) -> Result<Vec<PathBuf>> {
+    let mut texts = Vec::new();
+    for entry in one.folder.read_dir().with_context(|| format!("cannot list {}", one.folder.display()))? {
+        let path = entry?.path();
+        let name = path.file_name().unwrap_or_default().to_string_lossy().to_uppercase();
+        if path.is_file() && BEGINNINGS.iter().any(|beginning| name.starts_with(beginning)) {
+            texts.push(path);
+        }
+    }
+    ensure!(!texts.is_empty(), "{} has no file with its licence in {}", one.id(), one.folder.display());
+    texts.sort();
+    Ok(texts)
+}
+
+/// The notices of the standard library, which come with the compiler.
+fn of_standard_library() -> Result<Vec<u8>> {
+    let file = toolchain::sysroot()?.join("share/doc/rust/COPYRIGHT-library.html");
+    fs::read(&file).with_context(|| {
+        let cure = "the Rust of https://rustup.rs has it, some others leave it out";
+        format!("cannot read {}, the licences of Rust's standard library: {cure}", file.display())
+    })
+}
+
+fn read(file: &Path) -> Result<String> {
+    fs::read_to_string(file).with_context(|| format!("cannot read {}", file.display()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A crate whose folder holds these files.
+    fn specimen(name: &str, files: &[(&str, &str)]) -> (tempfile::TempDir, Crate) {
+        let folder = tempfile::tempdir().unwrap();
+        for (file, text) in files {
+            fs::write(folder.path().join(file), text).unwrap();
+        }
+        let one = Crate {
+            name: name.into(),
+            version: "1.0.0".into(),
+            license: "MIT".into(),
+            sha256: None,
+            folder: folder.path().into(),
+            needs: Default::default(),
+        };
+        (folder, one)
+    }
+
+    #[test]
+    fn equal_texts_stand_once_with_all_their_owners() {
+        let files = [("LICENSE-MIT", "Permission."), ("notice.txt", "Thanks."), ("lib.rs", "code")];
+        let (_a, a) = specimen("a", &files);
+        let (_b, b) = specimen("b", &files[..1]);
+        let text = of_crates(&[a, b]).unwrap();
+        assert_eq!(text.matches("Permission.").count(), 1);
+        assert!(text.contains("a 1.0.0: MIT\nb 1.0.0: MIT\n"), "{text}");
+        assert!(text.contains("LICENSE-MIT of a 1.0.0\nLICENSE-MIT of b 1.0.0\n"), "{text}");
+        assert!(
+            text.contains("notice.txt of a 1.0.0\n") && text.contains("Thanks.") && !text.contains("code"),
+            "{text}"
+        );
+    }
+
+    #[test]
+    fn a_crate_without_a_licence_is_refused() {
+        let (_folder, bare) = specimen("bare", &[("README.md", "MIT, I think.")]);
+        let error = of_crates(&[bare]).unwrap_err().to_string();
+        assert!(error.starts_with("bare 1.0.0 has no file with its licence in "), "{error}");
+    }
+
+    #[test]
+    fn both_licences_of_this_project_are_there() {
+        let text = own(crate::project::root()).unwrap();
+        assert!(text.contains("Permission is hereby granted") && text.contains("Apache License"));
+    }
+}

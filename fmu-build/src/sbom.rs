@@ -1,0 +1,142 @@
+//! What an FMU is made of, in the form that programs read: CycloneDX 1.5.
+
+use anyhow::{Context, Result};
+use cyclonedx_bom::external_models::spdx::SpdxExpression;
+use cyclonedx_bom::models::bom::{Bom, SpecVersion};
+use cyclonedx_bom::models::component::{Classification, Component, Components};
+use cyclonedx_bom::models::dependency::{Dependencies, Dependency};
+use cyclonedx_bom::models::hash::{Hash, HashAlgorithm, HashValue, Hashes};
+use cyclonedx_bom::models::license::{LicenseChoice, Licenses};
+use cyclonedx_bom::models::metadata::Metadata;
+use cyclonedx_bom::prelude::{NormalizedString, Purl};
+use stribeck::model::ModelType;
+
+use crate::crates::{Crate, LIBRARY};
+use crate::project::{LICENSE, VERSION};
+
+/// Its path in an FMU, with the ending that CycloneDX recommends.
+pub const FILE: &str = "documentation/sbom.cdx.json";
+
+const STANDARD_LIBRARY: &str = "rust-std";
+
+/// The text for a model. It holds no date and no number of its own, so that equal contents give equal bytes.
+pub fn text(model: &ModelType, crates: &[Crate], rust: &str) -> Result<String> {
+    let fmu = format!("{}.fmu", model.name);
+    let standard_library = format!("{STANDARD_LIBRARY} {rust}");
+    let mut components = crates.iter().map(of_crate).collect::<Result<Vec<_>>>()?;
+    components.push(of_standard_library(&standard_library, rust)?);
+    let library = crates.iter().find(|one| one.name == LIBRARY).context("the library is none of its crates")?;
+    let mut dependencies = vec![Dependency { dependency_ref: fmu.clone(), dependencies: vec![library.id()] }];
+    dependencies.extend(crates.iter().map(|one| {
+        let needs = one.needs.iter().cloned().chain([standard_library.clone()]).collect();
+        Dependency { dependency_ref: one.id(), dependencies: needs }
+    }));
+    let bom = Bom {
+        serial_number: None,
+        metadata: Some(Metadata { component: Some(of_fmu(model, fmu)?), ..Metadata::default() }),
+        components: Some(Components(components)),
+        dependencies: Some(Dependencies(dependencies)),
+        spec_version: SpecVersion::V1_5,
+        ..Bom::default()
+    };
+    let mut text = Vec::new();
+    bom.output_as_json_v1_5(&mut text).context("cannot write the list of components")?;
+    Ok(String::from_utf8(text)? + "\n")
+}
+
+fn of_fmu(model: &ModelType, id: String) -> Result<Component> {
+    let mut fmu = component(model.name, VERSION, id, LICENSE)?;
+    fmu.description = Some(NormalizedString::new(model.summary));
+    Ok(fmu)
+}
+
+fn of_crate(one: &Crate) -> Result<Component> {
+    let mut component = component(&one.name, &one.version, one.id(), &one.license)?;
+    // Only what has a checksum came from the registry.
+    if let Some(sha256) = &one.sha256 {
+        let hash = Hash { alg: HashAlgorithm::SHA_256, content: HashValue(sha256.clone()) };
+        component.hashes = Some(Hashes(vec![hash]));
+        component.purl = Some(Purl::new("cargo", &one.name, &one.version)?);
+    }
+    Ok(component)
+}
+
+fn of_standard_library(id: &str, rust: &str) -> Result<Component> {
+    // As https://github.com/rust-lang/rust says for `library`.
+    let mut component = component(STANDARD_LIBRARY, rust, id.into(), "MIT OR Apache-2.0")?;
+    component.purl = Some(Purl::new("generic", STANDARD_LIBRARY, rust)?);
+    Ok(component)
+}
+
+fn component(name: &str, version: &str, id: String, license: &str) -> Result<Component> {
+    let expression = SpdxExpression::try_from(license.to_owned()).with_context(|| format!("licence of {id}"))?;
+    let mut component = Component::new(Classification::Library, name, version, Some(id));
+    component.licenses = Some(Licenses(vec![LicenseChoice::Expression(expression)]));
+    Ok(component)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::crates;
+    use crate::project::root;
+    use crate::specimen::SPECIMEN;
+    use crate::toolchain;
+    use cyclonedx_bom::prelude::Validate;
+    use serde_json::Value;
+
+    fn crates() -> Vec<Crate> {
+        crates::linked(root(), &[toolchain::host().unwrap()]).unwrap()
+    }
+
+    #[test]
+    fn the_list_is_valid_and_names_every_crate() {
+        let crates = crates();
+        let text = text(&SPECIMEN, &crates, "1.95.0").unwrap();
+        let bom = Bom::parse_from_json_v1_5(text.as_bytes()).unwrap();
+        let faults = bom.validate();
+        assert!(faults.passed(), "{faults:?}");
+        let document: Value = serde_json::from_str(&text).unwrap();
+        let components = document["components"].as_array().unwrap();
+        assert_eq!(components.len(), crates.len() + 1);
+        for one in &crates {
+            let component = components.iter().find(|component| component["name"] == one.name.as_str()).unwrap();
+            assert_eq!(component["version"], one.version.as_str());
+            assert_eq!(component["licenses"][0]["expression"], one.license.as_str());
+            assert_eq!(component["hashes"][0]["content"].as_str(), one.sha256.as_deref());
+            let is_from_registry = one.name != LIBRARY;
+            assert_eq!(component["purl"].is_string(), is_from_registry);
+        }
+        assert_eq!(components.last().unwrap()["purl"], "pkg:generic/rust-std@1.95.0");
+    }
+
+    #[test]
+    fn every_reference_leads_to_a_component() {
+        let document: Value = serde_json::from_str(&text(&SPECIMEN, &crates(), "1.95.0").unwrap()).unwrap();
+        let components = document["components"].as_array().unwrap();
+        let known: Vec<_> = components.iter().map(|component| &component["bom-ref"]).collect();
+        for dependency in document["dependencies"].as_array().unwrap() {
+            for needed in dependency["dependsOn"].as_array().unwrap() {
+                assert!(known.contains(&needed), "{needed}");
+            }
+        }
+        assert_eq!(document["dependencies"][0]["ref"], document["metadata"]["component"]["bom-ref"]);
+    }
+
+    #[test]
+    fn equal_contents_give_equal_bytes_without_date_or_path() {
+        let once = text(&SPECIMEN, &crates(), "1.95.0").unwrap();
+        assert_eq!(once, text(&SPECIMEN, &crates(), "1.95.0").unwrap());
+        for foreign in ["timestamp", "serialNumber", &root().display().to_string()] {
+            assert!(!once.contains(foreign), "{foreign}");
+        }
+    }
+
+    #[test]
+    fn an_unknown_licence_is_refused() {
+        let mut crates = crates();
+        crates[0].license = "Gratis".into();
+        let error = format!("{:#}", text(&SPECIMEN, &crates, "1.95.0").unwrap_err());
+        assert!(error.starts_with(&format!("licence of {}", crates[0].id())), "{error}");
+    }
+}

@@ -1,0 +1,99 @@
+"""What an FMU says of its own parts: the list of components, the licences, and the library that they are in."""
+
+import copy
+import json
+import re
+import sys
+import zipfile
+from pathlib import Path
+
+import pytest
+from coupling import FMUS
+from cyclonedx.schema import SchemaVersion
+from cyclonedx.validation.json import JsonStrictValidator
+
+SCHEMA = JsonStrictValidator(SchemaVersion.V1_5)
+LICENSES = "documentation/licenses/"
+
+
+@pytest.fixture(params=sorted(FMUS.glob("*.fmu")), ids=lambda path: path.stem)
+def fmu(request) -> dict[str, bytes]:
+    """The files of an FMU."""
+    return files_of(request.param)
+
+
+def files_of(path: Path) -> dict[str, bytes]:
+    with zipfile.ZipFile(path) as archive:
+        return {name: archive.read(name) for name in archive.namelist()}
+
+
+def components_of(fmu: dict[str, bytes]) -> dict[str, dict]:
+    """Components of an FMU by name and version."""
+    components = json.loads(fmu["documentation/sbom.cdx.json"])["components"]
+    return {f"{component['name']} {component['version']}": component for component in components}
+
+
+def test_list_of_components_keeps_the_schema(fmu):
+    assert SCHEMA.validate_str(fmu["documentation/sbom.cdx.json"].decode()) is None
+
+
+@pytest.mark.parametrize(
+    "spoil",
+    [
+        lambda sbom: sbom["components"][0].pop("name"),
+        lambda sbom: sbom["components"][0].update(type="crate"),
+        lambda sbom: sbom["components"][0]["hashes"][0].update(content="0123"),
+        lambda sbom: sbom["dependencies"].append(copy.deepcopy(sbom["dependencies"][0])),
+        lambda sbom: sbom.update(serialNumber="1"),
+    ],
+)
+def test_schema_refuses_a_spoilt_list(spoil, dist):
+    sbom = json.loads(files_of(dist / "LuGre.fmu")["documentation/sbom.cdx.json"])
+    spoil(sbom)
+    assert SCHEMA.validate_str(json.dumps(sbom)) is not None
+
+
+def test_every_crate_has_its_licence_in_the_fmu(fmu):
+    text = fmu[LICENSES + "crates.txt"].decode()
+    crates = {name: part for name, part in components_of(fmu).items() if part.get("purl", "").startswith("pkg:cargo/")}
+    assert len(crates) > 3
+    for name, part in crates.items():
+        assert f"\n{name}: {part['licenses'][0]['expression']}\n" in text
+        assert re.search(rf"^LICEN[CS]E\S* of {re.escape(name)}$", text, re.MULTILINE), name
+    listed = re.findall(r"^(\S+ [\d.]+): ", text, re.MULTILINE)
+    assert sorted(listed) == sorted(crates)
+
+
+def test_entry_of_the_licences_names_the_other_files(fmu):
+    entry = fmu[LICENSES + "license.txt"].decode()
+    others = [name.removeprefix(LICENSES) for name in fmu if name.startswith(LICENSES)]
+    assert all(name in entry for name in others if name != "license.txt")
+
+
+def test_all_fmus_carry_the_same_parts():
+    parts = [components_of(files_of(path)) for path in sorted(FMUS.glob("*.fmu"))]
+    assert len(parts) > 1
+    assert all(part == parts[0] for part in parts)
+
+
+def test_library_names_no_crate_that_is_not_listed(dist):
+    """Where code may panic, a library holds the path of its source."""
+    fmu = files_of(dist / "LuGre.fmu")
+    library = next(data for name, data in fmu.items() if name.startswith("binaries/"))
+    of_std = {found.decode() for found in re.findall(rb"/rust/deps/([\w-]+)-\d+\.\d+", library)}
+    assert of_std, "paths of the standard library's own crates"
+    notices = (fmu[LICENSES + "rust.html"] + fmu[LICENSES + "license.txt"]).decode()
+    assert [name for name in of_std if name not in notices] == []
+    crates = {
+        found.decode().replace("-", " ", 1) for found in re.findall(rb"/crates/[^/]+/([\w-]+-\d[\w.]+)/", library)
+    }
+    assert crates <= set(components_of(fmu))
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="only ELF libraries name the compiler")
+def test_standard_library_has_the_version_of_the_compiler(dist):
+    fmu = files_of(dist / "LuGre.fmu")
+    library = next(data for name, data in fmu.items() if name.startswith("binaries/linux64/"))
+    compiler = re.search(rb"rustc version ([\d.]+)", library)
+    assert compiler is not None
+    assert f"rust-std {compiler[1].decode()}" in components_of(fmu)
