@@ -190,7 +190,7 @@ impl Instance {
     #[inline(always)]
     pub fn step(&mut self, dt: f64) -> Result<(), Fault> {
         // The usual step has held inputs and unchanged parameters.
-        if self.unchecked || self.has_slopes || dt.is_nan() || dt <= 0.0 {
+        if self.unchecked || self.has_slopes || !(dt > 0.0 && self.time + dt < f64::INFINITY) {
             return self.step_with_care(dt);
         }
         if !self.model.advance(&mut self.row, dt) {
@@ -205,6 +205,10 @@ impl Instance {
     fn step_with_care(&mut self, dt: f64) -> Result<(), Fault> {
         if !(dt > 0.0 && dt.is_finite()) {
             return Err(Fault::new(format_args!("a step of {dt} s: must be > 0 and finite")));
+        }
+        if !(self.time + dt).is_finite() {
+            let time = self.time;
+            return Err(Fault(memory::text(format_args!("a step of {dt} s from {time} s: the time must stay finite"))));
         }
         self.check()?;
         let finite = if self.slopes_are_new {

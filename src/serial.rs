@@ -82,8 +82,15 @@ pub fn read(model: &ModelType, bytes: &[u8]) -> Result<(Snapshot, [f64; OWNERS])
     if !time.is_finite() || !model.table.iter().zip(&*slope).all(is_sound) {
         return refuse(format_args!("time or a slope is not finite, or the slope is not that of an input"));
     }
-    let snapshot = Snapshot { row, slope, slopes_are_new: slopes_are_new != 0.0, stale: stale != 0.0, time };
-    Ok((snapshot, owners))
+    let (Some(slopes_are_new), Some(stale)) = (flag(slopes_are_new), flag(stale)) else {
+        return refuse(format_args!("a flag is {slopes_are_new} or {stale}, and neither 0 nor 1"));
+    };
+    Ok((Snapshot { row, slope, slopes_are_new, stale, time }, owners))
+}
+
+/// A flag that was written as a number. Bit by bit, so that what is read is what would be written.
+pub fn flag(number: f64) -> Option<bool> {
+    [false, true].into_iter().find(|flag| f64::from(*flag).to_bits() == number.to_bits())
 }
 
 /// FNV-1a of 64 bits (RFC 9923).
@@ -135,7 +142,9 @@ mod tests {
         let body = bytes.len() - CHECKSUM;
         let first_slope = HEAD + 8 * (OWN + OWNERS + model.table.len());
         let mu_k = model.find("mu_k").expect("a variable of Dahl");
-        let damages: [(&str, usize, Vec<u8>); 5] = [
+        let damages: [(&str, usize, Vec<u8>); 7] = [
+            ("flag", HEAD + 8, 0.5f64.to_le_bytes().into()),
+            ("sign of a flag", HEAD + 16, (-0.0f64).to_le_bytes().into()),
             ("format", 8, 2u32.to_le_bytes().into()),
             ("time", HEAD, f64::NAN.to_le_bytes().into()),
             ("row", HEAD + 8 * (OWN + OWNERS), f64::INFINITY.to_le_bytes().into()),

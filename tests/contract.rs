@@ -527,3 +527,15 @@ fn presets_are_admitted_parameter_sets_with_a_source() {
         assert!(!Bench::new(model.name, &[]).instance.apply("no such preset"));
     }
 }
+
+/// The time of an instance stays a number, however long its steps are.
+#[test]
+fn steps_beyond_the_end_of_time_are_refused() {
+    for model in catalogue::models() {
+        let mut bench = Bench::new(model.name, &[]);
+        bench.instance.set_time(f64::MAX);
+        let before = bench.instance.save();
+        assert!(bench.instance.step(f64::MAX).is_err(), "{}", model.name);
+        assert_eq!(bench.instance.save(), before, "{}", model.name);
+    }
+}

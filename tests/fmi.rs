@@ -805,6 +805,21 @@ fn the_clock_is_the_masters() {
     assert_eq!(tiny.step(99.0, 1e-6), fmi2Error);
 }
 
+/// Found by fuzzing: without a stop time, two steps of the longest length led to an infinite time.
+#[test]
+fn time_stays_finite() {
+    let importer = Importer::new("EndStops");
+    // SAFETY: an instance of this test.
+    unsafe {
+        assert_eq!(fmi2SetupExperiment(importer.c, fmi2False, 0.0, 0.0, fmi2False, 0.0), fmi2OK);
+        assert_eq!(fmi2EnterInitializationMode(importer.c), fmi2OK);
+        assert_eq!(fmi2ExitInitializationMode(importer.c), fmi2OK);
+    }
+    assert_eq!(importer.step(0.0, f64::MAX), fmi2OK);
+    assert_eq!(importer.step(f64::MAX, f64::MAX), fmi2Error);
+    assert!(importer.one_message().2.contains("to inf s passes the stop time"));
+}
+
 /// A saved state brings its experiment along, and can be overwritten by a later one.
 #[test]
 fn a_state_holds_the_experiment_and_can_be_overwritten() {

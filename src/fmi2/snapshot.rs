@@ -46,12 +46,15 @@ impl Saved {
 
     fn read(model: &'static ModelType, bytes: &[u8]) -> Result<Saved, Refusal> {
         let (snapshot, [state, is_set_up, start, stop]) = serial::read(model, bytes)?;
-        let number = STATES.iter().enumerate().find(|(index, _)| *index as f64 == state);
+        let number = STATES.iter().enumerate().find(|(index, _)| (*index as f64).to_bits() == state.to_bits());
         let Some((_, state)) = number else { return refuse(format_args!("unknown state {state}")) };
         if !start.is_finite() || stop.is_nan() {
             return refuse(format_args!("start time {start} or stop time {stop} is no time"));
         }
-        let experiment = Experiment { is_set_up: is_set_up != 0.0, start, stop };
+        let Some(is_set_up) = serial::flag(is_set_up) else {
+            return refuse(format_args!("the flag of the experiment is {is_set_up}, and neither 0 nor 1"));
+        };
+        let experiment = Experiment { is_set_up, start, stop };
         Ok(Saved { magic: MAGIC, model, state: *state, experiment, snapshot })
     }
 }

@@ -45,7 +45,7 @@ pub unsafe extern "C" fn fmi2DoStep(
 fn check_step(slave: &Slave, t: f64, h: f64) -> Outcome {
     let stop = slave.experiment.stop;
     // The usual step first. Written so that NaN fails.
-    if t == slave.instance.time() && h > 0.0 && t + h <= stop && h < f64::INFINITY {
+    if t == slave.instance.time() && h > 0.0 && t + h <= stop && t + h < f64::INFINITY {
         return Ok(());
     }
     check_unusual_step(slave, t, h)

@@ -144,7 +144,7 @@ crate::model! {
     ///
     /// # Errors
     /// Refused: a parameter outside its bound; `cg_to_front` > `wheelbase`; `tyre.pky2` = 0; a step that would take
-    /// more than a million pieces, as with `QuarterCar`.
+    /// more than 86,000 pieces, as with `QuarterCar`.
     ///
     /// # Limits
     /// The speed is constant: no drive, no brakes, no longitudinal forces. Small angles: the lateral forces count along

@@ -81,7 +81,7 @@ crate::model! {
     /// force.
     ///
     /// # Errors
-    /// Refused: a parameter outside its bound; `cg_to_front` > `wheelbase`; a step that would take more than a million
+    /// Refused: a parameter outside its bound; `cg_to_front` > `wheelbase`; a step that would take more than 140,000
     /// pieces, as with `QuarterCar`.
     ///
     /// # Limits

@@ -11,8 +11,14 @@ const TOLERANCE: f64 = 1e-10;
 /// it leaves an error of less than j times its square, 1e-10 m/s for a wheel that lands at 1 m/s).
 const CHANGE: f64 = 1e-7;
 
-/// A step is divided into at most so many pieces (chosen: a few seconds of computation).
-const MOST_PIECES: u32 = 1_000_000;
+/// A step is divided into at most so many pieces, times the number of states (chosen: about a second of computation, and
+/// half an hour of a ride).
+const MOST_PIECES_TIMES_STATES: u32 = 2_000_000;
+
+/// After each of so many parts of the most pieces it is foreseen how many the rest of the step takes at this pace; where
+/// they are `HOPELESS` times the most, it is given up (chosen: a step without hope costs a tenth).
+const OUTLOOKS: u32 = 10;
+const HOPELESS: f64 = 10.0;
 
 /// Advances the `N` states of `model` by `dt` while its inputs are held.
 pub(crate) fn held<M: Model, const N: usize>(model: &mut M, dt: f64) {
@@ -35,7 +41,9 @@ pub(crate) fn advance<M: Model, const N: usize>(model: &mut M, slope: &M, dt: f6
     let (mut time, mut piece) = (0.0, dt);
     let mut at = columns.map(|column| row_of(&begin)[column]);
     let mut branches = begin.branches();
-    for _ in 0..MOST_PIECES {
+    let most = const { MOST_PIECES_TIMES_STATES / N as u32 };
+    let mut last_look = 0.0;
+    for count in 1..=most {
         // A rest that is hardly longer than the piece is made in one.
         let end = if time + 1.01 * piece >= dt { dt } else { time + piece };
         let length = end - time;
@@ -58,6 +66,13 @@ pub(crate) fn advance<M: Model, const N: usize>(model: &mut M, slope: &M, dt: f6
         }
         if time + piece <= time {
             break;
+        }
+        if count.is_multiple_of(most / OUTLOOKS) {
+            let pace = f64::from(OUTLOOKS) * (time - last_look);
+            if dt - time > HOPELESS * pace {
+                break;
+            }
+            last_look = time;
         }
     }
     *model = moved(dt, [f64::NAN; N]);

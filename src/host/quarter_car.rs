@@ -50,9 +50,10 @@ crate::model! {
     /// `tyre_load` follows the road at once, and never the strut force.
     ///
     /// # Errors
-    /// Refused: a parameter outside its bound; a step that would take more than a million pieces, which is reported as
-    /// one that is not finite. With the defaults that is a step of some minutes on a tyre without damping and of hours
-    /// on the others.
+    /// Refused: a parameter outside its bound; a step that would take more than 500,000 pieces (2,000,000 by the number of
+    /// states), which is reported as one that is not finite. With the defaults that is a step of some minutes on a tyre
+    /// without damping and of hours on the others. Where after a tenth of the pieces less than a hundredth of the rest
+    /// is done, the step is refused at once.
     ///
     /// # Limits
     /// The body does not pitch or roll, and the strut's lever ratio is constant. Road height and road velocity are two
