@@ -1192,3 +1192,45 @@ fn derivatives_are_the_changes_over_short_steps() {
         }
     }
 }
+
+/// An instance in continuous-time mode, as a solver has it.
+fn integrated(model: &'static str) -> Importer {
+    Importer::in_state_of(model, Purpose::ModelExchange, State::ContinuousTimeMode)
+}
+
+#[test]
+fn a_solver_that_leaves_the_domain_may_come_back() {
+    let solver = integrated("ShockAbsorber");
+    // The gas has no volume left.
+    assert_eq!(solver.set("length", 0.0), fmi2OK);
+    let mut force = 0.0;
+    // SAFETY: one reference, one value.
+    let status = unsafe { fmi2GetReal(solver.c, &solver.vr("force"), 1, &mut force) };
+    assert_eq!(status, fmi2Discard);
+    let (_, category, text) = solver.one_message();
+    assert!(category == "logStatusDiscard" && text.contains("length = 0"), "{category}: {text}");
+    assert_eq!(solver.set("length", 0.17), fmi2OK);
+    assert!(solver.get("force").is_finite());
+}
+
+#[test]
+fn a_solver_may_set_one_state_by_its_reference() {
+    let solver = integrated("LuGre");
+    assert_eq!(solver.set("bristle_deflection", 1e-6), fmi2OK);
+    // sigma_0 z
+    assert!((solver.get("friction_force") - 0.1).abs() < 1e-12);
+    // What jumps waits for an event.
+    let solver = integrated("CoulombStiction");
+    assert_eq!(solver.set("stuck", 1.0), fmi2Error);
+}
+
+#[test]
+fn mass_is_refused_at_events_too() {
+    let solver = Importer::in_state_of("Coulomb", Purpose::ModelExchange, State::EventMode);
+    let mut event = NO_EVENT;
+    assert_eq!(solver.set("mass", 1.0), fmi2OK);
+    // SAFETY: an instance of this test, a writable struct.
+    assert_eq!(unsafe { fmi2NewDiscreteStates(solver.c, &mut event) }, fmi2Error);
+    let (_, _, text) = solver.one_message();
+    assert!(text.contains("mass = 1: must be 0"), "{text}");
+}
