@@ -1036,6 +1036,27 @@ fn states_of_other_versions_are_refused_as_such() {
     unsafe { fmi2FreeFMUstate(importer.c, &mut state) };
 }
 
+/// A solver may overshoot a bound; what is saved there is read back.
+#[test]
+fn states_beyond_their_bounds_are_saved_too() {
+    let importer = Importer::in_state_of("Gonthier", Purpose::ModelExchange, State::ContinuousTimeMode);
+    let model = catalogue::by_name("Gonthier").expect("a model");
+    let mut states = importer.states();
+    let dwell = model.continuous_states().position(|column| model.table[column].path.to_string() == "dwell");
+    states[dwell.expect("a state")] = 1.0 + 1e-9;
+    // SAFETY: an instance of this test, as many states and bytes as is said, states that are freed once.
+    unsafe {
+        assert_eq!(fmi2SetContinuousStates(importer.c, states.as_ptr(), states.len()), fmi2OK);
+        let mut saved = importer.save();
+        let bytes = importer.bytes(saved);
+        let mut read = null_mut();
+        assert_eq!(fmi2DeSerializeFMUstate(importer.c, bytes.as_ptr(), bytes.len(), &mut read), fmi2OK);
+        assert_eq!(importer.bytes(read), bytes);
+        assert_eq!(fmi2FreeFMUstate(importer.c, &mut read), fmi2OK);
+        assert_eq!(fmi2FreeFMUstate(importer.c, &mut saved), fmi2OK);
+    }
+}
+
 #[test]
 fn a_state_of_another_model_is_refused() {
     let (lugre, dahl) = (Importer::ready("LuGre"), Importer::ready("Dahl"));

@@ -188,6 +188,14 @@ pub enum DynoError {
     /// Displacement and velocity do not belong together.
     #[error("the displacement falls where the velocity is positive: the two columns count in opposite directions")]
     Displacement,
+    /// Squares of velocities or forces are no numbers any more, or table points coincide.
+    #[error("speeds up to {speed:e} m/s and forces up to {force:e} N are too large or too small to compute with")]
+    OutOfRange {
+        /// The highest speed, m/s.
+        speed: f64,
+        /// The largest force, N.
+        force: f64,
+    },
     /// The result is no parameter set of the shock absorber.
     #[error(transparent)]
     Set(#[from] SetError),
@@ -213,7 +221,8 @@ impl Sample {
 /// Finds the damper in a test.
 ///
 /// # Errors
-/// Refused: options outside their range, a direction without samples, signs that contradict each other.
+/// Refused: options outside their range, a direction without samples, signs that contradict each other, numbers too large
+/// or too small to compute with.
 pub fn find_damper(test: &Test, options: &Options) -> Result<Damper, DynoError> {
     check(options)?;
     let force_sign = force_sign(test, options)?;
@@ -238,7 +247,13 @@ pub fn find_damper(test: &Test, options: &Options) -> Result<Damper, DynoError> 
     let offset = Offset { gas: gas_force.map_or(0.0, |gas| gas.value), friction };
     let table = table(&samples, &offset, options.points, &mut warnings);
     let [rms_error, max_error] = errors(&samples, &offset, &table);
-    Ok(Damper { table, friction, gas_force, gradient, force_sign, rms_error, max_error, warnings })
+    let damper = Damper { table, friction, gas_force, gradient, force_sign, rms_error, max_error, warnings };
+    if damper.is_sound() { Ok(damper) } else { Err(out_of_range(&samples)) }
+}
+
+fn out_of_range(samples: &[Sample]) -> DynoError {
+    let force = samples.iter().fold(0.0, |most, sample| sample.resistance.abs().max(most));
+    DynoError::OutOfRange { speed: top_speed(samples), force }
 }
 
 fn check(options: &Options) -> Result<(), DynoError> {
@@ -554,6 +569,18 @@ fn errors(samples: &[Sample], offset: &Offset, table: &[(f64, f64)]) -> [f64; 2]
 }
 
 impl Damper {
+    /// Is every number finite, and does the table rise from each point to the next?
+    fn is_sound(&self) -> bool {
+        let level = self.friction.map(|friction| friction.level);
+        let asymmetry = self.friction.and_then(|friction| friction.asymmetry);
+        let estimates = [level, self.gas_force, self.gradient].into_iter().flatten();
+        let numbers = estimates.flat_map(|estimate| [estimate.value, estimate.deviation]);
+        let mut numbers = numbers.chain([self.rms_error, self.max_error]).chain(asymmetry);
+        numbers.all(f64::is_finite)
+            && self.table.iter().all(|(velocity, force)| velocity.is_finite() && force.is_finite())
+            && self.table.windows(2).all(|pair| pair[0].0 < pair[1].0 && pair[0].1 <= pair[1].1)
+    }
+
     /// The parameter set of the shock absorber. The friction is that of both contacts together, without side load: the
     /// preloads of the contacts, static and kinetic, keep the proportions that they have in the defaults.
     pub fn parameter_set(&self, name: &str) -> Result<ParameterSet, DynoError> {

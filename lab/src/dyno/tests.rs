@@ -362,3 +362,31 @@ fn the_shock_absorber_with_the_set_has_the_measured_force() {
     let again = ParameterSet::from_ssv(model, &set.to_ssv()).unwrap();
     assert_eq!(again, set);
 }
+
+/// Found by fuzzing: squares overflow, deviations become infinite, or the points of a table coincide.
+#[test]
+fn numbers_beyond_all_dampers_are_refused() {
+    const SAMPLES: [(i32, i32); 12] = [
+        (-500, -900),
+        (-250, -500),
+        (-100, -250),
+        (-20, -60),
+        (-10, -40),
+        (-5, -30),
+        (5, 20),
+        (10, 40),
+        (20, 60),
+        (100, 300),
+        (250, 700),
+        (500, 1200),
+    ];
+    let file = |velocity: &str, force: &str| {
+        let rows: String = SAMPLES.iter().map(|(v, f)| format!("{v}{velocity},{f}{force}\n")).collect();
+        find_damper(&Test::parse(&format!("velocity,force\n{rows}")).unwrap(), &Options::default())
+    };
+    file("e-3", "").unwrap();
+    for (velocity, force) in [("e-3", "e160"), ("e-3", "e304"), ("e-323", "")] {
+        let refusal = file(velocity, force).unwrap_err().to_string();
+        assert!(refusal.contains("too large or too small to compute with"), "{velocity} {force}: {refusal}");
+    }
+}
