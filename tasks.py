@@ -35,7 +35,7 @@ PYTHON = PROGRAMS / ("python.exe" if WINDOWS else "python")
 
 RUST_FOLDERS = ["src", "tests", "benches", "fmu-build", "lab", "examples"]
 PYTHON_FOLDERS = ["tasks.py", "examples", "tests"]
-C_FOLDERS = ["examples/c", "examples/cpp", "examples/mujoco", "tests/c", "benches"]
+C_FOLDERS = ["examples/c", "examples/cpp", "examples/mujoco", "tests/c", "tests/platforms", "benches"]
 
 
 # Rust's names of the platforms of `fmu-build pack --platform all`.
