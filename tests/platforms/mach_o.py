@@ -31,8 +31,11 @@ MATHEMATICS = ctypes.CDLL("libm.so.6")
 
 def processors(library: Path) -> dict[str, MachO.Binary]:
     """The parts of a universal file by the name of their processor."""
-    names = {MachO.Header.CPU_TYPE.X86_64: "Intel", MachO.Header.CPU_TYPE.ARM64: "Apple"}
-    return {names[part.header.cpu_type]: part for part in MachO.parse(str(library))}
+    types = {"Intel": MachO.Header.CPU_TYPE.X86_64, "Apple": MachO.Header.CPU_TYPE.ARM64}
+    file = MachO.parse(str(library))
+    assert file.size == len(types)
+    # A part that is not taken out is lost with the file.
+    return {name: file.take(processor) for name, processor in types.items()}
 
 
 def part_of(library: Path, part: MachO.Binary) -> bytes:
