@@ -1,6 +1,7 @@
 """What can be checked of the packed libraries without running them, and that the checks of the packer can fail."""
 
 import os
+import shutil
 import struct
 import subprocess
 from pathlib import Path
@@ -28,9 +29,16 @@ def libraries(tmp_path_factory) -> dict[str, Path]:
     }
 
 
-def inspect(library: Path, platform: str) -> str | None:
+@pytest.fixture(scope="module")
+def packer() -> Path:
+    """The program that packs. Its copy in another folder has been built to the same place."""
+    subprocess.run(["cargo", "build", "--package", "fmu-build"], cwd=PROJECT, check=True)
+    return PROJECT / "target" / "debug" / "fmu-build"
+
+
+def inspect(packer: Path, library: Path, platform: str) -> str | None:
     """What the packer says against a library."""
-    command = ["cargo", "run", "--quiet", "--package", "fmu-build", "--", "inspect", library, "--platform", platform]
+    command = [packer, "inspect", library, "--platform", platform]
     done = subprocess.run(command, cwd=PROJECT, capture_output=True, text=True)
     return None if done.returncode == 0 else done.stderr
 
@@ -41,7 +49,8 @@ def load_command(number: int, *words: int) -> bytes:
 
 
 # In each library: what is replaced by what, and what must be said then.
-NAME = (b"DoStep\0", b"DoStap\0", "exports")
+# In the tree of names of Mach-O `fmi2DoStep` is cut into pieces.
+NAME = (b"oStep\0", b"oStap\0", "exports")
 PATH = (b"", os.fsencode(PROJECT / "src"), "holds the path")
 MISTAKES = {
     "linux64": [
@@ -66,21 +75,35 @@ MISTAKES = {
 
 
 @pytest.mark.parametrize("platform", SUFFIXES)
-def test_the_packer_takes_its_library_and_refuses_a_doctored_one(libraries, platform, tmp_path):
-    assert inspect(libraries[platform], platform) is None
+def test_the_packer_takes_its_library_and_refuses_a_doctored_one(packer, libraries, platform, tmp_path):
+    assert inspect(packer, libraries[platform], platform) is None
     good = libraries[platform].read_bytes()
     for old, new, complaint in MISTAKES[platform]:
         assert old in good
         doctored = tmp_path / "doctored"
         doctored.write_bytes(good.replace(old, new) if old else good + new)
-        said = inspect(doctored, platform)
+        said = inspect(packer, doctored, platform)
         assert said is not None, complaint
         assert complaint in said
 
 
-def test_a_library_of_another_platform_is_refused(libraries):
-    assert "is for 1 processors" in inspect(libraries["win64"], "darwin64")
-    assert "needs" in inspect(libraries["win64"], "linux64")
+def test_a_library_of_another_platform_is_refused(packer, libraries):
+    assert "is for 1 processors" in inspect(packer, libraries["win64"], "darwin64")
+    assert "needs" in inspect(packer, libraries["win64"], "linux64")
+
+
+@pytest.mark.parametrize("options", [[], ["--strict"]], ids=["", "strict"])
+def test_a_missing_linker_is_told_with_its_cure(packer, tmp_path, options):
+    """On a search path with nothing but Rust."""
+    for program in ("cargo", "rustc"):
+        (tmp_path / program).symlink_to(shutil.which(program))
+    command = [packer, "pack", *options, "--platform", "win64", "--out", tmp_path / "dist"]
+    settings = {**os.environ, "PATH": str(tmp_path)}
+    done = subprocess.run(command, cwd=PROJECT, env=settings, capture_output=True, text=True)
+    cure = "win64, which lacks the linker for Windows: apt-get install gcc-mingw-w64-x86-64-win32\n"
+    assert done.returncode == 1
+    assert cure in (done.stderr if options else done.stdout)
+    assert not (tmp_path / "dist").exists()
 
 
 @pytest.mark.parametrize("processor", ["Intel", "Apple"])
@@ -98,7 +121,8 @@ def test_macos_finds_what_its_loader_wants(libraries, processor):
     for segment in part.segments:
         assert segment.virtual_address % page == segment.file_offset % page == 0
         assert segment.init_protection & WRITE_AND_EXECUTE != WRITE_AND_EXECUTE
-    print(f"figure: {processor}: {len(part.exported_symbols)} functions, {len(part.bindings)} pointers into libSystem")
+    counts = f"{len(part.exported_symbols)} functions, {len(list(part.bindings))} pointers into libSystem"
+    print(f"figure: macOS on the processor of {processor}: {counts}")
 
 
 def test_the_signature_for_apples_processors_is_that_of_its_pages(libraries):
