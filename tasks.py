@@ -40,7 +40,7 @@ CARGO_DENY = "0.20.2"
 
 RUST_FOLDERS = ["src", "tests", "benches", "fmu-build", "lab", "examples"]
 PYTHON_FOLDERS = ["tasks.py", "examples", "tests"]
-C_FOLDERS = ["examples/c", "examples/cpp", "examples/mujoco", "tests/c", "benches"]
+C_FOLDERS = ["examples/c", "examples/cpp", "examples/mujoco", "tests/c", "tests/platforms", "benches"]
 
 
 # Rust's names of the platforms of `fmu-build pack --platform all`.

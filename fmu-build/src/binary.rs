@@ -3,6 +3,9 @@
 use std::collections::BTreeSet;
 
 use anyhow::{Context, Result};
+use object::Endianness;
+use object::macho::LC_CODE_SIGNATURE;
+use object::read::macho::{LoadCommandVariant, MachOFile64};
 use object::read::{File, ImportFlags, Object};
 
 /// A shared library as a loader sees it. All names are those of the file, except that the underscore that Mach-O puts
@@ -17,8 +20,23 @@ pub struct Binary {
     pub imports: BTreeSet<String>,
     /// Versions of the imports, such as `GLIBC_2.14`; only ELF has them.
     pub versions: BTreeSet<String>,
-    /// Whether it has a Mach-O UUID.
+    /// What only Mach-O has.
+    pub image: Option<Image>,
+}
+
+/// What a Mach-O file tells the loader of macOS about itself.
+#[derive(Debug, Default, PartialEq)]
+pub struct Image {
+    /// Whether it is for Apple's processors.
+    pub is_arm: bool,
+    /// Whether it has a UUID.
     pub has_uuid: bool,
+    /// Whether it has a signature, be it of nobody.
+    pub is_signed: bool,
+    /// Name under which programs that are linked to it look for it.
+    pub name: String,
+    /// The oldest macOS that it is for, such as `11.0`.
+    pub oldest: String,
 }
 
 /// Reads a shared library.
@@ -29,7 +47,8 @@ pub fn read(bytes: &[u8]) -> Result<Binary> {
         let name = String::from_utf8_lossy(name).into_owned();
         name.strip_prefix(prefix).map_or(name.clone(), str::to_owned)
     };
-    let mut binary = Binary { has_uuid: file.mach_uuid()?.is_some(), ..Binary::default() };
+    let image = if let File::MachO64(file) = &file { Some(image(file)?) } else { None };
+    let mut binary = Binary { image, ..Binary::default() };
     for export in file.exports()? {
         let export = export?;
         binary.exports.insert(export.name().name().map_or_else(|| "(a number)".into(), plain));
@@ -45,6 +64,27 @@ pub fn read(bytes: &[u8]) -> Result<Binary> {
         }
     }
     Ok(binary)
+}
+
+fn image(file: &MachOFile64) -> Result<Image> {
+    let endian: Endianness = file.endian();
+    let mut image = Image { is_arm: file.architecture() == object::Architecture::Aarch64, ..Image::default() };
+    let mut commands = file.macho_load_commands()?;
+    while let Some(command) = commands.next()? {
+        match command.variant()? {
+            LoadCommandVariant::Uuid(_) => image.has_uuid = true,
+            LoadCommandVariant::LinkeditData(_) if command.cmd() == LC_CODE_SIGNATURE => image.is_signed = true,
+            LoadCommandVariant::IdDylib(library) => {
+                image.name = String::from_utf8_lossy(command.string(endian, library.dylib.name)?).into_owned();
+            }
+            LoadCommandVariant::BuildVersion(version, _) => {
+                let oldest = version.minos.get(endian);
+                image.oldest = format!("{}.{}", oldest.major(), oldest.minor());
+            }
+            _ => (),
+        }
+    }
+    Ok(image)
 }
 
 /// The number in the name of a version of glibc: `GLIBC_2.2.5` is 2, 2, 5.
@@ -86,6 +126,6 @@ mod tests {
         let this = read(&std::fs::read(std::env::current_exe().unwrap()).unwrap()).unwrap();
         assert!(this.libraries.contains("libc.so.6"), "{:?}", this.libraries);
         assert!(this.imports.contains("malloc") && !this.exports.contains("malloc"));
-        assert!(this.newest_glibc().is_some() && !this.has_uuid);
+        assert!(this.newest_glibc().is_some() && this.image.is_none());
     }
 }

@@ -26,33 +26,31 @@ pub struct Library {
 /// Builds the library in release mode, and refuses it if it exports anything else than these functions or needs what a
 /// machine may lack. Its bytes depend on the sources and the tools only, not on where they lie.
 pub fn build(root: &Path, platform: Platform, exports: &[String]) -> Result<Library> {
-    if platform.is_host() {
-        let (bytes, glibc) = build_part(root, platform, None, exports)?;
-        return Ok(Library { platform, bytes, glibc });
-    }
-    let parts = platform.targets.iter().map(|&target| build_part(root, platform, Some(target), exports));
-    let (mut files, mut glibc): (Vec<_>, Vec<_>) = parts.collect::<Result<Vec<_>>>()?.into_iter().unzip();
+    let targets = platform.targets.iter().copied().map(Some);
+    let targets = if platform.is_host() { vec![None] } else { targets.collect() };
+    let parts = targets.into_iter().map(|target| compile(root, platform, target));
+    let mut files = parts.collect::<Result<Vec<_>>>()?;
     let bytes = if files.len() == 1 { files.remove(0) } else { universal::join(&files)? };
-    Ok(Library { platform, bytes, glibc: glibc.remove(0) })
+    let glibc = check(root, platform, &bytes, exports).context("the library that was built is wrong")?;
+    Ok(Library { platform, bytes, glibc })
 }
 
-/// The library for one target or, without one, for this machine, and the glibc that it needs.
-fn build_part(
-    root: &Path,
-    platform: Platform,
-    target: Option<Target>,
-    exports: &[String],
-) -> Result<(Vec<u8>, Option<String>)> {
-    let remapped = remapped_paths(root)?;
-    let file = compile(root, platform, target, &remapped)?;
-    let bytes = fs::read(&file).with_context(|| format!("cannot read {}", file.display()))?;
-    let library = binary::read(&bytes).with_context(|| format!("cannot read {}", file.display()))?;
-    platform.check(&library, exports).with_context(|| format!("wrong: {}", file.display()))?;
-    let folders = remapped.iter().map(|(folder, _)| folder.clone());
-    for path in folders.chain([target_folder(root), toolchain::sysroot()?]) {
-        ensure!(!contains(&bytes, &path), "{} holds the path {}", file.display(), path.display());
+/// Refuses a library that exports anything else than these functions, needs what a machine may lack, or holds a path of
+/// this machine. Returns the glibc that it needs.
+pub fn check(root: &Path, platform: Platform, bytes: &[u8], exports: &[String]) -> Result<Option<String>> {
+    let mut glibc = None;
+    let parts = universal::parts(bytes)?;
+    ensure!(parts.len() == platform.targets.len().max(1), "{} is for {} processors", platform.name(), parts.len());
+    for part in parts {
+        let library = binary::read(part)?;
+        platform.check(&library, exports)?;
+        glibc = library.newest_glibc();
     }
-    Ok((bytes, library.newest_glibc()))
+    let folders = remapped_paths(root)?.into_iter().map(|(folder, _)| folder);
+    for path in folders.chain([target_folder(root), toolchain::sysroot()?]) {
+        ensure!(!contains(bytes, &path), "{}: holds the path {}", platform.name(), path.display());
+    }
+    Ok(glibc)
 }
 
 /// Folders of this machine that source paths in the library begin with, and what to write instead.
@@ -75,13 +73,8 @@ fn target_folder(root: &Path) -> PathBuf {
     env::var_os("CARGO_TARGET_DIR").map_or(root.join("target"), PathBuf::from).join("fmu")
 }
 
-/// Runs cargo and returns the path of the library.
-fn compile(
-    root: &Path,
-    platform: Platform,
-    target: Option<Target>,
-    remapped: &[(PathBuf, &'static str)],
-) -> Result<PathBuf> {
+/// The library for one target or, without one, for this machine.
+fn compile(root: &Path, platform: Platform, target: Option<Target>) -> Result<Vec<u8>> {
     let folder = target_folder(root);
     let mut cargo = Command::new(target.map_or_else(toolchain::cargo, Target::cargo));
     cargo.arg("rustc");
@@ -99,11 +92,12 @@ fn compile(
         .current_dir(root)
         .env("PATH", toolchain::search_path(root)?)
         .env_remove("RUSTFLAGS")
-        .env("CARGO_ENCODED_RUSTFLAGS", flags(given_flags(), own, remapped));
+        .env("CARGO_ENCODED_RUSTFLAGS", flags(given_flags(), own, &remapped_paths(root)?));
     let messages = stdout(&mut cargo)?;
     let mut messages = messages.lines().filter_map(|line| serde_json::from_str(line).ok());
     let file = messages.find_map(|message| artifact(&message, platform.suffix));
-    file.with_context(|| format!("cargo named no *{} of the package stribeck", platform.suffix))
+    let file = file.with_context(|| format!("cargo named no *{} of the package stribeck", platform.suffix))?;
+    fs::read(&file).with_context(|| format!("cannot read {}", file.display()))
 }
 
 /// What separates flags in cargo's encoding of a list of them.

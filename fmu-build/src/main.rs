@@ -78,6 +78,14 @@ enum Command {
         #[arg(long, default_value = "dist")]
         out: PathBuf,
     },
+    /// Check a library that was built, as `pack` does: exports, needs, paths of this machine.
+    Inspect {
+        /// The file.
+        library: PathBuf,
+        /// Platform that it is for.
+        #[arg(long, value_name = "PLATFORM")]
+        platform: Choice,
+    },
     /// Build the library and pack one FMU per model.
     Pack {
         /// Models to pack; all if none is named.
@@ -101,6 +109,7 @@ fn main() -> ExitCode {
         Command::Check => check(root),
         Command::Pages { models, out } => pages(&models, &out),
         Command::Ssp { out } => ssp(root, &out),
+        Command::Inspect { library, platform } => inspect(root, &library, platform),
         Command::Pack { models, out, platform, strict } => pack(root, &models, &out, &platform, strict),
     };
     match result {
@@ -193,11 +202,26 @@ fn buildable(root: &Path, platforms: &[Platform]) -> Result<(Vec<Platform>, Vec<
     Ok((buildable, left_out))
 }
 
-fn build(root: &Path, platforms: &[Platform]) -> Result<Vec<Library>> {
+fn inspect(root: &Path, library: &Path, choice: Choice) -> Result<()> {
+    let bytes = fs::read(library).with_context(|| format!("cannot read {}", library.display()))?;
+    let exports = exports(root)?;
+    for platform in platform::platforms(&[choice])? {
+        library::check(root, platform, &bytes, &exports)?;
+    }
+    println!("{} is as it should be: {} functions", library.display(), exports.len());
+    Ok(())
+}
+
+/// Names of the functions that a library must export.
+fn exports(root: &Path) -> Result<Vec<String>> {
     let header = root.join("include").join("stribeck.h");
     let header = fs::read_to_string(&header).with_context(|| format!("cannot read {}", header.display()))?;
     let declared = declarations::of(&header).into_iter().filter(|found| found.kind == declarations::Kind::Function);
-    let functions: Vec<_> = declared.map(|function| function.name).collect();
+    Ok(declared.map(|function| function.name).collect())
+}
+
+fn build(root: &Path, platforms: &[Platform]) -> Result<Vec<Library>> {
+    let functions = exports(root)?;
     let mut libraries = Vec::new();
     for platform in platforms {
         let library = library::build(root, *platform, &functions)?;

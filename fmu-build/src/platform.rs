@@ -5,9 +5,10 @@ use std::env;
 use anyhow::{Result, bail, ensure};
 use clap::ValueEnum;
 
-use crate::binary::{self, Binary};
+use crate::binary::{self, Binary, Image};
 use crate::toolchain::{
-    self, LINUX_AARCH64, LINUX_X86_64, MACOS_AARCH64, MACOS_X86_64, OLDEST_GLIBC, Target, WINDOWS_X86_64,
+    self, LINUX_AARCH64, LINUX_X86_64, MACOS_AARCH64, MACOS_NAME, MACOS_X86_64, OLDEST_GLIBC, OLDEST_MACOS, Target,
+    WINDOWS_X86_64,
 };
 
 /// What can be asked for on the command line.
@@ -155,8 +156,19 @@ impl Platform {
             let is_old = binary::glibc(version).is_some_and(|version| Some(version) <= oldest);
             ensure!(is_old, "{name}: needs {version}, which is newer than glibc {OLDEST_GLIBC}");
         }
+        if let Some(image) = &binary.image {
+            self.check_image(image)?;
+        }
+        Ok(())
+    }
+
+    fn check_image(&self, image: &Image) -> Result<()> {
+        let name = self.name();
+        ensure!(image.name == MACOS_NAME, "{name}: is called {}, not {MACOS_NAME}", image.name);
+        ensure!(image.oldest == OLDEST_MACOS, "{name}: is for macOS {} or newer, not {OLDEST_MACOS}", image.oldest);
         // The loader of macOS 26 refuses a library without one.
-        ensure!(self.suffix != ".dylib" || binary.has_uuid, "{name}: has no UUID");
+        ensure!(image.has_uuid, "{name}: has no UUID");
+        ensure!(image.is_signed || !image.is_arm, "{name}: is not signed, as Apple's processors demand");
         Ok(())
     }
 }
@@ -205,7 +217,13 @@ mod tests {
             libraries: set(&[platform.libraries[0]]),
             imports: set(&["exp"]),
             versions: set(&["GLIBC_2.2.5", "GLIBC_2.17"]),
-            has_uuid: true,
+            image: (platform.suffix == ".dylib").then(|| Image {
+                is_arm: true,
+                has_uuid: true,
+                is_signed: true,
+                name: MACOS_NAME.into(),
+                oldest: OLDEST_MACOS.into(),
+            }),
         };
         change(&mut binary);
         platform.check(&binary, &["fmi2DoStep".into()]).err().map(|error| error.to_string())
@@ -263,7 +281,18 @@ mod tests {
             });
             assert!(refused.unwrap().contains(&format!("needs {version}")));
         }
-        assert!(refusal(DARWIN64, |binary| binary.has_uuid = false).unwrap().contains("UUID"));
-        assert_eq!(refusal(LINUX64, |binary| binary.has_uuid = false), None);
+    }
+
+    #[test]
+    fn images_that_macos_would_not_load_are_refused() {
+        let refused = |change: fn(&mut Image)| {
+            let change = |binary: &mut Binary| change(binary.image.as_mut().unwrap());
+            refusal(DARWIN64, change)
+        };
+        assert!(refused(|image| image.has_uuid = false).unwrap().contains("has no UUID"));
+        assert!(refused(|image| image.is_signed = false).unwrap().contains("is not signed"));
+        assert!(refused(|image| image.oldest = "15.0".into()).unwrap().contains("for macOS 15.0"));
+        assert!(refused(|image| image.name = "/home/lib.dylib".into()).unwrap().contains("called /home/lib.dylib"));
+        assert_eq!(refused(|image| (image.is_arm, image.is_signed) = (false, false)), None);
     }
 }

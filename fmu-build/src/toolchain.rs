@@ -44,7 +44,10 @@ pub const MACOS_AARCH64: Target = Target { triple: "aarch64-apple-darwin", linke
 pub const OLDEST_GLIBC: &str = "2.17";
 
 /// The oldest macOS: the first one on Apple's processors.
-const OLDEST_MACOS: &str = "11.0";
+pub const OLDEST_MACOS: &str = "11.0";
+
+/// Where programs that are linked to the library look for it: in folders of their own choice.
+pub const MACOS_NAME: &str = "@rpath/libstribeck.dylib";
 
 /// Names that the library needs of macOS, without the underscore that Mach-O puts before them.
 const MACOS_NAMES: &str = include_str!("macos_names.txt");

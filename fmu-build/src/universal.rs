@@ -2,6 +2,7 @@
 //! Topics" and the header `mach-o/fat.h`): a table of the parts, big-endian, and then the parts.
 
 use anyhow::{Context, Result, bail, ensure};
+use object::read::macho::{FatArch, MachOFatFile32};
 
 const FAT_MAGIC: u32 = 0xcafe_babe;
 const MACH_O_64: u32 = 0xfeed_facf;
@@ -30,6 +31,15 @@ pub fn join(parts: &[Vec<u8>]) -> Result<Vec<u8>> {
     Ok(table)
 }
 
+/// The libraries in a universal file; any other file is one library.
+pub fn parts(file: &[u8]) -> Result<Vec<&[u8]>> {
+    if !file.starts_with(&FAT_MAGIC.to_be_bytes()) {
+        return Ok(vec![file]);
+    }
+    let rows = MachOFatFile32::parse(file).context("no universal file")?.arches();
+    rows.iter().map(|row| row.data(file).context("a part of the universal file is cut off")).collect()
+}
+
 /// A part begins on a page of its processor: 4 KiB on Intel, 16 KiB on Apple's.
 fn page_size_exponent(processor: u32) -> Result<u32> {
     match processor {
@@ -56,7 +66,6 @@ fn number(number: usize) -> Result<u32> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use object::read::macho::{FatArch, MachOFatFile32};
 
     /// The head of a Mach-O file, filled up to a length.
     fn part(processor: u32, length: usize) -> Vec<u8> {
@@ -79,6 +88,9 @@ mod tests {
             assert_eq!(row.offset() % (1 << row.align()), 0);
         }
         assert_eq!((intel.align(), apple.align()), (12, 14));
+        assert_eq!(super::parts(&joined).unwrap(), parts);
+        assert_eq!(super::parts(&parts[0]).unwrap(), [&parts[0]]);
+        assert!(super::parts(&joined[..70_000]).unwrap_err().to_string().contains("cut off"));
     }
 
     #[test]

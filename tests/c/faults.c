@@ -518,7 +518,7 @@ static void race(void) {
     fmi2FreeInstance(slave);
 }
 
-/* Wrong on purpose: an array is shorter than the library is told. To prove that an address sanitizer is at work there. */
+/* Wrong on purpose: an array is shorter than the library is told. To prove that an address sanitizer watches it. */
 static void short_array(void) {
     double *value = memory(sizeof *value);
     fmi2ValueReference twice[2] = {models[0].reals[0], models[0].reals[0]};

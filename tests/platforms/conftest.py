@@ -5,7 +5,7 @@ import subprocess
 
 import pytest
 from coupling import models_in
-from machines import ARM, FMUS, FMUS_OF_COPY, WINE, WINE_FILES, Machine, library_of
+from machines import ARM, FMUS, FMUS_OF_COPY, MAC_ARM, WINE, WINE_FILES, Machine, for_linux, library_of
 
 COMMAND = """#!/bin/sh
 # fmpy passes a lock file as third argument. Its lock is not seen by wine, and the server would end at once.
@@ -48,9 +48,13 @@ def machines(wine, tmp_path_factory) -> dict[str, Machine]:
     linux = library_of(fmu, "linux64", ".so", folder)
     windows = library_of(fmu, "win64", ".dll", folder)
     arm = library_of(fmu_for_arm, ARM, ".so", folder)
+    mac = library_of(fmu, "darwin64", ".dylib", folder)
+    arm_compiler, arm_runner = ["aarch64-linux-gnu-gcc"], ["qemu-aarch64-static", "-L", arm_root]
     machines = [
         Machine("linux64", ["cc"], [], linux, {}),
         Machine("win64", ["x86_64-w64-mingw32-gcc"], [str(WINE)], windows, wine),
-        Machine(ARM, ["aarch64-linux-gnu-gcc"], ["qemu-aarch64-static", "-L", arm_root], arm, {}),
+        Machine(ARM, arm_compiler, arm_runner, arm, {}),
+        Machine("darwin64", ["cc"], [], for_linux(mac, "Intel", ["cc"]), {}),
+        Machine(MAC_ARM, arm_compiler, arm_runner, for_linux(mac, "Apple", arm_compiler), {}),
     ]
     return {machine.platform: machine for machine in machines}

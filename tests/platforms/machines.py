@@ -8,11 +8,13 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from coupling import PROJECT
+from mach_o import processors, write_assembly
 
 OUT = PROJECT / "out" / "platforms"
 FMUS = OUT / "fmus"
 FMUS_OF_COPY = OUT / "fmus-of-copy"
 ARM = "aarch64-linux"
+MAC_ARM = "darwin64 on Apple's processors"
 WINE = Path("/usr/lib/wine/wine64")  # Debian's package puts it nowhere else
 WINE_FILES = OUT / "wine"
 
@@ -47,6 +49,18 @@ class Machine:
         """What the program prints, with plain ends of lines."""
         output = run([*self.runner, program, *arguments], self.environment)
         return output.replace("\r\n", "\n")
+
+
+def for_linux(library: Path, processor: str, compiler: list[str]) -> Path:
+    """The code of the library for macOS as a library for Linux on the same processor."""
+    folder = library.parent / processor
+    folder.mkdir()
+    source = write_assembly(processors(library)[processor], folder)
+    converted = folder / "libstribeck.so"
+    shims = Path(__file__).with_name("macos.c")
+    flags = ["-shared", "-fPIC", "-O2", "-Wl,-z,defs", "-Wl,--no-warn-rwx-segments"]
+    run([*compiler, *flags, source, shims, "-o", converted, "-lm", "-lgcc_s"])
+    return converted
 
 
 def library_of(fmu: Path, platform: str, suffix: str, folder: Path) -> Path:
