@@ -4,6 +4,9 @@
     python3 tasks.py demo     pack the FMUs, run each of them from Python, draw the results
     python3 tasks.py test     every check and test of the project
     python3 tasks.py trust    the fault tests in full, with their figures
+    python3 tasks.py coverage the branches that the tests take
+    python3 tasks.py broken   copies broken on purpose, and the tests that notice
+    python3 tasks.py mutants  many small changes of the laws, and how many of them the tests notice
     python3 tasks.py bench    the benchmarks
     python3 tasks.py pack     the FMUs into dist/
     python3 tasks.py platforms  the FMUs for Linux, Windows and macOS, run under wine and qemu
@@ -27,6 +30,10 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent
 VENV = ROOT / ".venv"
 REQUIREMENTS = ROOT / "requirements.txt"
+# Cargo's tools that only single tasks need are built here, with these versions.
+TOOLS = ROOT / "target" / "tools"
+COVERAGE_TOOL = "cargo-llvm-cov@0.9.1"
+MUTATION_TOOL = "cargo-mutants@27.1.0"
 REQUIREMENTS_OF_PLATFORMS = ROOT / "requirements-platforms.txt"
 WINDOWS = os.name == "nt"
 PROGRAMS = VENV / ("Scripts" if WINDOWS else "bin")
@@ -215,6 +222,42 @@ def trust() -> None:
     run(sys.executable, "tests/c/run.py", "--thorough")
 
 
+def setup_tool(tool: str) -> dict[str, str]:
+    """Builds a tool of cargo, unless it is there; the environment in which cargo finds it."""
+    run("cargo", "install", "--locked", "--root", TOOLS, tool)
+    return {"PATH": f"{TOOLS / 'bin'}{os.pathsep}{os.environ['PATH']}"}
+
+
+def coverage() -> None:
+    """Which branches the tests take."""
+    need_rust()
+    need("rustup", "this task needs the Rust of https://rustup.rs, which has the tools of LLVM")
+    run("rustup", "component", "add", "llvm-tools")
+    environment = setup_tool(COVERAGE_TOOL)
+    # Rust counts branches in unstable builds only; the compiler is the same.
+    build = {**environment, "RUSTC_BOOTSTRAP": "1", "CARGO_PROFILE_DEV_DEBUG": "0"}
+    run("cargo", "llvm-cov", "--branch", "--no-report", "--package", "stribeck", "--lib", "--tests", **build)
+    export = ROOT / "out" / "coverage.json"
+    export.parent.mkdir(exist_ok=True)
+    run("cargo", "llvm-cov", "report", "--branch", "--json", "--output-path", export, **build)
+    run(sys.executable, "tests/coverage.py", export)
+
+
+def broken() -> None:
+    """Copies of the library that are broken on purpose, and the tests that notice."""
+    need_rust()
+    need("git", "it applies the patches")
+    run(sys.executable, "tests/broken/patches.py")
+
+
+def mutants() -> None:
+    """Many small changes of the laws, and how many of them the tests notice."""
+    need_rust()
+    if WINDOWS:
+        raise TaskError("this task bounds processor times, which Windows does not")
+    run(sys.executable, "tests/broken/mutants.py", **setup_tool(MUTATION_TOOL))
+
+
 def bench() -> None:
     """The benchmarks."""
     need_rust()
@@ -234,6 +277,10 @@ TASKS = {
     "then about 2",
     test: "check formatting and lints, run the Rust, C and Python tests: 15 to 25 minutes, then about 10",
     trust: "try what hosts may do to the library, in full, and print the figures: about an hour",
+    coverage: "install cargo-llvm-cov, run the Rust tests with counters and print which branches they take: XX minutes",
+    broken: "break copies of the library on purpose and show which tests notice: XX minutes",
+    mutants: "install cargo-mutants, change the friction laws in more than 200 small ways, one at a time, and count "
+    "how many the tests notice: XX minutes",
     bench: "build and run the benchmarks: 2 to 5 minutes",
     pack: "build the library and pack every model as an FMU into dist/: 1 to 2 minutes",
     platforms: "pack for all platforms twice, compare, run the libraries under wine and qemu; as root it installs what "
