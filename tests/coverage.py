@@ -1,29 +1,66 @@
 #!/usr/bin/env python3
-"""Prints what share of the library's code and of its branches the tests run, from an export of cargo-llvm-cov.
+"""Prints what share of the library's code and of its branches the tests run. Fails below the limits.
 
-    python3 tests/coverage.py out/coverage.json    `python3 tasks.py coverage` makes the file and runs this
+    python3 tests/coverage.py    after `cargo llvm-cov --no-report`; both are done by `python3 tasks.py coverage`
 
-A generic function exists once for each number type and model; what counts is the place in the source, which is covered
-if any of its instances is. Each condition has two branches, true and false. The compiler does not count the arms of a
-`match` as branches, so the share of the code, in pieces without a fork, is printed too. Test code is left out, and a
-`const fn` that only the compiler runs, where nothing can be counted. Fails below the limits. Names the branches that no
-test takes.
+Runs the C tests too, with the library that counts. A generic function exists once for each number type and model, and
+all code twice, with and without the unit tests; what counts is the place in the source, which is covered if any of its
+instances is. Each condition has two branches, true and false. The compiler does not count the arms of a `match` as
+branches, so the share of the code, in pieces without a fork, is printed too. Test code is left out, and a `const fn`
+that only the compiler runs, where nothing can be counted. Names the branches that no test takes.
 """
 
-import argparse
 import collections
 import itertools
 import json
+import os
+import re
+import subprocess
 import sys
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
 SOURCE = ROOT / "src"
+TARGET = ROOT / "target" / "llvm-cov-target"
+PROGRAMS = TARGET / "debug" / "deps"
+LIBRARY = PROGRAMS / "libstribeck.so"
 # The foreign-function interfaces, and what only they need.
 FOREIGN = {"fmi2", "c_api", "memory.rs", "panics.rs", "float_mode.rs"}
 TEST_CODE = {"src/fmi2/tests.rs", "src/probe.rs"}
 LIMITS = {"core": 95.0, "FFI": 90.0}
 CODE = 0  # kind of a region that is code; others are gaps, skipped text and expansions
+
+
+def succeed(*command, **environment):
+    """Runs a command that must succeed; what it printed."""
+    words = [str(word) for word in command]
+    return subprocess.run(
+        words, check=True, stdout=subprocess.PIPE, env={**os.environ, **environment}, text=True
+    ).stdout
+
+
+def run_c_tests():
+    """The C interface and the FMI functions, as programs in C use them. Their own checks end them with an error."""
+    compiler = [os.environ.get("CC", "cc"), "-std=gnu99", "-O1", f"-I{ROOT / 'include'}"]
+    counters = str(TARGET / "c-tests-%p.profraw")
+    for name, linked, arguments in [("api_test", [LIBRARY, f"-Wl,-rpath,{PROGRAMS}"], []), ("fmi_test", [], [LIBRARY])]:
+        program = TARGET / name
+        succeed(*compiler, ROOT / "tests" / "c" / f"{name}.c", *linked, "-lm", "-ldl", "-o", program)
+        succeed(program, *arguments, LLVM_PROFILE_FILE=counters)
+
+
+def functions():
+    """What has run in each program: for one after the other, as functions of the same name in two of them differ."""
+    compiler = succeed("rustc", "--version", "--verbose")
+    host = re.search(r"^host: (\S+)$", compiler, re.MULTILINE)[1]
+    tools = Path(succeed("rustc", "--print", "sysroot").strip()) / "lib" / "rustlib" / host / "bin"
+    counted = TARGET / "all.profdata"
+    succeed(tools / "llvm-profdata", "merge", "-sparse", *TARGET.glob("*.profraw"), "-o", counted)
+    programs = [path for path in PROGRAMS.iterdir() if not path.suffix and os.access(path, os.X_OK) and path.is_file()]
+    for program in [LIBRARY, *programs]:
+        export = succeed(tools / "llvm-cov", "export", "-format=text", f"-instr-profile={counted}", program)
+        for part in json.loads(export)["data"]:
+            yield from part["functions"]
 
 
 class Covered:
@@ -117,10 +154,8 @@ def folder(name):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("export", type=Path, help="what `cargo llvm-cov report --json` has written")
-    export = json.loads(parser.parse_args().export.read_text(encoding="utf-8"))
-    measured = Measured(function for part in export["data"] for function in part["functions"])
+    run_c_tests()
+    measured = Measured(functions())
     print("\n".join(measured.missed()))
     print(f"\n{len(measured.compiled)} functions are run by the compiler alone.\n")
     print(f"{'':20} {'pieces of code':18}   branches")
