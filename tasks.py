@@ -4,6 +4,9 @@
     python3 tasks.py demo     pack the FMUs, run each of them from Python, draw the results
     python3 tasks.py test     every check and test of the project
     python3 tasks.py trust    the fault tests in full, with their figures
+    python3 tasks.py coverage the branches that the tests take
+    python3 tasks.py broken   copies broken on purpose, and the tests that notice
+    python3 tasks.py mutants  many small changes of the laws, and how many of them the tests notice
     python3 tasks.py bench    the benchmarks
     python3 tasks.py pack     the FMUs into dist/
     python3 tasks.py platforms  the FMUs for Linux, Windows and macOS, run under wine and qemu
@@ -29,14 +32,15 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent
 VENV = ROOT / ".venv"
 REQUIREMENTS = ROOT / "requirements.txt"
+# Cargo's tools that only single tasks need are built here, with these versions.
+TOOLS = ROOT / "target" / "tools"
+COVERAGE_TOOL = "cargo-llvm-cov@0.9.1"
+MUTATION_TOOL = "cargo-mutants@27.1.0"
+SUPPLY_TOOL = "cargo-deny@0.20.2"
 REQUIREMENTS_OF_PLATFORMS = ROOT / "requirements-platforms.txt"
 WINDOWS = os.name == "nt"
 PROGRAMS = VENV / ("Scripts" if WINDOWS else "bin")
 PYTHON = PROGRAMS / ("python.exe" if WINDOWS else "python")
-
-# Programs that cargo builds for tasks, outside the project's own crates, with their versions.
-TOOLS = ROOT / "target" / "tools"
-CARGO_DENY = "0.20.2"
 
 RUST_FOLDERS = ["src", "tests", "benches", "fmu-build", "lab", "examples"]
 PYTHON_FOLDERS = ["tasks.py", "examples", "tests"]
@@ -281,30 +285,57 @@ def trust() -> None:
         raise TaskError("; ".join(failed))
 
 
-def setup_tool(name: str, version: str) -> Path:
-    """Builds a program from crates.io, if it is not there in this version, and returns its path."""
-    run("cargo", "install", "--quiet", "--locked", "--root", TOOLS, f"{name}@{version}")
-    return TOOLS / "bin" / (f"{name}.exe" if WINDOWS else name)
+def setup_tool(tool: str) -> dict[str, str]:
+    """Builds a tool of cargo, unless it is there; the environment in which cargo finds it."""
+    run("cargo", "install", "--quiet", "--locked", "--root", TOOLS, tool)
+    return {"PATH": f"{TOOLS / 'bin'}{os.pathsep}{os.environ['PATH']}"}
 
 
 def supply() -> None:
     """What deny.toml demands of the crates of the library and of the workspace; then the faults that are known."""
     need_rust()
-    deny = setup_tool("cargo-deny", CARGO_DENY)
-    library = [deny, "--locked", "--manifest-path", "Cargo.toml", "--exclude-dev"]
-    workspace = [deny, "--locked", "--manifest-path", "Cargo.toml", "--workspace"]
+    tools = setup_tool(SUPPLY_TOOL)
+    library = ["cargo", "deny", "--locked", "--manifest-path", "Cargo.toml", "--exclude-dev"]
+    workspace = ["cargo", "deny", "--locked", "--manifest-path", "Cargo.toml", "--workspace"]
     # The exceptions of deny.toml are for crates that are not in the library.
-    run(*library, "check", "--allow", "license-exception-not-encountered", "bans", "licenses", "sources")
-    run(*workspace, "check", "licenses", "sources")
+    run(*library, "check", "--allow", "license-exception-not-encountered", "bans", "licenses", "sources", **tools)
+    run(*workspace, "check", "licenses", "sources", **tools)
     print("\nlicences, bans and sources: passed", flush=True)
     try:
-        run(*workspace, "fetch", "db")
+        run(*workspace, "fetch", "db", **tools)
     except TaskError as error:
         raise TaskError(
             "advisories NOT CHECKED, everything else passed: the list of known faults (github.com/RustSec/advisory-db) "
             "could not be fetched; repeat this where github.com can be reached"
         ) from error
-    run(*workspace, "check", "--disable-fetch", "advisories")
+    run(*workspace, "check", "--disable-fetch", "advisories", **tools)
+
+
+def coverage() -> None:
+    """Which branches the tests take."""
+    need_rust()
+    need("rustup", "this task needs the Rust of https://rustup.rs, which has the tools of LLVM")
+    run("rustup", "component", "add", "llvm-tools")
+    environment = setup_tool(COVERAGE_TOOL)
+    # Rust counts branches in unstable builds only; the compiler is the same.
+    build = {**environment, "RUSTC_BOOTSTRAP": "1", "CARGO_PROFILE_DEV_DEBUG": "0"}
+    run("cargo", "llvm-cov", "--branch", "--no-report", "--package", "stribeck", "--lib", "--tests", **build)
+    run(sys.executable, "tests/coverage.py")
+
+
+def broken() -> None:
+    """Copies of the library that are broken on purpose, and the tests that notice."""
+    need_rust()
+    need("git", "it applies the patches")
+    run(sys.executable, "tests/broken/patches.py")
+
+
+def mutants() -> None:
+    """Many small changes of the laws, and how many of them the tests notice."""
+    need_rust()
+    if WINDOWS:
+        raise TaskError("this task bounds processor times, which Windows does not")
+    run(sys.executable, "tests/broken/mutants.py", **setup_tool(MUTATION_TOOL))
 
 
 def bench() -> None:
@@ -328,6 +359,10 @@ TASKS = {
     trust: "try what hosts may do to the library, in full, and print the figures: about an hour",
     supply: "check licences, bans and sources of the crates, and their known faults if github.com can be reached: 5 to "
     "10 minutes, then seconds",
+    coverage: "install cargo-llvm-cov, run the Rust tests with counters and print which branches they take: XX minutes",
+    broken: "break copies of the library on purpose and show which tests notice: XX minutes",
+    mutants: "install cargo-mutants, change the friction laws in more than 200 small ways, one at a time, and count "
+    "how many the tests notice: XX minutes",
     bench: "build and run the benchmarks: 2 to 5 minutes",
     pack: "build the library and pack every model as an FMU into dist/: 1 to 2 minutes",
     platforms: "pack for all platforms twice, compare, run the libraries under wine and qemu; as root it installs what "

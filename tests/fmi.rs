@@ -527,6 +527,7 @@ fn experiments_that_make_no_sense_are_refused() {
         (fmi2False, 0.0, 0.0, fmi2True, f64::INFINITY, "stopTime = inf"),
         (fmi2True, 0.0, 0.0, fmi2False, 0.0, "tolerance = 0"),
         (fmi2True, f64::NAN, 0.0, fmi2False, 0.0, "tolerance = NaN"),
+        (fmi2True, f64::INFINITY, 0.0, fmi2False, 0.0, "tolerance = inf"),
     ];
     for (has_tolerance, tolerance, start, has_stop, stop, why) in cases {
         let importer = Importer::new("LuGre");
@@ -559,6 +560,14 @@ fn steps_that_make_no_sense_are_refused() {
         importer.one_message();
         assert_eq!(importer.step(0.0, 1e-3), fmi2Error, "after an error");
     }
+    let endless = Importer::new("LuGre");
+    // SAFETY: an instance of this test.
+    unsafe {
+        assert_eq!(fmi2SetupExperiment(endless.c, fmi2False, 0.0, 0.0, fmi2False, 0.0), fmi2OK);
+        assert_eq!(fmi2EnterInitializationMode(endless.c), fmi2OK);
+        assert_eq!(fmi2ExitInitializationMode(endless.c), fmi2OK);
+    }
+    assert_eq!(endless.step(0.0, f64::INFINITY), fmi2Error, "no stop time, and yet no endless step");
 }
 
 /// Masters accumulate the time, multiply it, count nanoseconds, or make one tiny step at the end.
@@ -652,6 +661,26 @@ fn wrong_references_pointers_and_types_are_errors() {
         check("set FMUstate NULL", &|i| fmi2SetFMUstate(i.c, null_mut()));
         check("size of NULL", &|i| fmi2SerializedFMUstateSize(i.c, null_mut(), &mut 0));
         check("deserialise nothing", &|i| fmi2DeSerializeFMUstate(i.c, null(), 0, &mut null_mut()));
+        let owner = Importer::ready("LuGre");
+        let mut saved = owner.save();
+        let mut bytes = owner.bytes(saved);
+        check("size NULL", &|i| fmi2SerializedFMUstateSize(i.c, saved, null_mut()));
+        check("deserialise to NULL", &|i| fmi2DeSerializeFMUstate(i.c, bytes.as_ptr(), bytes.len(), null_mut()));
+        let (start, too_few) = (bytes.as_mut_ptr(), bytes.len() - 1);
+        check("too few bytes", &|i| fmi2SerializeFMUstate(i.c, saved, start, too_few));
+        assert_eq!(fmi2FreeFMUstate(owner.c, &mut saved), fmi2OK);
+        let integrating = |state| Importer::in_state_of("LuGre", Purpose::ModelExchange, state);
+        let importer = integrating(State::EventMode);
+        assert_eq!(fmi2NewDiscreteStates(importer.c, null_mut()), fmi2Error);
+        assert!(importer.one_message().2.contains("eventInfo is NULL"));
+        for is_first in [true, false] {
+            let importer = integrating(State::ContinuousTimeMode);
+            let mut flag = fmi2True;
+            let (event, end): (*mut _, *mut _) =
+                if is_first { (null_mut(), &mut flag) } else { (&mut flag, null_mut()) };
+            assert_eq!(fmi2CompletedIntegratorStep(importer.c, fmi2True, event, end), fmi2Error);
+            assert!(importer.one_message().2.contains("is NULL"));
+        }
 
         let importer = Importer::ready("LuGre");
         assert_eq!(fmi2GetReal(importer.c, null(), 0, null_mut()), fmi2OK);
@@ -721,6 +750,15 @@ fn messages_can_be_switched_by_category_and_keep_percent_signs() {
     switch(c"logAll", fmi2True);
     assert_eq!(importer.set("normal_force", -1.0), fmi2Discard);
     importer.one_message();
+    switch(c"logStatusError", fmi2False);
+    assert_eq!(importer.set("normal_force", -1.0), fmi2Discard);
+    importer.one_message();
+    let silent = Importer::in_state("LuGre", State::StepComplete);
+    // SAFETY: one category.
+    assert_eq!(unsafe { fmi2SetDebugLogging(silent.c, fmi2False, 1, &c"logStatusError".as_ptr()) }, fmi2OK);
+    assert_eq!(silent.step(0.0, -1.0), fmi2Error);
+    assert!(silent.heard.lock().expect("one thread").is_empty());
+    switch(c"logStatusError", fmi2True);
     // SAFETY: one category.
     assert_eq!(unsafe { fmi2SetDebugLogging(importer.c, fmi2True, 1, &c"100%s#".as_ptr()) }, fmi2Error);
     assert!(importer.one_message().2.contains("unknown log category 100%s##"));
@@ -837,6 +875,13 @@ fn a_state_holds_the_experiment_and_can_be_overwritten() {
         assert_eq!(importer.get("bristle_deflection"), deflection);
         assert_eq!(importer.step(0.01, 50.0), fmi2OK);
         assert_eq!(importer.step(50.01, 50.0), fmi2Error, "the stop time 100 s came back");
+        let earlier = Importer::ready("LuGre");
+        let mut first = earlier.save();
+        let bytes = earlier.bytes(first);
+        assert_eq!(fmi2DeSerializeFMUstate(importer.c, bytes.as_ptr(), bytes.len(), &mut saved), fmi2OK);
+        assert_eq!(fmi2SetFMUstate(importer.c, saved), fmi2OK);
+        assert_eq!(importer.get("bristle_deflection"), 0.0, "read into the state that was there");
+        assert_eq!(fmi2FreeFMUstate(earlier.c, &mut first), fmi2OK);
         assert_eq!(fmi2FreeFMUstate(importer.c, &mut saved), fmi2OK);
     }
 }
@@ -1112,6 +1157,64 @@ fn slopes_of_inputs_and_outputs() {
     }
     assert_eq!(importer.step(t, h), fmi2OK);
     assert_eq!((importer.get("velocity"), derivative(1)), (velocity, held), "nor after a restored state");
+}
+
+/// A slope or a state that is not finite is discarded, and the run goes on; so is a ramp that would overflow.
+#[test]
+fn slopes_and_states_must_be_finite() {
+    let stepping = Importer::ready("LuGre");
+    let integrating = Importer::in_state_of("LuGre", Purpose::ModelExchange, State::ContinuousTimeMode);
+    for value in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+        // SAFETY: arrays of the length given.
+        unsafe {
+            let velocity = stepping.vr("velocity");
+            assert_eq!(fmi2SetRealInputDerivatives(stepping.c, &velocity, 1, &1, &value), fmi2Discard);
+            assert!(stepping.one_message().2.contains("derivative of velocity = "));
+            let mut states = vec![0.0; catalogue::by_name("LuGre").expect("a law").continuous_states().count()];
+            assert_eq!(fmi2GetContinuousStates(integrating.c, states.as_mut_ptr(), states.len()), fmi2OK);
+            let before = states.clone();
+            states[0] = value;
+            assert_eq!(fmi2SetContinuousStates(integrating.c, states.as_ptr(), states.len()), fmi2Discard);
+            assert!(integrating.one_message().2.contains("x[0] = "));
+            assert_eq!(fmi2GetContinuousStates(integrating.c, states.as_mut_ptr(), states.len()), fmi2OK);
+            assert_eq!(states, before);
+        }
+    }
+    assert_eq!(stepping.step(0.0, 1e-3), fmi2OK);
+    assert_eq!(stepping.get("velocity"), 0.01, "no slope was taken");
+}
+
+/// Time derivatives of states are unknowns too; computed variables are no knowns.
+#[test]
+fn directional_derivatives_of_time_derivatives() {
+    let importer = Importer::in_state_of("Dahl", Purpose::ModelExchange, State::EventMode);
+    let model = catalogue::by_name("Dahl").expect("a law");
+    let velocity = importer.vr("velocity");
+    assert_eq!(importer.set("velocity", 2e-3), fmi2OK);
+    for (place, _) in model.continuous_states().enumerate() {
+        let rate = (model.table.len() + 1 + place) as fmi2ValueReference;
+        let at = |value: f64| {
+            assert_eq!(importer.set("velocity", value), fmi2OK);
+            let mut found = f64::NAN;
+            // SAFETY: one reference, one value.
+            assert_eq!(unsafe { fmi2GetReal(importer.c, &rate, 1, &mut found) }, fmi2OK);
+            found
+        };
+        let h = 1e-7;
+        let difference = (at(2e-3 + h) - at(2e-3 - h)) / (2.0 * h);
+        at(2e-3);
+        let mut exact = f64::NAN;
+        // SAFETY: one unknown, one known.
+        unsafe {
+            assert_eq!(fmi2GetDirectionalDerivative(importer.c, &rate, 1, &velocity, 1, &1.0, &mut exact), fmi2OK);
+        }
+        assert!((exact - difference).abs() <= 1e-6 * difference.abs() + 1e-9, "{exact} against {difference}");
+    }
+    let force = importer.vr("friction_force");
+    // SAFETY: one unknown, one known.
+    let status = unsafe { fmi2GetDirectionalDerivative(importer.c, &force, 1, &force, 1, &1.0, &mut 0.0) };
+    assert_eq!(status, fmi2Error);
+    assert!(importer.one_message().2.contains("friction_force is computed"));
 }
 
 /// Laws that jump or remember have no derivatives to integrate, and a force that is held over a step has no place where

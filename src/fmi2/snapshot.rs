@@ -225,3 +225,33 @@ pub unsafe extern "C" fn fmi2DeSerializeFMUstate(
     // SAFETY: the caller's promise about `c`.
     unsafe { enter(c, Call::DeSerializeFMUstate, body) }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::instance::Instance;
+
+    /// The checksum only says that nothing was damaged: what the FMI layer adds is looked at too.
+    #[test]
+    fn owners_numbers_that_make_no_sense_are_refused() {
+        let model = crate::catalogue::by_name("LuGre").expect("a model of the catalogue");
+        let snapshot = Instance::new(model).save();
+        let read = |owners: [f64; serial::OWNERS]| {
+            let mut bytes = vec![0; serial::size(model)];
+            serial::write(model, &snapshot, owners, &mut bytes);
+            Saved::read(model, &bytes)
+        };
+        let sound = read([0.0, 1.0, 0.5, f64::INFINITY]).ok().expect("a sound state");
+        assert!(sound.state == STATES[0] && sound.experiment.is_set_up && sound.experiment.start == 0.5);
+        let states = STATES.len() as f64;
+        for (owners, why) in [
+            ([states, 1.0, 0.0, 1.0], format!("unknown state {states}")),
+            ([0.5, 1.0, 0.0, 1.0], "unknown state 0.5".to_owned()),
+            ([0.0, 1.0, f64::INFINITY, 1.0], "start time inf".to_owned()),
+            ([0.0, 1.0, 0.0, f64::NAN], "stop time NaN".to_owned()),
+        ] {
+            let Err(Refusal::Error(text)) = read(owners) else { panic!("{owners:?} was taken") };
+            assert!(text.contains(&why), "{text}");
+        }
+    }
+}

@@ -561,6 +561,25 @@ static void models_do_not_disturb_each_other(void) {
     free(expected.bytes);
 }
 
+/* A preset sets its own values and gives all other parameters their start values. An unknown name changes nothing. */
+static void presets_set_the_parameters(void) {
+    stribeck_model *model = create("DamperTemperature");
+    set(model, "thermal.enabled", 0.0);
+    set(model, "temperature_ambient", 300.0);
+    state before = save(model);
+    CHECK(stribeck_apply_preset(model, "cooling") == STRIBECK_UNKNOWN_MODEL);
+    CHECK(says(model, "DamperTemperature", "'cooling'"));
+    CHECK(stribeck_apply_preset(model, NULL) == STRIBECK_NULL);
+    CHECK(stribeck_apply_preset(NULL, "heating") == STRIBECK_NULL);
+    CHECK(is_unchanged(model, &before));
+    CHECK(stribeck_preset_count(model) == 1 && strcmp(stribeck_preset_name(model, 0), "heating") == 0);
+    CHECK(stribeck_apply_preset(model, "heating") == STRIBECK_OK);
+    CHECK(get(model, "power") == 50.0 && get(model, "thermal.enabled") == 1.0);
+    CHECK(get(model, "temperature_ambient") == 300.0);
+    free(before.bytes);
+    stribeck_free(model);
+}
+
 int main(void) {
     library_names_itself_and_its_models();
     every_status_has_its_own_text();
@@ -580,5 +599,6 @@ int main(void) {
     states_of_other_models_are_refused();
     small_buffers_are_refused();
     models_do_not_disturb_each_other();
+    presets_set_the_parameters();
     return report();
 }
