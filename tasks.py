@@ -75,7 +75,8 @@ class TaskError(Exception):
 def run(*command: str | Path, **environment: str) -> None:
     """Runs a command in the project's folder; a failure ends the task."""
     words = [str(word) for word in command]
-    settings = [f"{name}={value}" for name, value in environment.items()]
+    # The search path is long, and says little.
+    settings = [f"{name}={value}" for name, value in environment.items() if name != "PATH"]
     shown = shlex.join(settings + words)
     print(f"\n> {shown if len(shown) < 300 else shown[:300] + ' ...'}", flush=True)
     try:
