@@ -4,6 +4,7 @@
     python3 tasks.py demo     pack the FMUs, run each of them from Python, draw the results
     python3 tasks.py test     every check and test of the project
     python3 tasks.py trust    the fault tests in full, with their figures
+    python3 tasks.py fuzz     new inputs for interfaces and file readers, five minutes for each target
     python3 tasks.py bench    the benchmarks
     python3 tasks.py pack     the FMUs into dist/
     python3 tasks.py platforms  the FMUs for Linux, Windows and macOS, run under wine and qemu
@@ -32,8 +33,8 @@ WINDOWS = os.name == "nt"
 PROGRAMS = VENV / ("Scripts" if WINDOWS else "bin")
 PYTHON = PROGRAMS / ("python.exe" if WINDOWS else "python")
 
-RUST_FOLDERS = ["src", "tests", "benches", "fmu-build", "lab", "examples"]
-PYTHON_FOLDERS = ["tasks.py", "examples", "tests"]
+RUST_FOLDERS = ["src", "tests", "benches", "fmu-build", "fuzz", "lab", "examples"]
+PYTHON_FOLDERS = ["tasks.py", "examples", "fuzz", "tests"]
 C_FOLDERS = ["examples/c", "examples/cpp", "examples/mujoco", "tests/c", "benches"]
 
 
@@ -190,6 +191,7 @@ def check_style() -> None:
     run(PROGRAMS / "clang-format", "--dry-run", "-Werror", *files(C_FOLDERS, ".c", ".cpp", ".h"))
     run("cargo", "clippy", "--workspace", "--all-targets", "--", "--deny", "warnings")
     run(PYTHON, "tests/importers/cargo.py", "clippy", "--", "--deny", "warnings")
+    run(PYTHON, "fuzz/run.py", "--lint")
 
 
 def test() -> None:
@@ -205,6 +207,7 @@ def test() -> None:
     run("cargo", "run", "--package", "fmu-build", "--", "check")
     pack()
     run(PYTHON, "tests/c/run.py")
+    run(PYTHON, "fuzz/run.py")
     run(PYTHON, "-m", "pytest", "tests/python")
 
 
@@ -213,6 +216,13 @@ def trust() -> None:
     need_rust()
     need_c_compiler()
     run(sys.executable, "tests/c/run.py", "--thorough")
+
+
+def fuzz() -> None:
+    """Coverage-guided fuzzing under the address sanitizer. What is found is in target/fuzz/found."""
+    need_rust()
+    need_c_compiler()
+    run(sys.executable, "fuzz/run.py", "--long", "300")
 
 
 def bench() -> None:
@@ -234,6 +244,7 @@ TASKS = {
     "then about 2",
     test: "check formatting and lints, run the Rust, C and Python tests: 15 to 25 minutes, then about 10",
     trust: "try what hosts may do to the library, in full, and print the figures: about an hour",
+    fuzz: "try new inputs for interfaces and file readers, five minutes for each of seven targets: 20 to 30 minutes",
     bench: "build and run the benchmarks: 2 to 5 minutes",
     pack: "build the library and pack every model as an FMU into dist/: 1 to 2 minutes",
     platforms: "pack for all platforms twice, compare, run the libraries under wine and qemu; as root it installs what "
