@@ -7,6 +7,7 @@
     python3 tasks.py coverage the branches that the tests take
     python3 tasks.py broken   copies broken on purpose, and the tests that notice
     python3 tasks.py mutants  many small changes of the laws, and how many of them the tests notice
+    python3 tasks.py fuzz     new inputs for interfaces and file readers, five minutes for each target
     python3 tasks.py bench    the benchmarks
     python3 tasks.py pack     the FMUs into dist/
     python3 tasks.py platforms  the FMUs for Linux, Windows and macOS, run under wine and qemu
@@ -42,8 +43,8 @@ WINDOWS = os.name == "nt"
 PROGRAMS = VENV / ("Scripts" if WINDOWS else "bin")
 PYTHON = PROGRAMS / ("python.exe" if WINDOWS else "python")
 
-RUST_FOLDERS = ["src", "tests", "benches", "fmu-build", "lab", "examples"]
-PYTHON_FOLDERS = ["tasks.py", "examples", "tests"]
+RUST_FOLDERS = ["src", "tests", "benches", "fmu-build", "fuzz", "lab", "examples"]
+PYTHON_FOLDERS = ["tasks.py", "examples", "fuzz", "tests"]
 C_FOLDERS = ["examples/c", "examples/cpp", "examples/mujoco", "tests/c", "tests/platforms", "benches"]
 
 
@@ -228,6 +229,7 @@ def check_style() -> None:
     run(PROGRAMS / "clang-format", "--dry-run", "-Werror", *files(C_FOLDERS, ".c", ".cpp", ".h"))
     run("cargo", "clippy", "--workspace", "--all-targets", "--", "--deny", "warnings")
     run(PYTHON, "tests/importers/cargo.py", "clippy", "--", "--deny", "warnings")
+    run(PYTHON, "fuzz/run.py", "--lint")
 
 
 def test() -> None:
@@ -243,6 +245,7 @@ def test() -> None:
     run("cargo", "run", "--package", "fmu-build", "--", "check")
     pack()
     run(PYTHON, "tests/c/run.py")
+    run(PYTHON, "fuzz/run.py")
     run(PYTHON, "-m", "pytest", "tests/python")
 
 
@@ -339,6 +342,13 @@ def mutants() -> None:
     run(sys.executable, "tests/broken/mutants.py", **setup_tool(MUTATION_TOOL))
 
 
+def fuzz() -> None:
+    """Coverage-guided fuzzing under the address sanitizer. What is found is in target/fuzz/found."""
+    need_rust()
+    need_c_compiler()
+    run(sys.executable, "fuzz/run.py", "--long", "300")
+
+
 def bench() -> None:
     """The benchmarks."""
     need_rust()
@@ -364,6 +374,7 @@ TASKS = {
     broken: "break copies of the library on purpose and show which tests notice: XX minutes",
     mutants: "install cargo-mutants, change the friction laws in more than 200 small ways, one at a time, and count "
     "how many the tests notice: XX minutes",
+    fuzz: "try new inputs for interfaces and file readers, five minutes for each of seven targets: 20 to 30 minutes",
     bench: "build and run the benchmarks: 2 to 5 minutes",
     pack: "build the library and pack every model as an FMU into dist/: 1 to 2 minutes",
     platforms: "pack for all platforms twice, compare, run the libraries under wine and qemu; as root it installs what "

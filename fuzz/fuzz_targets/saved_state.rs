@@ -1,0 +1,187 @@
+//! Bytes of saved states from outside, with and without a checksum that fits, through both interfaces.
+#![no_main]
+
+use std::ptr::null_mut;
+
+use arbitrary::Arbitrary;
+use fuzz::argument::{Column, Number, Step, model};
+use fuzz::fmi::{Slave, state};
+use fuzz::saved::{self, CHECKSUM, HEAD};
+use libfuzzer_sys::fuzz_target;
+use stribeck::c_api::stribeck_status::*;
+use stribeck::c_api::*;
+use stribeck::fmi2::lifecycle::State;
+use stribeck::fmi2::snapshot::*;
+use stribeck::fmi2::step::fmi2DoStep;
+use stribeck::fmi2::types::fmi2Status::*;
+use stribeck::fmi2::types::*;
+use stribeck::fmi2::values::fmi2GetReal;
+use stribeck::model::{Kind, ModelType};
+
+fuzz_target!(|input: Input| input.run());
+
+#[derive(Arbitrary, Debug)]
+struct Input {
+    model: u8,
+    /// Values of the state before the bytes are changed.
+    values: Vec<(Column, Number)>,
+    lifecycle: u8,
+    edits: Vec<Edit>,
+    /// Is the checksum made to fit?
+    seal: bool,
+    step: Step,
+}
+
+#[derive(Arbitrary, Debug)]
+enum Edit {
+    /// Another byte.
+    Byte(u16, u8),
+    /// Another number among the numbers.
+    Number(u16, Number),
+    /// Fewer bytes.
+    Cut(u16),
+    /// More bytes.
+    Append(Vec<u8>),
+    /// The guid of another model.
+    Guid(u8),
+    /// Other bytes altogether.
+    Replace(Vec<u8>),
+}
+
+impl Input {
+    fn run(self) {
+        let model = model(self.model);
+        let bytes = self.bytes(model);
+        let is_readable = read_by_c(model, &bytes);
+        for exchange in [false, true] {
+            let slave = Slave::new(model, exchange);
+            let is_read = read_by_fmi(&slave, &bytes, self.step.length());
+            assert!(is_readable || !is_read, "the FMI layer reads what the C interface refuses");
+        }
+    }
+
+    /// The bytes of a sound state of the model, and then what the edits make of them.
+    fn bytes(&self, model: &'static ModelType) -> Vec<u8> {
+        let slave = Slave::new(model, false);
+        let mut bytes = slave.bytes();
+        for (column, number) in &self.values {
+            let column = column.of(model) as usize;
+            if let Some(variable) = model.table.get(column).filter(|variable| variable.admits(number.of(variable))) {
+                put(&mut bytes, saved::ROW + column, number.of(variable));
+            }
+        }
+        put(&mut bytes, saved::STATE, f64::from(self.lifecycle % 8));
+        for edit in &self.edits {
+            edit.apply(&mut bytes);
+        }
+        if self.seal {
+            saved::seal(&mut bytes);
+        }
+        bytes
+    }
+}
+
+impl Edit {
+    fn apply(&self, bytes: &mut Vec<u8>) {
+        match self {
+            Edit::Byte(at, value) => {
+                let length = bytes.len().max(1);
+                if let Some(byte) = bytes.get_mut(usize::from(*at) % length) {
+                    *byte = *value;
+                }
+            }
+            Edit::Number(at, number) => {
+                let count = bytes.len().saturating_sub(HEAD + CHECKSUM) / 8;
+                put(bytes, usize::from(*at) % count.max(1), number.alone());
+            }
+            Edit::Cut(count) => bytes.truncate(bytes.len().saturating_sub((*count).into())),
+            Edit::Append(more) => bytes.extend(more),
+            Edit::Guid(other) => {
+                if let Some(guid) = bytes.get_mut(12..HEAD) {
+                    guid.copy_from_slice(model(*other).guid().as_bytes());
+                }
+            }
+            Edit::Replace(others) => bytes.clone_from(others),
+        }
+    }
+}
+
+fn put(bytes: &mut [u8], place: usize, number: f64) {
+    let at = HEAD + 8 * place;
+    if let Some(place) = bytes.get_mut(at..at + 8) {
+        place.copy_from_slice(&number.to_le_bytes());
+    }
+}
+
+/// Is it a state of the model for the C interface? A refused one changes nothing.
+fn read_by_c(model: &'static ModelType, bytes: &[u8]) -> bool {
+    let mut handle = null_mut();
+    // SAFETY: a terminated text, a handle that is freed once, and as many bytes as is said.
+    unsafe {
+        assert_eq!(stribeck_create(model.c_name.as_ptr(), &mut handle), STRIBECK_OK);
+        let mut before = vec![0u8; stribeck_state_size(handle)];
+        let mut after = before.clone();
+        assert_eq!(stribeck_save(handle, before.as_mut_ptr().cast(), before.len()), STRIBECK_OK);
+        let status = stribeck_restore(handle, bytes.as_ptr().cast(), bytes.len());
+        assert_eq!(stribeck_save(handle, after.as_mut_ptr().cast(), after.len()), STRIBECK_OK);
+        if status == STRIBECK_OK {
+            // The numbers of the FMI layer mean nothing here.
+            assert_eq!(after[..saved::HEAD + 24], bytes[..saved::HEAD + 24]);
+            let row = saved::HEAD + 8 * saved::ROW;
+            assert_eq!(after[row..bytes.len() - CHECKSUM], bytes[row..bytes.len() - CHECKSUM]);
+            assert!(saved::is_finite(&saved::numbers(&after)));
+        } else {
+            assert_eq!(status, STRIBECK_BAD_BUFFER);
+            assert_eq!(after, before);
+        }
+        stribeck_free(handle);
+        status == STRIBECK_OK
+    }
+}
+
+/// Is it a state of the model for the FMI layer? If so, everything that can be done with it keeps the rules.
+fn read_by_fmi(slave: &Slave, bytes: &[u8], length: f64) -> bool {
+    let (c, before) = (slave.c, slave.bytes());
+    let mut read = null_mut();
+    // SAFETY: a live instance, as many bytes as is said, and a state that is freed once.
+    unsafe {
+        let status = fmi2DeSerializeFMUstate(c, bytes.as_ptr().cast(), bytes.len(), &mut read);
+        assert_eq!(status == fmi2OK, !read.is_null());
+        if status != fmi2OK {
+            let (before, after) = (saved::numbers(&before), saved::numbers(&slave.bytes()));
+            assert!(status == fmi2Error && saved::is_unchanged(slave.model, &before, &after, true));
+            return false;
+        }
+        assert_eq!(slave.bytes_of(read), bytes, "what was read is not what is written");
+        let numbers = saved::numbers(bytes);
+        assert!(saved::is_finite(&numbers), "{numbers:?}");
+        let status = fmi2SetFMUstate(c, read);
+        assert_eq!(status == fmi2OK, state(&numbers).is_for(slave.purpose));
+        if status == fmi2OK {
+            assert_eq!(slave.bytes(), bytes, "what was read is not what was restored");
+            go_on(slave, length);
+        }
+        assert_eq!(fmi2FreeFMUstate(c, &mut read), fmi2OK);
+    }
+    true
+}
+
+/// Reads everything and makes a step, if the instance is in a state for that.
+fn go_on(slave: &Slave, length: f64) {
+    let reals = slave.model.table.iter().enumerate().filter(|(_, variable)| matches!(variable.kind, Kind::Real(_)));
+    let references: Vec<u32> = reals.map(|(column, _)| column as u32).collect();
+    let mut values = vec![0.0; references.len()];
+    // SAFETY: a live instance, and arrays of that length.
+    unsafe {
+        let status = fmi2GetReal(slave.c, references.as_ptr(), references.len(), values.as_mut_ptr());
+        assert!(status == fmi2Error || (status == fmi2OK && values.iter().all(|value| value.is_finite())));
+        let before = saved::numbers(&slave.bytes());
+        let status = fmi2DoStep(slave.c, before[saved::TIME], length, fmi2True);
+        let after = saved::numbers(&slave.bytes());
+        assert!(saved::is_finite(&after));
+        match status {
+            fmi2OK => assert_eq!((state(&before), state(&after)), (State::StepComplete, State::StepComplete)),
+            _ => assert!(status == fmi2Error && saved::is_unchanged(slave.model, &before, &after, true)),
+        }
+    }
+}

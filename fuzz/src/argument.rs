@@ -1,0 +1,167 @@
+//! Arguments: numbers, steps, columns.
+
+use arbitrary::Arbitrary;
+use stribeck::catalogue;
+use stribeck::model::{ModelType, Role, Variable};
+
+/// Numbers at the edges of what a caller may mean.
+const ODD: [f64; 16] = [
+    0.0,
+    -0.0,
+    f64::NAN,
+    f64::INFINITY,
+    f64::NEG_INFINITY,
+    f64::MAX,
+    f64::MIN,
+    1e308,
+    -1e308,
+    1e-310,
+    -1e-310,
+    f64::MIN_POSITIVE,
+    f64::EPSILON,
+    1e15,
+    1.0,
+    -1.0,
+];
+
+fn odd(which: u8) -> f64 {
+    ODD[usize::from(which) % ODD.len()]
+}
+
+/// A power of ten from 1e-8 to 1e8.
+fn decades(sixteenths: i8) -> f64 {
+    10f64.powf(f64::from(sixteenths) / 16.0)
+}
+
+/// A model of the catalogue, by its place there.
+pub fn model(place: u8) -> &'static ModelType {
+    let models: Vec<_> = catalogue::models().collect();
+    models[usize::from(place) % models.len()]
+}
+
+/// A number for a variable.
+#[derive(Arbitrary, Clone, Copy, Debug)]
+pub enum Number {
+    /// The start value.
+    Start,
+    /// The smallest value that the variable admits.
+    Least,
+    /// The largest one.
+    Most,
+    /// The start value by a power of ten.
+    Scaled(i8),
+    /// Some thousandths of the usual size of the variable.
+    Small(i16),
+    /// A whole number.
+    Whole(i8),
+    /// One at the edges of floating point.
+    Odd(u8),
+    /// Any other.
+    Any(f64),
+}
+
+impl Number {
+    /// The number.
+    pub fn of(self, variable: &Variable) -> f64 {
+        match self {
+            Number::Start => variable.start,
+            Number::Least => variable.bound.min(),
+            Number::Most => variable.bound.max(),
+            Number::Scaled(by) => variable.start * decades(by),
+            Number::Small(thousandths) => variable.nominal * f64::from(thousandths) * 1e-3,
+            Number::Whole(number) => f64::from(number),
+            Number::Odd(which) => odd(which),
+            Number::Any(number) => number,
+        }
+    }
+
+    /// The number, for an argument that belongs to no variable.
+    pub fn alone(self) -> f64 {
+        match self {
+            Number::Start => 0.0,
+            Number::Least => f64::MIN,
+            Number::Most => f64::MAX,
+            Number::Scaled(by) => decades(by),
+            Number::Small(thousandths) => f64::from(thousandths) * 1e-3,
+            Number::Whole(number) => f64::from(number),
+            Number::Odd(which) => odd(which),
+            Number::Any(number) => number,
+        }
+    }
+}
+
+/// Length of a step in s.
+#[derive(Arbitrary, Clone, Copy, Debug)]
+pub enum Step {
+    /// One that hosts make: some tenths of a millisecond.
+    Usual(u8),
+    /// A power of ten.
+    Decades(i8),
+    /// One at the edges of floating point.
+    Odd(u8),
+    /// Any other.
+    Any(f64),
+}
+
+impl Step {
+    /// The step.
+    pub fn length(self) -> f64 {
+        match self {
+            Step::Usual(tenths) => (1.0 + f64::from(tenths)) * 1e-4,
+            Step::Decades(by) => decades(by),
+            Step::Odd(which) => odd(which),
+            Step::Any(step) => step,
+        }
+    }
+}
+
+/// A column of a table, mostly one that exists.
+#[derive(Arbitrary, Clone, Copy, Debug)]
+pub enum Column {
+    /// One of the table, or a few behind it.
+    Near(u16),
+    /// One of those with this role.
+    With(Wanted, u8),
+    /// Any number.
+    Any(u32),
+}
+
+/// What is wanted of a column.
+#[derive(Arbitrary, Clone, Copy, Debug)]
+pub enum Wanted {
+    /// Input.
+    Input,
+    /// Parameter.
+    Parameter,
+    /// State.
+    State,
+    /// Result.
+    Output,
+}
+
+impl Wanted {
+    fn is(self, role: Role) -> bool {
+        match self {
+            Wanted::Input => role == Role::Input,
+            Wanted::Parameter => role.is_parameter(),
+            Wanted::State => role.is_state(),
+            Wanted::Output => role.is_output(),
+        }
+    }
+}
+
+impl Column {
+    /// Its number.
+    pub fn of(self, model: &ModelType) -> u32 {
+        let behind = 2 + model.continuous_states().count();
+        match self {
+            Column::Near(number) => u32::from(number) % (model.table.len() + behind) as u32,
+            Column::With(wanted, which) => {
+                let columns: Vec<usize> =
+                    (0..model.table.len()).filter(|column| wanted.is(model.table[*column].role)).collect();
+                columns.get(usize::from(which) % columns.len().max(1)).map_or(0, |column| *column as u32)
+            }
+            Column::Any(number) => number,
+        }
+    }
+}

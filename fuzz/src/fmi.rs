@@ -1,0 +1,132 @@
+//! An instance as an importer holds it, through the functions of FMI 2.0.
+
+use std::cell::Cell;
+use std::ffi::{CStr, CString, c_void};
+use std::ptr::{null, null_mut};
+
+use stribeck::fmi2::lifecycle::{Purpose, STATES, State};
+use stribeck::fmi2::setup::*;
+use stribeck::fmi2::snapshot::*;
+use stribeck::fmi2::types::fmi2Status::fmi2OK;
+use stribeck::fmi2::types::*;
+use stribeck::model::ModelType;
+
+use crate::saved;
+
+/// An instance.
+pub struct Slave {
+    /// What the library knows it by.
+    pub c: fmi2Component,
+    /// Its model.
+    pub model: &'static ModelType,
+    /// What it was made for.
+    pub purpose: Purpose,
+    messages: Box<Cell<u32>>,
+}
+
+impl Drop for Slave {
+    fn drop(&mut self) {
+        // SAFETY: made by `new`, freed once.
+        unsafe { fmi2FreeInstance(self.c) };
+    }
+}
+
+/// Counts the messages of an instance. Rust cannot define variadic functions, but on the platforms on which this runs a
+/// function that names the first variadic argument receives it.
+unsafe extern "C" fn listen(
+    environment: *mut c_void,
+    _name: fmi2String,
+    status: fmi2Status,
+    category: fmi2String,
+    message: fmi2String,
+    text: fmi2String,
+) {
+    // SAFETY: the environment is the count of a live `Slave`; the texts are those of the library.
+    unsafe {
+        let count = &*environment.cast::<Cell<u32>>();
+        count.set(count.get() + 1);
+        assert_eq!(CStr::from_ptr(message), c"%s", "the message is a format and must be constant");
+        assert_ne!(status, fmi2OK);
+        assert!(CStr::from_ptr(category).to_bytes().starts_with(b"logStatus"));
+        let text = CStr::from_ptr(text).to_string_lossy();
+        assert!(!text.contains("internal fault"), "a panic was caught: {text}");
+    }
+}
+
+impl Slave {
+    /// A new instance. Models that are not for Model Exchange are made for co-simulation.
+    pub fn new(model: &'static ModelType, exchange: bool) -> Slave {
+        let exchange = exchange && model.model_exchange;
+        let messages = Box::<Cell<u32>>::default();
+        type Fixed = unsafe extern "C" fn(*mut c_void, fmi2String, fmi2Status, fmi2String, fmi2String, fmi2String);
+        // SAFETY: see `listen`.
+        let logger = unsafe { std::mem::transmute::<Fixed, fmi2CallbackLogger>(listen) };
+        let callbacks = fmi2CallbackFunctions {
+            logger,
+            allocateMemory: None,
+            freeMemory: None,
+            stepFinished: None,
+            componentEnvironment: std::ptr::from_ref(&*messages).cast_mut().cast(),
+        };
+        let guid = CString::new(model.guid()).expect("no zero byte");
+        let (kind, purpose) = if exchange {
+            (fmi2ModelExchange, Purpose::ModelExchange)
+        } else {
+            (fmi2CoSimulation, Purpose::CoSimulation)
+        };
+        let name = c"fuzz".as_ptr();
+        // SAFETY: valid texts and callbacks.
+        let c = unsafe { fmi2Instantiate(name, kind, guid.as_ptr(), null(), &callbacks, fmi2False, fmi2True) };
+        assert!(!c.is_null());
+        Slave { c, model, purpose, messages }
+    }
+
+    /// Messages since the last time.
+    pub fn take_messages(&self) -> u32 {
+        self.messages.replace(0)
+    }
+
+    /// Everything that a saved state of the instance holds.
+    pub fn bytes(&self) -> Vec<u8> {
+        let mut state = null_mut();
+        // SAFETY: a live instance and a state of it, freed once.
+        unsafe {
+            assert_eq!(fmi2GetFMUstate(self.c, &mut state), fmi2OK);
+            let bytes = self.bytes_of(state);
+            assert_eq!(fmi2FreeFMUstate(self.c, &mut state), fmi2OK);
+            bytes
+        }
+    }
+
+    /// The bytes of a saved state of the instance's model.
+    ///
+    /// # Safety
+    /// `state` must be a state that was not yet freed.
+    pub unsafe fn bytes_of(&self, state: fmi2FMUstate) -> Vec<u8> {
+        let mut size = 0;
+        // SAFETY: a live instance, a live state, and a buffer of the size that was asked for.
+        unsafe {
+            assert_eq!(fmi2SerializedFMUstateSize(self.c, state, &mut size), fmi2OK);
+            let mut bytes = vec![0u8; size];
+            assert_eq!(fmi2SerializeFMUstate(self.c, state, bytes.as_mut_ptr().cast(), size), fmi2OK);
+            bytes
+        }
+    }
+
+    /// Takes over a state from its bytes.
+    pub fn read(&self, bytes: &[u8]) {
+        let mut state = null_mut();
+        // SAFETY: a live instance, as many bytes as is said, and a state that is freed once.
+        unsafe {
+            let bytes: &[fmi2Byte] = std::slice::from_raw_parts(bytes.as_ptr().cast(), bytes.len());
+            assert_eq!(fmi2DeSerializeFMUstate(self.c, bytes.as_ptr(), bytes.len(), &mut state), fmi2OK);
+            assert_eq!(fmi2SetFMUstate(self.c, state), fmi2OK);
+            assert_eq!(fmi2FreeFMUstate(self.c, &mut state), fmi2OK);
+        }
+    }
+}
+
+/// The state of the lifecycle that the numbers of a saved state hold.
+pub fn state(numbers: &[f64]) -> State {
+    STATES[numbers[saved::STATE] as usize]
+}
