@@ -1,4 +1,5 @@
-//! The crates that the library is made of, as cargo builds it: with their licences, and what each of them needs.
+//! What the library is made of, with licences: the crates as cargo builds them, the standard library, and what linkers
+//! add.
 
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::fs;
@@ -10,7 +11,8 @@ use cargo_metadata::{DependencyKind, Metadata, MetadataCommand, Node, Package, P
 use serde::Deserialize;
 
 use crate::library::stdout;
-use crate::toolchain;
+use crate::platform::Platform;
+use crate::toolchain::{self, Addition};
 
 /// The package whose library the FMUs carry.
 pub const LIBRARY: &str = "stribeck";
@@ -32,6 +34,29 @@ pub struct Crate {
     pub needs: BTreeSet<String>,
 }
 
+/// Everything in the libraries of an FMU.
+#[derive(Clone, Debug)]
+pub struct Parts {
+    /// Crates, the library itself among them.
+    pub crates: Vec<Crate>,
+    /// Version of Rust, whose standard library is in it.
+    pub rust: String,
+    /// What the linkers add.
+    pub additions: Vec<Addition>,
+}
+
+impl Parts {
+    /// What is in the libraries for these platforms.
+    pub fn of(root: &Path, platforms: &[Platform]) -> Result<Parts> {
+        let triples = platforms.iter().map(Platform::triples).collect::<Result<Vec<_>>>()?.concat();
+        let targets = platforms.iter().flat_map(|platform| platform.targets);
+        let mut additions = targets.map(|target| target.additions(root)).collect::<Result<Vec<_>>>()?.concat();
+        additions.sort_by_key(|addition| addition.name);
+        additions.dedup();
+        Ok(Parts { crates: linked(root, &triples)?, rust: toolchain::version()?, additions })
+    }
+}
+
 impl Crate {
     /// Name and version.
     pub fn id(&self) -> String {
@@ -45,7 +70,7 @@ fn id(name: &str, version: &str) -> String {
 
 /// The crates whose code is in the library if it is built for one of these targets: the library itself among them, but
 /// no macros, which only write code, and nothing that only builds or tests it.
-pub fn linked(root: &Path, targets: &[String]) -> Result<Vec<Crate>> {
+fn linked(root: &Path, targets: &[String]) -> Result<Vec<Crate>> {
     let checksums = checksums(root)?;
     let mut crates: BTreeMap<String, Crate> = BTreeMap::new();
     for target in targets {

@@ -8,8 +8,8 @@ use std::path::{Path, PathBuf};
 use anyhow::{Context, Result, ensure};
 
 use crate::archive::Files;
-use crate::crates::{Crate, LIBRARY};
-use crate::toolchain;
+use crate::crates::{Crate, LIBRARY, Parts};
+use crate::toolchain::{self, Addition};
 
 const FOLDER: &str = "documentation/licenses";
 
@@ -23,22 +23,29 @@ rust.html may leave out these crates of the standard library: addr2line, adler2,
 used under the Apache License below, and memchr, which is in the public domain (Unlicense).";
 
 /// The folder `documentation/licenses`, whose entry the standard calls `license.txt` (FMI 2.0.5, section 2.3).
-pub fn files(root: &Path, crates: &[Crate]) -> Result<Files> {
-    Ok(Files::from([
-        (format!("{FOLDER}/license.txt"), own(root)?.into()),
-        (format!("{FOLDER}/crates.txt"), of_crates(crates)?.into()),
+pub fn files(root: &Path, parts: &Parts) -> Result<Files> {
+    let mut files = Files::from([
+        (format!("{FOLDER}/license.txt"), entry(root, &parts.additions)?.into()),
+        (format!("{FOLDER}/crates.txt"), of_crates(&parts.crates)?.into()),
         (format!("{FOLDER}/rust.html"), of_standard_library()?),
-    ]))
+    ]);
+    for Addition { name, notices, .. } in &parts.additions {
+        files.insert(format!("{FOLDER}/{name}.txt"), read(notices)?.into());
+    }
+    Ok(files)
 }
 
-/// Both licences of this project in one text.
-fn own(root: &Path) -> Result<String> {
+/// What the other files are, and both licences of this project.
+fn entry(root: &Path, additions: &[Addition]) -> Result<String> {
     let rule = "-".repeat(80);
+    let line =
+        |addition: &Addition| format!("{0}.txt: {0}, which the linker adds, {1}\n", addition.name, addition.license);
+    let additions: String = additions.iter().map(line).collect();
     Ok(format!(
         "Stribeck is licensed under the MIT licence or the Apache License 2.0, at your choice.\n\n\
          The library in this FMU has other people's code in it: the crates in crates.txt, each with its licence, and\n\
          parts of Rust's standard library, with the notices in rust.html. ../sbom.cdx.json lists them for programs.\n\n\
-         {UNNAMED_BY_RUST}\n\n\
+         {UNNAMED_BY_RUST}\n{additions}\n\
          {rule}\n\n{}\n{rule}\n\n{}",
         read(&root.join("LICENSE-MIT"))?,
         read(&root.join("LICENSE-APACHE"))?,
@@ -91,6 +98,8 @@ fn read(file: &Path) -> Result<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::project::root;
+    use crate::toolchain::WINDOWS_X86_64;
 
     /// A crate whose folder holds these files.
     fn specimen(name: &str, files: &[(&str, &str)]) -> (tempfile::TempDir, Crate) {
@@ -132,8 +141,20 @@ mod tests {
     }
 
     #[test]
-    fn both_licences_of_this_project_are_there() {
-        let text = own(crate::project::root()).unwrap();
+    fn the_entry_has_both_licences_of_this_project_and_names_what_linkers_add() {
+        let additions = WINDOWS_X86_64.additions(root()).unwrap();
+        let text = entry(root(), &additions).unwrap();
         assert!(text.contains("Permission is hereby granted") && text.contains("Apache License"));
+        assert!(text.contains("\nmingw-w64.txt: mingw-w64, which the linker adds, ZPL-2.1\n"), "{text}");
+    }
+
+    #[test]
+    fn what_linkers_add_brings_its_licence() {
+        let (folder, _) = specimen("a", &[("copyright", "Redistribution and use.")]);
+        let addition = Addition { name: "start", license: "ZPL-2.1", notices: folder.path().join("copyright") };
+        let mut parts = Parts { crates: Vec::new(), rust: "1.95.0".into(), additions: vec![addition] };
+        assert_eq!(files(root(), &parts).unwrap()["documentation/licenses/start.txt"], b"Redistribution and use.");
+        parts.additions[0].notices = folder.path().join("lost");
+        assert!(files(root(), &parts).unwrap_err().to_string().contains("lost"));
     }
 }

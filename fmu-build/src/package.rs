@@ -9,10 +9,10 @@ use stribeck::catalogue::{self, Family};
 use stribeck::model::ModelType;
 
 use crate::archive::{self, Files};
-use crate::crates::{self, Crate};
+use crate::crates::Parts;
 use crate::library::Library;
 use crate::xml::Choices;
-use crate::{html, icon, licenses, sbom, toolchain, xml};
+use crate::{html, icon, licenses, sbom, xml};
 
 /// A model with what its FMU says about it.
 pub struct Entry {
@@ -48,19 +48,18 @@ pub fn entries() -> Vec<Entry> {
 /// What the FMUs of one packing have in common.
 pub struct Packing {
     libraries: Vec<Library>,
-    crates: Vec<Crate>,
+    parts: Parts,
     licenses: Files,
-    rust: String,
     date: Timestamp,
 }
 
 impl Packing {
     /// FMUs with these libraries, which carry this date.
     pub fn new(root: &Path, libraries: Vec<Library>, date: Timestamp) -> Result<Packing> {
-        let triples = libraries.iter().map(|library| library.platform.triples()).collect::<Result<Vec<_>>>()?.concat();
-        let crates = crates::linked(root, &triples)?;
-        let licenses = licenses::files(root, &crates)?;
-        Ok(Packing { libraries, crates, licenses, rust: toolchain::version()?, date })
+        let platforms: Vec<_> = libraries.iter().map(|library| library.platform).collect();
+        let parts = Parts::of(root, &platforms)?;
+        let licenses = licenses::files(root, &parts)?;
+        Ok(Packing { libraries, parts, licenses, date })
     }
 
     /// Names of the platforms that the FMUs run on.
@@ -82,7 +81,7 @@ impl Packing {
         let Entry { model, family, .. } = *entry;
         let mut files = Files::from([
             ("documentation/index.html".into(), html::page(entry)?.into()),
-            (sbom::FILE.into(), sbom::text(model, &self.crates, &self.rust)?.into()),
+            (sbom::FILE.into(), sbom::text(model, &self.parts)?.into()),
             ("model.png".into(), icon::png(model, family)?),
             ("modelDescription.xml".into(), xml::model_description(model, self.date, choices)?.into()),
         ]);
@@ -125,12 +124,14 @@ mod tests {
     use crate::project::{release_date, root};
     use jiff::SignedDuration;
 
-    /// FMUs with libraries of these platforms, which are only carried.
+    /// FMUs with libraries of these platforms, which are only carried: their tools need not be here.
     fn packing(choices: &[Choice], date: Timestamp) -> Packing {
         let bytes: Vec<_> = (0..100_000_u32).flat_map(|number| (number / 7).to_le_bytes()).collect();
         let library = |platform| Library { platform, bytes: bytes.clone(), glibc: None };
         let libraries = platforms(choices).unwrap().into_iter().map(library).collect();
-        Packing::new(root(), libraries, date).unwrap()
+        let parts = Parts::of(root(), &platforms(&[Choice::Host]).unwrap()).unwrap();
+        let licenses = licenses::files(root(), &parts).unwrap();
+        Packing { libraries, parts, licenses, date }
     }
 
     fn packed(entry: &Entry, packing: &Packing) -> Vec<u8> {

@@ -11,8 +11,9 @@ use cyclonedx_bom::models::metadata::Metadata;
 use cyclonedx_bom::prelude::{NormalizedString, Purl};
 use stribeck::model::ModelType;
 
-use crate::crates::{Crate, LIBRARY};
+use crate::crates::{Crate, LIBRARY, Parts};
 use crate::project::{LICENSE, VERSION};
+use crate::toolchain::Addition;
 
 /// Its path in an FMU, with the ending that CycloneDX recommends.
 pub const FILE: &str = "documentation/sbom.cdx.json";
@@ -20,20 +21,26 @@ pub const FILE: &str = "documentation/sbom.cdx.json";
 const STANDARD_LIBRARY: &str = "rust-std";
 
 /// The text for a model. It holds no date and no number of its own, so that equal contents give equal bytes.
-pub fn text(model: &ModelType, crates: &[Crate], rust: &str) -> Result<String> {
+pub fn text(model: &ModelType, parts: &Parts) -> Result<String> {
+    let Parts { crates, rust, additions } = parts;
     let fmu = format!("{}.fmu", model.name);
     let standard_library = format!("{STANDARD_LIBRARY} {rust}");
     let mut components = crates.iter().map(of_crate).collect::<Result<Vec<_>>>()?;
     components.push(of_standard_library(&standard_library, rust)?);
+    for addition in additions {
+        components.push(of_addition(addition)?);
+    }
     let library = crates.iter().find(|one| one.name == LIBRARY).context("the library is none of its crates")?;
-    let mut dependencies = vec![Dependency { dependency_ref: fmu.clone(), dependencies: vec![library.id()] }];
+    let added = additions.iter().map(|addition| addition.name.to_owned());
+    let of_fmu = [library.id()].into_iter().chain(added).collect();
+    let mut dependencies = vec![Dependency { dependency_ref: fmu.clone(), dependencies: of_fmu }];
     dependencies.extend(crates.iter().map(|one| {
         let needs = one.needs.iter().cloned().chain([standard_library.clone()]).collect();
         Dependency { dependency_ref: one.id(), dependencies: needs }
     }));
     let bom = Bom {
         serial_number: None,
-        metadata: Some(Metadata { component: Some(of_fmu(model, fmu)?), ..Metadata::default() }),
+        metadata: Some(Metadata { component: Some(component_of(model, fmu)?), ..Metadata::default() }),
         components: Some(Components(components)),
         dependencies: Some(Dependencies(dependencies)),
         spec_version: SpecVersion::V1_5,
@@ -44,7 +51,7 @@ pub fn text(model: &ModelType, crates: &[Crate], rust: &str) -> Result<String> {
     Ok(String::from_utf8(text)? + "\n")
 }
 
-fn of_fmu(model: &ModelType, id: String) -> Result<Component> {
+fn component_of(model: &ModelType, id: String) -> Result<Component> {
     let mut fmu = component(model.name, VERSION, id, LICENSE)?;
     fmu.description = Some(NormalizedString::new(model.summary));
     Ok(fmu)
@@ -68,6 +75,13 @@ fn of_standard_library(id: &str, rust: &str) -> Result<Component> {
     Ok(component)
 }
 
+/// No version: the linkers do not name it.
+fn of_addition(addition: &Addition) -> Result<Component> {
+    let mut component = component(addition.name, "", addition.name.into(), addition.license)?;
+    component.version = None;
+    Ok(component)
+}
+
 fn component(name: &str, version: &str, id: String, license: &str) -> Result<Component> {
     let expression = SpdxExpression::try_from(license.to_owned()).with_context(|| format!("licence of {id}"))?;
     let mut component = Component::new(Classification::Library, name, version, Some(id));
@@ -78,28 +92,30 @@ fn component(name: &str, version: &str, id: String, license: &str) -> Result<Com
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::crates;
+    use crate::platform::{Choice, platforms};
     use crate::project::root;
     use crate::specimen::SPECIMEN;
-    use crate::toolchain;
+    use crate::toolchain::WINDOWS_X86_64;
     use cyclonedx_bom::prelude::Validate;
     use serde_json::Value;
 
-    fn crates() -> Vec<Crate> {
-        crates::linked(root(), &[toolchain::host().unwrap()]).unwrap()
+    /// What is in the library of this machine, and in one for Windows.
+    fn parts() -> Parts {
+        let parts = Parts::of(root(), &platforms(&[Choice::Host]).unwrap()).unwrap();
+        Parts { additions: WINDOWS_X86_64.additions(root()).unwrap(), ..parts }
     }
 
     #[test]
     fn the_list_is_valid_and_names_every_crate() {
-        let crates = crates();
-        let text = text(&SPECIMEN, &crates, "1.95.0").unwrap();
+        let parts = parts();
+        let text = text(&SPECIMEN, &parts).unwrap();
         let bom = Bom::parse_from_json_v1_5(text.as_bytes()).unwrap();
         let faults = bom.validate();
         assert!(faults.passed(), "{faults:?}");
         let document: Value = serde_json::from_str(&text).unwrap();
         let components = document["components"].as_array().unwrap();
-        assert_eq!(components.len(), crates.len() + 1);
-        for one in &crates {
+        assert_eq!(components.len(), parts.crates.len() + 1 + parts.additions.len());
+        for one in &parts.crates {
             let component = components.iter().find(|component| component["name"] == one.name.as_str()).unwrap();
             assert_eq!(component["version"], one.version.as_str());
             assert_eq!(component["licenses"][0]["expression"], one.license.as_str());
@@ -107,12 +123,14 @@ mod tests {
             let is_from_registry = one.name != LIBRARY;
             assert_eq!(component["purl"].is_string(), is_from_registry);
         }
-        assert_eq!(components.last().unwrap()["purl"], "pkg:generic/rust-std@1.95.0");
+        assert_eq!(components[parts.crates.len()]["purl"], format!("pkg:generic/rust-std@{}", parts.rust));
+        let last = components.last().unwrap();
+        assert_eq!((&last["name"], &last["version"]), (&"mingw-w64".into(), &Value::Null));
     }
 
     #[test]
     fn every_reference_leads_to_a_component() {
-        let document: Value = serde_json::from_str(&text(&SPECIMEN, &crates(), "1.95.0").unwrap()).unwrap();
+        let document: Value = serde_json::from_str(&text(&SPECIMEN, &parts()).unwrap()).unwrap();
         let components = document["components"].as_array().unwrap();
         let known: Vec<_> = components.iter().map(|component| &component["bom-ref"]).collect();
         for dependency in document["dependencies"].as_array().unwrap() {
@@ -125,8 +143,8 @@ mod tests {
 
     #[test]
     fn equal_contents_give_equal_bytes_without_date_or_path() {
-        let once = text(&SPECIMEN, &crates(), "1.95.0").unwrap();
-        assert_eq!(once, text(&SPECIMEN, &crates(), "1.95.0").unwrap());
+        let once = text(&SPECIMEN, &parts()).unwrap();
+        assert_eq!(once, text(&SPECIMEN, &parts()).unwrap());
         for foreign in ["timestamp", "serialNumber", &root().display().to_string()] {
             assert!(!once.contains(foreign), "{foreign}");
         }
@@ -134,9 +152,9 @@ mod tests {
 
     #[test]
     fn an_unknown_licence_is_refused() {
-        let mut crates = crates();
-        crates[0].license = "Gratis".into();
-        let error = format!("{:#}", text(&SPECIMEN, &crates, "1.95.0").unwrap_err());
-        assert!(error.starts_with(&format!("licence of {}", crates[0].id())), "{error}");
+        let mut parts = parts();
+        parts.crates[0].license = "Gratis".into();
+        let error = format!("{:#}", text(&SPECIMEN, &parts).unwrap_err());
+        assert!(error.starts_with(&format!("licence of {}", parts.crates[0].id())), "{error}");
     }
 }

@@ -6,7 +6,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
-use anyhow::{Context, Result};
+use anyhow::{Context, Result, bail};
 
 use crate::library::stdout;
 
@@ -27,6 +27,17 @@ enum Linker {
     MinGw,
     /// The linker of the Rust toolchain, with a list of the functions of macOS.
     RustLld,
+}
+
+/// What a linker puts into a library of its own accord.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Addition {
+    /// Name.
+    pub name: &'static str,
+    /// SPDX expression of its licence.
+    pub license: &'static str,
+    /// The file with its licence.
+    pub notices: PathBuf,
 }
 
 /// Linux on x86-64.
@@ -71,6 +82,11 @@ impl Target {
         Ok(names.into_iter().any(|name| name.starts_with("libstd-") && name.ends_with(".rlib")))
     }
 
+    /// What its linker adds to the library.
+    pub fn additions(self, root: &Path) -> Result<Vec<Addition>> {
+        self.linker.additions(root)
+    }
+
     /// The program that does what cargo does.
     pub fn cargo(self) -> OsString {
         if matches!(self.linker, Linker::Zig) { "cargo-zigbuild".into() } else { cargo() }
@@ -112,15 +128,42 @@ impl Target {
 }
 
 impl Linker {
+    /// Code that unwinds the stack, and what starts a library on Windows. That for macOS adds nothing: its libraries are
+    /// lists of names.
+    fn additions(self, root: &Path) -> Result<Vec<Addition>> {
+        let of = |name, license, notices| Addition { name, license, notices };
+        Ok(match self {
+            Linker::Zig => {
+                let zig = zig_folder(root)?;
+                let unwind = zig.join("lib").join("libunwind").join("LICENSE.TXT");
+                vec![of("libunwind", "Apache-2.0 WITH LLVM-exception", unwind), of("zig", "MIT", zig.join("LICENSE"))]
+            }
+            Linker::MinGw => {
+                let notices = |package: &str| Path::new("/usr/share/doc").join(package).join("copyright");
+                vec![
+                    of("libgcc", "GPL-3.0-or-later WITH GCC-exception-3.1", notices("gcc-mingw-w64-base")),
+                    of("mingw-w64", "ZPL-2.1", notices("mingw-w64-x86-64-dev")),
+                ]
+            }
+            Linker::RustLld => Vec::new(),
+        })
+    }
+
+    fn has_notices(self, root: &Path) -> Result<bool> {
+        Ok(self.additions(root)?.iter().all(|addition| addition.notices.is_file()))
+    }
+
     fn missing(self, root: &Path) -> Result<Option<String>> {
         Ok(match self {
             Linker::Zig if !runs(root, "cargo-zigbuild", &["zig", "cc", "--", "--version"]) => {
                 let python = programs(root).join("python");
                 Some(format!("Zig as linker: {} -m pip install cargo-zigbuild ziglang", python.display()))
             }
-            Linker::MinGw if !runs(root, "x86_64-w64-mingw32-gcc", &["--version"]) => {
-                Some("the linker for Windows: apt-get install gcc-mingw-w64-x86-64-win32".into())
-            }
+            Linker::MinGw if !runs(root, "x86_64-w64-mingw32-gcc", &["--version"]) || !self.has_notices(root)? => Some(
+                "the linker for Windows, with its licences in /usr/share/doc: apt-get install \
+                      gcc-mingw-w64-x86-64-win32"
+                    .into(),
+            ),
             Linker::RustLld if !has_rust_lld()? => {
                 Some("rust-lld, which other Rusts than that of https://rustup.rs leave out: install that one".into())
             }
@@ -181,6 +224,28 @@ pub fn search_path(root: &Path) -> Result<OsString> {
     env::join_paths(folders).context("the search path cannot name .venv")
 }
 
+/// Folder of Zig, which cargo-zigbuild takes from Python's packages or from the search path.
+fn zig_folder(root: &Path) -> Result<PathBuf> {
+    let path = search_path(root)?;
+    for (program, arguments) in [("python3", &["-m", "ziglang", "env"][..]), ("zig", &["env"])] {
+        let mut command = Command::new(program);
+        let output = command.args(arguments).current_dir(root).env("PATH", &path).stderr(Stdio::null()).output();
+        let text = output.map(|output| String::from_utf8_lossy(&output.stdout).into_owned()).unwrap_or_default();
+        if let Some(folder) = text.lines().find_map(folder_of_zig) {
+            return Ok(root.join(folder));
+        }
+    }
+    bail!("`zig env` names no folder: the licences of what Zig adds to a library are there")
+}
+
+/// What the line `.lib_dir = "..."` of `zig env` lies in; older versions write JSON.
+fn folder_of_zig(line: &str) -> Option<PathBuf> {
+    let (name, rest) = line.split_once([':', '='])?;
+    let path = rest.trim().strip_prefix('"')?.split('"').next()?;
+    let is_it = name.trim().trim_matches(['.', '"']) == "lib_dir";
+    Path::new(path).parent().filter(|_| is_it).map(Path::to_owned)
+}
+
 fn runs(root: &Path, program: &str, arguments: &[&str]) -> bool {
     let Ok(path) = search_path(root) else { return false };
     let mut command = Command::new(program);
@@ -213,4 +278,25 @@ fn macos_library() -> String {
         ...\n",
         names.join(", ")
     )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn folder_of_zig_is_found_in_both_forms_of_its_answer() {
+        let folder = Some(PathBuf::from("/opt/zig"));
+        assert_eq!(folder_of_zig("    .lib_dir = \"/opt/zig/lib\","), folder);
+        assert_eq!(folder_of_zig(" \"lib_dir\": \"/opt/zig/lib\","), folder);
+        assert_eq!(folder_of_zig("    .std_dir = \"/opt/zig/lib/std\","), None);
+        assert_eq!(folder_of_zig("    .env = .{"), None);
+    }
+
+    #[test]
+    fn linkers_say_what_they_add_and_for_macos_nothing() {
+        assert_eq!(MACOS_X86_64.additions(Path::new("/")).unwrap(), []);
+        let names: Vec<_> = WINDOWS_X86_64.additions(Path::new("/")).unwrap().iter().map(|one| one.name).collect();
+        assert_eq!(names, ["libgcc", "mingw-w64"]);
+    }
 }

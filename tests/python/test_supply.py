@@ -30,7 +30,7 @@ def files_of(path: Path) -> dict[str, bytes]:
 def components_of(fmu: dict[str, bytes]) -> dict[str, dict]:
     """Components of an FMU by name and version."""
     components = json.loads(fmu["documentation/sbom.cdx.json"])["components"]
-    return {f"{component['name']} {component['version']}": component for component in components}
+    return {f"{component['name']} {component.get('version')}": component for component in components}
 
 
 def test_list_of_components_keeps_the_schema(fmu):
