@@ -163,7 +163,7 @@ const EVEN: &[&str] = &[
     "dwell",
     "element.slipping",
     "stuck",
-    "held",
+    "phase",
     "step_size",
     "planning_step",
     "has_past",

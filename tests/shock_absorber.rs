@@ -844,3 +844,29 @@ fn viscous_friction_without_levels() {
         assert!((contact.get("dissipated_energy") - 0.6 * 0.3 * 0.5).abs() < 1e-12, "{name}");
     }
 }
+
+/// What a solver may do to a state, an error far below its tolerance, never changes what a law does.
+#[test]
+fn a_trace_in_a_continuous_state_changes_no_force() {
+    let model = by_name("ShockAbsorber").unwrap();
+    let mut tested = 0;
+    for (number, name) in laws() {
+        let mut row: Vec<f64> = model.table.iter().map(|variable| variable.start).collect();
+        row[model.find("friction.model").unwrap()] = number;
+        if model.check_exchange(&row).is_err() {
+            continue;
+        }
+        row[model.find("velocity").unwrap()] = 0.06;
+        assert!(model.at_event(&mut row) && model.output(&mut row), "{name}");
+        let force = row[model.find("force_friction").unwrap()];
+        for state in model.continuous_states() {
+            row[state] += 1e-48;
+        }
+        assert!(model.output(&mut row), "{name}");
+        let friction = row[model.find("force_friction").unwrap()];
+        assert!((friction - force).abs() <= 1e-12 * force.abs(), "{name}: {friction} {force}");
+        assert!(name == "None" || force < -1.0, "{name}: {force}");
+        tested += 1;
+    }
+    assert!(tested > 20);
+}

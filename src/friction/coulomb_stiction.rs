@@ -80,7 +80,7 @@ crate::model! {
         mu_k: tunable = real("1", 0.1).at_least(0.0),
         /// Static coefficient of friction; not less than mu_k.
         mu_s: tunable = real("1", 0.15).at_least(0.0),
-        /// Is the contact stuck since the last step? Used with mass > 0.
+        /// Has the last step left the contact stuck? Only with mass > 0; phase tells it in Model Exchange.
         stuck: state = boolean(false),
         /// What the law needs to hold a body in co-simulation.
         time_stepping: (TimeStepping),
@@ -104,6 +104,7 @@ impl<T: Real> CoulombStiction<T> {
             statical: self.mu_s * self.normal_force,
             band: T::zero(),
             stuck: self.stuck.value() != 0.0,
+            phase: self.time_stepping.phase(),
         }
     }
 }
@@ -123,7 +124,7 @@ impl<T: Real> Law for CoulombStiction<T> {
 
 impl Model for CoulombStiction {
     const MODEL_EXCHANGE: bool = true;
-    const EVENT_INDICATORS: usize = 2;
+    const EVENT_INDICATORS: usize = time_stepping::EVENTS_OF_TWO_LEVELS;
 
     fn check(&self) -> Result<(), Fault> {
         crate::friction::static_not_below_kinetic(self.mu_s, self.mu_k)
@@ -138,7 +139,8 @@ impl Model for CoulombStiction {
     }
 
     fn at_event(&mut self) {
-        self.stuck = f64::from(u8::from(self.contact().is_caught()));
+        self.time_stepping.phase = self.contact().settled().number();
+        self.stuck = 0.0;
     }
 
     fn step(&mut self, dt: f64) {
@@ -171,6 +173,49 @@ mod tests {
         assert_eq!(force(0.0, 0.7), 0.7);
         assert!((force(0.0, 9.0) - 1.4715).abs() < 1e-12);
         assert!((force(0.0, -9.0) + 1.4715).abs() < 1e-12);
+    }
+
+    /// The law after an event, and its indicator of the next one.
+    fn settled(law: CoulombStiction) -> (CoulombStiction, f64) {
+        let (mut law, mut indicators) = (law, [f64::NAN; CoulombStiction::EVENT_INDICATORS]);
+        law.at_event();
+        law.output();
+        law.event_indicators(&mut indicators);
+        (law, indicators[0])
+    }
+
+    #[test]
+    fn between_events_the_direction_of_sliding_is_frozen() {
+        let (forward, before) = settled(CoulombStiction { velocity: 1e-3, ..Default::default() });
+        let mut beyond = CoulombStiction { velocity: -1e-3, ..forward };
+        let mut indicators = [f64::NAN; CoulombStiction::EVENT_INDICATORS];
+        beyond.output();
+        beyond.event_indicators(&mut indicators);
+        assert_eq!(beyond.friction_force, forward.friction_force);
+        assert!(before > 0.0 && indicators[0] < 0.0, "{before} {indicators:?}");
+        let (backward, after) = settled(beyond);
+        assert_eq!(backward.friction_force, -forward.friction_force);
+        assert!(after > 0.0);
+    }
+
+    /// Each event leaves an indicator that is clearly positive, whichever side of the instant it was taken on.
+    #[test]
+    fn a_body_at_rest_is_caught_below_the_static_level_and_driven_on_above_it() {
+        for error in [-1e-13, 0.0, 1e-13] {
+            for (load, direction) in [(0.0, 0.0), (-1.4, 0.0), (1.4714, 0.0), (1.472, 1.0), (-1.472, -1.0)] {
+                let sliding = settled(CoulombStiction { velocity: 1e-3, ..Default::default() }).0;
+                let rest = CoulombStiction { velocity: -1e-9 + error, external_force: load, ..sliding };
+                let (rest, indicator) = settled(rest);
+                let expected = if direction == 0.0 { load } else { direction * 0.981 };
+                assert!((rest.friction_force - expected).abs() < 1e-12, "{load}: {}", rest.friction_force);
+                assert!(indicator > 1e-10, "{load}: {indicator}");
+            }
+            let held = settled(CoulombStiction { velocity: 1e-9, ..Default::default() }).0;
+            let (released, indicator) =
+                settled(CoulombStiction { external_force: -1.4715 * (1.0 + 1e-9) + error, ..held });
+            assert!((released.friction_force + 0.981).abs() < 1e-12, "{}", released.friction_force);
+            assert!(indicator > 1e-10, "{indicator}");
+        }
     }
 
     #[test]

@@ -79,7 +79,7 @@ crate::model! {
         mu_s: tunable = real("1", 0.15).at_least(0.0),
         /// Velocity at which the regularised band around rest ends (default chosen).
         transition_velocity: tunable = real("m/s", 0.001).positive().shown_in("mm/s"),
-        /// Is the contact stuck since the last step? Used with mass > 0.
+        /// Has the last step left the contact stuck? Only with mass > 0; phase tells it in Model Exchange.
         stuck: state = boolean(false),
         /// What the law needs to hold a body in co-simulation.
         time_stepping: (TimeStepping),
@@ -103,6 +103,7 @@ impl<T: Real> Karnopp<T> {
             statical: self.mu_s * self.normal_force,
             band: self.transition_velocity,
             stuck: self.stuck.value() != 0.0,
+            phase: self.time_stepping.phase(),
         }
     }
 }
@@ -122,7 +123,7 @@ impl<T: Real> Law for Karnopp<T> {
 
 impl Model for Karnopp {
     const MODEL_EXCHANGE: bool = true;
-    const EVENT_INDICATORS: usize = 2;
+    const EVENT_INDICATORS: usize = time_stepping::EVENTS_OF_TWO_LEVELS;
 
     fn check(&self) -> Result<(), Fault> {
         crate::friction::static_not_below_kinetic(self.mu_s, self.mu_k)
@@ -134,6 +135,11 @@ impl Model for Karnopp {
 
     fn event_indicators(&self, indicators: &mut [f64]) {
         self.contact().write_indicators(indicators);
+    }
+
+    fn at_event(&mut self) {
+        self.time_stepping.phase = self.contact().settled().number();
+        self.stuck = 0.0;
     }
 
     fn step(&mut self, dt: f64) {
@@ -169,5 +175,19 @@ mod tests {
         assert!((force(-0.001, 9.0) - 1.4715).abs() < 1e-12);
         assert!((force(0.00101, 9.0) - 0.981).abs() < 1e-12);
         assert!((force(-0.5, 0.3) + 0.981).abs() < 1e-12);
+    }
+
+    #[test]
+    fn an_event_finds_on_which_side_of_the_edge_the_velocity_is() {
+        let mut law = Karnopp { velocity: 0.1, external_force: 0.2, stuck: 1.0, ..Default::default() };
+        law.at_event();
+        law.output();
+        assert!((law.friction_force - 0.981).abs() < 1e-12);
+        law.velocity = 0.0009;
+        law.output();
+        assert!((law.friction_force - 0.981).abs() < 1e-12, "no event has found it inside yet");
+        law.at_event();
+        law.output();
+        assert_eq!(law.friction_force, 0.2);
     }
 }

@@ -43,7 +43,7 @@ crate::catalogue::family! {
     elasto_plastic_planar::ElastoPlasticPlanar,
 }
 
-pub(crate) use time_stepping::Exchange;
+pub(crate) use time_stepping::{Exchange, Phase};
 
 mod branching;
 mod delay_line;

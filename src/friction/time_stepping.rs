@@ -5,7 +5,7 @@
 
 use crate::laws::end_velocity::{self, Landing};
 use crate::laws::stopping::{force_to_stop, is_held};
-use crate::model::{Fault, Model, boolean, real};
+use crate::model::{Fault, Model, real};
 use crate::number::{Dual, Real};
 
 crate::choices! {
@@ -15,6 +15,40 @@ crate::choices! {
         Sequential,
         /// All models step at once and exchange values afterwards, so the force acts one step later (Jacobi).
         Parallel,
+    }
+}
+
+crate::choices! {
+    /// What a contact does between two events of Model Exchange.
+    pub enum Phase {
+        /// What its velocity says: no event has settled it, as in co-simulation.
+        Free,
+        /// Held, or within the band around rest.
+        Held,
+        /// Slides with positive velocity.
+        Forward,
+        /// Slides with negative velocity.
+        Backward,
+    }
+}
+
+impl Phase {
+    fn sliding(direction: f64) -> Phase {
+        if direction < 0.0 { Phase::Backward } else { Phase::Forward }
+    }
+
+    /// The direction in which it slides, if it is settled that it does.
+    fn direction(self) -> Option<f64> {
+        match self {
+            Phase::Forward => Some(1.0),
+            Phase::Backward => Some(-1.0),
+            Phase::Free | Phase::Held => None,
+        }
+    }
+
+    /// As the column holds it.
+    pub(crate) fn number(self) -> f64 {
+        f64::from(self as i32 + 1)
     }
 }
 
@@ -31,8 +65,8 @@ crate::part! {
         planning_step: state = real("s", 0.0).at_least(0.0).nominal(1e-3).shown_in("ms").discrete(),
         /// Force planned for the coming step of a parallel exchange.
         planned_force: state = real("N", 0.0).discrete(),
-        /// Has an event of Model Exchange found the contact held at rest?
-        held: state = boolean(false),
+        /// What the last event of Model Exchange has found the contact to do.
+        phase: state = Phase::Free.start(),
     }
 }
 
@@ -79,6 +113,12 @@ impl<T: Real> TimeStepping<T> {
         self.mass.value() > 0.0 && self.step_size.value() > 0.0
     }
 
+    /// What an event has found the contact to do.
+    #[inline]
+    pub(crate) fn phase(&self) -> Phase {
+        Phase::of(self.phase.value())
+    }
+
     fn is_parallel(&self) -> bool {
         Exchange::of(self.exchange.value()) == Exchange::Parallel
     }
@@ -106,7 +146,7 @@ impl TimeStepping {
     /// Without what it remembers: a mass that is given later finds no old plan.
     #[inline]
     pub(crate) fn forgotten(self) -> TimeStepping {
-        TimeStepping { step_size: 0.0, planning_step: 0.0, planned_force: 0.0, held: 0.0, ..self }
+        TimeStepping { step_size: 0.0, planning_step: 0.0, planned_force: 0.0, phase: Phase::Free.number(), ..self }
     }
 
     /// With mass the force is that of a whole step, which an importer that integrates the body itself does not make.
@@ -119,7 +159,7 @@ impl TimeStepping {
     }
 
     fn step_with_mass(&mut self, contact: &impl Contact<f64>, dt: f64) -> Done {
-        self.held = 0.0;
+        self.phase = Phase::Free.number();
         let is_first = self.step_size == 0.0;
         self.step_size = dt;
         // A force that stops the body in a short step throws it back in a long one, and the next step is not known yet.
@@ -160,6 +200,8 @@ pub(crate) struct TwoLevels<T> {
     pub band: T,
     /// Is the contact stuck since the last step?
     pub stuck: bool,
+    /// What the last event of Model Exchange has found.
+    pub phase: Phase,
 }
 
 impl<T: Real> TwoLevels<T> {
@@ -167,52 +209,138 @@ impl<T: Real> TwoLevels<T> {
         self.velocity.abs() <= self.band
     }
 
+    /// Does it rest, or is it within the band?
+    fn rests(&self) -> bool {
+        match self.phase {
+            Phase::Free => self.stuck || self.is_at_rest(),
+            phase => phase == Phase::Held,
+        }
+    }
+
     /// 1 if the contact is stuck, else 0.
     pub(crate) fn sticking(&self, time_stepping: &TimeStepping<T>) -> T {
         let sticking = if time_stepping.is_active() {
             self.stuck
         } else {
-            (self.stuck || self.is_at_rest()) && self.external_force.abs() <= self.statical
+            self.rests() && self.external_force.abs() <= self.statical
         };
         truth(sticking && self.statical.value() > 0.0)
     }
 }
 
-/// Speed up to which an importer that has found the instant of rest has found it (chosen: it knows the instant to some
-/// 1e-12 s).
-const REST: f64 = 1e-9;
+/// A contact that is set-valued at rest, in Model Exchange. Between events it is held, or slides in one direction, whatever
+/// its velocity: what a solver tries on the way beyond the instant of rest goes by the same smooth law.
+struct Rest {
+    phase: Phase,
+    velocity: f64,
+    external_force: f64,
+    level: f64,
+}
 
-/// The same for the instant at which the static level is reached, relative to the level (chosen).
-const REACHED: f64 = 1e-9;
+/// The force at rest. What an event has found held stays so until the next one, which the external force brings about.
+#[inline]
+fn resting<T: Real>(phase: Phase, external_force: T, level: T) -> T {
+    if phase == Phase::Held { external_force } else { external_force.limited(level) }
+}
 
 /// Speed above which a held body is moved by something else, such as a velocity that is given (chosen).
 const MOVED: f64 = 1e-6;
 
-/// Event indicators of a contact that is set-valued at rest: the instants of rest and, once it is held, of its release.
-fn rest_and_release(is_held: bool, velocity: f64, external_force: f64, level: f64) -> [f64; 2] {
-    if is_held { [NO_EVENT, (level - external_force.abs()).min(MOVED - velocity.abs())] } else { [velocity, NO_EVENT] }
+/// Part of it by which a body that comes to rest must have passed the rest (chosen): no event lies at a zero.
+const PASSED: f64 = 1e-3;
+
+/// Part of the level by which the external force must exceed it, or be below it (chosen).
+const REACHED: f64 = 1e-9;
+
+impl Rest {
+    /// What the level leaves for more force in a direction, in parts of the larger of the two.
+    fn reserve(&self, force: f64) -> f64 {
+        let size = self.level.max(force.abs());
+        if size > 0.0 { (self.level - force) / size } else { 0.0 }
+    }
+
+    /// Positive until the phase has to change.
+    fn indicator(&self) -> f64 {
+        let speed = self.velocity / MOVED;
+        match self.phase.direction() {
+            None => (self.reserve(self.external_force.abs()) + REACHED).min(1.0 - speed.abs()),
+            // What drives a body on starts it again by itself, unless its velocity is given.
+            Some(direction) => {
+                let (along, drive) = (direction * speed, REACHED - self.reserve(direction * self.external_force));
+                (along + PASSED).max(drive.min(along + 1.0))
+            }
+        }
+    }
+
+    /// At an event: what the contact does after it. The limits lie between those of the indicator, so that it is clearly
+    /// positive then.
+    fn settled(&self) -> Phase {
+        let is_slow = self.velocity.abs() <= 0.5 * MOVED;
+        let has_come_to_rest = self.phase.direction().is_none_or(|direction| direction * self.velocity <= 0.0);
+        if !(is_slow && has_come_to_rest) {
+            Phase::sliding(self.velocity)
+        } else if self.reserve(self.external_force.abs()) > 0.5 * REACHED {
+            Phase::Held
+        } else if self.external_force == 0.0 {
+            Phase::sliding(self.velocity)
+        } else {
+            Phase::sliding(self.external_force)
+        }
+    }
 }
 
-/// At an event: does such a contact hold the external force?
-fn holds(is_held: bool, velocity: f64, external_force: f64, level: f64) -> bool {
-    let rest = if is_held { (1.0 - REACHED) * MOVED } else { REST };
-    velocity.abs() <= rest && external_force.abs() < (1.0 - REACHED) * level
+/// Width of the hysteresis at the edges of a band, in parts of it (chosen).
+const EDGE: f64 = 1e-6;
+
+/// A contact with a band around rest, in Model Exchange.
+struct Band {
+    phase: Phase,
+    velocity: f64,
+    width: f64,
 }
+
+impl Band {
+    /// Positive until the phase has to change.
+    fn indicator(&self) -> f64 {
+        let speed = self.velocity / self.width;
+        match self.phase.direction() {
+            None => 1.0 + EDGE - speed.abs(),
+            Some(direction) => direction * speed - (1.0 - EDGE),
+        }
+    }
+
+    /// At an event: what the contact does after it.
+    fn settled(&self) -> Phase {
+        if self.velocity.abs() <= self.width { Phase::Held } else { Phase::sliding(self.velocity) }
+    }
+}
+
+/// Event indicators of a contact with two levels: of its phase, and of what it holds within its band.
+pub(crate) const EVENTS_OF_TWO_LEVELS: usize = 2;
 
 impl TwoLevels<f64> {
-    /// The instants of rest, or of the edge of the band, and of breakaway.
+    fn rest(&self) -> Rest {
+        let TwoLevels { phase, velocity, external_force, statical, .. } = *self;
+        Rest { phase, velocity, external_force, level: statical }
+    }
+
+    fn around_rest(&self) -> Band {
+        Band { phase: self.phase, velocity: self.velocity, width: self.band }
+    }
+
     pub(crate) fn write_indicators(&self, indicators: &mut [f64]) {
-        let TwoLevels { velocity, external_force, statical, band, stuck, .. } = *self;
-        let reserve = if self.is_at_rest() { statical - external_force.abs() } else { NO_EVENT };
-        indicators.copy_from_slice(&match band > 0.0 {
-            true => [velocity.abs() - band, reserve],
-            false => rest_and_release(stuck, velocity, external_force, statical),
+        indicators.copy_from_slice(&match (self.band > 0.0, self.phase) {
+            (false, _) => [self.rest().indicator(), NO_EVENT],
+            (true, Phase::Held) => {
+                [self.around_rest().indicator(), self.rest().reserve(self.external_force.abs()) + REACHED]
+            }
+            (true, _) => [self.around_rest().indicator(), NO_EVENT],
         });
     }
 
-    /// At an event: does a contact that has come to rest, or is stuck, hold the external force?
-    pub(crate) fn is_caught(&self) -> bool {
-        holds(self.stuck, self.velocity, self.external_force, self.statical)
+    /// At an event: what the contact does after it.
+    pub(crate) fn settled(&self) -> Phase {
+        if self.band > 0.0 { self.around_rest().settled() } else { self.rest().settled() }
     }
 }
 
@@ -231,11 +359,11 @@ impl<T: Real> Contact<T> for TwoLevels<T> {
 
     /// The law without memory: kinetic level outside the band; inside it the external force, up to the static level.
     fn printed(&self) -> T {
-        if self.stuck || self.is_at_rest() {
-            self.external_force.limited(self.statical)
-        } else {
-            self.kinetic * self.velocity.sign()
+        if self.rests() {
+            let phase = if self.band.value() > 0.0 { Phase::Free } else { self.phase };
+            return resting(phase, self.external_force, self.statical);
         }
+        self.kinetic * self.phase.direction().map_or(self.velocity.sign(), T::from)
     }
 
     fn largest(&self) -> T {
@@ -286,8 +414,8 @@ pub(crate) struct OnCurve<'a, T, L> {
     pub velocity: T,
     pub normal_force: T,
     pub external_force: T,
-    /// Has an event of Model Exchange found the contact held?
-    pub held: bool,
+    /// What the last event of Model Exchange has found.
+    pub phase: Phase,
 }
 
 impl<T: Copy, L> Clone for OnCurve<'_, T, L> {
@@ -303,18 +431,34 @@ impl<T: Real, L: Curve<T> + Lift> OnCurve<'_, T, L> {
     #[inline]
     pub(crate) fn sticking(&self, time_stepping: &TimeStepping<T>) -> T {
         truth(match self.law.band() {
-            Some(band) => self.velocity.abs() < band && self.normal_force.value() > 0.0,
+            Some(band) => self.is_within(band) && self.normal_force.value() > 0.0,
             None if self.law.level().value() == 0.0 => false,
             None if time_stepping.is_active() => self.stepped(time_stepping.mass, time_stepping.step_size).is_held,
             None => self.is_held(),
         })
     }
 
-    /// Is it at rest, and is the external force within the level of a set-valued law?
+    /// Is the velocity within the band of a regularised law?
+    fn is_within(&self, band: T) -> bool {
+        match self.phase {
+            Phase::Free => self.velocity.abs() < band,
+            phase => phase == Phase::Held,
+        }
+    }
+
+    /// Does a set-valued law rest?
+    #[inline]
+    fn rests(&self) -> bool {
+        self.law.band().is_none()
+            && match self.phase {
+                Phase::Free => self.velocity.value() == 0.0,
+                phase => phase == Phase::Held,
+            }
+    }
+
+    /// Does a set-valued law rest, and is the external force within its level?
     fn is_held(&self) -> bool {
-        let is_set_valued = self.law.band().is_none();
-        let is_at_rest = self.held || self.velocity.value() == 0.0;
-        is_set_valued && is_at_rest && self.external_force.abs() <= self.law.level()
+        self.rests() && self.external_force.abs() <= self.law.level()
     }
 
     /// What the body meets first, in the direction `side` in which it is driven.
@@ -369,10 +513,16 @@ impl<T: Real, L: Curve<T> + Lift> Contact<T> for OnCurve<'_, T, L> {
 
     #[inline]
     fn printed(&self) -> T {
-        if self.law.band().is_none() && (self.held || self.velocity.value() == 0.0) {
-            return self.external_force.limited(self.law.level());
+        if self.rests() {
+            return resting(self.phase, self.external_force, self.law.level());
         }
-        self.law.curve(self.velocity)
+        self.law.curve(match self.phase.direction() {
+            // Beyond rest the curve goes on as it has ended.
+            Some(direction) if self.law.band().is_none() && direction * self.velocity.value() <= 0.0 => {
+                T::from(direction * f64::MIN_POSITIVE)
+            }
+            _ => self.velocity,
+        })
     }
 
     fn largest(&self) -> T {
@@ -402,23 +552,32 @@ impl<T: Real, L: Curve<T> + Lift> Contact<T> for OnCurve<'_, T, L> {
     }
 }
 
-/// Event indicators of a law with a curve: where it jumps at rest, at breakaway, and at its kinks.
-pub(crate) const EVENTS_ON_CURVE: usize = 4;
+/// Event indicators of a law with a curve: of its phase, and of its kinks.
+pub(crate) const EVENTS_ON_CURVE: usize = 3;
 
 impl<L: Curve<f64>> OnCurve<'_, f64, L> {
-    pub(crate) fn write_indicators(&self, indicators: &mut [f64]) {
-        let distance = |kink: f64| if kink > 0.0 { self.velocity.abs() - kink } else { NO_EVENT };
-        let [near, far] = self.law.kinks();
-        let [rest, release] = match self.law.band() {
-            Some(_) => [NO_EVENT; 2],
-            None => rest_and_release(self.held, self.velocity, self.external_force, self.law.level()),
-        };
-        indicators.copy_from_slice(&[rest, release, distance(near), distance(far)]);
+    fn rest(&self) -> Rest {
+        let OnCurve { phase, velocity, external_force, .. } = *self;
+        Rest { phase, velocity, external_force, level: self.law.level() }
     }
 
-    /// At an event: does a set-valued law that has come to rest, or is held, hold the external force?
-    pub(crate) fn is_caught(&self) -> bool {
-        self.law.band().is_none() && holds(self.held, self.velocity, self.external_force, self.law.level())
+    fn around_rest(&self, width: f64) -> Band {
+        Band { phase: self.phase, velocity: self.velocity, width }
+    }
+
+    pub(crate) fn write_indicators(&self, indicators: &mut [f64]) {
+        let distance = |kink: f64| if kink > 0.0 { self.velocity.abs() / kink - 1.0 } else { NO_EVENT };
+        let [near, far] = self.law.kinks().map(distance);
+        let phase = match self.law.band() {
+            Some(width) => self.around_rest(width).indicator(),
+            None => self.rest().indicator(),
+        };
+        indicators.copy_from_slice(&[phase, near, far]);
+    }
+
+    /// At an event: what the contact does after it.
+    pub(crate) fn settled(&self) -> Phase {
+        self.law.band().map_or_else(|| self.rest().settled(), |width| self.around_rest(width).settled())
     }
 }
 
@@ -452,7 +611,7 @@ macro_rules! memoryless {
                     velocity: self.velocity,
                     normal_force: self.normal_force,
                     external_force: self.external_force,
-                    held: self.time_stepping.held.value() != 0.0,
+                    phase: self.time_stepping.phase(),
                 }
             }
         }
@@ -495,7 +654,9 @@ macro_rules! memoryless {
         fn step_and_output(&mut self, dt: f64) {
             if self.time_stepping.mass == 0.0 {
                 // The force over the step is the force after it.
-                if self.time_stepping.step_size != 0.0 || self.time_stepping.held != 0.0 {
+                if self.time_stepping.step_size != 0.0
+                    || self.time_stepping.phase != $crate::friction::Phase::Free.number()
+                {
                     self.time_stepping = self.time_stepping.forgotten();
                 }
                 $crate::model::Law::output(self);
@@ -523,7 +684,7 @@ macro_rules! memoryless {
         }
 
         fn at_event(&mut self) {
-            self.time_stepping.held = f64::from(u8::from(self.contact().is_caught()));
+            self.time_stepping.phase = self.contact().settled().number();
         }
     };
 }

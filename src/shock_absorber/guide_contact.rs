@@ -304,8 +304,9 @@ crate::model! {
     /// 1 + `friction.asymmetry` for v < 0; at rest the larger of the two holds.
     ///
     /// # Step
-    /// As that of the chosen law. Its memory is `memory[1]`, `memory[2]`, ... in the order of the law's own states; it
-    /// starts at rest. Bristles that carry more than f_s, because the load fell, slip until they carry f_s.
+    /// As that of the chosen law. Its memory is `memory[1]`, `memory[2]`, ... in the order of the law's own states; in a
+    /// law that is offered for Model Exchange those that jump follow from `memory[3]` on. It starts at rest. Bristles
+    /// that carry more than f_s, because the load fell, slip until they carry f_s.
     ///
     /// # Errors
     /// Refused: a parameter outside its bound; `levels.mu_s` < `levels.mu_k`; `levels.preload_s` < `levels.preload_k`;
@@ -350,7 +351,7 @@ crate::model! {
         levels: Levels,
         /// Friction law.
         friction: FrictionLaw,
-        /// What the friction law remembers: its states in their order, in SI units.
+        /// What the friction law remembers, in SI units: the law's states in their order, those that jump last.
         memory: [state; MEMORY] = blank_memory(1.0),
         /// Has the run begun?
         started: state = boolean(false),

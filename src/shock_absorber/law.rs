@@ -230,17 +230,46 @@ const fn is_remembered(variable: &Variable) -> bool {
     variable.role.is_state() && !same(variable.path.segments()[0].name, "dissipated_energy")
 }
 
-/// Most numbers that any law remembers.
-pub const MEMORY: usize = {
-    let (mut most, mut at) = (0, 0);
-    while at < COUNT {
-        let (mut count, mut column) = (0, 0);
-        while column < LAWS[at].table.len() {
-            count += is_remembered(&LAWS[at].table[column]) as usize;
-            column += 1;
+/// Does an importer that integrates the states itself integrate this one?
+const fn is_moving(law: &ModelType, variable: &Variable) -> bool {
+    law.model_exchange && is_remembered(variable) && variable.is_continuous_state()
+}
+
+/// As many numbers of a memory move with time in the laws that are offered for Model Exchange: they come first. A
+/// number that jumps never has such a place, where a solver may leave anything.
+const MOVING: usize = {
+    let (mut most, mut law) = (0, 0);
+    while law < COUNT {
+        let (mut count, mut at) = (0, 0);
+        while at < LAWS[law].table.len() {
+            count += is_moving(LAWS[law], &LAWS[law].table[at]) as usize;
+            at += 1;
         }
         if count > most {
             most = count;
+        }
+        law += 1;
+    }
+    most
+};
+
+/// The place behind those that a law leaves to what moves.
+const fn first_jumping(law: &ModelType) -> usize {
+    if law.model_exchange { MOVING } else { 0 }
+}
+
+/// Places that any law needs for the numbers that it remembers.
+pub const MEMORY: usize = {
+    let (mut most, mut at) = (0, 0);
+    while at < COUNT {
+        let (mut places, mut column) = (first_jumping(LAWS[at]), 0);
+        while column < LAWS[at].table.len() {
+            let variable = &LAWS[at].table[column];
+            places += (is_remembered(variable) && !is_moving(LAWS[at], variable)) as usize;
+            column += 1;
+        }
+        if places > most {
+            most = places;
         }
         at += 1;
     }
@@ -284,14 +313,17 @@ static PLANS: [Plan; COUNT] = {
 
 const fn plan(law: &'static ModelType) -> Plan {
     let mut sources = [Source::Start; WIDEST];
-    let (mut remembered, mut at) = (0, 0);
+    let (mut moving, mut jumping, mut at) = (0, first_jumping(law), 0);
     while at < law.table.len() {
         let variable = &law.table[at];
         if let Some(source) = given(variable) {
             sources[at] = source;
+        } else if is_moving(law, variable) {
+            sources[at] = Source::Memory(moving);
+            moving += 1;
         } else if is_remembered(variable) {
-            sources[at] = Source::Memory(remembered);
-            remembered += 1;
+            sources[at] = Source::Memory(jumping as u16);
+            jumping += 1;
         } else if let Some(offered) = offered(law, variable) {
             sources[at] = Source::Parameter(find(&MERGED.0, PARAMETERS, &offered.path) as u16);
         }
@@ -534,25 +566,6 @@ impl ChosenLaw {
         }
     }
 }
-
-/// As many numbers of a memory move with time in a law that is offered for Model Exchange; the others jump, if anything.
-const MOVING: usize = {
-    let (mut most, mut law) = (0, 0);
-    while law < COUNT {
-        let (mut place, mut at) = (0, 0);
-        while at < LAWS[law].table.len() {
-            let variable = &LAWS[law].table[at];
-            place += is_remembered(variable) as usize;
-            let moves = is_remembered(variable) && variable.is_continuous_state();
-            if LAWS[law].model_exchange && moves && place > most {
-                most = place;
-            }
-            at += 1;
-        }
-        law += 1;
-    }
-    most
-};
 
 /// Most event indicators of any law.
 pub(crate) const MOST_EVENTS: usize = {

@@ -464,9 +464,9 @@ crate::model! {
     ShockAbsorber: "Telescopic shock absorber with friction from its side load" {
         /// Inputs and parameters.
         setting: (Setting),
-        /// What the friction law at the rod guide remembers: its states in their order, in SI units.
+        /// What the friction law at the rod guide remembers, in SI units: see GuideContact.
         memory_1: [state; MEMORY] = blank_memory(DEFLECTION),
-        /// What the friction law at the piston remembers: its states in their order, in SI units.
+        /// What the friction law at the piston remembers, in SI units: see GuideContact.
         memory_2: [state; MEMORY] = blank_memory(DEFLECTION),
         /// Velocity of the damper's piston behind its series stiffness; that of the strut if there is none.
         piston_velocity: state = real("m/s", 0.0),

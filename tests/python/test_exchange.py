@@ -157,6 +157,25 @@ def test_stick_and_slip_on_the_belt_are_events_at_the_instants_of_the_closed_for
         assert min(abs(event - instant) for event in run.events) < 1e-6, instant
 
 
+@pytest.mark.parametrize("tolerance", [1e-3, 1e-5])
+@pytest.mark.parametrize("method", ["RK45", "BDF", "Radau", "LSODA"])
+def test_a_coarse_solver_finds_the_same_events(method, tolerance):
+    expected = breakaways_and_captures()
+    _, run = on_the_belt("CoulombStiction", method, tolerance)
+    assert len(expected) <= len(run.events) <= 2 * len(expected)
+    # The tolerance is that of a step, and the errors of some hundred steps add up in a multistep method.
+    for instant in expected:
+        assert min(abs(event - instant) for event in run.events) < 100.0 * tolerance, instant
+
+
+@pytest.mark.parametrize("tolerance", [1e-3, 1e-5])
+@pytest.mark.parametrize("method", ["RK45", "BDF", "LSODA"])
+@pytest.mark.parametrize("law", ["Coulomb", "CoulombViscous", "Stribeck", "Karnopp"])
+def test_a_coarse_solver_does_not_chatter(law, method, tolerance):
+    _, run = on_the_belt(law, method, tolerance)
+    assert 1 <= len(run.events) <= 2 * len(breakaways_and_captures()), run.events
+
+
 @pytest.mark.parametrize(
     "law", ["Coulomb", "CoulombViscous", "Stribeck", "Karnopp", "BrownMcPhee", "LuGre", "Gonthier"]
 )
