@@ -274,7 +274,8 @@ TASKS = {
     "then about 2",
     test: "check formatting and lints, run the Rust, C and Python tests: 15 to 25 minutes, then about 10",
     trust: "try what hosts may do to the library, in full, and print the figures: about an hour",
-    coverage: "install cargo-llvm-cov, run the Rust tests with counters and print which branches they take: 8 to 15 minutes",
+    coverage: "install cargo-llvm-cov, run the Rust and C tests with counters, print which branches they take: "
+    "8 to 15 minutes",
     broken: "break copies of the library on purpose and show which tests notice: 5 to 10 minutes",
     mutants: "install cargo-mutants, change the friction laws in more than 200 small ways, one at a time, and count "
     "how many the tests notice: 10 to 20 minutes",
