@@ -378,10 +378,11 @@ TASKS = {
     trust: "try what hosts may do to the library, in full, and print the figures: about an hour",
     supply: "check licences, bans and sources of the crates, and their known faults if github.com can be reached: 5 to "
     "10 minutes, then seconds",
-    coverage: "install cargo-llvm-cov, run the Rust tests with counters and print which branches they take: XX minutes",
-    broken: "break copies of the library on purpose and show which tests notice: XX minutes",
+    coverage: "install cargo-llvm-cov, run the Rust and C tests with counters, print which branches they take: "
+    "8 to 15 minutes",
+    broken: "break copies of the library on purpose and show which tests notice: 5 to 10 minutes",
     mutants: "install cargo-mutants, change the friction laws in more than 200 small ways, one at a time, and count "
-    "how many the tests notice: XX minutes",
+    "how many the tests notice: 10 to 20 minutes",
     fuzz: "try new inputs for interfaces and file readers, five minutes for each of seven targets: 20 to 30 minutes",
     bench: "build and run the benchmarks: 2 to 5 minutes",
     pack: "build the library and pack every model as an FMU into dist/: 1 to 2 minutes",

@@ -55,7 +55,7 @@ def functions():
     host = re.search(r"^host: (\S+)$", compiler, re.MULTILINE)[1]
     tools = Path(succeed("rustc", "--print", "sysroot").strip()) / "lib" / "rustlib" / host / "bin"
     counted = TARGET / "all.profdata"
-    succeed(tools / "llvm-profdata", "merge", "-sparse", *TARGET.glob("*.profraw"), "-o", counted)
+    succeed(tools / "llvm-profdata", "merge", *TARGET.glob("*.profraw"), "-o", counted)
     programs = [path for path in PROGRAMS.iterdir() if not path.suffix and os.access(path, os.X_OK) and path.is_file()]
     for program in [LIBRARY, *programs]:
         export = succeed(tools / "llvm-cov", "export", "-format=text", f"-instr-profile={counted}", program)

@@ -183,4 +183,16 @@ mod tests {
         assert!((body.velocity - 0.001).abs() < 1e-16, "{}", body.velocity);
         assert!((body.friction_force - body.external_force).abs() < 1e-15);
     }
+
+    /// Pulled back, a body turns within one step and rides the jump on the other side of rest.
+    #[test]
+    fn a_body_that_turns_meets_the_jump_of_the_other_side() {
+        let law = law(RooneyDeraviVariant::Printed, 0.0);
+        let mut body = RooneyDeravi { velocity: 5e-4, external_force: -0.9 * 0.981, ..law };
+        body.time_stepping.mass = 1.0;
+        body.step(1.0);
+        crate::model::Law::output(&mut body);
+        let velocity = body.velocity + body.external_force - body.friction_force;
+        assert!((velocity + 0.001).abs() < 1e-15, "{velocity}");
+    }
 }

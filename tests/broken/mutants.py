@@ -15,11 +15,13 @@ import argparse
 import collections
 import json
 import os
+import random
 import re
-import resource
 import signal
 import subprocess
 import sys
+import tempfile
+from concurrent.futures import ThreadPoolExecutor
 
 from project_copy import ProjectCopy, errors
 
@@ -34,6 +36,8 @@ TESTS = [
     "published_presliding",
     "contract",
 ]
+
+SILENT = {"stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL}
 
 SWITCH = """
 /// Which mutant is active; 0 is none. A changed function asks at each call: if REACHED names a file, the numbers of all
@@ -152,72 +156,49 @@ def viable_mutants(copy, mutants):
         mutants = [mutant for mutant in mutants if mutant["number"] not in wrong]
 
 
-def seconds_of_children():
-    used = resource.getrusage(resource.RUSAGE_CHILDREN)
-    return used.ru_utime + used.ru_stime
-
-
-def first_failure(command, folder, limit=resource.RLIM_INFINITY, **environment):
-    """Runs a test program until a test fails. Says how it ended, None if well."""
-
-    def bounded():
-        resource.setrlimit(resource.RLIMIT_CPU, (limit, resource.RLIM_INFINITY))
-
-    pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.DEVNULL, "text": True}
+def run_test(command, folder, limit=3600, **environment):
+    """Runs a test with a limit of processor seconds. Says how it failed, None if it did not; the seconds it took."""
+    bounded = ["sh", "-c", 'ulimit -S -t "$0" && exec "$@"', str(limit), *command]
     settings = {**os.environ, **environment}
-    with subprocess.Popen(command, cwd=folder, env=settings, preexec_fn=bounded, **pipes) as test:
-        for line in test.stdout:
-            if line.rstrip().endswith("... FAILED"):
-                test.kill()
-                return line.split()[1]
-        status = test.wait()
-    if status == -signal.SIGXCPU:
-        return "timeout"
-    return None if status == 0 else f"exit code {status}"
+    with subprocess.Popen(bounded, cwd=folder, env=settings, **SILENT) as test:
+        _, status, usage = os.wait4(test.pid, 0)
+        test.returncode = os.waitstatus_to_exitcode(status)
+    failure = {0: None, -signal.SIGXCPU: "timeout"}.get(test.returncode, f"exit code {test.returncode}")
+    return failure, usage.ru_utime + usage.ru_stime
 
 
 class Test:
     """One test: which of the changed functions it calls, and the processor time it takes without a mutant."""
 
-    def __init__(self, program, name, folder):
-        self.program = program
-        self.name = name
-        reached = folder / "reached.txt"
-        reached.write_text("", encoding="utf-8")
-        before = seconds_of_children()
-        failure = first_failure([program, "--exact", name], folder, REACHED=str(reached))
+    def __init__(self, command, folder):
+        self.command = command
+        self.folder = folder
+        self.name = command[-1]
+        with tempfile.NamedTemporaryFile("r", encoding="utf-8") as reached:
+            failure, self.seconds = run_test(command, folder, REACHED=reached.name)
+            self.reached = {int(number) for number in reached.read().split()}
         if failure is not None:
-            sys.exit(f"{name} fails without a mutant: {failure}")
-        self.seconds = seconds_of_children() - before
-        self.reached = {int(number) for number in reached.read_text(encoding="utf-8").split()}
+            raise RuntimeError(f"{self.name} fails without a mutant: {failure}")
+
+    def failure(self, mutant):
+        limit = 10 + round(5 * self.seconds)
+        return run_test(self.command, self.folder, limit, MUTANT=str(mutant["number"]))[0]
 
 
-class Suite:
-    """All tests."""
+def commands(program, folder):
+    """One command for each test of a program."""
+    listed = subprocess.run([program, "--list"], cwd=folder, check=True, capture_output=True, text=True)
+    return [[program, "--exact", name] for name in re.findall(r"^(\S+): test$", listed.stdout, re.MULTILINE)]
 
-    def __init__(self, copy):
-        self.folder = copy.root
-        programs = copy.build_tests(TESTS)
-        if programs is None:
-            sys.exit(f"the tests do not build in {copy.root}")
-        self.tests = [test for program in programs.values() for test in self.tests_of(program)]
-        self.tests.sort(key=lambda test: test.seconds)
 
-    def tests_of(self, program):
-        listed = subprocess.run([program, "--list"], cwd=self.folder, check=True, capture_output=True, text=True)
-        names = re.findall(r"^(\S+): test$", listed.stdout, re.MULTILINE)
-        return [Test(program, name, self.folder) for name in names]
-
-    def verdict(self, mutant):
-        """The test that notices the mutant, None if none does. Only a test that calls its function can."""
-        for test in self.tests:
-            if mutant["function_number"] in test.reached:
-                limit = 10 + round(5 * test.seconds)
-                command = [test.program, "--exact", test.name]
-                failure = first_failure(command, self.folder, limit, MUTANT=str(mutant["number"]))
-                if failure is not None:
-                    return test.name if failure == test.name else f"{test.name}: {failure}"
-        return None
+def verdict(tests, mutant):
+    """The test that notices the mutant, None if none does. Only a test that calls its function can."""
+    for test in tests:
+        if mutant["function_number"] in test.reached:
+            failure = test.failure(mutant)
+            if failure is not None:
+                return f"{test.name}: {failure}"
+    return None
 
 
 def main():
@@ -231,12 +212,19 @@ def main():
     sample = [mutant for mutant in find_mutants(copy) if outcomes.get(mutant["name"]) is None]
     mutants = viable_mutants(copy, sample)
     print(f"{len(sample)} mutants, {len(sample) - len(mutants)} of them do not compile", flush=True)
-    suite = Suite(copy)
-    print(f"{len(suite.tests)} tests, {sum(test.seconds for test in suite.tests):.0f} s without a mutant", flush=True)
-    for mutant in mutants:
-        outcomes[mutant["name"]] = verdict = suite.verdict(mutant)
-        print(f"{'MISSED' if verdict is None else 'caught'}  {mutant['name']}  [{verdict}]", flush=True)
-        record.write_text(json.dumps(outcomes, indent=1), encoding="utf-8")
+    programs = copy.build_tests(TESTS)
+    if programs is None:
+        sys.exit(f"the tests do not build in {copy.root}")
+    every = [command for program in programs.values() for command in commands(program, copy.root)]
+    # In any order the first ones are a fair sample too.
+    random.Random(1).shuffle(mutants)
+    with ThreadPoolExecutor(os.cpu_count()) as pool:
+        tests = sorted(pool.map(lambda command: Test(command, copy.root), every), key=lambda test: test.seconds)
+        print(f"{len(tests)} tests, {sum(test.seconds for test in tests):.0f} s without a mutant", flush=True)
+        for mutant, found in zip(mutants, pool.map(lambda mutant: verdict(tests, mutant), mutants), strict=True):
+            outcomes[mutant["name"]] = found
+            print(f"{'MISSED' if found is None else 'caught'}  {mutant['name']}  [{found}]", flush=True)
+            record.write_text(json.dumps(outcomes, indent=1), encoding="utf-8")
     caught = sum(verdict is not None for verdict in outcomes.values())
     slow = sum(verdict is not None and verdict.endswith("timeout") for verdict in outcomes.values())
     share = caught / len(outcomes)

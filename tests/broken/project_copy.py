@@ -10,7 +10,7 @@ ROOT = Path(__file__).resolve().parents[2]
 
 
 class ProjectCopy:
-    """A copy of what git knows, as it is now. What is built is kept in out/target and used again."""
+    """A copy of what git knows, as it is now. What was built in an earlier copy is kept beside it and used again."""
 
     def __init__(self, name):
         self.out = ROOT / "out" / name
@@ -29,7 +29,7 @@ class ProjectCopy:
 
     def cargo(self, *words):
         """The messages of a cargo command in the copy, and whether it succeeded."""
-        settings = {**os.environ, "CARGO_TARGET_DIR": str(ROOT / "out" / "target"), "CARGO_PROFILE_DEV_DEBUG": "0"}
+        settings = {**os.environ, "CARGO_TARGET_DIR": str(self.out / "target"), "CARGO_PROFILE_DEV_DEBUG": "0"}
         command = ["cargo", *words, "--message-format=json"]
         done = subprocess.run(command, cwd=self.root, env=settings, capture_output=True, text=True)
         return [json.loads(line) for line in done.stdout.splitlines()], done.returncode == 0
