@@ -738,6 +738,18 @@ typedef enum stribeck_normal_sum {
   STRIBECK_NORMAL_SUM_ADAMS = 2,
 } stribeck_normal_sum;
 
+/** Choices of a variable of the type Phase. */
+typedef enum stribeck_phase {
+  /** What its velocity says: no event has settled it, as in co-simulation. */
+  STRIBECK_PHASE_FREE = 1,
+  /** Held, or within the band around rest. */
+  STRIBECK_PHASE_HELD = 2,
+  /** Slides with positive velocity. */
+  STRIBECK_PHASE_FORWARD = 3,
+  /** Slides with negative velocity. */
+  STRIBECK_PHASE_BACKWARD = 4,
+} stribeck_phase;
+
 /** Choices of a variable of the type RooneyDeraviVariant. */
 typedef enum stribeck_rooney_deravi_variant {
   /** Hyperbolic tangent inside the band, as the thesis prints it; jumps at the end of the band. */
@@ -805,7 +817,7 @@ typedef enum stribeck_threlfall_variant {
 } stribeck_threlfall_variant;
 
 /** Guid of Coulomb for fmi2Instantiate. */
-#define STRIBECK_COULOMB_GUID "{25452362-d868-365d-5f7f-915319ab1fdd}"
+#define STRIBECK_COULOMB_GUID "{8d03cab5-cf1c-f8e5-9fa6-4c4dc55d1c9f}"
 
 /** Coulomb: Coulomb friction. Columns of "Coulomb". */
 typedef enum stribeck_coulomb_variable {
@@ -827,8 +839,8 @@ typedef enum stribeck_coulomb_variable {
   STRIBECK_COULOMB_PLANNING_STEP = 7,
   /** state [N]: Force planned for the coming step of a parallel exchange. (default 0) */
   STRIBECK_COULOMB_PLANNED_FORCE = 8,
-  /** state [Boolean]: Has an event of Model Exchange found the contact held at rest? (default false) */
-  STRIBECK_COULOMB_HELD = 9,
+  /** state [stribeck_phase]: What the last event of Model Exchange has found the contact to do. (default Free) */
+  STRIBECK_COULOMB_PHASE = 9,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
   STRIBECK_COULOMB_DISSIPATED_ENERGY = 10,
   /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
@@ -840,7 +852,7 @@ typedef enum stribeck_coulomb_variable {
 } stribeck_coulomb_variable;
 
 /** Guid of CoulombStiction for fmi2Instantiate. */
-#define STRIBECK_COULOMB_STICTION_GUID "{6636448a-cb91-dca0-0837-b738cc08c9b3}"
+#define STRIBECK_COULOMB_STICTION_GUID "{3ec98814-7840-46b6-4935-3eb5aae87cb6}"
 
 /** CoulombStiction: Coulomb friction with stiction. Columns of "CoulombStiction". */
 typedef enum stribeck_coulomb_stiction_variable {
@@ -854,7 +866,8 @@ typedef enum stribeck_coulomb_stiction_variable {
   STRIBECK_COULOMB_STICTION_MU_K = 3,
   /** tunable [1]: Static coefficient of friction; not less than mu_k. (>= 0, default 0.15) */
   STRIBECK_COULOMB_STICTION_MU_S = 4,
-  /** state [Boolean]: Is the contact stuck since the last step? Used with mass > 0. (default false) */
+  /** state [Boolean]: Has the last step left the contact stuck? Only with mass > 0; phase tells it in Model Exchange.
+   *  (default false) */
   STRIBECK_COULOMB_STICTION_STUCK = 5,
   /** tunable [kg]: Effective mass of the host, to hold it in co-simulation; 0 = the printed law. (>= 0, default 0) */
   STRIBECK_COULOMB_STICTION_MASS = 6,
@@ -866,8 +879,8 @@ typedef enum stribeck_coulomb_stiction_variable {
   STRIBECK_COULOMB_STICTION_PLANNING_STEP = 9,
   /** state [N]: Force planned for the coming step of a parallel exchange. (default 0) */
   STRIBECK_COULOMB_STICTION_PLANNED_FORCE = 10,
-  /** state [Boolean]: Has an event of Model Exchange found the contact held at rest? (default false) */
-  STRIBECK_COULOMB_STICTION_HELD = 11,
+  /** state [stribeck_phase]: What the last event of Model Exchange has found the contact to do. (default Free) */
+  STRIBECK_COULOMB_STICTION_PHASE = 11,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
   STRIBECK_COULOMB_STICTION_DISSIPATED_ENERGY = 12,
   /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
@@ -879,7 +892,7 @@ typedef enum stribeck_coulomb_stiction_variable {
 } stribeck_coulomb_stiction_variable;
 
 /** Guid of CoulombViscous for fmi2Instantiate. */
-#define STRIBECK_COULOMB_VISCOUS_GUID "{b23978ab-fd19-9c77-cf12-734f387aff5a}"
+#define STRIBECK_COULOMB_VISCOUS_GUID "{a89ed522-cc14-453d-378b-6e816ba8a6f0}"
 
 /** CoulombViscous: Coulomb friction with a viscous part. Columns of "CoulombViscous". */
 typedef enum stribeck_coulomb_viscous_variable {
@@ -907,8 +920,8 @@ typedef enum stribeck_coulomb_viscous_variable {
   STRIBECK_COULOMB_VISCOUS_PLANNING_STEP = 10,
   /** state [N]: Force planned for the coming step of a parallel exchange. (default 0) */
   STRIBECK_COULOMB_VISCOUS_PLANNED_FORCE = 11,
-  /** state [Boolean]: Has an event of Model Exchange found the contact held at rest? (default false) */
-  STRIBECK_COULOMB_VISCOUS_HELD = 12,
+  /** state [stribeck_phase]: What the last event of Model Exchange has found the contact to do. (default Free) */
+  STRIBECK_COULOMB_VISCOUS_PHASE = 12,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
   STRIBECK_COULOMB_VISCOUS_DISSIPATED_ENERGY = 13,
   /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
@@ -920,7 +933,7 @@ typedef enum stribeck_coulomb_viscous_variable {
 } stribeck_coulomb_viscous_variable;
 
 /** Guid of Stribeck for fmi2Instantiate. */
-#define STRIBECK_STRIBECK_GUID "{d8dc31ae-8f0d-70c7-6e62-50ee3cd5147e}"
+#define STRIBECK_STRIBECK_GUID "{ec1e6e52-4894-4106-4d2d-24038e0d2a24}"
 
 /** Stribeck: Friction that falls with speed from the static to the kinetic level (Stribeck). Columns of "Stribeck". */
 typedef enum stribeck_stribeck_variable {
@@ -955,8 +968,8 @@ typedef enum stribeck_stribeck_variable {
   STRIBECK_STRIBECK_PLANNING_STEP = 13,
   /** state [N]: Force planned for the coming step of a parallel exchange. (default 0) */
   STRIBECK_STRIBECK_PLANNED_FORCE = 14,
-  /** state [Boolean]: Has an event of Model Exchange found the contact held at rest? (default false) */
-  STRIBECK_STRIBECK_HELD = 15,
+  /** state [stribeck_phase]: What the last event of Model Exchange has found the contact to do. (default Free) */
+  STRIBECK_STRIBECK_PHASE = 15,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
   STRIBECK_STRIBECK_DISSIPATED_ENERGY = 16,
   /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
@@ -968,7 +981,7 @@ typedef enum stribeck_stribeck_variable {
 } stribeck_stribeck_variable;
 
 /** Guid of Bernard for fmi2Instantiate. */
-#define STRIBECK_BERNARD_GUID "{9290c366-dd09-0e05-177a-758d884e7149}"
+#define STRIBECK_BERNARD_GUID "{b5d6dda9-04ad-2f3d-e8c9-7aa57f912a4b}"
 
 /** Bernard: Coulomb friction with a linear transition, by its slope (Bernard). Columns of "Bernard". */
 typedef enum stribeck_bernard_variable {
@@ -992,8 +1005,8 @@ typedef enum stribeck_bernard_variable {
   STRIBECK_BERNARD_PLANNING_STEP = 8,
   /** state [N]: Force planned for the coming step of a parallel exchange. (default 0) */
   STRIBECK_BERNARD_PLANNED_FORCE = 9,
-  /** state [Boolean]: Has an event of Model Exchange found the contact held at rest? (default false) */
-  STRIBECK_BERNARD_HELD = 10,
+  /** state [stribeck_phase]: What the last event of Model Exchange has found the contact to do. (default Free) */
+  STRIBECK_BERNARD_PHASE = 10,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
   STRIBECK_BERNARD_DISSIPATED_ENERGY = 11,
   /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
@@ -1005,7 +1018,7 @@ typedef enum stribeck_bernard_variable {
 } stribeck_bernard_variable;
 
 /** Guid of Threlfall for fmi2Instantiate. */
-#define STRIBECK_THRELFALL_GUID "{f76f7d85-d82a-94e0-62b2-6745b39df7f0}"
+#define STRIBECK_THRELFALL_GUID "{1a3261a4-beb9-d7e2-e8dc-a5a95f11f412}"
 
 /** Threlfall: Coulomb friction with an exponential transition (Threlfall). Columns of "Threlfall". */
 typedef enum stribeck_threlfall_variable {
@@ -1031,8 +1044,8 @@ typedef enum stribeck_threlfall_variable {
   STRIBECK_THRELFALL_PLANNING_STEP = 9,
   /** state [N]: Force planned for the coming step of a parallel exchange. (default 0) */
   STRIBECK_THRELFALL_PLANNED_FORCE = 10,
-  /** state [Boolean]: Has an event of Model Exchange found the contact held at rest? (default false) */
-  STRIBECK_THRELFALL_HELD = 11,
+  /** state [stribeck_phase]: What the last event of Model Exchange has found the contact to do. (default Free) */
+  STRIBECK_THRELFALL_PHASE = 11,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
   STRIBECK_THRELFALL_DISSIPATED_ENERGY = 12,
   /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
@@ -1044,7 +1057,7 @@ typedef enum stribeck_threlfall_variable {
 } stribeck_threlfall_variable;
 
 /** Guid of ThrelfallModified for fmi2Instantiate. */
-#define STRIBECK_THRELFALL_MODIFIED_GUID "{d1a12d1f-695f-27f4-a4c7-1dc84f3a9ff1}"
+#define STRIBECK_THRELFALL_MODIFIED_GUID "{c4ffb308-82b2-3efc-3dac-3f21ec355303}"
 
 /** ThrelfallModified: Coulomb friction with an exponential transition that ends at the Coulomb level (modified Threlfall). Columns of "ThrelfallModified". */
 typedef enum stribeck_threlfall_modified_variable {
@@ -1068,8 +1081,8 @@ typedef enum stribeck_threlfall_modified_variable {
   STRIBECK_THRELFALL_MODIFIED_PLANNING_STEP = 8,
   /** state [N]: Force planned for the coming step of a parallel exchange. (default 0) */
   STRIBECK_THRELFALL_MODIFIED_PLANNED_FORCE = 9,
-  /** state [Boolean]: Has an event of Model Exchange found the contact held at rest? (default false) */
-  STRIBECK_THRELFALL_MODIFIED_HELD = 10,
+  /** state [stribeck_phase]: What the last event of Model Exchange has found the contact to do. (default Free) */
+  STRIBECK_THRELFALL_MODIFIED_PHASE = 10,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
   STRIBECK_THRELFALL_MODIFIED_DISSIPATED_ENERGY = 11,
   /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
@@ -1081,7 +1094,7 @@ typedef enum stribeck_threlfall_modified_variable {
 } stribeck_threlfall_modified_variable;
 
 /** Guid of RooneyDeravi for fmi2Instantiate. */
-#define STRIBECK_ROONEY_DERAVI_GUID "{e6722192-153b-240e-302f-39059b31838c}"
+#define STRIBECK_ROONEY_DERAVI_GUID "{18b2b009-1c6e-b842-6578-dba89be7591e}"
 
 /** RooneyDeravi: Coulomb friction with a transition band (Rooney and Deravi). Columns of "RooneyDeravi". */
 typedef enum stribeck_rooney_deravi_variable {
@@ -1107,8 +1120,8 @@ typedef enum stribeck_rooney_deravi_variable {
   STRIBECK_ROONEY_DERAVI_PLANNING_STEP = 9,
   /** state [N]: Force planned for the coming step of a parallel exchange. (default 0) */
   STRIBECK_ROONEY_DERAVI_PLANNED_FORCE = 10,
-  /** state [Boolean]: Has an event of Model Exchange found the contact held at rest? (default false) */
-  STRIBECK_ROONEY_DERAVI_HELD = 11,
+  /** state [stribeck_phase]: What the last event of Model Exchange has found the contact to do. (default Free) */
+  STRIBECK_ROONEY_DERAVI_PHASE = 11,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
   STRIBECK_ROONEY_DERAVI_DISSIPATED_ENERGY = 12,
   /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
@@ -1120,7 +1133,7 @@ typedef enum stribeck_rooney_deravi_variable {
 } stribeck_rooney_deravi_variable;
 
 /** Guid of Ambrosio for fmi2Instantiate. */
-#define STRIBECK_AMBROSIO_GUID "{efd881f6-de53-d3ec-98c6-30fb5fad4322}"
+#define STRIBECK_AMBROSIO_GUID "{651f3608-4a5d-22c1-6cd2-389a7eb010a8}"
 
 /** Ambrosio: Coulomb friction that is ramped in with speed (Ambrosio). Columns of "Ambrosio". */
 typedef enum stribeck_ambrosio_variable {
@@ -1146,8 +1159,8 @@ typedef enum stribeck_ambrosio_variable {
   STRIBECK_AMBROSIO_PLANNING_STEP = 9,
   /** state [N]: Force planned for the coming step of a parallel exchange. (default 0) */
   STRIBECK_AMBROSIO_PLANNED_FORCE = 10,
-  /** state [Boolean]: Has an event of Model Exchange found the contact held at rest? (default false) */
-  STRIBECK_AMBROSIO_HELD = 11,
+  /** state [stribeck_phase]: What the last event of Model Exchange has found the contact to do. (default Free) */
+  STRIBECK_AMBROSIO_PHASE = 11,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
   STRIBECK_AMBROSIO_DISSIPATED_ENERGY = 12,
   /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
@@ -1159,7 +1172,7 @@ typedef enum stribeck_ambrosio_variable {
 } stribeck_ambrosio_variable;
 
 /** Guid of Karnopp for fmi2Instantiate. */
-#define STRIBECK_KARNOPP_GUID "{b5063307-d8b4-ab9b-c2b8-f49e4bbd8dee}"
+#define STRIBECK_KARNOPP_GUID "{8a5ed9f1-2d11-5234-a111-064cb0266c37}"
 
 /** Karnopp: Coulomb friction with a band of stiction (Karnopp). Columns of "Karnopp". */
 typedef enum stribeck_karnopp_variable {
@@ -1175,7 +1188,8 @@ typedef enum stribeck_karnopp_variable {
   STRIBECK_KARNOPP_MU_S = 4,
   /** tunable [m/s]: Velocity at which the regularised band around rest ends (default chosen). (> 0, default 0.001) */
   STRIBECK_KARNOPP_TRANSITION_VELOCITY = 5,
-  /** state [Boolean]: Is the contact stuck since the last step? Used with mass > 0. (default false) */
+  /** state [Boolean]: Has the last step left the contact stuck? Only with mass > 0; phase tells it in Model Exchange.
+   *  (default false) */
   STRIBECK_KARNOPP_STUCK = 6,
   /** tunable [kg]: Effective mass of the host, to hold it in co-simulation; 0 = the printed law. (>= 0, default 0) */
   STRIBECK_KARNOPP_MASS = 7,
@@ -1187,8 +1201,8 @@ typedef enum stribeck_karnopp_variable {
   STRIBECK_KARNOPP_PLANNING_STEP = 10,
   /** state [N]: Force planned for the coming step of a parallel exchange. (default 0) */
   STRIBECK_KARNOPP_PLANNED_FORCE = 11,
-  /** state [Boolean]: Has an event of Model Exchange found the contact held at rest? (default false) */
-  STRIBECK_KARNOPP_HELD = 12,
+  /** state [stribeck_phase]: What the last event of Model Exchange has found the contact to do. (default Free) */
+  STRIBECK_KARNOPP_PHASE = 12,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
   STRIBECK_KARNOPP_DISSIPATED_ENERGY = 13,
   /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
@@ -1200,7 +1214,7 @@ typedef enum stribeck_karnopp_variable {
 } stribeck_karnopp_variable;
 
 /** Guid of BengisuAkay for fmi2Instantiate. */
-#define STRIBECK_BENGISU_AKAY_GUID "{b86556c2-2059-1cc0-d60a-316fdb1f4682}"
+#define STRIBECK_BENGISU_AKAY_GUID "{fb1d319a-15ff-9909-1914-c54c77f25e88}"
 
 /** BengisuAkay: Continuous friction law with a stiction peak (Bengisu and Akay). Columns of "BengisuAkay". */
 typedef enum stribeck_bengisu_akay_variable {
@@ -1233,8 +1247,8 @@ typedef enum stribeck_bengisu_akay_variable {
   STRIBECK_BENGISU_AKAY_PLANNING_STEP = 12,
   /** state [N]: Force planned for the coming step of a parallel exchange. (default 0) */
   STRIBECK_BENGISU_AKAY_PLANNED_FORCE = 13,
-  /** state [Boolean]: Has an event of Model Exchange found the contact held at rest? (default false) */
-  STRIBECK_BENGISU_AKAY_HELD = 14,
+  /** state [stribeck_phase]: What the last event of Model Exchange has found the contact to do. (default Free) */
+  STRIBECK_BENGISU_AKAY_PHASE = 14,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
   STRIBECK_BENGISU_AKAY_DISSIPATED_ENERGY = 15,
   /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
@@ -1246,7 +1260,7 @@ typedef enum stribeck_bengisu_akay_variable {
 } stribeck_bengisu_akay_variable;
 
 /** Guid of Hollars for fmi2Instantiate. */
-#define STRIBECK_HOLLARS_GUID "{913e7bf6-262f-3571-0def-33a6a3b6fa0e}"
+#define STRIBECK_HOLLARS_GUID "{9a25748b-d697-9f7b-f733-5a9aca32c954}"
 
 /** Hollars: Continuous friction law with a stiction peak, without exponentials (Hollars). Columns of "Hollars". */
 typedef enum stribeck_hollars_variable {
@@ -1274,8 +1288,8 @@ typedef enum stribeck_hollars_variable {
   STRIBECK_HOLLARS_PLANNING_STEP = 10,
   /** state [N]: Force planned for the coming step of a parallel exchange. (default 0) */
   STRIBECK_HOLLARS_PLANNED_FORCE = 11,
-  /** state [Boolean]: Has an event of Model Exchange found the contact held at rest? (default false) */
-  STRIBECK_HOLLARS_HELD = 12,
+  /** state [stribeck_phase]: What the last event of Model Exchange has found the contact to do. (default Free) */
+  STRIBECK_HOLLARS_PHASE = 12,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
   STRIBECK_HOLLARS_DISSIPATED_ENERGY = 13,
   /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
@@ -1287,7 +1301,7 @@ typedef enum stribeck_hollars_variable {
 } stribeck_hollars_variable;
 
 /** Guid of Andersson for fmi2Instantiate. */
-#define STRIBECK_ANDERSSON_GUID "{6bfc73e1-adfe-0b6e-6b6e-d09b36bdbcd8}"
+#define STRIBECK_ANDERSSON_GUID "{6ba04bd1-76cf-8136-cb2f-d442128181ea}"
 
 /** Andersson: Smooth friction law with the Stribeck curve (Andersson). Columns of "Andersson". */
 typedef enum stribeck_andersson_variable {
@@ -1320,8 +1334,8 @@ typedef enum stribeck_andersson_variable {
   STRIBECK_ANDERSSON_PLANNING_STEP = 12,
   /** state [N]: Force planned for the coming step of a parallel exchange. (default 0) */
   STRIBECK_ANDERSSON_PLANNED_FORCE = 13,
-  /** state [Boolean]: Has an event of Model Exchange found the contact held at rest? (default false) */
-  STRIBECK_ANDERSSON_HELD = 14,
+  /** state [stribeck_phase]: What the last event of Model Exchange has found the contact to do. (default Free) */
+  STRIBECK_ANDERSSON_PHASE = 14,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
   STRIBECK_ANDERSSON_DISSIPATED_ENERGY = 15,
   /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
@@ -1333,7 +1347,7 @@ typedef enum stribeck_andersson_variable {
 } stribeck_andersson_variable;
 
 /** Guid of Awrejcewicz for fmi2Instantiate. */
-#define STRIBECK_AWREJCEWICZ_GUID "{d860d24f-140e-3c02-8d9c-441022b7a32c}"
+#define STRIBECK_AWREJCEWICZ_GUID "{42f6fe37-ebd9-f151-d493-6459ce4d38be}"
 
 /** Awrejcewicz: Continuous friction law that holds a load at rest (Awrejcewicz, Grzelczyk and Pyryev). Columns of "Awrejcewicz". */
 typedef enum stribeck_awrejcewicz_variable {
@@ -1362,8 +1376,8 @@ typedef enum stribeck_awrejcewicz_variable {
   STRIBECK_AWREJCEWICZ_PLANNING_STEP = 10,
   /** state [N]: Force planned for the coming step of a parallel exchange. (default 0) */
   STRIBECK_AWREJCEWICZ_PLANNED_FORCE = 11,
-  /** state [Boolean]: Has an event of Model Exchange found the contact held at rest? (default false) */
-  STRIBECK_AWREJCEWICZ_HELD = 12,
+  /** state [stribeck_phase]: What the last event of Model Exchange has found the contact to do. (default Free) */
+  STRIBECK_AWREJCEWICZ_PHASE = 12,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
   STRIBECK_AWREJCEWICZ_DISSIPATED_ENERGY = 13,
   /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
@@ -1375,7 +1389,7 @@ typedef enum stribeck_awrejcewicz_variable {
 } stribeck_awrejcewicz_variable;
 
 /** Guid of Specker for fmi2Instantiate. */
-#define STRIBECK_SPECKER_GUID "{b52a226d-8ca0-b972-ebfb-dadd9440e8c7}"
+#define STRIBECK_SPECKER_GUID "{b99530c2-3a75-8543-b232-9ce417c26d8d}"
 
 /** Specker: Smooth friction law that passes through the static level (Specker). Columns of "Specker". */
 typedef enum stribeck_specker_variable {
@@ -1405,8 +1419,8 @@ typedef enum stribeck_specker_variable {
   STRIBECK_SPECKER_PLANNING_STEP = 11,
   /** state [N]: Force planned for the coming step of a parallel exchange. (default 0) */
   STRIBECK_SPECKER_PLANNED_FORCE = 12,
-  /** state [Boolean]: Has an event of Model Exchange found the contact held at rest? (default false) */
-  STRIBECK_SPECKER_HELD = 13,
+  /** state [stribeck_phase]: What the last event of Model Exchange has found the contact to do. (default Free) */
+  STRIBECK_SPECKER_PHASE = 13,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
   STRIBECK_SPECKER_DISSIPATED_ENERGY = 14,
   /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
@@ -1418,7 +1432,7 @@ typedef enum stribeck_specker_variable {
 } stribeck_specker_variable;
 
 /** Guid of LinearStiction for fmi2Instantiate. */
-#define STRIBECK_LINEAR_STICTION_GUID "{665ad61b-d89b-a24f-cb4e-75042ab305e9}"
+#define STRIBECK_LINEAR_STICTION_GUID "{94211c22-aa70-4a30-4aad-adb4163e0e6b}"
 
 /** LinearStiction: Friction law with stiction made of three straight lines. Columns of "LinearStiction". */
 typedef enum stribeck_linear_stiction_variable {
@@ -1446,8 +1460,8 @@ typedef enum stribeck_linear_stiction_variable {
   STRIBECK_LINEAR_STICTION_PLANNING_STEP = 10,
   /** state [N]: Force planned for the coming step of a parallel exchange. (default 0) */
   STRIBECK_LINEAR_STICTION_PLANNED_FORCE = 11,
-  /** state [Boolean]: Has an event of Model Exchange found the contact held at rest? (default false) */
-  STRIBECK_LINEAR_STICTION_HELD = 12,
+  /** state [stribeck_phase]: What the last event of Model Exchange has found the contact to do. (default Free) */
+  STRIBECK_LINEAR_STICTION_PHASE = 12,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
   STRIBECK_LINEAR_STICTION_DISSIPATED_ENERGY = 13,
   /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
@@ -1459,7 +1473,7 @@ typedef enum stribeck_linear_stiction_variable {
 } stribeck_linear_stiction_variable;
 
 /** Guid of BrownMcPhee for fmi2Instantiate. */
-#define STRIBECK_BROWN_MCPHEE_GUID "{738d66c7-ef35-b606-60d7-65115edb2762}"
+#define STRIBECK_BROWN_MCPHEE_GUID "{451eb318-ff7b-35bf-d01a-3399c6e6f568}"
 
 /** BrownMcPhee: Smooth friction law with a stiction peak (Brown and McPhee). Columns of "BrownMcPhee". */
 typedef enum stribeck_brown_mcphee_variable {
@@ -1489,8 +1503,8 @@ typedef enum stribeck_brown_mcphee_variable {
   STRIBECK_BROWN_MCPHEE_PLANNING_STEP = 11,
   /** state [N]: Force planned for the coming step of a parallel exchange. (default 0) */
   STRIBECK_BROWN_MCPHEE_PLANNED_FORCE = 12,
-  /** state [Boolean]: Has an event of Model Exchange found the contact held at rest? (default false) */
-  STRIBECK_BROWN_MCPHEE_HELD = 13,
+  /** state [stribeck_phase]: What the last event of Model Exchange has found the contact to do. (default Free) */
+  STRIBECK_BROWN_MCPHEE_PHASE = 13,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
   STRIBECK_BROWN_MCPHEE_DISSIPATED_ENERGY = 14,
   /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
@@ -1502,7 +1516,7 @@ typedef enum stribeck_brown_mcphee_variable {
 } stribeck_brown_mcphee_variable;
 
 /** Guid of Dahl for fmi2Instantiate. */
-#define STRIBECK_DAHL_GUID "{e3e650b7-fbbf-9583-1c45-84fde468a220}"
+#define STRIBECK_DAHL_GUID "{e3e650b7-fcbf-9583-1c45-84fde468a35b}"
 
 /** Dahl: Pre-sliding displacement with hysteresis (Dahl). Columns of "Dahl". */
 typedef enum stribeck_dahl_variable {
@@ -1529,7 +1543,7 @@ typedef enum stribeck_dahl_variable {
 } stribeck_dahl_variable;
 
 /** Guid of LuGre for fmi2Instantiate. */
-#define STRIBECK_LUGRE_GUID "{af112de0-25b8-a853-1bc1-bbead92ee550}"
+#define STRIBECK_LUGRE_GUID "{af112de0-26b8-a853-1bc1-bbead92ee68b}"
 
 /** LuGre: Bristle friction with Stribeck effect (LuGre). Columns of "LuGre". */
 typedef enum stribeck_lugre_variable {
@@ -2490,7 +2504,7 @@ typedef enum stribeck_wojewoda_variable {
 } stribeck_wojewoda_variable;
 
 /** Guid of BlimanSorine for fmi2Instantiate. */
-#define STRIBECK_BLIMAN_SORINE_GUID "{7c9bf12c-d2bf-238a-add8-64d929b0cd8e}"
+#define STRIBECK_BLIMAN_SORINE_GUID "{7c9bf12c-d3bf-238a-add8-64d929b0cec9}"
 
 /** BlimanSorine: Pre-sliding displacement and breakaway peak in the sliding distance (Bliman-Sorine). Columns of "BlimanSorine". */
 typedef enum stribeck_bliman_sorine_variable {
@@ -2557,7 +2571,7 @@ typedef enum stribeck_reset_integrator_variable {
 } stribeck_reset_integrator_variable;
 
 /** Guid of Dankowicz for fmi2Instantiate. */
-#define STRIBECK_DANKOWICZ_GUID "{c0758147-6861-93c3-4287-664588f30e92}"
+#define STRIBECK_DANKOWICZ_GUID "{c0758147-6961-93c3-4287-664588f30fcd}"
 
 /** Dankowicz: Pre-sliding displacement of sheared asperities (Dankowicz, reconstructed). Columns of "Dankowicz". */
 typedef enum stribeck_dankowicz_variable {
@@ -2583,7 +2597,7 @@ typedef enum stribeck_dankowicz_variable {
 } stribeck_dankowicz_variable;
 
 /** Guid of ElastoPlastic for fmi2Instantiate. */
-#define STRIBECK_ELASTO_PLASTIC_GUID "{e77f0a90-5207-525e-c162-e940d59905ce}"
+#define STRIBECK_ELASTO_PLASTIC_GUID "{e77f0a90-5307-525e-c162-e940d5990709}"
 
 /** ElastoPlastic: Bristle friction without drift below breakaway (elasto-plastic). Columns of "ElastoPlastic". */
 typedef enum stribeck_elasto_plastic_variable {
@@ -2913,7 +2927,7 @@ typedef enum stribeck_bristle_variable {
 } stribeck_bristle_variable;
 
 /** Guid of SpeckerDynamic for fmi2Instantiate. */
-#define STRIBECK_SPECKER_DYNAMIC_GUID "{37a7ea98-33dc-8c46-3045-5cfdffa79969}"
+#define STRIBECK_SPECKER_DYNAMIC_GUID "{37a7ea98-32dc-8c46-3045-5cfdffa7982e}"
 
 /** SpeckerDynamic: Smooth friction law with a velocity-dependent lag (Specker, reconstructed). Columns of "SpeckerDynamic". */
 typedef enum stribeck_specker_dynamic_variable {
@@ -3930,7 +3944,7 @@ typedef enum stribeck_leuven_variable {
 } stribeck_leuven_variable;
 
 /** Guid of Gonthier for fmi2Instantiate. */
-#define STRIBECK_GONTHIER_GUID "{46df8ecb-fb85-e063-e708-bbc9072b90c4}"
+#define STRIBECK_GONTHIER_GUID "{46df8ecb-fc85-e063-e708-bbc9072b91ff}"
 
 /** Gonthier: Bristle friction with dwell time (Gonthier). Columns of "Gonthier". */
 typedef enum stribeck_gonthier_variable {
@@ -4021,7 +4035,7 @@ typedef enum stribeck_liang_variable {
 } stribeck_liang_variable;
 
 /** Guid of LuGrePlanar for fmi2Instantiate. */
-#define STRIBECK_LUGRE_PLANAR_GUID "{ce0301fc-7ca4-c267-ed8f-dc2d18cf9db1}"
+#define STRIBECK_LUGRE_PLANAR_GUID "{ce0301fc-7ba4-c267-ed8f-dc2d18cf9c76}"
 
 /** LuGrePlanar: Bristle friction with Stribeck effect in a plane (LuGre). Columns of "LuGrePlanar". */
 typedef enum stribeck_lugre_planar_variable {
@@ -4065,7 +4079,7 @@ typedef enum stribeck_lugre_planar_variable {
 } stribeck_lugre_planar_variable;
 
 /** Guid of ElastoPlasticPlanar for fmi2Instantiate. */
-#define STRIBECK_ELASTO_PLASTIC_PLANAR_GUID "{dead8a31-bcec-ef09-a520-7925e5a6d9d7}"
+#define STRIBECK_ELASTO_PLASTIC_PLANAR_GUID "{dead8a31-bbec-ef09-a520-7925e5a6d89c}"
 
 /** ElastoPlasticPlanar: Bristle friction without drift below breakaway, in a plane (elasto-plastic). Columns of "ElastoPlasticPlanar". */
 typedef enum stribeck_elasto_plastic_planar_variable {
@@ -4602,990 +4616,793 @@ typedef enum stribeck_shock_absorber_variable {
   STRIBECK_SHOCK_ABSORBER_NUM_MASS_REF = 221,
   /** fixed [stribeck_friction_start]: What the friction law remembers at the start. (default Steady) */
   STRIBECK_SHOCK_ABSORBER_INIT_FRICTION_STATE = 222,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_1 = 223,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_2 = 224,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_3 = 225,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_4 = 226,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_5 = 227,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_6 = 228,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_7 = 229,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_8 = 230,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_9 = 231,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_10 = 232,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_11 = 233,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_12 = 234,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_13 = 235,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_14 = 236,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_15 = 237,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_16 = 238,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_17 = 239,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_18 = 240,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_19 = 241,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_20 = 242,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_21 = 243,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_22 = 244,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_23 = 245,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_24 = 246,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_25 = 247,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_26 = 248,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_27 = 249,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_28 = 250,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_29 = 251,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_30 = 252,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_31 = 253,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_32 = 254,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_33 = 255,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_34 = 256,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_35 = 257,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_36 = 258,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_37 = 259,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_38 = 260,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_39 = 261,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_40 = 262,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_41 = 263,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_42 = 264,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_43 = 265,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_44 = 266,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_45 = 267,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_46 = 268,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_47 = 269,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_48 = 270,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_49 = 271,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_50 = 272,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_51 = 273,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_52 = 274,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_53 = 275,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_54 = 276,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_55 = 277,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_56 = 278,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_57 = 279,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_58 = 280,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_59 = 281,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_60 = 282,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_61 = 283,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_62 = 284,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_63 = 285,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_64 = 286,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_65 = 287,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_66 = 288,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_67 = 289,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_68 = 290,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_69 = 291,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_70 = 292,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_71 = 293,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_72 = 294,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_73 = 295,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_74 = 296,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_75 = 297,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_76 = 298,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_77 = 299,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_78 = 300,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_79 = 301,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_80 = 302,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_81 = 303,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_82 = 304,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_83 = 305,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_84 = 306,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_85 = 307,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_86 = 308,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_87 = 309,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_88 = 310,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_89 = 311,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_90 = 312,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_91 = 313,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_92 = 314,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_93 = 315,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_94 = 316,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_95 = 317,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_96 = 318,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_97 = 319,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_98 = 320,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_99 = 321,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_100 = 322,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_101 = 323,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_102 = 324,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_103 = 325,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_104 = 326,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_105 = 327,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_106 = 328,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_107 = 329,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_108 = 330,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_109 = 331,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_110 = 332,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_111 = 333,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_112 = 334,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_113 = 335,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_114 = 336,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_115 = 337,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_116 = 338,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_117 = 339,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_118 = 340,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_119 = 341,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_120 = 342,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_121 = 343,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_122 = 344,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_123 = 345,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_124 = 346,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_125 = 347,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_126 = 348,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_127 = 349,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_128 = 350,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_129 = 351,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_130 = 352,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_131 = 353,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_132 = 354,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_133 = 355,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_134 = 356,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_135 = 357,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_136 = 358,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_137 = 359,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_138 = 360,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_139 = 361,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_140 = 362,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_141 = 363,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_142 = 364,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_143 = 365,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_144 = 366,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_145 = 367,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_146 = 368,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_147 = 369,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_148 = 370,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_149 = 371,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_150 = 372,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_151 = 373,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_152 = 374,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_153 = 375,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_154 = 376,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_155 = 377,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_156 = 378,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_157 = 379,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_158 = 380,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_159 = 381,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_160 = 382,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_161 = 383,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_162 = 384,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_163 = 385,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_164 = 386,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_165 = 387,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_166 = 388,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_167 = 389,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_168 = 390,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_169 = 391,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_170 = 392,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_171 = 393,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_172 = 394,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_173 = 395,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_174 = 396,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_175 = 397,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_176 = 398,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_177 = 399,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_178 = 400,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_179 = 401,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_180 = 402,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_181 = 403,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_182 = 404,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_183 = 405,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_184 = 406,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_185 = 407,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_186 = 408,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_187 = 409,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_188 = 410,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_189 = 411,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_190 = 412,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_191 = 413,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_192 = 414,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_193 = 415,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_194 = 416,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_195 = 417,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_196 = 418,
-  /** state [1]: What the friction law at the rod guide remembers: its states in their order, in SI units.
-   *  (default 0) */
+  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_197 = 419,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_1 = 420,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_2 = 421,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_3 = 422,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_4 = 423,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_5 = 424,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_6 = 425,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_7 = 426,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_8 = 427,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_9 = 428,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_10 = 429,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_11 = 430,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_12 = 431,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_13 = 432,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_14 = 433,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_15 = 434,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_16 = 435,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_17 = 436,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_18 = 437,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_19 = 438,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_20 = 439,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_21 = 440,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_22 = 441,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_23 = 442,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_24 = 443,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_25 = 444,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_26 = 445,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_27 = 446,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_28 = 447,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_29 = 448,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_30 = 449,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_31 = 450,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_32 = 451,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_33 = 452,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_34 = 453,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_35 = 454,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_36 = 455,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_37 = 456,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_38 = 457,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_39 = 458,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_40 = 459,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_41 = 460,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_42 = 461,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_43 = 462,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_44 = 463,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_45 = 464,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_46 = 465,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_47 = 466,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_48 = 467,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_49 = 468,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_50 = 469,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_51 = 470,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_52 = 471,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_53 = 472,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_54 = 473,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_55 = 474,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_56 = 475,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_57 = 476,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_58 = 477,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_59 = 478,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_60 = 479,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_61 = 480,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_62 = 481,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_63 = 482,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_64 = 483,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_65 = 484,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_66 = 485,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_67 = 486,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_68 = 487,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_69 = 488,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_70 = 489,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_71 = 490,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_72 = 491,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_73 = 492,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_74 = 493,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_75 = 494,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_76 = 495,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_77 = 496,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_78 = 497,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_79 = 498,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_80 = 499,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_81 = 500,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_82 = 501,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_83 = 502,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_84 = 503,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_85 = 504,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_86 = 505,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_87 = 506,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_88 = 507,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_89 = 508,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_90 = 509,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_91 = 510,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_92 = 511,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_93 = 512,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_94 = 513,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_95 = 514,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_96 = 515,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_97 = 516,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_98 = 517,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_99 = 518,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_100 = 519,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_101 = 520,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_102 = 521,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_103 = 522,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_104 = 523,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_105 = 524,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_106 = 525,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_107 = 526,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_108 = 527,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_109 = 528,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_110 = 529,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_111 = 530,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_112 = 531,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_113 = 532,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_114 = 533,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_115 = 534,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_116 = 535,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_117 = 536,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_118 = 537,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_119 = 538,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_120 = 539,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_121 = 540,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_122 = 541,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_123 = 542,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_124 = 543,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_125 = 544,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_126 = 545,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_127 = 546,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_128 = 547,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_129 = 548,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_130 = 549,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_131 = 550,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_132 = 551,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_133 = 552,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_134 = 553,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_135 = 554,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_136 = 555,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_137 = 556,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_138 = 557,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_139 = 558,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_140 = 559,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_141 = 560,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_142 = 561,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_143 = 562,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_144 = 563,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_145 = 564,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_146 = 565,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_147 = 566,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_148 = 567,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_149 = 568,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_150 = 569,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_151 = 570,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_152 = 571,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_153 = 572,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_154 = 573,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_155 = 574,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_156 = 575,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_157 = 576,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_158 = 577,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_159 = 578,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_160 = 579,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_161 = 580,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_162 = 581,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_163 = 582,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_164 = 583,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_165 = 584,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_166 = 585,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_167 = 586,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_168 = 587,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_169 = 588,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_170 = 589,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_171 = 590,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_172 = 591,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_173 = 592,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_174 = 593,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_175 = 594,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_176 = 595,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_177 = 596,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_178 = 597,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_179 = 598,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_180 = 599,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_181 = 600,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_182 = 601,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_183 = 602,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_184 = 603,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_185 = 604,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_186 = 605,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_187 = 606,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_188 = 607,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_189 = 608,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_190 = 609,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_191 = 610,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_192 = 611,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_193 = 612,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_194 = 613,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_195 = 614,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_196 = 615,
-  /** state [1]: What the friction law at the piston remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_197 = 616,
   /** state [m/s]: Velocity of the damper's piston behind its series stiffness; that of the strut if there is none.
    *  (default 0) */
@@ -5897,399 +5714,596 @@ typedef enum stribeck_guide_contact_variable {
   STRIBECK_GUIDE_CONTACT_FRICTION_HYSTERESIS_STRENGTH = 92,
   /** tunable [s]: Time constant with which the static level rises at rest. (> 0, default 2) */
   STRIBECK_GUIDE_CONTACT_FRICTION_DWELL_TIME_CONSTANT = 93,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_1 = 94,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_2 = 95,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_3 = 96,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_4 = 97,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_5 = 98,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_6 = 99,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_7 = 100,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_8 = 101,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_9 = 102,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_10 = 103,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_11 = 104,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_12 = 105,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_13 = 106,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_14 = 107,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_15 = 108,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_16 = 109,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_17 = 110,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_18 = 111,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_19 = 112,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_20 = 113,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_21 = 114,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_22 = 115,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_23 = 116,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_24 = 117,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_25 = 118,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_26 = 119,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_27 = 120,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_28 = 121,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_29 = 122,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_30 = 123,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_31 = 124,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_32 = 125,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_33 = 126,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_34 = 127,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_35 = 128,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_36 = 129,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_37 = 130,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_38 = 131,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_39 = 132,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_40 = 133,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_41 = 134,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_42 = 135,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_43 = 136,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_44 = 137,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_45 = 138,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_46 = 139,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_47 = 140,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_48 = 141,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_49 = 142,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_50 = 143,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_51 = 144,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_52 = 145,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_53 = 146,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_54 = 147,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_55 = 148,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_56 = 149,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_57 = 150,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_58 = 151,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_59 = 152,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_60 = 153,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_61 = 154,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_62 = 155,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_63 = 156,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_64 = 157,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_65 = 158,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_66 = 159,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_67 = 160,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_68 = 161,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_69 = 162,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_70 = 163,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_71 = 164,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_72 = 165,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_73 = 166,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_74 = 167,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_75 = 168,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_76 = 169,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_77 = 170,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_78 = 171,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_79 = 172,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_80 = 173,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_81 = 174,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_82 = 175,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_83 = 176,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_84 = 177,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_85 = 178,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_86 = 179,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_87 = 180,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_88 = 181,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_89 = 182,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_90 = 183,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_91 = 184,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_92 = 185,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_93 = 186,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_94 = 187,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_95 = 188,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_96 = 189,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_97 = 190,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_98 = 191,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_99 = 192,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_100 = 193,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_101 = 194,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_102 = 195,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_103 = 196,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_104 = 197,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_105 = 198,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_106 = 199,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_107 = 200,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_108 = 201,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_109 = 202,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_110 = 203,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_111 = 204,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_112 = 205,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_113 = 206,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_114 = 207,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_115 = 208,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_116 = 209,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_117 = 210,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_118 = 211,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_119 = 212,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_120 = 213,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_121 = 214,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_122 = 215,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_123 = 216,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_124 = 217,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_125 = 218,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_126 = 219,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_127 = 220,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_128 = 221,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_129 = 222,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_130 = 223,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_131 = 224,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_132 = 225,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_133 = 226,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_134 = 227,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_135 = 228,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_136 = 229,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_137 = 230,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_138 = 231,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_139 = 232,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_140 = 233,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_141 = 234,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_142 = 235,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_143 = 236,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_144 = 237,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_145 = 238,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_146 = 239,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_147 = 240,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_148 = 241,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_149 = 242,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_150 = 243,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_151 = 244,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_152 = 245,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_153 = 246,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_154 = 247,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_155 = 248,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_156 = 249,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_157 = 250,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_158 = 251,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_159 = 252,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_160 = 253,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_161 = 254,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_162 = 255,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_163 = 256,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_164 = 257,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_165 = 258,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_166 = 259,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_167 = 260,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_168 = 261,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_169 = 262,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_170 = 263,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_171 = 264,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_172 = 265,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_173 = 266,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_174 = 267,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_175 = 268,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_176 = 269,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_177 = 270,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_178 = 271,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_179 = 272,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_180 = 273,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_181 = 274,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_182 = 275,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_183 = 276,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_184 = 277,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_185 = 278,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_186 = 279,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_187 = 280,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_188 = 281,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_189 = 282,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_190 = 283,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_191 = 284,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_192 = 285,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_193 = 286,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_194 = 287,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_195 = 288,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_196 = 289,
-  /** state [1]: What the friction law remembers: its states in their order, in SI units. (default 0) */
+  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+   *  (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_197 = 290,
   /** state [Boolean]: Has the run begun? (default false) */
   STRIBECK_GUIDE_CONTACT_STARTED = 291,

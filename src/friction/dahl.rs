@@ -1,4 +1,5 @@
 use crate::friction::ELASTIC_SHARE;
+use crate::friction::unloading::released_without_load;
 use crate::model::{Law, Model, Preset, boolean, real};
 use crate::number::Real;
 
@@ -82,7 +83,7 @@ crate::model! {
         /// Exponent of the transition to sliding; below 1 brittle, from 1 on ductile.
         alpha: tunable = real("1", 1.0).at_least(0.0),
         /// Mean elastic deflection of the bristles.
-        bristle_deflection: state = real("m", 0.0).nominal(1e-5).shown_in("um"),
+        bristle_deflection: state = real("m", 0.0).nominal(1e-5).shown_in("um").reinit(),
         /// Energy taken out of the motion since the start.
         dissipated_energy: state_output = real("J", 0.0).nominal(1e-3),
         /// Friction force; has the sign of the velocity when sliding. Body 1 feels its negative.
@@ -139,6 +140,8 @@ impl Model for Dahl {
             values: &[("normal_force", 600.0), ("sigma_0", 6e5)],
         },
     ];
+
+    released_without_load!(bristle_deflection);
 
     fn step(&mut self, dt: f64) {
         let coulomb = self.coulomb();
