@@ -817,7 +817,7 @@ typedef enum stribeck_threlfall_variant {
 } stribeck_threlfall_variant;
 
 /** Guid of Coulomb for fmi2Instantiate. */
-#define STRIBECK_COULOMB_GUID "{8d03cab5-cc1c-f8e5-9fa6-4c4dc55d18ee}"
+#define STRIBECK_COULOMB_GUID "{8d03cab5-cf1c-f8e5-9fa6-4c4dc55d1c9f}"
 
 /** Coulomb: Coulomb friction. Columns of "Coulomb". */
 typedef enum stribeck_coulomb_variable {
@@ -852,7 +852,7 @@ typedef enum stribeck_coulomb_variable {
 } stribeck_coulomb_variable;
 
 /** Guid of CoulombStiction for fmi2Instantiate. */
-#define STRIBECK_COULOMB_STICTION_GUID "{3ec98814-7940-46b6-4935-3eb5aae87df1}"
+#define STRIBECK_COULOMB_STICTION_GUID "{3ec98814-7840-46b6-4935-3eb5aae87cb6}"
 
 /** CoulombStiction: Coulomb friction with stiction. Columns of "CoulombStiction". */
 typedef enum stribeck_coulomb_stiction_variable {
@@ -892,7 +892,7 @@ typedef enum stribeck_coulomb_stiction_variable {
 } stribeck_coulomb_stiction_variable;
 
 /** Guid of CoulombViscous for fmi2Instantiate. */
-#define STRIBECK_COULOMB_VISCOUS_GUID "{a89ed522-d314-453d-378b-6e816ba8af8d}"
+#define STRIBECK_COULOMB_VISCOUS_GUID "{a89ed522-cc14-453d-378b-6e816ba8a6f0}"
 
 /** CoulombViscous: Coulomb friction with a viscous part. Columns of "CoulombViscous". */
 typedef enum stribeck_coulomb_viscous_variable {
@@ -933,7 +933,7 @@ typedef enum stribeck_coulomb_viscous_variable {
 } stribeck_coulomb_viscous_variable;
 
 /** Guid of Stribeck for fmi2Instantiate. */
-#define STRIBECK_STRIBECK_GUID "{ec1e6e52-4794-4106-4d2d-24038e0d28e9}"
+#define STRIBECK_STRIBECK_GUID "{ec1e6e52-4894-4106-4d2d-24038e0d2a24}"
 
 /** Stribeck: Friction that falls with speed from the static to the kinetic level (Stribeck). Columns of "Stribeck". */
 typedef enum stribeck_stribeck_variable {
@@ -981,7 +981,7 @@ typedef enum stribeck_stribeck_variable {
 } stribeck_stribeck_variable;
 
 /** Guid of Bernard for fmi2Instantiate. */
-#define STRIBECK_BERNARD_GUID "{b5d6dda9-09ad-2f3d-e8c9-7aa57f913072}"
+#define STRIBECK_BERNARD_GUID "{b5d6dda9-04ad-2f3d-e8c9-7aa57f912a4b}"
 
 /** Bernard: Coulomb friction with a linear transition, by its slope (Bernard). Columns of "Bernard". */
 typedef enum stribeck_bernard_variable {
@@ -1018,7 +1018,7 @@ typedef enum stribeck_bernard_variable {
 } stribeck_bernard_variable;
 
 /** Guid of Threlfall for fmi2Instantiate. */
-#define STRIBECK_THRELFALL_GUID "{1a3261a4-b9b9-d7e2-e8dc-a5a95f11edeb}"
+#define STRIBECK_THRELFALL_GUID "{1a3261a4-beb9-d7e2-e8dc-a5a95f11f412}"
 
 /** Threlfall: Coulomb friction with an exponential transition (Threlfall). Columns of "Threlfall". */
 typedef enum stribeck_threlfall_variable {
@@ -1057,7 +1057,7 @@ typedef enum stribeck_threlfall_variable {
 } stribeck_threlfall_variable;
 
 /** Guid of ThrelfallModified for fmi2Instantiate. */
-#define STRIBECK_THRELFALL_MODIFIED_GUID "{c4ffb308-87b2-3efc-3dac-3f21ec35592a}"
+#define STRIBECK_THRELFALL_MODIFIED_GUID "{c4ffb308-82b2-3efc-3dac-3f21ec355303}"
 
 /** ThrelfallModified: Coulomb friction with an exponential transition that ends at the Coulomb level (modified Threlfall). Columns of "ThrelfallModified". */
 typedef enum stribeck_threlfall_modified_variable {
@@ -1094,7 +1094,7 @@ typedef enum stribeck_threlfall_modified_variable {
 } stribeck_threlfall_modified_variable;
 
 /** Guid of RooneyDeravi for fmi2Instantiate. */
-#define STRIBECK_ROONEY_DERAVI_GUID "{18b2b009-1f6e-b842-6578-dba89be75ccf}"
+#define STRIBECK_ROONEY_DERAVI_GUID "{18b2b009-1c6e-b842-6578-dba89be7591e}"
 
 /** RooneyDeravi: Coulomb friction with a transition band (Rooney and Deravi). Columns of "RooneyDeravi". */
 typedef enum stribeck_rooney_deravi_variable {
@@ -1133,7 +1133,7 @@ typedef enum stribeck_rooney_deravi_variable {
 } stribeck_rooney_deravi_variable;
 
 /** Guid of Ambrosio for fmi2Instantiate. */
-#define STRIBECK_AMBROSIO_GUID "{651f3608-515d-22c1-6cd2-389a7eb01945}"
+#define STRIBECK_AMBROSIO_GUID "{651f3608-4a5d-22c1-6cd2-389a7eb010a8}"
 
 /** Ambrosio: Coulomb friction that is ramped in with speed (Ambrosio). Columns of "Ambrosio". */
 typedef enum stribeck_ambrosio_variable {
@@ -1172,7 +1172,7 @@ typedef enum stribeck_ambrosio_variable {
 } stribeck_ambrosio_variable;
 
 /** Guid of Karnopp for fmi2Instantiate. */
-#define STRIBECK_KARNOPP_GUID "{8a5ed9f1-2c11-5234-a111-064cb0266afc}"
+#define STRIBECK_KARNOPP_GUID "{8a5ed9f1-2d11-5234-a111-064cb0266c37}"
 
 /** Karnopp: Coulomb friction with a band of stiction (Karnopp). Columns of "Karnopp". */
 typedef enum stribeck_karnopp_variable {
@@ -1214,7 +1214,7 @@ typedef enum stribeck_karnopp_variable {
 } stribeck_karnopp_variable;
 
 /** Guid of BengisuAkay for fmi2Instantiate. */
-#define STRIBECK_BENGISU_AKAY_GUID "{fb1d319a-1cff-9909-1914-c54c77f26725}"
+#define STRIBECK_BENGISU_AKAY_GUID "{fb1d319a-15ff-9909-1914-c54c77f25e88}"
 
 /** BengisuAkay: Continuous friction law with a stiction peak (Bengisu and Akay). Columns of "BengisuAkay". */
 typedef enum stribeck_bengisu_akay_variable {
@@ -1260,7 +1260,7 @@ typedef enum stribeck_bengisu_akay_variable {
 } stribeck_bengisu_akay_variable;
 
 /** Guid of Hollars for fmi2Instantiate. */
-#define STRIBECK_HOLLARS_GUID "{9a25748b-d597-9f7b-f733-5a9aca32c819}"
+#define STRIBECK_HOLLARS_GUID "{9a25748b-d697-9f7b-f733-5a9aca32c954}"
 
 /** Hollars: Continuous friction law with a stiction peak, without exponentials (Hollars). Columns of "Hollars". */
 typedef enum stribeck_hollars_variable {
@@ -1301,7 +1301,7 @@ typedef enum stribeck_hollars_variable {
 } stribeck_hollars_variable;
 
 /** Guid of Andersson for fmi2Instantiate. */
-#define STRIBECK_ANDERSSON_GUID "{6ba04bd1-71cf-8136-cb2f-d44212817bc3}"
+#define STRIBECK_ANDERSSON_GUID "{6ba04bd1-76cf-8136-cb2f-d442128181ea}"
 
 /** Andersson: Smooth friction law with the Stribeck curve (Andersson). Columns of "Andersson". */
 typedef enum stribeck_andersson_variable {
@@ -1347,7 +1347,7 @@ typedef enum stribeck_andersson_variable {
 } stribeck_andersson_variable;
 
 /** Guid of Awrejcewicz for fmi2Instantiate. */
-#define STRIBECK_AWREJCEWICZ_GUID "{42f6fe37-eed9-f151-d493-6459ce4d3c6f}"
+#define STRIBECK_AWREJCEWICZ_GUID "{42f6fe37-ebd9-f151-d493-6459ce4d38be}"
 
 /** Awrejcewicz: Continuous friction law that holds a load at rest (Awrejcewicz, Grzelczyk and Pyryev). Columns of "Awrejcewicz". */
 typedef enum stribeck_awrejcewicz_variable {
@@ -1389,7 +1389,7 @@ typedef enum stribeck_awrejcewicz_variable {
 } stribeck_awrejcewicz_variable;
 
 /** Guid of Specker for fmi2Instantiate. */
-#define STRIBECK_SPECKER_GUID "{b99530c2-3375-8543-b232-9ce417c264f0}"
+#define STRIBECK_SPECKER_GUID "{b99530c2-3a75-8543-b232-9ce417c26d8d}"
 
 /** Specker: Smooth friction law that passes through the static level (Specker). Columns of "Specker". */
 typedef enum stribeck_specker_variable {
@@ -1432,7 +1432,7 @@ typedef enum stribeck_specker_variable {
 } stribeck_specker_variable;
 
 /** Guid of LinearStiction for fmi2Instantiate. */
-#define STRIBECK_LINEAR_STICTION_GUID "{94211c22-af70-4a30-4aad-adb4163e1492}"
+#define STRIBECK_LINEAR_STICTION_GUID "{94211c22-aa70-4a30-4aad-adb4163e0e6b}"
 
 /** LinearStiction: Friction law with stiction made of three straight lines. Columns of "LinearStiction". */
 typedef enum stribeck_linear_stiction_variable {
@@ -1473,7 +1473,7 @@ typedef enum stribeck_linear_stiction_variable {
 } stribeck_linear_stiction_variable;
 
 /** Guid of BrownMcPhee for fmi2Instantiate. */
-#define STRIBECK_BROWN_MCPHEE_GUID "{451eb319-067b-35bf-d01a-3399c6e6fe05}"
+#define STRIBECK_BROWN_MCPHEE_GUID "{451eb318-ff7b-35bf-d01a-3399c6e6f568}"
 
 /** BrownMcPhee: Smooth friction law with a stiction peak (Brown and McPhee). Columns of "BrownMcPhee". */
 typedef enum stribeck_brown_mcphee_variable {
@@ -1516,7 +1516,7 @@ typedef enum stribeck_brown_mcphee_variable {
 } stribeck_brown_mcphee_variable;
 
 /** Guid of Dahl for fmi2Instantiate. */
-#define STRIBECK_DAHL_GUID "{e3e650b7-fbbf-9583-1c45-84fde468a220}"
+#define STRIBECK_DAHL_GUID "{e3e650b7-fcbf-9583-1c45-84fde468a35b}"
 
 /** Dahl: Pre-sliding displacement with hysteresis (Dahl). Columns of "Dahl". */
 typedef enum stribeck_dahl_variable {
@@ -1543,7 +1543,7 @@ typedef enum stribeck_dahl_variable {
 } stribeck_dahl_variable;
 
 /** Guid of LuGre for fmi2Instantiate. */
-#define STRIBECK_LUGRE_GUID "{af112de0-25b8-a853-1bc1-bbead92ee550}"
+#define STRIBECK_LUGRE_GUID "{af112de0-26b8-a853-1bc1-bbead92ee68b}"
 
 /** LuGre: Bristle friction with Stribeck effect (LuGre). Columns of "LuGre". */
 typedef enum stribeck_lugre_variable {
@@ -2504,7 +2504,7 @@ typedef enum stribeck_wojewoda_variable {
 } stribeck_wojewoda_variable;
 
 /** Guid of BlimanSorine for fmi2Instantiate. */
-#define STRIBECK_BLIMAN_SORINE_GUID "{7c9bf12c-d2bf-238a-add8-64d929b0cd8e}"
+#define STRIBECK_BLIMAN_SORINE_GUID "{7c9bf12c-d3bf-238a-add8-64d929b0cec9}"
 
 /** BlimanSorine: Pre-sliding displacement and breakaway peak in the sliding distance (Bliman-Sorine). Columns of "BlimanSorine". */
 typedef enum stribeck_bliman_sorine_variable {
@@ -2571,7 +2571,7 @@ typedef enum stribeck_reset_integrator_variable {
 } stribeck_reset_integrator_variable;
 
 /** Guid of Dankowicz for fmi2Instantiate. */
-#define STRIBECK_DANKOWICZ_GUID "{c0758147-6861-93c3-4287-664588f30e92}"
+#define STRIBECK_DANKOWICZ_GUID "{c0758147-6961-93c3-4287-664588f30fcd}"
 
 /** Dankowicz: Pre-sliding displacement of sheared asperities (Dankowicz, reconstructed). Columns of "Dankowicz". */
 typedef enum stribeck_dankowicz_variable {
@@ -2597,7 +2597,7 @@ typedef enum stribeck_dankowicz_variable {
 } stribeck_dankowicz_variable;
 
 /** Guid of ElastoPlastic for fmi2Instantiate. */
-#define STRIBECK_ELASTO_PLASTIC_GUID "{e77f0a90-5207-525e-c162-e940d59905ce}"
+#define STRIBECK_ELASTO_PLASTIC_GUID "{e77f0a90-5307-525e-c162-e940d5990709}"
 
 /** ElastoPlastic: Bristle friction without drift below breakaway (elasto-plastic). Columns of "ElastoPlastic". */
 typedef enum stribeck_elasto_plastic_variable {
@@ -2927,7 +2927,7 @@ typedef enum stribeck_bristle_variable {
 } stribeck_bristle_variable;
 
 /** Guid of SpeckerDynamic for fmi2Instantiate. */
-#define STRIBECK_SPECKER_DYNAMIC_GUID "{37a7ea98-33dc-8c46-3045-5cfdffa79969}"
+#define STRIBECK_SPECKER_DYNAMIC_GUID "{37a7ea98-32dc-8c46-3045-5cfdffa7982e}"
 
 /** SpeckerDynamic: Smooth friction law with a velocity-dependent lag (Specker, reconstructed). Columns of "SpeckerDynamic". */
 typedef enum stribeck_specker_dynamic_variable {
@@ -3944,7 +3944,7 @@ typedef enum stribeck_leuven_variable {
 } stribeck_leuven_variable;
 
 /** Guid of Gonthier for fmi2Instantiate. */
-#define STRIBECK_GONTHIER_GUID "{46df8ecb-fb85-e063-e708-bbc9072b90c4}"
+#define STRIBECK_GONTHIER_GUID "{46df8ecb-fc85-e063-e708-bbc9072b91ff}"
 
 /** Gonthier: Bristle friction with dwell time (Gonthier). Columns of "Gonthier". */
 typedef enum stribeck_gonthier_variable {
@@ -4035,7 +4035,7 @@ typedef enum stribeck_liang_variable {
 } stribeck_liang_variable;
 
 /** Guid of LuGrePlanar for fmi2Instantiate. */
-#define STRIBECK_LUGRE_PLANAR_GUID "{ce0301fc-7ca4-c267-ed8f-dc2d18cf9db1}"
+#define STRIBECK_LUGRE_PLANAR_GUID "{ce0301fc-7ba4-c267-ed8f-dc2d18cf9c76}"
 
 /** LuGrePlanar: Bristle friction with Stribeck effect in a plane (LuGre). Columns of "LuGrePlanar". */
 typedef enum stribeck_lugre_planar_variable {
@@ -4079,7 +4079,7 @@ typedef enum stribeck_lugre_planar_variable {
 } stribeck_lugre_planar_variable;
 
 /** Guid of ElastoPlasticPlanar for fmi2Instantiate. */
-#define STRIBECK_ELASTO_PLASTIC_PLANAR_GUID "{dead8a31-bcec-ef09-a520-7925e5a6d9d7}"
+#define STRIBECK_ELASTO_PLASTIC_PLANAR_GUID "{dead8a31-bbec-ef09-a520-7925e5a6d89c}"
 
 /** ElastoPlasticPlanar: Bristle friction without drift below breakaway, in a plane (elasto-plastic). Columns of "ElastoPlasticPlanar". */
 typedef enum stribeck_elasto_plastic_planar_variable {
@@ -4126,7 +4126,7 @@ typedef enum stribeck_elasto_plastic_planar_variable {
 } stribeck_elasto_plastic_planar_variable;
 
 /** Guid of ShockAbsorber for fmi2Instantiate. */
-#define STRIBECK_SHOCK_ABSORBER_GUID "{61747dc1-0ade-8f5b-c2cd-52bb0ae95bb7}"
+#define STRIBECK_SHOCK_ABSORBER_GUID "{61747dc1-10de-8f5b-c2cd-52bb0ae96319}"
 
 /** ShockAbsorber: Telescopic shock absorber with friction from its side load. Columns of "ShockAbsorber". */
 typedef enum stribeck_shock_absorber_variable {

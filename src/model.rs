@@ -260,11 +260,12 @@ pub struct Column {
     nominal: f64,
     display: Option<&'static str>,
     jumps: bool,
+    reinit: bool,
 }
 
 impl Column {
     const fn new(kind: Kind, start: f64, bound: Bound) -> Column {
-        Column { kind, start, bound, nominal: 1.0, display: None, jumps: !matches!(kind, Kind::Real(_)) }
+        Column { kind, start, bound, nominal: 1.0, display: None, jumps: !matches!(kind, Kind::Real(_)), reinit: false }
     }
 
     /// Admits values > 0 only.
@@ -305,6 +306,12 @@ impl Column {
         self
     }
 
+    /// A continuous state that [`Model::at_event`] may change.
+    pub const fn reinit(mut self) -> Column {
+        self.reinit = true;
+        self
+    }
+
     /// The finished variable. A start value outside its own bound does not compile.
     pub const fn named(self, path: Path, role: Role, help: &'static str) -> Variable {
         assert!(self.bound.admits(self.start), "the start value is outside its bound");
@@ -317,6 +324,7 @@ impl Column {
             nominal: self.nominal,
             display: self.display,
             jumps: self.jumps,
+            reinit: self.reinit,
             help: help.trim_ascii(),
         }
     }
@@ -364,6 +372,8 @@ pub struct Variable {
     pub display: Option<&'static str>,
     /// Does it change at instants only, as all but real numbers do?
     pub jumps: bool,
+    /// Is it a continuous state that an event of Model Exchange may change?
+    pub reinit: bool,
     /// One line of ASCII text that says what it is.
     pub help: &'static str,
 }

@@ -269,6 +269,47 @@ fn no_load_releases_the_contact() {
 }
 
 /// Without the memory of the last step's length, which `mass` switches on, every step is exact for held inputs.
+/// In Model Exchange the same: an event indicator changes its sign where the load goes, and the event releases the
+/// contact. What it changes is declared.
+#[test]
+fn an_event_without_load_releases_the_contact() {
+    let mut tested = 0;
+    for model in friction_models().filter(|model| model.model_exchange && model.find("normal_force").is_some()) {
+        let mut bench = Bench::new(model.name, &[]);
+        let axes = axes(&bench);
+        set_velocity(&mut bench, 0.01);
+        bench.step(1e-2);
+        let mut row = bench.instance.row().to_vec();
+        let put = |row: &mut [f64], name: &str, value: f64| row[model.find(name).unwrap()] = value;
+        assert!(model.at_event(&mut row), "{}", model.name);
+        let signs = |row: &[f64]| {
+            let mut indicators = vec![f64::NAN; model.event_indicators];
+            model.indicate(row, &mut indicators);
+            assert!(indicators.iter().all(|indicator| *indicator != 0.0), "{} {indicators:?}", model.name);
+            indicators.iter().map(|indicator| *indicator > 0.0).collect::<Vec<_>>()
+        };
+        let loaded = signs(&row);
+        put(&mut row, "normal_force", 0.0);
+        assert_ne!(signs(&row), loaded, "{} does not see its load go", model.name);
+        let before = row.clone();
+        assert!(model.at_event(&mut row), "{}", model.name);
+        for (column, variable) in model.table.iter().enumerate() {
+            let is_declared = variable.reinit || variable.jumps || row[column] == before[column];
+            assert!(is_declared, "{} changes {} at an event", model.name, variable.path);
+        }
+        let unloaded = signs(&row);
+        put(&mut row, "normal_force", 9.81);
+        assert_ne!(signs(&row), unloaded, "{} does not see its load come", model.name);
+        for (velocity, force, _) in axes {
+            put(&mut row, velocity, 0.0);
+            assert!(model.at_event(&mut row) && model.output(&mut row), "{}", model.name);
+            assert_eq!(row[model.find(force).unwrap()], 0.0, "{} remembers what it bore", model.name);
+        }
+        tested += 1;
+    }
+    assert!(tested > 20);
+}
+
 #[test]
 fn two_half_steps_are_one_step() {
     for_all(|bench, what| {

@@ -785,6 +785,33 @@ fn bristles_follow_a_falling_load() {
     assert!((strut.get("friction_1") - 5.0).abs() < 1e-9);
 }
 
+/// Where a solver integrates them, they slip within some milliseconds to what the contact can hold.
+#[test]
+fn bristles_that_are_integrated_follow_a_falling_load() {
+    let model = by_name("ShockAbsorber").unwrap();
+    let mut strut = strut(&bare(20.0, 20.0));
+    strut.set("velocity", 0.01);
+    strut.step(1.0);
+    strut.set("velocity", 0.0);
+    for name in ["c1.preload_k", "c1.preload_s"] {
+        strut.set(name, 5.0);
+    }
+    let (memory, force) = (strut.column("memory_1[1]"), strut.column("friction_1"));
+    let mut row = strut.instance.row().to_vec();
+    let mut rate = row.clone();
+    let (begin, dt) = (row[memory], 1e-5);
+    for _ in 0..1_000 {
+        model.rate(&row, &mut rate);
+        row[memory] += rate[memory] * dt;
+    }
+    assert!((row[memory] / begin - 0.25).abs() < 1e-3, "{} of {begin}", row[memory]);
+    for name in ["c1.preload_k", "c1.preload_s"] {
+        row[strut.column(name)] = 20.0;
+    }
+    assert!(model.output(&mut row));
+    assert!((row[force] - 5.0).abs() < 0.02, "{}", row[force]);
+}
+
 /// The factor on the friction multiplies all four levels.
 #[test]
 fn friction_scale_multiplies_the_levels() {

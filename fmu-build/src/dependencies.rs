@@ -141,19 +141,20 @@ mod tests {
         let law: Vec<_> = law.into_iter().chain(stepping).collect();
         assert_depends("BrownMcPhee", "friction_force", &inputs, &law);
         assert_depends("BrownMcPhee", "dissipated_power", &inputs, &law);
-        assert_depends("BrownMcPhee", "sticking", &inputs[..2], &["transition_velocity"]);
+        assert_depends("BrownMcPhee", "sticking", &inputs[..2], &["transition_velocity", "phase"]);
     }
 
     /// The stuck contact carries the external force; the columns of time stepping count because `mass` may be given.
     #[test]
     fn laws_with_stiction_depend_on_the_external_force() {
         let inputs = ["velocity", "normal_force", "external_force"];
-        let stepping = ["stuck", "mass", "exchange", "step_size", "planned_force"];
+        let stepping = ["stuck", "mass", "exchange", "step_size", "planned_force", "phase"];
         for (model, band) in [("CoulombStiction", None), ("Karnopp", Some("transition_velocity"))] {
             let law: Vec<_> = ["mu_k", "mu_s"].into_iter().chain(band).chain(stepping).collect();
             assert_depends(model, "friction_force", &inputs, &law);
             assert_depends(model, "dissipated_power", &inputs, &law);
-            let sticking: Vec<_> = ["mu_s"].into_iter().chain(band).chain(["stuck", "mass", "step_size"]).collect();
+            let sticking: Vec<_> =
+                ["mu_s"].into_iter().chain(band).chain(["stuck", "mass", "step_size", "phase"]).collect();
             assert_depends(model, "sticking", &inputs, &sticking);
         }
     }

@@ -176,7 +176,12 @@ fn exchange(model: &ModelType) -> String {
     } else {
         ""
     };
-    format!("In Model Exchange {states}, {events}.{mass}")
+    let reinit = if model.table.iter().any(|variable| variable.reinit) {
+        " An event may change states: read them again."
+    } else {
+        ""
+    };
+    format!("In Model Exchange {states}, {events}.{mass}{reinit}")
 }
 
 fn capabilities(page: &mut String, model: &ModelType) {

@@ -233,7 +233,7 @@ fn model_variables(xml: &mut Xml, model: &ModelType, choices: Choices) -> io::Re
         for (column, variable) in model.table.iter().enumerate() {
             let name = variable.path.to_string();
             let attributes = scalar_attributes(name, column, variable.help, causality(variable));
-            parent(xml, "ScalarVariable", attributes, |xml| declaration(xml, variable, choices))?;
+            parent(xml, "ScalarVariable", attributes, |xml| declaration(xml, model, variable, choices))?;
         }
         let independent = ["independent", "continuous", ""];
         let attributes = scalar_attributes("time".into(), model.table.len(), "Time.", independent);
@@ -293,7 +293,7 @@ fn real_type(unit: &Unit) -> Attributes {
 }
 
 /// The element inside `<ScalarVariable>`: type, limits and start value.
-fn declaration(xml: &mut Xml, variable: &Variable, choices: Choices) -> io::Result<()> {
+fn declaration(xml: &mut Xml, model: &ModelType, variable: &Variable, choices: Choices) -> io::Result<()> {
     let (element, mut attributes) = match variable.kind {
         Kind::Real(unit) => ("Real", real_type(unit)),
         Kind::Boolean => ("Boolean", vec![]),
@@ -311,6 +311,9 @@ fn declaration(xml: &mut Xml, variable: &Variable, choices: Choices) -> io::Resu
     }
     if !variable.role.is_computed() {
         attributes.push(("start", start(variable)));
+    }
+    if model.model_exchange && variable.reinit {
+        attributes.push(("reinit", "true".into()));
     }
     leaf(xml, element, attributes)
 }

@@ -1,4 +1,5 @@
 use crate::friction::ELASTIC_SHARE;
+use crate::friction::unloading::released_without_load;
 use crate::laws::relaxation;
 use crate::model::{Law, Model, Preset, boolean, real};
 use crate::number::Real;
@@ -121,9 +122,9 @@ crate::model! {
         /// Sliding distance in which the slow relaxation settles to 1/e (default calibrated).
         eps_f: tunable = real("m", 4.642_141_842_225_068e-5).positive().nominal(1e-5).shown_in("um"),
         /// Fast relaxation, in units of its level.
-        y_1: state = real("1", 0.0),
+        y_1: state = real("1", 0.0).reinit(),
         /// Slow relaxation, in units of its level; second order.
-        y_2: state = real("1", 0.0),
+        y_2: state = real("1", 0.0).reinit(),
         /// Energy taken out of the motion since the start.
         dissipated_energy: state_output = real("J", 0.0).nominal(1e-3),
         /// Friction force; has the sign of the velocity when sliding. Body 1 feels its negative.
@@ -195,6 +196,8 @@ impl Model for BlimanSorine {
             values: &[("eta", 0.1), ("mu_2", 0.078_603_851_671_501_77), ("eps_f", 1.674_993_406_407_689e-4)],
         },
     ];
+
+    released_without_load!(y_1, y_2);
 
     fn step(&mut self, dt: f64) {
         if self.normal_force <= 0.0 {

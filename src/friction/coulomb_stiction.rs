@@ -47,6 +47,8 @@ crate::model! {
     /// FMI 2.0 does not allow but the C and Rust interfaces do, is that of a step as long as the last one.
     /// A force read before the first step is that of (5.1). With `mass` > 0 slopes of the inputs are not used, only
     /// their values at the end of the step.
+    /// In Model Exchange a contact is held or slides in one direction from one event to the next. A held contact gives
+    /// `external_force` back: connect it, or the body is let go and caught again without end.
     ///
     /// # Errors
     /// Refused: a parameter outside its bound; `mu_s` < `mu_k`.

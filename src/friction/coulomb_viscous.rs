@@ -60,6 +60,8 @@ crate::model! {
     /// largest step. For two bodies that both move, `mass` is m_1 m_2 / (m_1 + m_2); for `exchange` see
     /// `CoulombStiction`. A force read before the first step is the printed one. With `mass` > 0 slopes of the inputs
     /// are not used, only their values at the end of the step.
+    /// In Model Exchange a contact is held or slides in one direction from one event to the next. A held contact gives
+    /// `external_force` back: connect it, or the body is let go and caught again without end.
     ///
     /// # Errors
     /// Refused: a parameter outside its bound.

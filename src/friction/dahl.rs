@@ -1,5 +1,6 @@
 use crate::friction::ELASTIC_SHARE;
-use crate::model::{Law, Model, Preset, boolean, real};
+use crate::friction::unloading::released_without_load;
+use crate::model::{Fault, Law, Model, Preset, boolean, real};
 use crate::number::Real;
 
 crate::model! {
@@ -48,7 +49,8 @@ crate::model! {
     /// k), which is 6.3 ms for the defaults and 1 kg; above, it chatters within the bounds of the force.
     ///
     /// # Errors
-    /// Refused: a parameter outside its bound.
+    /// Refused: a parameter outside its bound; in Model Exchange `alpha` < 1, with which the bristles reach their full
+    /// deflection with an infinite slope, where solvers stop.
     ///
     /// # Limits
     /// No stiction and no Stribeck effect. Drifts under a load that cycles below f_C. If the load falls while the contact
@@ -82,7 +84,7 @@ crate::model! {
         /// Exponent of the transition to sliding; below 1 brittle, from 1 on ductile.
         alpha: tunable = real("1", 1.0).at_least(0.0),
         /// Mean elastic deflection of the bristles.
-        bristle_deflection: state = real("m", 0.0).nominal(1e-5).shown_in("um"),
+        bristle_deflection: state = real("m", 0.0).nominal(1e-5).shown_in("um").reinit(),
         /// Energy taken out of the motion since the start.
         dissipated_energy: state_output = real("J", 0.0).nominal(1e-3),
         /// Friction force; has the sign of the velocity when sliding. Body 1 feels its negative.
@@ -139,6 +141,15 @@ impl Model for Dahl {
             values: &[("normal_force", 600.0), ("sigma_0", 6e5)],
         },
     ];
+
+    released_without_load!(bristle_deflection);
+
+    fn check_exchange(&self) -> Result<(), Fault> {
+        if self.alpha < 1.0 {
+            return Err(Fault::new(format_args!("alpha = {}: must be >= 1 in Model Exchange", self.alpha)));
+        }
+        Ok(())
+    }
 
     fn step(&mut self, dt: f64) {
         let coulomb = self.coulomb();
@@ -198,6 +209,13 @@ fn mean_path(y_0: f64, log_shrinkage: f64, alpha: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_solver_is_not_given_an_infinite_slope() {
+        let refusal = |alpha| Dahl { alpha, ..Default::default() }.check_exchange().map_err(|fault| fault.to_string());
+        assert_eq!([1.0, 1.5].map(refusal), [Ok(()), Ok(())]);
+        assert_eq!(refusal(0.5), Err("alpha = 0.5: must be >= 1 in Model Exchange".to_owned()));
+    }
 
     fn slide(alpha: f64, from: f64, distance: f64, pieces: usize) -> Dahl {
         let mut law = Dahl { velocity: distance, alpha, bristle_deflection: from / 1e5, ..Default::default() };

@@ -1,4 +1,5 @@
 use crate::friction::ELASTIC_SHARE;
+use crate::friction::unloading::released_without_load;
 use crate::laws::relaxation;
 use crate::model::{Law, Model, Preset, boolean, real};
 use crate::number::Real;
@@ -73,7 +74,7 @@ crate::model! {
         /// Shear deflection of the asperities in steady sliding (default f_C / sigma_0 of the thesis).
         delta_t: tunable = real("m", 9.81e-6).positive().nominal(1e-5).shown_in("um"),
         /// Mean elastic deflection of the bristles.
-        bristle_deflection: state = real("m", 0.0).nominal(1e-5).shown_in("um"),
+        bristle_deflection: state = real("m", 0.0).nominal(1e-5).shown_in("um").reinit(),
         /// Energy taken out of the motion since the start.
         dissipated_energy: state_output = real("J", 0.0).nominal(1e-3),
         /// Friction force; has the sign of the velocity when sliding. Body 1 feels its negative.
@@ -124,6 +125,8 @@ impl Model for Dankowicz {
         source: "Novais (2024), Table 6.1, and delta_t = f_C / sigma_0 with Table 7.1: the start values",
         values: &[],
     }];
+
+    released_without_load!(bristle_deflection);
 
     fn step(&mut self, dt: f64) {
         if self.normal_force <= 0.0 {

@@ -1,4 +1,5 @@
 use crate::friction::ELASTIC_SHARE;
+use crate::friction::unloading::released_without_load;
 use crate::laws::runge_kutta::dormand_prince;
 use crate::laws::stribeck;
 use crate::model::{Fault, Law, Model, Preset, boolean, integer, real};
@@ -126,7 +127,7 @@ crate::model! {
         /// Speed at which the damping of the bristles fades; 0 = constant damping.
         damping_velocity: tunable = real("m/s", 0.0).at_least(0.0).shown_in("mm/s"),
         /// Mean elastic deflection of the bristles.
-        bristle_deflection: state = real("m", 0.0).nominal(1e-5).shown_in("um"),
+        bristle_deflection: state = real("m", 0.0).nominal(1e-5).shown_in("um").reinit(),
         /// Energy taken out of the motion since the start.
         dissipated_energy: state_output = real("J", 0.0).nominal(1e-3),
         /// Friction force; has the sign of the velocity when sliding. Body 1 feels its negative.
@@ -221,6 +222,8 @@ impl Model for ElastoPlastic {
             values: &[("damping_velocity", 0.001)],
         },
     ];
+
+    released_without_load!(bristle_deflection);
 
     fn check(&self) -> Result<(), Fault> {
         if self.plastic_exponent % 2.0 == 0.0 {

@@ -1,4 +1,5 @@
 use crate::friction::ELASTIC_SHARE;
+use crate::friction::unloading::released_without_load;
 use crate::model::{Fault, Law, Model, Preset, boolean, real};
 use crate::number::Real;
 
@@ -109,9 +110,9 @@ crate::model! {
         /// Time constant with which the static level rises at rest.
         dwell_time_constant: tunable = real("s", 2.0).positive(),
         /// Mean elastic deflection of the bristles.
-        bristle_deflection: state = real("m", 0.0).nominal(1e-5).shown_in("um"),
+        bristle_deflection: state = real("m", 0.0).nominal(1e-5).shown_in("um").reinit(),
         /// Memory of the time of rest: 0 after sliding, 1 after a long rest.
-        dwell: state = real("1", 0.0).at_least(0.0).at_most(1.0),
+        dwell: state = real("1", 0.0).at_least(0.0).at_most(1.0).reinit(),
         /// Energy taken out of the motion since the start.
         dissipated_energy: state_output = real("J", 0.0).nominal(1e-3),
         /// Friction force; has the sign of the velocity when sliding. Body 1 feels its negative.
@@ -187,8 +188,10 @@ impl<T: Real> Law for Gonthier<T> {
     }
 
     fn derivatives(&self, rate: &mut Self) {
-        rate.bristle_deflection = self.deflection_rate();
-        rate.dwell = self.dwell_rate() * (self.stick_share() - self.dwell);
+        if self.normal_force.value() > 0.0 {
+            rate.bristle_deflection = self.deflection_rate();
+            rate.dwell = self.dwell_rate() * (self.stick_share() - self.dwell);
+        }
         rate.dissipated_energy = self.force() * self.velocity;
     }
 }
@@ -212,6 +215,8 @@ impl Model for Gonthier {
     const MODEL_EXCHANGE: bool = true;
     const PRESETS: &'static [Preset] =
         &[Preset { name: "thesis", source: "Novais (2024), Tables 6.1 and 7.1: the start values", values: &[] }];
+
+    released_without_load!(bristle_deflection, dwell);
 
     fn check(&self) -> Result<(), Fault> {
         crate::friction::static_not_below_kinetic(self.mu_s, self.mu_k)

@@ -1,6 +1,7 @@
 use nalgebra::Vector2;
 
 use crate::friction::ELASTIC_SHARE;
+use crate::friction::unloading::released_without_load;
 use crate::laws::vector::{Component, direction, length, remainder};
 use crate::laws::{relaxation, stribeck};
 use crate::model::{Fault, Law, Model, Preset, boolean, real};
@@ -101,9 +102,9 @@ crate::model! {
         /// Speed at which the damping of the bristles fades; 0 = constant damping.
         damping_velocity: tunable = real("m/s", 0.0).at_least(0.0).shown_in("mm/s"),
         /// Elastic deflection of the bristles, component x.
-        bristle_deflection_x: state = real("m", 0.0).nominal(1e-5).shown_in("um"),
+        bristle_deflection_x: state = real("m", 0.0).nominal(1e-5).shown_in("um").reinit(),
         /// Elastic deflection of the bristles, component y.
-        bristle_deflection_y: state = real("m", 0.0).nominal(1e-5).shown_in("um"),
+        bristle_deflection_y: state = real("m", 0.0).nominal(1e-5).shown_in("um").reinit(),
         /// Energy taken out of the motion since the start.
         dissipated_energy: state_output = real("J", 0.0).nominal(1e-3),
         /// Friction force, component x; has the direction of the velocity when sliding. Body 1 feels its negative.
@@ -183,6 +184,8 @@ impl Model for LuGrePlanar {
     const MODEL_EXCHANGE: bool = true;
     const PRESETS: &'static [Preset] =
         &[Preset { name: "thesis", source: "Novais (2024), Tables 6.1 and 7.1: the start values", values: &[] }];
+
+    released_without_load!(bristle_deflection_x, bristle_deflection_y);
 
     fn check(&self) -> Result<(), Fault> {
         crate::friction::static_not_below_kinetic(self.mu_s, self.mu_k)

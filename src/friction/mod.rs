@@ -49,6 +49,7 @@ mod branching;
 mod delay_line;
 mod elements;
 mod time_stepping;
+mod unloading;
 
 use crate::model::Fault;
 

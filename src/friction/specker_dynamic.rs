@@ -1,3 +1,4 @@
+use crate::friction::unloading::released_without_load;
 use crate::laws::relaxation;
 use crate::laws::specker::SpeckerCurve;
 use crate::model::{Fault, Law, Model, Preset, boolean, real};
@@ -100,7 +101,7 @@ crate::model! {
         /// Time constant of the force while sliding (default chosen).
         slip_time: tunable = real("s", 0.001).positive().nominal(1e-3).shown_in("ms"),
         /// Friction force behind the low-pass.
-        lagging_force: state = real("N", 0.0),
+        lagging_force: state = real("N", 0.0).reinit(),
         /// Energy taken out of the motion since the start.
         dissipated_energy: state_output = real("J", 0.0).nominal(1e-3),
         /// Friction force; has the sign of the velocity when sliding. Body 1 feels its negative.
@@ -162,6 +163,8 @@ impl Model for SpeckerDynamic {
         source: "Novais (2024), Tables 6.1 and 7.1, and (6.28) for v_S = 1 mm/s: the start values; T_slip is chosen",
         values: &[],
     }];
+
+    released_without_load!(lagging_force);
 
     fn check(&self) -> Result<(), Fault> {
         crate::friction::static_not_below_kinetic(self.mu_s, self.mu_k)

@@ -3,6 +3,7 @@
 //! A host that integrates the body itself meets a force that is held over a step. A contact at rest then chatters, and
 //! so does a steep regularised law, unless the force is that of the end of the step.
 
+use crate::friction::unloading;
 use crate::laws::end_velocity::{self, Landing};
 use crate::laws::stopping::{force_to_stop, is_held};
 use crate::model::{Fault, Model, real};
@@ -315,8 +316,8 @@ impl Band {
     }
 }
 
-/// Event indicators of a contact with two levels: of its phase, and of what it holds within its band.
-pub(crate) const EVENTS_OF_TWO_LEVELS: usize = 2;
+/// Event indicators of a contact with two levels: of its phase, of what it holds within its band, and of its load.
+pub(crate) const EVENTS_OF_TWO_LEVELS: usize = 3;
 
 impl TwoLevels<f64> {
     fn rest(&self) -> Rest {
@@ -329,13 +330,13 @@ impl TwoLevels<f64> {
     }
 
     pub(crate) fn write_indicators(&self, indicators: &mut [f64]) {
-        indicators.copy_from_slice(&match (self.band > 0.0, self.phase) {
-            (false, _) => [self.rest().indicator(), NO_EVENT],
-            (true, Phase::Held) => {
-                [self.around_rest().indicator(), self.rest().reserve(self.external_force.abs()) + REACHED]
-            }
+        let rest = self.rest();
+        let [phase, reserve] = match (self.band > 0.0, self.phase) {
+            (false, _) => [rest.indicator(), NO_EVENT],
+            (true, Phase::Held) => [self.around_rest().indicator(), rest.reserve(self.external_force.abs()) + REACHED],
             (true, _) => [self.around_rest().indicator(), NO_EVENT],
-        });
+        };
+        indicators.copy_from_slice(&[phase, reserve, unloading::load(self.statical)]);
     }
 
     /// At an event: what the contact does after it.
@@ -552,8 +553,8 @@ impl<T: Real, L: Curve<T> + Lift> Contact<T> for OnCurve<'_, T, L> {
     }
 }
 
-/// Event indicators of a law with a curve: of its phase, and of its kinks.
-pub(crate) const EVENTS_ON_CURVE: usize = 3;
+/// Event indicators of a law with a curve: of its phase, of its kinks, and of its load.
+pub(crate) const EVENTS_ON_CURVE: usize = 4;
 
 impl<L: Curve<f64>> OnCurve<'_, f64, L> {
     fn rest(&self) -> Rest {
@@ -572,7 +573,7 @@ impl<L: Curve<f64>> OnCurve<'_, f64, L> {
             Some(width) => self.around_rest(width).indicator(),
             None => self.rest().indicator(),
         };
-        indicators.copy_from_slice(&[phase, near, far]);
+        indicators.copy_from_slice(&[phase, near, far, unloading::load(self.normal_force)]);
     }
 
     /// At an event: what the contact does after it.

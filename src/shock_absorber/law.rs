@@ -464,6 +464,12 @@ impl ChosenLaw {
                 rate[usize::from(*place)] = value;
             }
         }
+        if let Some((deflection, _)) = self.0.deflection
+            && let Source::Memory(place) = self.0.sources[deflection]
+        {
+            let (place, release_time) = (usize::from(place), T::from(RELEASE_TIME));
+            rate[place] = rate[place] - (memory[place] - row[deflection]) / release_time;
+        }
         rate
     }
 
@@ -567,6 +573,10 @@ impl ChosenLaw {
     }
 }
 
+/// Time in which bristles slip down to what they can carry once the load has fallen, if an importer integrates them
+/// (chosen, in s). The force never lags: it is that of bristles that have slipped.
+const RELEASE_TIME: f64 = 1e-3;
+
 /// Most event indicators of any law.
 pub(crate) const MOST_EVENTS: usize = {
     let (mut most, mut at) = (0, 0);
@@ -584,7 +594,7 @@ pub(crate) const fn blank_memory(nominal: f64) -> [Column; MEMORY] {
     let mut memory = [real("1", 0.0).discrete(); MEMORY];
     let mut at = 0;
     while at < MOVING {
-        memory[at] = real("1", 0.0).nominal(nominal);
+        memory[at] = real("1", 0.0).nominal(nominal).reinit();
         at += 1;
     }
     memory

@@ -431,17 +431,20 @@ crate::model! {
     /// one (before the first: `num.h_max`), which includes what bristles and series stiffness add. `step_limit` is
     /// the largest communication step that keeps `num.mass_ref` stable on the strut as it is now, for the order of
     /// exchange `friction.exchange`; they are advice and have no derivatives. At the start friction is as after a
-    /// second of motion at the first velocity, unless `init.friction_state` says otherwise.
+    /// second of motion at the first velocity, unless `init.friction_state` says otherwise. The first velocity is that of
+    /// the first step; in Model Exchange it is that at the end of the initialization.
     ///
     /// # Errors
     /// Refused: a parameter outside its bound; static levels below kinetic ones; tables that do not rise; a gas volume
-    /// that the rod fills; `adapter.length_gain` = 0; what the chosen law refuses. Parameters of laws that are not chosen
-    /// are ignored, as are those of modes that are not chosen.
+    /// that the rod fills; `adapter.length_gain` = 0; what the chosen law refuses; in Model Exchange a law that
+    /// is not offered for it itself. Parameters of laws that are not chosen are ignored, as are those of modes that are
+    /// not chosen.
     ///
     /// # Limits
     /// Rigid bodies: no bending of the rod, no bearing friction in the eyes; axial friction acts on the axis. Stops, spring
     /// and gas go on beyond the stroke. A law with memory remembers along the axis only. Most laws without memory do not
     /// hold a load at rest unless `friction.mass` and `external_force` are given; LuGre and the other bristle laws do.
+    /// In Model Exchange `Coulomb`, `CoulombStiction`, `CoulombViscous`, `Stribeck` and `Karnopp` want `external_force`.
     ///
     /// # Source
     /// F. Novais, "A critical analysis on friction force models in dynamical systems", MSc thesis, University of Minho

@@ -57,9 +57,9 @@ def test_models_with_a_continuous_state_offer_it():
     assert not set(MODELS) & {"Bristle", "FrictionalLag", "Armstrong", "Wojewoda"}, "delays and random bonds"
 
 
-@pytest.mark.parametrize("model", MODELS)
-def test_a_solver_finds_what_the_steps_find(model):
-    options = {"stop_time": PIECES * PIECE, "input": staircase(model), "output_interval": STEP}
+def check_against_steps(model: str, signals: numpy.ndarray | None, **options) -> None:
+    """Integrates a model over pieces of held inputs and compares it with its own steps."""
+    options |= {"stop_time": PIECES * PIECE, "input": signals, "output_interval": STEP}
     stepped = simulate(model, "CoSimulation", step_size=STEP, **options)
     solved = simulate(model, "ModelExchange", relative_tolerance=1e-9, **options)
     assert len(solved) == len(stepped) == round(PIECES * PIECE / STEP) + 1
@@ -70,10 +70,30 @@ def test_a_solver_finds_what_the_steps_find(model):
         assert numpy.abs(solved[name] - stepped[name])[between].max() <= 1e-5 * size, name
 
 
-def is_law_with_events(model: str) -> bool:
-    """Is it a law of friction that jumps or bends?"""
-    names = [v.name for v in DESCRIPTIONS[model].modelVariables]
-    return DESCRIPTIONS[model].numberOfEventIndicators > 0 and "friction_force" in names
+@pytest.mark.parametrize("model", MODELS)
+def test_a_solver_finds_what_the_steps_find(model):
+    check_against_steps(model, staircase(model))
+
+
+@pytest.mark.parametrize("law", ["CoulombStiction", "Karnopp"])
+def test_the_strut_remembers_sticking_where_no_solver_reaches(law):
+    types = {t.name: t for t in DESCRIPTIONS["ShockAbsorber"].typeDefinitions}
+    number = next(item.value for item in types["FrictionModel"].items if item.name == law)
+    check_against_steps("ShockAbsorber", staircase("ShockAbsorber"), start_values={"friction.model": number})
+
+
+@pytest.mark.parametrize("model", [m for m in MODELS if any(v.name == "normal_force" for v in real_inputs(m))])
+def test_bristles_are_released_while_there_is_no_load(model):
+    signals = staircase(model)
+    signals["normal_force"] = [0.0 if piece % 3 == 2 else 9.81 for piece in range(PIECES) for _ in range(2)]
+    for name in {"velocity", "velocity_x", "velocity_y"} & set(signals.dtype.names):
+        signals[name] *= [float(piece % 3 == 0) for piece in range(PIECES) for _ in range(2)]
+    check_against_steps(model, signals)
+
+
+def has_phases(model: str) -> bool:
+    """Is it a law of friction that jumps or bends where the velocity passes a certain value?"""
+    return "phase" in [v.name for v in DESCRIPTIONS[model].modelVariables]
 
 
 def reversing(model: str) -> numpy.ndarray:
@@ -111,7 +131,7 @@ def sign_changes(model: str, signals: numpy.ndarray) -> int:
         return count
 
 
-@pytest.mark.parametrize("model", [model for model in MODELS if is_law_with_events(model)])
+@pytest.mark.parametrize("model", [model for model in MODELS if has_phases(model)])
 def test_a_reversing_velocity_has_no_more_events_than_kinks(model):
     signals, calls = reversing(model), []
     simulate(model, "ModelExchange", log=calls.append, stop_time=2.0, input=signals, output_interval=1e-2)

@@ -1,0 +1,33 @@
+//! What a law with bristles does in Model Exchange where its load vanishes: an event releases them.
+
+/// Normal force up to which a contact counts as unloaded at an event, in N (chosen).
+pub(crate) const UNLOADED: f64 = 1e-6;
+
+/// Event indicator: negative where the contact is unloaded.
+pub(crate) fn load(normal_force: f64) -> f64 {
+    (normal_force - UNLOADED) / (normal_force + UNLOADED)
+}
+
+/// At an event: is the contact unloaded? The limit lies beyond that of the indicator, whose zero an importer meets from
+/// either side.
+pub(crate) fn is_unloaded(normal_force: f64) -> bool {
+    normal_force <= 2.0 * UNLOADED
+}
+
+/// Inside `impl Model`: the event at which the load comes or goes, and the states that are 0 without it.
+macro_rules! released_without_load {
+    ($($state:ident),+) => {
+        const EVENT_INDICATORS: usize = 1;
+
+        fn event_indicators(&self, indicators: &mut [f64]) {
+            indicators[0] = $crate::friction::unloading::load(self.normal_force);
+        }
+
+        fn at_event(&mut self) {
+            if $crate::friction::unloading::is_unloaded(self.normal_force) {
+                $(self.$state = 0.0;)+
+            }
+        }
+    };
+}
+pub(crate) use released_without_load;
