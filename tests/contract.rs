@@ -671,3 +671,53 @@ fn a_band_around_rest_is_sticking_within_its_edge() {
         }
     }
 }
+
+/// From rest a law with bristles is elastic at first, and sticks; after a long way it slides. Both directions are alike.
+#[test]
+fn bristles_stick_at_first_and_slide_in_the_end() {
+    let mut seen = 0;
+    let has_bristles = |model: &&ModelType| model.find("sigma_0").is_some() || model.name == "BlimanSorine";
+    for model in friction_models().filter(has_bristles) {
+        for velocity in [1e-5, -1e-5] {
+            let mut bench = Bench::new(model.name, &[]);
+            set_velocity(&mut bench, velocity);
+            bench.step(1e-6);
+            assert_eq!(bench.get("sticking"), 1.0, "{} after 10 pm at {velocity} m/s", model.name);
+            set_velocity(&mut bench, 5e3 * velocity);
+            for _ in 0..1000 {
+                bench.step(1e-3);
+            }
+            assert_eq!(bench.get("sticking"), 0.0, "{} after 50 mm towards {velocity}", model.name);
+        }
+        seen += 1;
+    }
+    assert!(seen >= 10, "{seen} laws");
+}
+
+/// Without the part that the load gives, the viscous part is left: its energy is that of a linear damper. The force of
+/// the dynamic law of Specker is not that at once, but follows.
+#[test]
+fn a_loaded_contact_without_dry_friction_is_a_damper() {
+    let mut seen = 0;
+    let is_damped = |model: &&ModelType| model.find("viscous_coefficient").is_some() && model.name != "SpeckerDynamic";
+    for model in friction_models().filter(is_damped) {
+        let mut bench = Bench::new(model.name, &[("normal_force", 10.0), ("viscous_coefficient", 3.0)]);
+        for name in ["mu_s", "mu_k"] {
+            if bench.has(name) {
+                bench.set(name, 0.0);
+            }
+        }
+        if bench.instance.check().is_err() {
+            continue;
+        }
+        seen += 1;
+        set_velocity(&mut bench, 0.02);
+        for _ in 0..4 {
+            bench.step(0.125);
+        }
+        let (found, energy) = (bench.get("dissipated_energy"), 3.0 * 0.02 * 0.02 * 0.5);
+        assert!((found - energy).abs() < 1e-12, "{}: {found} J instead of {energy} J", model.name);
+        assert!((force(&mut bench) - 0.06).abs() < 1e-12, "{}", model.name);
+    }
+    assert!(seen >= 10, "{seen} laws");
+}

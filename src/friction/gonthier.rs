@@ -408,4 +408,20 @@ mod tests {
         law.output();
         assert!((law.friction_force - 1.4715).abs() < 1e-12);
     }
+
+    /// dir(v) is odd and joins the signs at the transition velocity without a kink.
+    #[test]
+    fn direction_joins_the_signs_smoothly() {
+        let at = |u: f64| {
+            let start = Gonthier::default();
+            Gonthier { velocity: u * start.transition_velocity, ..start }.direction()
+        };
+        for side in [1.0, -1.0] {
+            assert_eq!([at(side), at(3.0 * side), at(0.0)], [side, side, 0.0]);
+            let h = 1e-4;
+            // A parabola touches the plateau: 3/2 h^2 are missing at a distance of h.
+            assert!(((1.0 - side * at(side * (1.0 - h))) / (h * h) - 1.5).abs() < 1e-3);
+            assert_eq!(at(-0.3 * side), -at(0.3 * side));
+        }
+    }
 }
