@@ -159,11 +159,12 @@ impl Linker {
                 let python = programs(root).join("python");
                 Some(format!("Zig as linker: {} -m pip install cargo-zigbuild ziglang", python.display()))
             }
-            Linker::MinGw if !runs(root, "x86_64-w64-mingw32-gcc", &["--version"]) || !self.has_notices(root)? => Some(
-                "the linker for Windows, with its licences in /usr/share/doc: apt-get install \
-                      gcc-mingw-w64-x86-64-win32"
-                    .into(),
-            ),
+            Linker::MinGw if !runs(root, "x86_64-w64-mingw32-gcc", &["--version"]) => {
+                Some("the linker for Windows: apt-get install gcc-mingw-w64-x86-64-win32".into())
+            }
+            Linker::MinGw if !self.has_notices(root)? => {
+                Some("the licences of MinGW-w64, which Debian and Ubuntu have in /usr/share/doc: pack there".into())
+            }
             Linker::RustLld if !has_rust_lld()? => {
                 Some("rust-lld, which other Rusts than that of https://rustup.rs leave out: install that one".into())
             }
