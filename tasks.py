@@ -183,19 +183,14 @@ def install_programs(packages: dict[str, str]) -> None:
     run(*install)
 
 
-def packer(project: Path, program: Path) -> Path:
-    """Builds the packer of a copy of this project. What the copies' packers are made of is built once."""
-    target = ROOT / "target"
-    manifest = project / "Cargo.toml"
-    run("cargo", "build", "--target-dir", target, "--manifest-path", manifest, "--package", "fmu-build")
-    return Path(shutil.copy2(target / "debug" / "fmu-build", program))
-
-
-def pack_for_all(project: Path, program: Path, fmus: Path) -> None:
-    """Packs the FMUs of a copy of this project for all platforms. The libraries are built in that copy."""
-    path = f"{PROGRAMS}{os.pathsep}{os.environ['PATH']}"
-    command = [program, "pack", "--platform", "all", "--strict", "--out", fmus]
-    run(*command, PATH=path, CARGO_TARGET_DIR=str(project / "target"))
+def pack_for_all(project: Path, fmus: Path) -> None:
+    """Packs the FMUs of a copy of this project for all platforms. The libraries are built from and in that copy."""
+    run(
+        *("cargo", "run", "--target-dir", ROOT / "target", "--package", "fmu-build", "--", "--project", project),
+        *("pack", "--platform", "all", "--strict", "--out", fmus),
+        PATH=f"{PROGRAMS}{os.pathsep}{os.environ['PATH']}",
+        CARGO_TARGET_DIR=str(project / "target"),
+    )
 
 
 def platforms() -> None:
@@ -207,11 +202,9 @@ def platforms() -> None:
     for folder in (copy, out / "fmus", out / "fmus-of-copy"):
         shutil.rmtree(folder, ignore_errors=True)
     shutil.copytree(ROOT, copy, ignore=shutil.ignore_patterns(".git", ".venv", "dist", "out", "target"))
-    projects = [ROOT, copy]
-    programs = [packer(ROOT, out / "packer"), packer(copy, out / "packer-of-copy")]
-    # Most of the time one processor optimises the whole of a library.
+    # Most of the time a single processor optimises the whole of a library.
     with ThreadPoolExecutor() as both:
-        list(both.map(pack_for_all, projects, programs, [out / "fmus", out / "fmus-of-copy"]))
+        list(both.map(pack_for_all, [ROOT, copy], [out / "fmus", out / "fmus-of-copy"]))
     run(PYTHON, "-m", "pytest", "-rP", "tests/platforms")
 
 

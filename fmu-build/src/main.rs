@@ -38,7 +38,7 @@ mod xml;
 
 use std::collections::BTreeMap;
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::{self, Path, PathBuf};
 use std::process::ExitCode;
 
 use anyhow::{Context, Result, bail, ensure};
@@ -53,6 +53,9 @@ use crate::platform::{Choice, Platform};
 #[derive(Parser)]
 #[command(version)]
 struct Arguments {
+    /// Folder of the project, if it is another one than that of this program, such as a copy of it.
+    #[arg(long, value_name = "FOLDER")]
+    project: Option<PathBuf>,
     #[command(subcommand)]
     command: Command,
 }
@@ -103,21 +106,27 @@ enum Command {
 }
 
 fn main() -> ExitCode {
-    let root = project::root();
-    let result = match Arguments::parse().command {
-        Command::Generate => generate(root),
-        Command::Check => check(root),
-        Command::Pages { models, out } => pages(&models, &out),
-        Command::Ssp { out } => ssp(root, &out),
-        Command::Inspect { library, platform } => inspect(root, &library, platform),
-        Command::Pack { models, out, platform, strict } => pack(root, &models, &out, &platform, strict),
-    };
+    let arguments = Arguments::parse();
+    let root = arguments.project.map(path::absolute).transpose();
+    let root = root.map(|given| given.unwrap_or(project::root().into())).context("no folder of a project");
+    let result = root.and_then(|root| obey(arguments.command, &root));
     match result {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
             eprintln!("error: {error:#}");
             ExitCode::FAILURE
         }
+    }
+}
+
+fn obey(command: Command, root: &Path) -> Result<()> {
+    match command {
+        Command::Generate => generate(root),
+        Command::Check => check(root),
+        Command::Pages { models, out } => pages(&models, &out),
+        Command::Ssp { out } => ssp(root, &out),
+        Command::Inspect { library, platform } => inspect(root, &library, platform),
+        Command::Pack { models, out, platform, strict } => pack(root, &models, &out, &platform, strict),
     }
 }
 

@@ -12,6 +12,7 @@ from mach_o import processors, write_assembly
 
 OUT = PROJECT / "out" / "platforms"
 FMUS = OUT / "fmus"
+COPY = OUT / "copy"
 FMUS_OF_COPY = OUT / "fmus-of-copy"
 ARM = "aarch64-linux"
 MAC_ARM = "darwin64 on Apple's processors"

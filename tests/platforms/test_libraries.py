@@ -31,7 +31,7 @@ def libraries(tmp_path_factory) -> dict[str, Path]:
 
 @pytest.fixture(scope="module")
 def packer() -> Path:
-    """The program that packs. Its copy in another folder has been built to the same place."""
+    """The program that packs."""
     subprocess.run(["cargo", "build", "--package", "fmu-build"], cwd=PROJECT, check=True)
     return PROJECT / "target" / "debug" / "fmu-build"
 

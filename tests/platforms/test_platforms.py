@@ -12,7 +12,7 @@ import numpy
 import pytest
 from coupling import PROJECT, models_in
 from fmpy.util import add_remoting
-from machines import ARM, FMUS, FMUS_OF_COPY, MAC_ARM
+from machines import ARM, COPY, FMUS, FMUS_OF_COPY, MAC_ARM
 
 MODELS = models_in(FMUS)
 PLATFORMS = ["linux64", "win64", ARM]
@@ -63,6 +63,8 @@ def test_a_copy_of_the_project_in_another_folder_gives_the_same_bytes():
     names = [path.relative_to(FMUS) for path in sorted(FMUS.rglob("*.fmu"))]
     assert names == [path.relative_to(FMUS_OF_COPY) for path in sorted(FMUS_OF_COPY.rglob("*.fmu"))]
     assert len(names) == 2 * len(MODELS)
+    built_there = [path.name for path in (COPY / "target" / "fmu").glob("*/release/*stribeck.*") if path.suffix != ".d"]
+    assert {"libstribeck.so", "libstribeck.dylib", "stribeck.dll"} <= set(built_there)
     different = [str(name) for name in names if (FMUS / name).read_bytes() != (FMUS_OF_COPY / name).read_bytes()]
     assert different == []
 
