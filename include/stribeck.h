@@ -350,7 +350,7 @@ fmi2Status fmi2NewDiscreteStates(fmi2Component c, fmi2EventInfo *eventInfo);
 /** Enters continuous-time mode, in which time and states move. */
 fmi2Status fmi2EnterContinuousTimeMode(fmi2Component c);
 
-/** A step of the importer's solver is done. Not needed: no model asks for an event in this way. */
+/** A step of the importer's solver is done. It asks for an event where a result that jumps has another value now. */
 fmi2Status fmi2CompletedIntegratorStep(fmi2Component c,
                                        fmi2Boolean noSetFMUStatePriorToCurrentPoint,
                                        fmi2Boolean *enterEventMode,

@@ -27,6 +27,11 @@ pub struct Instance {
     rate_duals: Box<[Dual]>,
     /// Columns of the states that an importer may integrate itself; none if the model is for co-simulation only.
     continuous: Box<[usize]>,
+    // Columns of the results that jump, and what they are now; an importer that integrates sees what they were at the
+    // last event.
+    jumping: Box<[usize]>,
+    latest: Box<[f64]>,
+    is_between_events: bool,
 }
 
 /// Everything of an [`Instance`] that changes while it lives.
@@ -53,6 +58,7 @@ impl Instance {
     /// A model at its start values, at time 0, if there is memory for it.
     pub fn try_new(model: &'static ModelType) -> Result<Instance, OutOfMemory> {
         let columns = model.table.len();
+        let jumping = columns_of(model, |variable| variable.role.is_computed() && variable.jumps)?;
         let mut instance = Instance {
             model,
             row: memory::filled(0.0, columns)?,
@@ -65,7 +71,10 @@ impl Instance {
             rate: memory::filled(0.0, columns)?,
             duals: memory::filled(Dual::default(), columns)?,
             rate_duals: memory::filled(Dual::default(), columns)?,
-            continuous: continuous_states(model)?,
+            continuous: columns_of(model, |variable| variable.is_continuous_state())?,
+            latest: memory::filled(0.0, jumping.len())?,
+            jumping,
+            is_between_events: false,
         };
         instance.reset();
         Ok(instance)
@@ -80,6 +89,7 @@ impl Instance {
         self.slopes_are_new = false;
         self.unchecked = true;
         self.stale = true;
+        self.is_between_events = false;
         self.time = 0.0;
     }
 
@@ -178,12 +188,59 @@ impl Instance {
     #[inline]
     pub fn refresh(&mut self) -> Result<(), Fault> {
         if self.stale {
-            if !self.model.output(&mut self.row) {
-                return Err(self.not_finite(format_args!("the outputs")));
+            if self.is_between_events {
+                return self.refresh_between_events();
             }
-            self.stale = false;
+            self.compute_outputs()?;
         }
         Ok(())
+    }
+
+    #[inline]
+    fn compute_outputs(&mut self) -> Result<(), Fault> {
+        if !self.model.output(&mut self.row) {
+            return Err(self.not_finite(format_args!("the outputs")));
+        }
+        self.stale = false;
+        Ok(())
+    }
+
+    /// Results that jump stay as they are.
+    fn refresh_between_events(&mut self) -> Result<(), Fault> {
+        for (value, column) in self.latest.iter_mut().zip(&self.jumping) {
+            *value = self.row[*column];
+        }
+        self.compute_outputs()?;
+        for (value, column) in self.latest.iter_mut().zip(&self.jumping) {
+            std::mem::swap(value, &mut self.row[*column]);
+        }
+        Ok(())
+    }
+
+    /// From here to the next event the results that jump stay as they are.
+    pub(crate) fn leave_event(&mut self) -> Result<(), Fault> {
+        self.refresh()?;
+        self.go_on_between_events();
+        Ok(())
+    }
+
+    /// As [`Instance::leave_event`], for a state that was saved behind it.
+    pub(crate) fn go_on_between_events(&mut self) {
+        self.is_between_events = true;
+        self.stale = true;
+    }
+
+    /// All results are what they are now.
+    pub(crate) fn enter_event(&mut self) {
+        self.is_between_events = false;
+        self.stale = true;
+    }
+
+    /// Would an event change results?
+    pub(crate) fn wants_event(&mut self) -> Result<bool, Fault> {
+        self.refresh()?;
+        Ok(self.is_between_events
+            && self.jumping.iter().zip(&self.latest).any(|(column, value)| self.row[*column] != *value))
     }
 
     /// Advances by `dt` > 0. On a fault nothing has changed.
@@ -375,19 +432,20 @@ impl Instance {
         self.slopes_are_new = snapshot.slopes_are_new;
         self.has_slopes = true;
         self.unchecked = true;
+        self.is_between_events = false;
         self.stale = snapshot.stale;
         self.time = snapshot.time;
     }
 }
 
-/// Columns of the states that an importer may integrate itself.
-fn continuous_states(model: &ModelType) -> Result<Box<[usize]>, OutOfMemory> {
-    let columns = || model.continuous_states().filter(|_| model.model_exchange);
-    let mut continuous = memory::filled(0, columns().count())?;
-    for (place, column) in continuous.iter_mut().zip(columns()) {
+/// Columns that matter to an importer that integrates the states itself.
+fn columns_of(model: &ModelType, is_wanted: fn(&Variable) -> bool) -> Result<Box<[usize]>, OutOfMemory> {
+    let columns = || (0..model.table.len()).filter(|column| model.model_exchange && is_wanted(&model.table[*column]));
+    let mut wanted = memory::filled(0, columns().count())?;
+    for (place, column) in wanted.iter_mut().zip(columns()) {
         *place = column;
     }
-    Ok(continuous)
+    Ok(wanted)
 }
 
 /// The inputs and their values, as a message names them.

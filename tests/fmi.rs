@@ -1358,3 +1358,38 @@ fn mass_is_refused_at_events_too() {
     let (_, _, text) = solver.one_message();
     assert!(text.contains("mass = 1: must be 0"), "{text}");
 }
+
+/// Between events what jumps stays as it was; the end of a solver's step asks for the event that changes it.
+#[test]
+fn results_that_jump_change_at_events_only() {
+    for model in catalogue::models().filter(|model| model.model_exchange) {
+        let (Some(velocity), Some(sticking)) = (model.find("velocity"), model.find("sticking")) else { continue };
+        let integrating = Importer::in_state_of(model.name, Purpose::ModelExchange, State::ContinuousTimeMode);
+        let (mut event, mut enters, mut ends) = (NO_EVENT, fmi2False, fmi2False);
+        let sticks = || {
+            let mut flag = -1;
+            // SAFETY: one reference, one value.
+            assert_eq!(unsafe { fmi2GetBoolean(integrating.c, &(sticking as u32), 1, &mut flag) }, fmi2OK);
+            flag
+        };
+        assert_eq!(sticks(), fmi2True, "{} at rest", model.name);
+        // SAFETY: one reference, one value; flags of this test; a state of this instance, freed once.
+        unsafe {
+            assert_eq!(fmi2SetReal(integrating.c, &(velocity as u32), 1, &0.3), fmi2OK);
+            assert_eq!(sticks(), fmi2True, "{} between events", model.name);
+            let mut saved = integrating.save();
+            assert_eq!(fmi2SetFMUstate(integrating.c, saved), fmi2OK);
+            assert_eq!(fmi2FreeFMUstate(integrating.c, &mut saved), fmi2OK);
+            assert_eq!(sticks(), fmi2True, "{} restored", model.name);
+            assert_eq!(fmi2CompletedIntegratorStep(integrating.c, fmi2True, &mut enters, &mut ends), fmi2OK);
+            assert_eq!(fmi2EnterEventMode(integrating.c), fmi2OK);
+            assert_eq!(fmi2NewDiscreteStates(integrating.c, &mut event), fmi2OK);
+            assert_eq!(fmi2EnterContinuousTimeMode(integrating.c), fmi2OK);
+        }
+        // Bristles are not yet deflected.
+        let slides = sticks() == fmi2False;
+        assert!(slides || model.find("phase").is_none(), "{} slides", model.name);
+        // A phase has an event indicator of its own.
+        assert_eq!(enters == fmi2True, slides && model.find("phase").is_none(), "{}", model.name);
+    }
+}

@@ -20,9 +20,8 @@ type Xml = Writer<Vec<u8>>;
 type Attributes = Vec<(&'static str, String)>;
 
 /// What `<ModelExchange>` promises.
-pub const EXCHANGE_CAPABILITIES: [(&str, &str); 7] = [
+pub const EXCHANGE_CAPABILITIES: [(&str, &str); 6] = [
     ("needsExecutionTool", "false"),
-    ("completedIntegratorStepNotNeeded", "true"),
     ("canBeInstantiatedOnlyOncePerProcess", "false"),
     ("canNotUseMemoryManagementFunctions", "true"),
     ("canGetAndSetFMUstate", "true"),

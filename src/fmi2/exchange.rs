@@ -22,6 +22,7 @@ fn check_length(given: usize, wanted: usize, what: &str) -> Outcome {
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi2EnterEventMode(c: fmi2Component) -> fmi2Status {
     let body = |slave: &mut Slave| {
+        slave.instance.enter_event();
         slave.state = State::EventMode;
         Ok(())
     };
@@ -62,6 +63,7 @@ pub unsafe extern "C" fn fmi2NewDiscreteStates(c: fmi2Component, eventInfo: *mut
 pub unsafe extern "C" fn fmi2EnterContinuousTimeMode(c: fmi2Component) -> fmi2Status {
     let body = |slave: &mut Slave| {
         slave.check()?;
+        slave.instance.leave_event()?;
         slave.state = State::ContinuousTimeMode;
         Ok(())
     };
@@ -69,7 +71,7 @@ pub unsafe extern "C" fn fmi2EnterContinuousTimeMode(c: fmi2Component) -> fmi2St
     unsafe { enter(c, Call::EnterContinuousTimeMode, body) }
 }
 
-/// A step of the importer's solver is done. Not needed: no model asks for an event in this way.
+/// A step of the importer's solver is done. It asks for an event where a result that jumps has another value now.
 ///
 /// # Safety
 /// `c` as for every call on an instance; `enterEventMode` and `terminateSimulation` must be NULL or writable.
@@ -80,11 +82,12 @@ pub unsafe extern "C" fn fmi2CompletedIntegratorStep(
     enterEventMode: *mut fmi2Boolean,
     terminateSimulation: *mut fmi2Boolean,
 ) -> fmi2Status {
-    let body = |_: &mut Slave| {
+    let body = |slave: &mut Slave| {
         // SAFETY: the caller promises NULL or writable values.
         let answers = unsafe { (enterEventMode.as_mut(), terminateSimulation.as_mut()) };
         let (Some(event), Some(end)) = answers else { return refuse("enterEventMode or terminateSimulation is NULL") };
-        (*event, *end) = (fmi2False, fmi2False);
+        let wants_event = slave.instance.wants_event().map_err(discard)?;
+        (*event, *end) = (fmi2Boolean::from(wants_event), fmi2False);
         Ok(())
     };
     // SAFETY: the caller's promise about `c`.

@@ -121,6 +121,9 @@ pub unsafe extern "C" fn fmi2SetFMUstate(c: fmi2Component, FMUstate: fmi2FMUstat
             return refuse(format_args!("FMUstate is in state {:?}, not one of {:?}", saved.state, slave.purpose));
         }
         slave.instance.restore(&saved.snapshot);
+        if saved.state == State::ContinuousTimeMode {
+            slave.instance.go_on_between_events();
+        }
         slave.state = saved.state;
         slave.experiment = saved.experiment;
         Ok(())
