@@ -638,7 +638,7 @@ fn events_catch_and_release_contacts_at_rest() {
 fn leaving_and_entering_the_band_are_events() {
     let mut bench = Bench::new("Karnopp", &[]);
     let edge = bench.get("transition_velocity");
-    let mut indicators = [f64::NAN; 2];
+    let mut indicators = vec![f64::NAN; bench.instance.model().event_indicators];
     for share in [0.5, -0.5, 1.5, -1.5] {
         bench.set("velocity", share * edge);
         bench.instance.at_event().expect("an event");
