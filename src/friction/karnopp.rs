@@ -45,7 +45,8 @@ crate::model! {
     /// force read before the first step is that of (6.7). With `mass` > 0 slopes of the inputs are not used, only their
     /// values at the end of the step.
     /// In Model Exchange a contact is inside the band, or slides in one direction, from one event to the next. Inside it
-    /// gives `external_force` back up to f_s: connect it, or there is no friction at all.
+    /// gives `external_force` back up to f_s: connect it, or nothing is held there and events follow one another at the
+    /// edge without end.
     ///
     /// # Errors
     /// Refused: a parameter outside its bound; `mu_s` < `mu_k`.
