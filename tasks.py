@@ -3,17 +3,19 @@
 
     python3 tasks.py demo     pack the FMUs, run each of them from Python, draw the results
     python3 tasks.py test     every check and test of the project
-    python3 tasks.py trust    the fault tests in full, with their figures
+    python3 tasks.py bench    the benchmarks
+    python3 tasks.py pack     the FMUs into dist/
+    python3 tasks.py setup    .venv with the Python packages
+    python3 tasks.py clean    remove what the other tasks have made
+
+    python3 tasks.py trust    all that docs/trust.md lists, with its figures: the tasks below, one after the other
+    python3 tasks.py faults   importers, and faults of hosts, in full
+    python3 tasks.py platforms  the FMUs for Linux, Windows and macOS, run under wine and qemu
+    python3 tasks.py fuzz     new inputs for interfaces and file readers, five minutes for each target
     python3 tasks.py coverage the branches that the tests take
     python3 tasks.py broken   copies broken on purpose, and the tests that notice
     python3 tasks.py mutants  many small changes of the laws, and how many of them the tests notice
-    python3 tasks.py fuzz     new inputs for interfaces and file readers, five minutes for each target
-    python3 tasks.py bench    the benchmarks
-    python3 tasks.py pack     the FMUs into dist/
-    python3 tasks.py platforms  the FMUs for Linux, Windows and macOS, run under wine and qemu
     python3 tasks.py supply   licences, sources and known faults of the crates, with cargo-deny
-    python3 tasks.py setup    .venv with the Python packages
-    python3 tasks.py clean    remove what the other tasks have made
 
 On Windows: py tasks.py demo
 """
@@ -59,8 +61,8 @@ TARGETS = [
 ]
 # What Miri runs: memory, states as bytes, instances of the test model, and a whole life of every model.
 UNDER_MIRI = ["guid::", "memory::", "number::", "probe::", "serial::", "fmi2::tests::child"]
-# What the task trust needs beside what every test needs.
-TRUST_PROGRAMS = {"valgrind": "valgrind", "localedef": "libc-bin", "gcc": "gcc"}
+# What the task faults needs beside what every test needs.
+FAULT_PROGRAMS = {"valgrind": "valgrind", "localedef": "libc-bin", "gcc": "gcc"}
 # Programs that build for other platforms and run what was built, and the packages of Debian and Ubuntu they are in.
 PLATFORM_PROGRAMS = {
     "x86_64-w64-mingw32-gcc": "gcc-mingw-w64-x86-64-win32",
@@ -250,25 +252,40 @@ def test() -> None:
     run(PYTHON, "-m", "pytest", "tests/python")
 
 
-def setup_trust() -> None:
-    """Installs what the task trust needs. Miri and the sanitizers are parts of nightly Rust; any one will do."""
+def setup_faults() -> None:
+    """Installs what the task faults needs. Miri and the sanitizers are parts of nightly Rust; any one will do."""
     if platform.system() != "Linux" or platform.machine() != "x86_64":
         raise TaskError("this task needs Linux on x86-64")
     need("rustup", "this task needs the Rust of https://rustup.rs, which has nightly versions")
     setup()
-    install_programs(TRUST_PROGRAMS)
+    install_programs(FAULT_PROGRAMS)
     miri = ["cargo", "+nightly", "miri", "--version"]
     if subprocess.run(miri, capture_output=True).returncode != 0:
         run("rustup", "toolchain", "install", "nightly", "--profile", "minimal", "--component", "miri,rust-src")
 
 
-def trust() -> None:
-    """What docs/trust.md lists but for the platforms, in full, and its figures at the end."""
+def summarise(commands: list[list[str | Path]], **environment: str) -> None:
+    """Runs all the commands, also if one fails, and prints their figures at the end."""
+    found, failed = [], []
+    for command in commands:
+        try:
+            lines = figures(*command, **environment)
+            found += ["", shlex.join(map(str, command)), *(f"    {line}" for line in lines)]
+        except TaskError as error:
+            failed.append(str(error))
+    print("\n\nWhat was tried, and what came of it:", *found, sep="\n")
+    if failed:
+        raise TaskError("; ".join(failed))
+
+
+def faults() -> None:
+    """What importers and faults of hosts do to the library, in full, with the figures at the end."""
     need_rust()
     need_c_compiler()
-    setup_trust()
+    setup_faults()
     pack()
-    python_tests = [f"tests/python/test_{name}.py" for name in ("model_description", "exchange", "importers", "ssp")]
+    names = ("model_description", "exchange", "importers", "ssp", "supply")
+    python_tests = [f"tests/python/test_{name}.py" for name in names]
     commands = [
         ["cargo", "test", "--test", "fmi", "--test", "allocation", "--", "--nocapture"],
         *([PYTHON, "-m", "pytest", "-s", "-q", test] for test in python_tests),
@@ -277,17 +294,13 @@ def trust() -> None:
         ["cargo", "+nightly", "miri", "test", "--package", "stribeck", "--test", "life"],
     ]
     # Under Miri there is no second process, in which the test of panics runs otherwise.
-    miri = "-Zmiri-env-set=STRIBECK_TEST_PANICS=1"
-    found, failed = [], []
-    for command in commands:
-        try:
-            lines = figures(*command, MIRIFLAGS=miri)
-            found += ["", shlex.join(map(str, command)), *(f"    {line}" for line in lines)]
-        except TaskError as error:
-            failed.append(str(error))
-    print("\n\nWhat was tried, and what came of it:", *found, sep="\n")
-    if failed:
-        raise TaskError("; ".join(failed))
+    summarise(commands, MIRIFLAGS="-Zmiri-env-set=STRIBECK_TEST_PANICS=1")
+
+
+def trust() -> None:
+    """All that docs/trust.md lists, one task after the other, and their figures at the end."""
+    parts = [faults, platforms, fuzz, coverage, broken, mutants, supply]
+    summarise([[sys.executable, "tasks.py", part.__name__] for part in parts])
 
 
 def setup_tool(tool: str) -> dict[str, str]:
@@ -367,22 +380,23 @@ def clean() -> None:
 TASKS = {
     demo: "install the Python packages, build and pack the FMUs, run each of them, draw the results: 5 to 9 minutes, "
     "then about 2",
-    test: "check formatting and lints, run the Rust, C and Python tests: 15 to 25 minutes, then about 10",
-    trust: "try what hosts may do to the library, in full, and print the figures: about an hour",
-    supply: "check licences, bans and sources of the crates, and their known faults if github.com can be reached: 5 to "
-    "10 minutes, then seconds",
+    test: "check formatting and lints, run the Rust, C and Python tests: 15 to 25 minutes, then about 12",
+    bench: "build and run the benchmarks: 2 to 5 minutes",
+    pack: "build the library and pack every model as an FMU into dist/: 1 to 2 minutes",
+    setup: "install the Python packages of requirements.txt into .venv: about a minute",
+    clean: "remove .venv, dist, out and target",
+    trust: "try all that docs/trust.md lists and print the figures: about three hours",
+    faults: "try what importers and hosts may do to the library, in full, and print the figures: about an hour",
+    platforms: "pack for all platforms twice, compare, run the libraries under wine and qemu; as root it installs what "
+    "it needs with apt: 15 to 30 minutes",
+    fuzz: "try new inputs for interfaces and file readers, five minutes for each of seven targets: 20 to 30 minutes",
     coverage: "install cargo-llvm-cov, run the Rust and C tests with counters, print which branches they take: "
     "8 to 15 minutes",
     broken: "break copies of the library on purpose and show which tests notice: 5 to 10 minutes",
     mutants: "install cargo-mutants, change the friction laws in more than 200 small ways, one at a time, and count "
     "how many the tests notice: 10 to 20 minutes",
-    fuzz: "try new inputs for interfaces and file readers, five minutes for each of seven targets: 20 to 30 minutes",
-    bench: "build and run the benchmarks: 2 to 5 minutes",
-    pack: "build the library and pack every model as an FMU into dist/: 1 to 2 minutes",
-    platforms: "pack for all platforms twice, compare, run the libraries under wine and qemu; as root it installs what "
-    "it needs with apt: 15 to 30 minutes",
-    setup: "install the Python packages of requirements.txt into .venv: about a minute",
-    clean: "remove .venv, dist, out and target",
+    supply: "check licences, bans and sources of the crates, and their known faults if github.com can be reached: 5 to "
+    "10 minutes, then seconds",
 }
 
 

@@ -88,7 +88,7 @@ def fuzz(programs, target, *options):
     counters = re.findall(r"^#(\d+)\s+\w+\s+cov: (\d+)", text, re.MULTILINE)
     inputs, coverage = map(int, counters[-1]) if counters else (0, 0)
     said = "ok" if status == 0 else "FAILED"
-    print(f"{said:<7} {target:<15} {inputs:>9} inputs reach {coverage:>5} branches", flush=True)
+    print(f"figure: {said:<7} {target:<15} {inputs:>9} inputs reach {coverage:>5} branches", flush=True)
     if status == 0 and coverage == 0:
         print(f"{target}: no coverage: the instrumentation is not at work")
         return False

@@ -164,7 +164,7 @@ def main():
     failed = []
     for part, limit in LIMITS.items():
         total = measured.total(lambda file, part=part: (folder(file) in FOREIGN) == (part == "FFI"))
-        print(total.line(part))
+        print(f"figure: {total.line(part)}")
         if not total.branches or 100 * share(total.branches) < limit:
             failed.append(f"{part}: fewer than {limit:.0f} % of the branches")
     return "\n".join(failed) or 0

@@ -168,7 +168,8 @@ fn handles_of_the_c_interface() {
             assert_eq!(stribeck_step(handle, -1.0), STRIBECK_REFUSED_VALUE);
             assert!(CStr::from_ptr(stribeck_last_error(handle)).to_string_lossy().contains("dt = -1"));
             let input = reals(model, |variable| variable.role != Role::Output)[0];
-            for output in reals(model, is_output) {
+            // A few show it: each computes all outputs, which takes Miri long.
+            for output in reals(model, is_output).into_iter().take(3) {
                 assert_eq!(stribeck_derivative(handle, output, input, &mut 0.0), STRIBECK_OK);
             }
             assert_eq!(stribeck_restore(handle, bytes.as_ptr().cast(), bytes.len()), STRIBECK_OK);

@@ -228,7 +228,7 @@ def main():
     caught = sum(verdict is not None for verdict in outcomes.values())
     slow = sum(verdict is not None and verdict.endswith("timeout") for verdict in outcomes.values())
     share = caught / len(outcomes)
-    print(f"{len(outcomes)} mutants, {caught} caught ({slow} of them by their time): {100 * share:.1f} %")
+    print(f"figure: {len(outcomes)} mutants, {caught} caught ({slow} of them by their time): {100 * share:.1f} %")
     return 0 if len(outcomes) >= SMALLEST_SAMPLE and share >= SMALLEST_SHARE else 1
 
 

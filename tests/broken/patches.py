@@ -60,7 +60,7 @@ def main():
     for patch in sorted(HERE.glob("*.patch")):
         break_copy(copy, patch)
         found = noticed(copy)
-        print(f"{patch.stem}: {len(found)} tests fail", flush=True)
+        print(f"figure: {patch.stem}: {len(found)} tests fail", flush=True)
         for line in found[:SHOWN]:
             print(f"    {line}")
         if len(found) > SHOWN:
