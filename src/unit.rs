@@ -67,7 +67,7 @@ impl Unit {
 }
 
 /// Every unit that a column may have.
-pub static UNITS: [Unit; 27] = [
+pub static UNITS: [Unit; 30] = [
     unit("1", "Ratio", [0, 0, 0], &[]),
     unit("m", "Length", [0, 1, 0], &[shown("mm", 1e3), shown("um", 1e6)]),
     unit("m/s", "Velocity", [0, 1, -1], &[shown("mm/s", 1e3)]),
@@ -90,8 +90,11 @@ pub static UNITS: [Unit; 27] = [
     unit("kg.m2", "MomentOfInertia", [1, 2, 0], &[]),
     unit("rad", "Angle", [0, 0, 0], &[shown("deg", DEGREES)]).times_radian(),
     unit("rad/s", "AngularVelocity", [0, 0, -1], &[shown("deg/s", DEGREES)]).times_radian(),
+    unit("rad/s2", "AngularAcceleration", [0, 0, -2], &[]).times_radian(),
+    unit("1/s", "Rate", [0, 0, -1], &[]),
     unit("Hz", "Frequency", [0, 0, -1], &[]),
     unit("K", "Temperature", [0, 0, 0], &[DisplayUnit { name: "degC", factor: 1.0, offset: -273.15 }]).per_kelvin(-1),
+    unit("K/s", "TemperatureRate", [0, 0, -1], &[]).per_kelvin(-1),
     unit("1/K", "PerTemperature", [0, 0, 0], &[]).per_kelvin(1),
     unit("J/K", "HeatCapacity", [1, 2, -2], &[]).per_kelvin(1),
     unit("W/K", "ThermalConductance", [1, 2, -3], &[]).per_kelvin(1),

@@ -131,12 +131,9 @@ fn integrated(model: &ModelType) -> Vec<usize> {
     if model.model_exchange { model.continuous_states().collect() } else { Vec::new() }
 }
 
-/// The unit of the time derivative of a state, if there is one of its own. The rate of a pure number is no frequency.
+/// The unit of the time derivative of a state.
 fn unit_of_rate(state: &Variable) -> Option<&'static Unit> {
-    let unit = match state.kind {
-        Kind::Real(unit) if unit.name != "1" => unit,
-        _ => return None,
-    };
+    let Kind::Real(unit) = state.kind else { return None };
     let exponents = |unit: &Unit| (unit.kg, unit.m, unit.kelvin, unit.rad);
     UNITS.iter().find(|rate| exponents(rate) == exponents(unit) && rate.s == unit.s - 1)
 }
@@ -597,10 +594,10 @@ mod tests {
                     };
                     number_of(*units.iter().find(is_its).unwrap(), base).unwrap_or(0.0)
                 };
-                if declaration.has_attribute("unit") {
-                    assert_eq!(exponent(*declaration, "s"), exponent(state, "s") - 1.0, "{node:?}");
-                    assert!(["kg", "m", "K"].iter().all(|base| exponent(*declaration, base) == exponent(state, base)));
-                }
+                assert_eq!(exponent(*declaration, "s"), exponent(state, "s") - 1.0, "{node:?}");
+                assert!(
+                    ["kg", "m", "K", "rad"].iter().all(|base| exponent(*declaration, base) == exponent(state, base))
+                );
             }
         });
     }
