@@ -265,7 +265,7 @@ impl Instance {
         }
         if !(self.time + dt).is_finite() {
             let time = self.time;
-            return Err(Fault(memory::text(format_args!("a step of {dt} s from {time} s: the time must stay finite"))));
+            return Err(Fault::new(format_args!("a step of {dt} s from {time} s: the time must stay finite")));
         }
         self.check()?;
         let finite = if self.slopes_are_new {
