@@ -31,6 +31,7 @@ pub struct Instance {
     // last event.
     jumping: Box<[usize]>,
     latest: Box<[f64]>,
+    latest_is_known: bool,
     is_between_events: bool,
 }
 
@@ -73,6 +74,7 @@ impl Instance {
             rate_duals: memory::filled(Dual::default(), columns)?,
             continuous: columns_of(model, |variable| variable.is_continuous_state())?,
             latest: memory::filled(0.0, jumping.len())?,
+            latest_is_known: false,
             jumping,
             is_between_events: false,
         };
@@ -207,6 +209,7 @@ impl Instance {
 
     /// Results that jump stay as they are.
     fn refresh_between_events(&mut self) -> Result<(), Fault> {
+        self.latest_is_known = false;
         for (value, column) in self.latest.iter_mut().zip(&self.jumping) {
             *value = self.row[*column];
         }
@@ -214,6 +217,7 @@ impl Instance {
         for (value, column) in self.latest.iter_mut().zip(&self.jumping) {
             std::mem::swap(value, &mut self.row[*column]);
         }
+        self.latest_is_known = true;
         Ok(())
     }
 
@@ -227,7 +231,7 @@ impl Instance {
     /// As [`Instance::leave_event`], for a state that was saved behind it.
     pub(crate) fn go_on_between_events(&mut self) {
         self.is_between_events = true;
-        self.stale = true;
+        self.latest_is_known = false;
     }
 
     /// All results are what they are now.
@@ -238,9 +242,13 @@ impl Instance {
 
     /// Would an event change results?
     pub(crate) fn wants_event(&mut self) -> Result<bool, Fault> {
-        self.refresh()?;
-        Ok(self.is_between_events
-            && self.jumping.iter().zip(&self.latest).any(|(column, value)| self.row[*column] != *value))
+        if !self.is_between_events {
+            return Ok(false);
+        }
+        if self.stale || !self.latest_is_known {
+            self.refresh_between_events()?;
+        }
+        Ok(self.jumping.iter().zip(&self.latest).any(|(column, value)| self.row[*column] != *value))
     }
 
     /// Advances by `dt` > 0. On a fault nothing has changed.

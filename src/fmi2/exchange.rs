@@ -86,7 +86,8 @@ pub unsafe extern "C" fn fmi2CompletedIntegratorStep(
         // SAFETY: the caller promises NULL or writable values.
         let answers = unsafe { (enterEventMode.as_mut(), terminateSimulation.as_mut()) };
         let (Some(event), Some(end)) = answers else { return refuse("enterEventMode or terminateSimulation is NULL") };
-        let wants_event = slave.instance.wants_event().map_err(discard)?;
+        // Results that would not be finite have no status here: the solver hears of them when it reads them.
+        let wants_event = slave.instance.wants_event().unwrap_or(false);
         (*event, *end) = (fmi2Boolean::from(wants_event), fmi2False);
         Ok(())
     };
