@@ -293,8 +293,8 @@ def faults() -> None:
         ["cargo", "+nightly", "miri", "test", "--package", "stribeck", "--lib", "--", *UNDER_MIRI],
         ["cargo", "+nightly", "miri", "test", "--package", "stribeck", "--test", "life"],
     ]
-    # Under Miri there is no second process, in which the test of panics runs otherwise; and it varies the last digits of
-    # functions such as exp from call to call, if it may.
+    # Under Miri there is no second process, in which the test of panics runs otherwise. It would vary the last digits
+    # of functions such as exp from call to call.
     summarise(commands, MIRIFLAGS="-Zmiri-env-set=STRIBECK_TEST_PANICS=1 -Zmiri-deterministic-floats")
 
 
