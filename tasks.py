@@ -244,6 +244,8 @@ def test() -> None:
     setup()
     check_style()
     run("cargo", "test", "--workspace")
+    # Here each benchmark runs once, to see that it runs.
+    run("cargo", "test", "--package", "stribeck", "--bench", "stribeck")
     run("cargo", "doc", "--no-deps", "--workspace", RUSTDOCFLAGS="-Dwarnings")
     run("cargo", "run", "--package", "fmu-build", "--", "check")
     pack()
@@ -311,7 +313,8 @@ def setup_tool(tool: str) -> dict[str, str]:
 
 
 def supply() -> None:
-    """What deny.toml demands of the crates of the library and of the workspace; then the faults that are known."""
+    """What deny.toml demands of the crates of the library and of the workspace; then the faults that are known, also
+    of the crates that only tests use."""
     need_rust()
     tools = setup_tool(SUPPLY_TOOL)
     library = ["cargo", "deny", "--locked", "--manifest-path", "Cargo.toml", "--exclude-dev"]
@@ -319,7 +322,13 @@ def supply() -> None:
     # The exceptions of deny.toml are for crates that are not in the library.
     run(*library, "check", "--allow", "license-exception-not-encountered", "bans", "licenses", "sources", **tools)
     run(*workspace, "check", "licenses", "sources", **tools)
-    print("\nlicences, bans and sources: passed", flush=True)
+    for_tests = [
+        ["cargo", "deny", "--locked", "--manifest-path", f"{folder}/Cargo.toml", "--config", "deny.toml"]
+        for folder in ("fuzz", "tests/importers")
+    ]
+    for crates in for_tests:
+        run(*crates, "check", "sources", **tools)
+    print("figure: licences, bans and sources of the crates: passed", flush=True)
     try:
         run(*workspace, "fetch", "db", **tools)
     except TaskError as error:
@@ -327,11 +336,15 @@ def supply() -> None:
             "advisories NOT CHECKED, everything else passed: the list of known faults (github.com/RustSec/advisory-db) "
             "could not be fetched; repeat this where github.com can be reached"
         ) from error
-    run(*workspace, "check", "--disable-fetch", "advisories", **tools)
+    for crates in (workspace, *for_tests):
+        run(*crates, "--offline", "check", "advisories", **tools)
+    print("figure: no known fault in a crate", flush=True)
 
 
 def coverage() -> None:
     """Which branches the tests take."""
+    if platform.system() != "Linux":
+        raise TaskError("this task needs Linux: it calls the library from programs that gcc links")
     need_rust()
     need("rustup", "this task needs the Rust of https://rustup.rs, which has the tools of LLVM")
     run("rustup", "component", "add", "llvm-tools")
@@ -382,7 +395,7 @@ TASKS = {
     demo: "install the Python packages, build and pack the FMUs, run each of them, draw the results: 5 to 9 minutes, "
     "then about 2",
     test: "check formatting and lints, run the Rust, C and Python tests: 15 to 25 minutes, then about 12",
-    bench: "build and run the benchmarks: 2 to 5 minutes",
+    bench: "build and run the benchmarks: 3 to 7 minutes",
     pack: "build the library and pack every model as an FMU into dist/: 1 to 2 minutes",
     setup: "install the Python packages of requirements.txt into .venv: about a minute",
     clean: "remove .venv, dist, out and target",

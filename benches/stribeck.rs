@@ -3,6 +3,7 @@
 mod support;
 
 use std::hint::black_box;
+use std::time::Duration;
 
 use criterion::measurement::WallTime;
 use criterion::{BenchmarkGroup, Criterion, criterion_group, criterion_main};
@@ -75,5 +76,10 @@ fn bench_slave(group: &mut BenchmarkGroup<WallTime>, name: &str, mut slave: supp
     assert_eq!(refused, 0, "{name} refused a call");
 }
 
-criterion_group!(benches, output, step, fmi);
+/// With criterion's own times the whole list would take eight minutes.
+fn short() -> Criterion {
+    Criterion::default().warm_up_time(Duration::from_millis(500)).measurement_time(Duration::from_secs(2))
+}
+
+criterion_group!(name = benches; config = short(); targets = output, step, fmi);
 criterion_main!(benches);

@@ -5,10 +5,10 @@ use crate::number::Dual;
 /// The smallest t of an interval with `f(t) >= 0`, if f is negative at `low`, not negative at `high` and rises through
 /// zero once in between: bisection until two neighbouring numbers are left.
 pub fn bisect(f: impl Fn(f64) -> f64, mut low: f64, mut high: f64) -> f64 {
-    loop {
-        let middle = low + 0.5 * (high - low);
+    for round in 0.. {
+        let middle = middle(low, high, round);
         if middle <= low || middle >= high {
-            return high;
+            break;
         }
         if f(middle) >= 0.0 {
             high = middle;
@@ -16,6 +16,26 @@ pub fn bisect(f: impl Fn(f64) -> f64, mut low: f64, mut high: f64) -> f64 {
             low = middle;
         }
     }
+    high
+}
+
+/// Where to cut a bracket in two. By value, 60 rounds find all digits of a zero of the bracket's own magnitude; a much
+/// smaller one would take up to 1000 rounds more. By the count of floating-point numbers in between, 64 are enough.
+fn middle(low: f64, high: f64, round: usize) -> f64 {
+    if round < 60 {
+        return low + 0.5 * (high - low);
+    }
+    number_at(i64::midpoint(place(low), place(high)))
+}
+
+/// The place of x in the row of all numbers: neighbours differ by one, and both zeros are at 0.
+fn place(x: f64) -> i64 {
+    let bits = x.abs().to_bits() as i64;
+    if x < 0.0 { -bits } else { bits }
+}
+
+fn number_at(place: i64) -> f64 {
+    f64::from_bits(place.unsigned_abs()).copysign(place as f64)
 }
 
 /// The instant in (from, to) at which the monotonic function w passes `level`, if it does.
@@ -46,8 +66,8 @@ pub fn first_rise(f: impl Fn(f64) -> f64, c: [f64; 4], end: f64) -> Option<f64> 
 /// value and slope.
 pub fn newton(f: impl Fn(f64) -> Dual, mut low: f64, mut high: f64) -> f64 {
     let mut x = low + 0.5 * (high - low);
-    // Bisection alone needs some 60 rounds for the digits and may need 1000 more for the magnitude.
-    for _ in 0..1100 {
+    // Bisection alone may need some 130 rounds.
+    for round in 0..200 {
         let y = f(x);
         if y.value > 0.0 {
             high = x;
@@ -55,7 +75,7 @@ pub fn newton(f: impl Fn(f64) -> Dual, mut low: f64, mut high: f64) -> f64 {
             low = x;
         }
         let newton = x - y.value / y.slope;
-        let next = if newton > low && newton < high { newton } else { low + 0.5 * (high - low) };
+        let next = if newton > low && newton < high { newton } else { middle(low, high, round) };
         if y.value == 0.0 || (next - x).abs() <= f64::EPSILON * x.abs() || next <= low || next >= high {
             break;
         }
@@ -91,6 +111,25 @@ mod tests {
     fn bisection_finds_the_first_number_that_is_not_below() {
         assert_eq!(bisect(|t| t - 0.1, 0.0, 1e6), 0.1);
         assert_eq!(bisect(|t| t - 1e-300, 0.0, 1.0), 1e-300);
+        assert_eq!(bisect(|t| t + 1e-300, -1.0, 1e9), -1e-300);
+    }
+
+    #[test]
+    fn small_zeros_take_few_rounds() {
+        for zero in [1e-300, 5e-324, -1e-300, 1e-9, 1e300] {
+            let rounds = std::cell::Cell::new(0);
+            let count = |x: f64| {
+                rounds.set(rounds.get() + 1);
+                if x < zero { -1.0 } else { 1.0 }
+            };
+            assert_eq!(bisect(count, -1.0, 1.7e308), zero);
+            assert!(rounds.get() <= 130, "{zero:e}: {} rounds", rounds.get());
+            rounds.set(0);
+            let found = newton(|x| Dual { value: count(x), slope: 0.0 }, -1.0, 1.7e308);
+            // It ends with a step below the last digit, which may leave a few of them.
+            assert!((found - zero).abs() <= 4.0 * f64::EPSILON * zero.abs(), "{zero:e}: {found:e}");
+            assert!(rounds.get() <= 130, "{zero:e}: {} rounds", rounds.get());
+        }
     }
 
     #[test]
