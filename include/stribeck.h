@@ -55,7 +55,10 @@ typedef enum {
   STRIBECK_NULL = 1,
   /** There is no model, or no preset, of that name. */
   STRIBECK_UNKNOWN_MODEL = 2,
-  /** The model has no variable of that name, or no column of that number. */
+  /**
+   * The model has no variable of that name, or no column of that number, or the derivative asked for is not that of
+   * a result with respect to something that can be set.
+   */
   STRIBECK_UNKNOWN_VARIABLE = 3,
   /** The value is outside the bound of its variable, or the parameters do not fit together. */
   STRIBECK_REFUSED_VALUE = 4,
@@ -275,8 +278,8 @@ stribeck_status stribeck_create(const char *name, stribeck_model **model);
 void stribeck_free(stribeck_model *model);
 
 /**
- * Why the last refused call on this handle was refused. The text lives until the next call on the handle; for NULL a
- * fixed text is returned.
+ * Why the last refused call on this handle was refused. The text lives until the next call on the handle. For NULL it
+ * says that the handle is NULL; why stribeck_create has made none, only its status says.
  */
 const char *stribeck_last_error(const stribeck_model *model);
 
@@ -329,8 +332,14 @@ stribeck_status stribeck_output(stribeck_model *model);
 /** Time since creation or reset, in seconds; NaN for NULL. */
 double stribeck_time(const stribeck_model *model);
 
-/** Exact partial derivative of a result with respect to an input, parameter or state, at the present values. */
-stribeck_status stribeck_derivative(stribeck_model *model, uint32_t output, uint32_t input, double *value);
+/**
+ * Partial derivative of a result with respect to an input, parameter or state, at the present values: exact, but for the
+ * friction of ShockAbsorber before its first step, which differences give.
+ */
+stribeck_status stribeck_derivative(stribeck_model *model,
+                                    uint32_t output,
+                                    uint32_t input,
+                                    double *value);
 
 /** Number of bytes that stribeck_save writes; 0 for NULL. */
 size_t stribeck_state_size(const stribeck_model *model);
@@ -362,11 +371,19 @@ fmi2Status fmi2SetTime(fmi2Component c, fmi2Real time);
 /** Sets the states: all, or none with fmi2Discard if one is not finite. */
 fmi2Status fmi2SetContinuousStates(fmi2Component c, const fmi2Real *x, size_t nx);
 
-/** Time derivatives of the states. fmi2Discard if one is not finite: the solver may try a smaller step. */
+/**
+ * Time derivatives of the states. If one is not finite: fmi2Discard at and between events, where the solver may try a
+ * smaller step, else fmi2Error.
+ */
 fmi2Status fmi2GetDerivatives(fmi2Component c, fmi2Real *derivatives, size_t nx);
 
-/** Functions that change sign where the derivatives jump or bend. fmi2Discard if one is not finite. */
-fmi2Status fmi2GetEventIndicators(fmi2Component c, fmi2Real *eventIndicators, size_t ni);
+/**
+ * Functions that change sign where derivatives or outputs jump. If one is not finite: fmi2Discard at and between events,
+ * else fmi2Error.
+ */
+fmi2Status fmi2GetEventIndicators(fmi2Component c,
+                                  fmi2Real *eventIndicators,
+                                  size_t ni);
 
 /** The states. */
 fmi2Status fmi2GetContinuousStates(fmi2Component c, fmi2Real *x, size_t nx);
@@ -386,7 +403,7 @@ fmi2String fmi2GetVersion(void);
  * `fmuType` must be `fmi2CoSimulation` or, for the models that offer it, `fmi2ModelExchange`. `callbacks` is copied;
  * its function pointers may all be NULL. `fmuResourceLocation` and `visible` are not used. Returns NULL, and says why
  * to the logger, if the guid is that of no model of this library, if the model does not offer that type, if the name
- * is blank, or if there is no memory.
+ * is blank, or if there is no memory; without a word if `callbacks` is NULL, for then there is no logger.
  */
 fmi2Component fmi2Instantiate(fmi2String instanceName,
                               fmi2Type fmuType,
@@ -421,7 +438,7 @@ fmi2Status fmi2EnterInitializationMode(fmi2Component c);
 
 /**
  * Ends the initialization: parameters must now fit together, outputs must be finite. Model Exchange goes on in event
- * mode.
+ * mode; what the start values have left open is settled, and the first fmi2NewDiscreteStates says whether states jumped.
  */
 fmi2Status fmi2ExitInitializationMode(fmi2Component c);
 
@@ -524,7 +541,7 @@ fmi2Status fmi2GetRealOutputDerivatives(fmi2Component c,
 
 /**
  * Derivative of outputs, and of the states' time derivatives, in a direction of inputs, parameters and states: exact, by
- * automatic differentiation.
+ * automatic differentiation, but for the friction of ShockAbsorber before the run, which differences give.
  */
 fmi2Status fmi2GetDirectionalDerivative(fmi2Component c,
                                         const fmi2ValueReference *vUnknown_ref,

@@ -3,7 +3,7 @@
 use std::fmt;
 
 use crate::memory::{self, OutOfMemory};
-use crate::model::{Fault, ModelType, Role, Variable};
+use crate::model::{Brief, Fault, ModelType, Role, Variable};
 use crate::number::Dual;
 
 /// A live model.
@@ -221,6 +221,16 @@ impl Instance {
         Ok(())
     }
 
+    /// Takes back what only an event of Model Exchange settles, for a state that goes on by steps.
+    pub(crate) fn forget_events(&mut self) {
+        for (variable, value) in self.model.table.iter().zip(&mut self.row) {
+            if variable.is_settled_by_events() && *value != variable.start {
+                *value = variable.start;
+                self.stale = true;
+            }
+        }
+    }
+
     /// From here to the next event the results that jump stay as they are.
     pub(crate) fn leave_event(&mut self) -> Result<(), Fault> {
         self.refresh()?;
@@ -315,7 +325,11 @@ impl Instance {
 
     #[cold]
     fn not_finite(&self, what: fmt::Arguments) -> Fault {
-        Fault::new(format_args!("{what} would not be finite{}: nothing was changed", Inputs(self)))
+        let inputs = Inputs(self);
+        match self.model.check_motion(&self.row) {
+            Ok(()) => Fault::new(format_args!("{what} would not be finite{inputs}: nothing was changed")),
+            Err(limit) => Fault::new(format_args!("{what} would not be finite{inputs}: {limit}: nothing was changed")),
+        }
     }
 
     /// Columns of the states that an importer may integrate itself, in the order of the table.
@@ -331,18 +345,19 @@ impl Instance {
         self.stale = true;
     }
 
-    /// Time derivatives of the states, in the states' columns.
-    pub fn rates(&mut self) -> Result<&[f64], Fault> {
+    /// Computes the time derivatives of the states, for [`Instance::rates`].
+    pub fn compute_rates(&mut self) -> Result<(), Fault> {
         self.model.rate(&self.row, &mut self.rate);
         if self.continuous.iter().all(|column| self.rate[*column].is_finite()) {
-            Ok(&self.rate)
+            Ok(())
         } else {
             Err(self.not_finite(format_args!("the derivatives")))
         }
     }
 
-    /// What [`Instance::rates`] has last computed.
-    pub fn last_rates(&self) -> &[f64] {
+    /// Time derivatives of the states, in the states' columns: to be read right after [`Instance::compute_rates`], for
+    /// other calls need the room for themselves.
+    pub fn rates(&self) -> &[f64] {
         &self.rate
     }
 
@@ -464,7 +479,7 @@ impl fmt::Display for Inputs<'_> {
         let columns = self.0.model.table.iter().zip(&self.0.row);
         for (index, (variable, value)) in columns.filter(|(variable, _)| variable.role == Role::Input).enumerate() {
             let before = if index == 0 { " at" } else { "," };
-            write!(f, "{before} {} = {value}", variable.path)?;
+            write!(f, "{before} {} = {}", variable.path, Brief(*value))?;
         }
         Ok(())
     }

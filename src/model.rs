@@ -158,12 +158,24 @@ impl Bound {
 impl fmt::Display for Bound {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         let relation = if self.open { ">" } else { ">=" };
+        let (low, high) = (Brief(self.min()), Brief(self.high));
         match (self.low > f64::MIN, self.high < f64::MAX) {
             (false, false) => write!(f, "a finite number"),
-            (true, false) => write!(f, "{relation} {} and finite", self.min()),
-            (false, true) => write!(f, "<= {} and finite", self.high),
-            (true, true) => write!(f, "{relation} {} and <= {}", self.min(), self.high),
+            (true, false) => write!(f, "{relation} {low} and finite"),
+            (false, true) => write!(f, "<= {high} and finite"),
+            (true, true) => write!(f, "{relation} {low} and <= {high}"),
         }
+    }
+}
+
+/// A number as messages show it: with an exponent where it would have many zeros.
+pub(crate) struct Brief(pub f64);
+
+impl fmt::Display for Brief {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        let Brief(value) = *self;
+        let plain = value == 0.0 || !value.is_finite() || (1e-5..1e16).contains(&value.abs());
+        if plain { write!(f, "{value}") } else { write!(f, "{value:e}") }
     }
 }
 
@@ -261,11 +273,13 @@ pub struct Column {
     display: Option<&'static str>,
     jumps: bool,
     reinit: bool,
+    has_derivatives: bool,
 }
 
 impl Column {
     const fn new(kind: Kind, start: f64, bound: Bound) -> Column {
-        Column { kind, start, bound, nominal: 1.0, display: None, jumps: !matches!(kind, Kind::Real(_)), reinit: false }
+        let jumps = !matches!(kind, Kind::Real(_));
+        Column { kind, start, bound, nominal: 1.0, display: None, jumps, reinit: false, has_derivatives: true }
     }
 
     /// Admits values > 0 only.
@@ -312,6 +326,12 @@ impl Column {
         self
     }
 
+    /// A result that is advice, found by differences; it is not differentiated again.
+    pub const fn without_derivatives(mut self) -> Column {
+        self.has_derivatives = false;
+        self
+    }
+
     /// The finished variable. A start value outside its own bound does not compile.
     pub const fn named(self, path: Path, role: Role, help: &'static str) -> Variable {
         assert!(self.bound.admits(self.start), "the start value is outside its bound");
@@ -325,6 +345,7 @@ impl Column {
             display: self.display,
             jumps: self.jumps,
             reinit: self.reinit,
+            has_derivatives: self.has_derivatives,
             help: help.trim_ascii(),
         }
     }
@@ -374,6 +395,8 @@ pub struct Variable {
     pub jumps: bool,
     /// Is it a continuous state that an event of Model Exchange may change?
     pub reinit: bool,
+    /// May it be differentiated, if it is a result?
+    pub has_derivatives: bool,
     /// One line of ASCII text that says what it is.
     pub help: &'static str,
 }
@@ -390,9 +413,39 @@ impl Variable {
         self.role.is_state() && !self.jumps
     }
 
+    /// Does only an event of Model Exchange settle it, as every choice that is a state? Steps know no events, and it
+    /// stays at its start value there.
+    pub const fn is_settled_by_events(&self) -> bool {
+        self.role.is_state() && matches!(self.kind, Kind::Enumeration(_))
+    }
+
+    /// Refuses values that steps do not admit, with the text that the user sees.
+    pub(crate) fn check_for_steps(&self, value: f64) -> Result<(), Fault> {
+        if !self.admits(value) {
+            return Err(self.fault(value));
+        }
+        if self.is_settled_by_events() && value != self.start {
+            let text = "without events, which only Model Exchange has";
+            return Err(Fault::new(format_args!("{} = {}: must be {} {text}", self.path, Brief(value), self.start)));
+        }
+        Ok(())
+    }
+
+    /// Refuses to differentiate a result that is advice.
+    pub(crate) fn check_derivatives(&self) -> Result<(), Fault> {
+        if self.has_derivatives { Ok(()) } else { Err(Fault::new(format_args!("{} has no derivatives", self.path))) }
+    }
+
     /// Refuses `value` with the text that the user sees.
     pub fn fault(&self, value: f64) -> Fault {
-        Fault::new(format_args!("{} = {value}: must be {}", self.path, self.bound))
+        let (path, shown, bound) = (self.path, Brief(value), self.bound);
+        match self.kind {
+            Kind::Boolean => Fault::new(format_args!("{path} = {shown}: must be 0 or 1")),
+            Kind::Integer | Kind::Enumeration(_) if bound.admits(value) => {
+                Fault::new(format_args!("{path} = {shown}: must be a whole number"))
+            }
+            _ => Fault::new(format_args!("{path} = {shown}: must be {bound}")),
+        }
     }
 }
 
@@ -501,15 +554,21 @@ pub trait Model: Described + Law {
         Ok(())
     }
 
+    /// Refuses inputs for which the equations give no number; asked where a result is not finite, to name the limit.
+    fn check_motion(&self) -> Result<(), Fault> {
+        Ok(())
+    }
+
     /// Refuses parameters with which the model is for co-simulation only.
     fn check_exchange(&self) -> Result<(), Fault> {
         Ok(())
     }
 
-    /// Writes functions that change sign where derivatives or outputs jump or bend, so that an importer finds the instant.
+    /// Writes functions that change sign where derivatives or outputs jump, so that an importer finds the instant. A
+    /// model need not write one for every jump or bend of its curves: solvers go on across those, with smaller steps.
     fn event_indicators(&self, _indicators: &mut [f64]) {}
 
-    /// Changes what changes at an event only; also called once before the run. Model Exchange only.
+    /// Changes what changes at an event only; the run begins with one. Model Exchange only.
     fn at_event(&mut self) {}
 
     /// Advances the states by `dt` > 0 while the inputs are held.
@@ -591,6 +650,7 @@ pub struct ModelType {
     pub event_indicators: usize,
     guid: GuidText,
     check: fn(&[f64]) -> Result<(), Fault>,
+    check_motion: fn(&[f64]) -> Result<(), Fault>,
     advance: fn(&mut [f64], f64) -> bool,
     advance_ramp: fn(&mut [f64], &[f64], f64) -> bool,
     output: fn(&mut [f64]) -> bool,
@@ -620,6 +680,7 @@ impl ModelType {
                 if M::MODEL_EXCHANGE { Some(M::EVENT_INDICATORS) } else { None },
             ),
             check: |row| view::<M, f64>(row).check(),
+            check_motion: |row| view::<M, f64>(row).check_motion(),
             advance: |row, dt| commit::<M>(row, first_result(M::TABLE), |model| model.step_and_output(dt)),
             advance_ramp: |row, slope, dt| {
                 let slope = *view::<M, f64>(slope);
@@ -662,6 +723,11 @@ impl ModelType {
     /// Refuses parameters that are admitted one by one but not together.
     pub fn check(&self, row: &[f64]) -> Result<(), Fault> {
         (self.check)(row)
+    }
+
+    /// Names the limit of an input for which a result is not finite.
+    pub(crate) fn check_motion(&self, row: &[f64]) -> Result<(), Fault> {
+        (self.check_motion)(row)
     }
 
     /// Advances by `dt` with held inputs and computes the outputs. False, and the row unchanged, if a result is not

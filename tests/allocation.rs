@@ -3,12 +3,15 @@
 
 #![allow(non_upper_case_globals, reason = "the names of the standard")]
 
+mod common;
+
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
 use std::ffi::{CStr, CString, c_void};
 use std::hint::black_box;
 use std::ptr::{null, null_mut};
 
+use common::NO_EVENT;
 use stribeck::c_api::*;
 use stribeck::catalogue;
 use stribeck::fmi2::exchange::*;
@@ -231,14 +234,7 @@ fn no_model_allocates_while_a_solver_integrates_it() {
         let mut x = vec![0.0; model.continuous_states().count()];
         let mut rates = x.clone();
         let mut indicators = vec![0.0; model.event_indicators];
-        let mut event = fmi2EventInfo {
-            newDiscreteStatesNeeded: fmi2False,
-            terminateSimulation: fmi2False,
-            nominalsOfContinuousStatesChanged: fmi2False,
-            valuesOfContinuousStatesChanged: fmi2False,
-            nextEventTimeDefined: fmi2False,
-            nextEventTime: 0.0,
-        };
+        let mut event = NO_EVENT;
         let (mut enters, mut ends) = (fmi2False, fmi2False);
         // SAFETY: a live component, freed once, and arrays with their lengths.
         unsafe {

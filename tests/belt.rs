@@ -273,6 +273,30 @@ fn laws_with_bristles_hold_below_the_step_they_name_and_stay_bounded_above() {
     }
 }
 
+/// If all step at once, the force is one step late: the damping c has to make up for it, h (k / c + c / m) < 1.
+/// Without damping no step is small enough; at 1 ms the chatter has 2 to 7 mm/s.
+#[test]
+fn in_a_parallel_exchange_only_damped_bristles_hold() {
+    let (k, c) = (1e5, 316.227_766);
+    let fastest = |model: &str, h: f64| {
+        let samples = belt(&mut Bench::new(model, &[]), h, 6.0, Exchange::Parallel);
+        let held = samples.iter().filter(|s| (1.0..4.0).contains(&s.time));
+        held.map(|s| s.velocity.abs()).fold(0.0, f64::max)
+    };
+    for (model, k) in [("ElastoPlastic", k), ("Gonthier", k), ("LuGre", k), ("ResetIntegrator", 1.5 * k)] {
+        let step = 1.0 / (k / c + c);
+        let (below, above) = (fastest(model, 0.9 * step), fastest(model, 1.3 * step));
+        assert!(below < 3e-4, "{model} at {} s: {below} m/s", 0.9 * step);
+        assert!(above > 1e-3, "{model} at {} s: {above} m/s", 1.3 * step);
+    }
+    for model in
+        ["Armstrong", "BlimanSorine", "Bristle", "Dahl", "Dankowicz", "MaxwellSlip", "SpeckerDynamic", "Wojewoda"]
+    {
+        let chatter = fastest(model, 1e-3);
+        assert!((2e-3..8e-3).contains(&chatter), "{model}: {chatter} m/s");
+    }
+}
+
 /// With velocity-dependent damping LuGre stays bounded also if the force is read right after setting the velocity.
 #[test]
 fn fading_damping_bounds_the_force_in_every_exchange() {

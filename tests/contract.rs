@@ -268,7 +268,6 @@ fn no_load_releases_the_contact() {
     });
 }
 
-/// Without the memory of the last step's length, which `mass` switches on, every step is exact for held inputs.
 /// In Model Exchange the same: an event indicator changes its sign where the load goes, and the event releases the
 /// contact. What it changes is declared.
 #[test]
@@ -310,6 +309,71 @@ fn an_event_without_load_releases_the_contact() {
     assert!(tested > 20);
 }
 
+/// Bristles whose level is set to 0 while they are deflected: what a step drops at once a solver would keep, for it
+/// integrates rates only. So the shortest step changes little, or the law refuses such a level in Model Exchange.
+#[test]
+fn a_solver_keeps_no_force_that_a_step_drops() {
+    let mut refusing = Vec::new();
+    for model in friction_models().filter(|model| model.model_exchange) {
+        let Some(mu_k) = model.find("mu_k").filter(|column| model.table[*column].admits(0.0)) else { continue };
+        let mut bench = Bench::new(model.name, &[]);
+        let axes = axes(&bench);
+        set_velocity(&mut bench, 0.01);
+        bench.step(1e-2);
+        set_velocity(&mut bench, 0.0);
+        let mut row = bench.instance.row().to_vec();
+        assert_eq!(model.check_exchange(&row), Ok(()), "{}", model.name);
+        for column in [Some(mu_k), model.find("mu_s")].into_iter().flatten() {
+            row[column] = 0.0;
+        }
+        assert_eq!(model.check(&row), Ok(()), "{}", model.name);
+        if let Err(fault) = model.check_exchange(&row) {
+            assert!(fault.to_string().contains(" = 0: must be > 0 in Model Exchange"), "{fault}");
+            refusing.push(model.name);
+            continue;
+        }
+        assert!(model.at_event(&mut row) && model.output(&mut row), "{}", model.name);
+        let mut stepped = row.clone();
+        assert!(model.advance(&mut stepped, 1e-9), "{}", model.name);
+        for force in axes.iter().map(|(_, force, _)| model.find(force).unwrap()) {
+            let (kept, left) = (row[force], stepped[force]);
+            assert!((kept - left).abs() < 1e-4, "{} keeps {kept} N, a step leaves {left} N", model.name);
+        }
+    }
+    assert_eq!(refusing, ["Dahl", "ElastoPlastic", "SpeckerDynamic", "LuGrePlanar", "ElastoPlasticPlanar"]);
+}
+
+/// What an event of Model Exchange has found is no word to a step: it goes by the velocity, from the first step on.
+#[test]
+fn steps_do_not_ask_what_an_event_has_found() {
+    let mut tested = 0;
+    for model in friction_models().filter(|model| model.find("phase").is_some()) {
+        for (mass, exchange) in [(0.0, 1.0), (1.0, 1.0), (1.0, 2.0)] {
+            let run = |phase: f64| {
+                let values = [
+                    ("mass", mass),
+                    ("exchange", exchange),
+                    ("external_force", 1000.0),
+                    ("velocity", 0.02),
+                    ("phase", phase),
+                ];
+                let mut bench = Bench::new(model.name, &values);
+                bench.step(1e-3);
+                assert_eq!(bench.get("phase"), 1.0, "{}", model.name);
+                ["friction_force", "dissipated_energy", "sticking"].map(|name| bench.get(name))
+            };
+            let free = run(1.0);
+            assert!(free[0] != 0.0 && free[0].abs() < 100.0, "{} {free:?}", model.name);
+            for phase in [2.0, 3.0, 4.0] {
+                assert_eq!(run(phase), free, "{}: phase {phase}, mass {mass}, exchange {exchange}", model.name);
+            }
+            tested += 1;
+        }
+    }
+    assert!(tested > 20);
+}
+
+/// Without the memory of the last step's length, which `mass` switches on, every step is exact for held inputs.
 #[test]
 fn two_half_steps_are_one_step() {
     for_all(|bench, what| {

@@ -9,6 +9,7 @@ use std::ptr::{null, null_mut};
 use std::sync::Mutex;
 use std::thread;
 
+use common::NO_EVENT;
 use stribeck::catalogue;
 use stribeck::fmi2::exchange::*;
 use stribeck::fmi2::lifecycle::{ALLOWED, Call, Purpose, State};
@@ -120,7 +121,10 @@ impl Importer {
                 (State::Terminated, _) => assert_eq!(fmi2Terminate(c), fmi2OK),
                 (State::Error, Purpose::CoSimulation) => assert_eq!(fmi2DoStep(c, 0.0, -1.0, fmi2True), fmi2Error),
                 (State::Error, Purpose::ModelExchange) => assert_eq!(fmi2SetTime(c, f64::NAN), fmi2Error),
-                (State::ContinuousTimeMode, _) => assert_eq!(fmi2EnterContinuousTimeMode(c), fmi2OK),
+                (State::ContinuousTimeMode, _) => {
+                    assert_eq!(fmi2NewDiscreteStates(c, &mut { NO_EVENT }), fmi2OK);
+                    assert_eq!(fmi2EnterContinuousTimeMode(c), fmi2OK);
+                }
                 _ => (),
             }
         }
@@ -179,15 +183,6 @@ impl Importer {
         heard.remove(0)
     }
 }
-
-const NO_EVENT: fmi2EventInfo = fmi2EventInfo {
-    newDiscreteStatesNeeded: fmi2False,
-    terminateSimulation: fmi2False,
-    nominalsOfContinuousStatesChanged: fmi2False,
-    valuesOfContinuousStatesChanged: fmi2False,
-    nextEventTimeDefined: fmi2False,
-    nextEventTime: 0.0,
-};
 
 /// Makes the call with sound arguments, as far as there are any in this state.
 fn call(importer: &Importer, purpose: Purpose, call: Call) -> fmi2Status {
@@ -728,7 +723,8 @@ fn values_outside_their_bounds_are_discarded_by_name() {
                 assert_eq!(status, fmi2Discard, "{} {name} = {value}", model.name);
                 let (_, category, text) = importer.one_message();
                 assert_eq!(category, "logStatusDiscard");
-                assert!(text.contains(&format!("{name} = {value}: must be ")), "{text}");
+                let shown = if value.abs() < 1e-5 && value != 0.0 { format!("{value:e}") } else { value.to_string() };
+                assert!(text.contains(&format!("{name} = {shown}: must be ")), "{text}");
                 assert_eq!(importer.get(&name), before, "{} {name}", model.name);
             }
         }
@@ -1217,6 +1213,58 @@ fn directional_derivatives_of_time_derivatives() {
     assert!(importer.one_message().2.contains("friction_force is computed"));
 }
 
+/// What the first event changes of the states that were given is said, once.
+#[test]
+fn states_that_the_first_event_changes_are_reported() {
+    for (load, jumps) in [(0.0, fmi2True), (9.81, fmi2False)] {
+        let starting = Importer::in_state_of("Dahl", Purpose::ModelExchange, State::Initialization);
+        assert_eq!(starting.set("normal_force", load), fmi2OK);
+        assert_eq!(starting.set("bristle_deflection", 5e-6), fmi2OK);
+        let mut states = starting.states();
+        let mut event = NO_EVENT;
+        // SAFETY: an instance of this test, arrays of the number of states, a writable struct.
+        unsafe {
+            assert_eq!(fmi2ExitInitializationMode(starting.c), fmi2OK);
+            assert_eq!(fmi2NewDiscreteStates(starting.c, &mut event), fmi2OK);
+            assert_eq!(event.valuesOfContinuousStatesChanged, jumps, "{load} N");
+            assert_eq!(fmi2GetContinuousStates(starting.c, states.as_mut_ptr(), states.len()), fmi2OK);
+            assert_eq!(states[0] != 5e-6, jumps == fmi2True, "{load} N");
+            assert_eq!(fmi2NewDiscreteStates(starting.c, &mut event), fmi2OK);
+            assert_eq!(event.valuesOfContinuousStatesChanged, fmi2False, "said once");
+        }
+    }
+}
+
+/// A phase belongs to Model Exchange; in co-simulation a contact would be held by it that nothing can hold.
+#[test]
+fn what_events_settle_is_refused_in_co_simulation() {
+    let stepping = Importer::in_state("CoulombStiction", State::Initialization);
+    let integrating = Importer::in_state_of("CoulombStiction", Purpose::ModelExchange, State::Initialization);
+    let (phase, force) = (stepping.vr("phase"), stepping.vr("external_force"));
+    // SAFETY: one reference, one value in each call.
+    unsafe {
+        assert_eq!(fmi2SetReal(stepping.c, &force, 1, &1000.0), fmi2OK);
+        assert_eq!(fmi2SetInteger(stepping.c, &phase, 1, &1), fmi2OK, "its start value");
+        assert_eq!(fmi2SetInteger(stepping.c, &phase, 1, &2), fmi2Discard);
+        let (_, _, text) = stepping.one_message();
+        assert!(text.contains("phase = 2: must be 1 without events"), "{text}");
+        assert_eq!(fmi2SetInteger(integrating.c, &phase, 1, &2), fmi2OK);
+        assert_eq!(fmi2SetInteger(integrating.c, &phase, 1, &5), fmi2Discard);
+    }
+    // f_s = mu_s f_n
+    assert!((stepping.get("friction_force") - 0.15 * 9.81).abs() < 1e-12);
+    assert_eq!(integrating.set("external_force", 1000.0), fmi2OK);
+    let mut saved = null_mut();
+    // SAFETY: instances of this test, a state that is freed once.
+    unsafe {
+        assert_eq!(fmi2GetFMUstate(integrating.c, &mut saved), fmi2OK);
+        assert_eq!(fmi2SetFMUstate(stepping.c, saved), fmi2OK);
+        assert_eq!(fmi2FreeFMUstate(stepping.c, &mut saved), fmi2OK);
+    }
+    assert!((integrating.get("friction_force") - 1000.0).abs() < 1e-9);
+    assert!((stepping.get("friction_force") - 0.15 * 9.81).abs() < 1e-12);
+}
+
 /// Laws that jump or remember have no derivatives to integrate, and a force that is held over a step has no place where
 /// there are none.
 #[test]
@@ -1335,6 +1383,71 @@ fn a_solver_that_leaves_the_domain_may_come_back() {
     assert!(category == "logStatusDiscard" && text.contains("length = 0"), "{category}: {text}");
     assert_eq!(solver.set("length", 0.17), fmi2OK);
     assert!(solver.get("force").is_finite());
+}
+
+/// The same for derivatives in a direction, of outputs and of the states' derivatives, alone and together.
+#[test]
+fn derivatives_out_of_the_domain_are_discarded_and_the_run_goes_on() {
+    let solver = integrated("ShockAbsorber");
+    let model = catalogue::by_name("ShockAbsorber").expect("a model");
+    let (force, length) = (solver.vr("force"), solver.vr("length"));
+    let rates: Vec<u32> =
+        (0..model.continuous_states().count()).map(|place| (model.table.len() + 1 + place) as u32).collect();
+    let both: Vec<u32> = [force].into_iter().chain(rates.iter().copied()).collect();
+    let mut found = vec![f64::NAN; both.len()];
+    let mut derive = |unknowns: &[u32]| {
+        let (n, place) = (unknowns.len(), found.as_mut_ptr());
+        // SAFETY: as many unknowns as values at most, one known.
+        unsafe { fmi2GetDirectionalDerivative(solver.c, unknowns.as_ptr(), n, &length, 1, &1.0, place) }
+    };
+    // A length that leaves the gas no volume, and one at which nothing is finite.
+    for (name, value, back) in [("length", 0.0, 0.17), ("velocity", 1e308, 0.0)] {
+        assert_eq!(solver.set(name, value), fmi2OK);
+        for unknowns in [&[force][..], &both, &rates] {
+            if derive(unknowns) == fmi2OK {
+                assert!(unknowns == rates && name == "length", "{name}: the derivatives do not know the gas");
+                continue;
+            }
+            let (status, category, text) = solver.one_message();
+            assert_eq!((status, &*category), (fmi2Discard, "logStatusDiscard"), "{text}");
+            assert!(text.contains(name), "{text}");
+        }
+        assert_eq!(solver.set(name, back), fmi2OK);
+        assert_eq!(derive(&both), fmi2OK, "back from {name} = {value}");
+    }
+}
+
+/// After an error the derivatives are those of the row as it is: neither what an event left in their place nor what was
+/// not finite.
+#[test]
+fn derivatives_after_an_error_are_those_of_the_last_states() {
+    let rates = |solver: &Importer| {
+        let mut rates = solver.states();
+        // SAFETY: arrays of the number of states.
+        let status = unsafe { fmi2GetDerivatives(solver.c, rates.as_mut_ptr(), rates.len()) };
+        (status, rates)
+    };
+    let solver = integrated("Dahl");
+    assert_eq!(solver.set("bristle_deflection", 4e-6), fmi2OK);
+    assert_eq!(solver.set("velocity", 2e-3), fmi2OK);
+    let before = rates(&solver);
+    // dz/dt = v (1 - sigma_0 z / f_C)
+    assert!((before.1[0] / (2e-3 * (1.0 - 0.4 / 0.981)) - 1.0).abs() < 1e-12, "{before:?}");
+    let mut event = NO_EVENT;
+    // SAFETY: an instance of this test, a writable struct.
+    unsafe {
+        assert_eq!(fmi2EnterEventMode(solver.c), fmi2OK);
+        assert_eq!(fmi2NewDiscreteStates(solver.c, &mut event), fmi2OK);
+        assert_eq!(fmi2SetTime(solver.c, f64::NAN), fmi2Error);
+    }
+    assert_eq!(rates(&solver), before);
+
+    let solver = integrated("ShockAbsorber");
+    assert_eq!(solver.set("velocity", 1e308), fmi2OK);
+    assert_eq!(rates(&solver).0, fmi2Discard);
+    // SAFETY: an instance of this test.
+    assert_eq!(unsafe { fmi2SetTime(solver.c, f64::NAN) }, fmi2Error);
+    assert_eq!(rates(&solver).0, fmi2Error, "there are none");
 }
 
 #[test]

@@ -2,10 +2,13 @@
 
 #![allow(non_upper_case_globals, reason = "the names of the standard")]
 
+mod common;
+
 use std::ffi::{CStr, CString};
 use std::ptr::{null, null_mut};
 
-use stribeck::c_api::stribeck_status::{STRIBECK_OK, STRIBECK_REFUSED_VALUE};
+use common::NO_EVENT;
+use stribeck::c_api::stribeck_status::{STRIBECK_OK, STRIBECK_REFUSED_VALUE, STRIBECK_UNKNOWN_VARIABLE};
 use stribeck::c_api::*;
 use stribeck::catalogue;
 use stribeck::fmi2::exchange::*;
@@ -24,8 +27,9 @@ fn reals(model: &ModelType, is_wanted: impl Fn(&Variable) -> bool) -> Vec<fmi2Va
     table.filter(|(_, variable)| is_real(variable) && is_wanted(variable)).map(|(column, _)| column as u32).collect()
 }
 
+/// Is it an output that may be differentiated? The others are advice.
 fn is_output(variable: &Variable) -> bool {
-    variable.role.is_output()
+    variable.role.is_output() && variable.has_derivatives
 }
 
 /// An initialised instance whose inputs have their start values.
@@ -120,14 +124,7 @@ fn events_and_rates_of_model_exchange() {
         let (mut x, mut rates, mut indicators) =
             (vec![0.0; states], vec![0.0; states], vec![0.0; model.event_indicators]);
         let (mut enters, mut ends) = (fmi2False, fmi2False);
-        let mut event = fmi2EventInfo {
-            newDiscreteStatesNeeded: fmi2False,
-            terminateSimulation: fmi2False,
-            nominalsOfContinuousStatesChanged: fmi2False,
-            valuesOfContinuousStatesChanged: fmi2False,
-            nextEventTimeDefined: fmi2False,
-            nextEventTime: 0.0,
-        };
+        let mut event = NO_EVENT;
         // SAFETY: an instance of this test, freed once; arrays of as many elements as are named.
         unsafe {
             let c = begin(model, fmi2ModelExchange);
@@ -167,6 +164,9 @@ fn handles_of_the_c_interface() {
             assert_eq!(stribeck_step(handle, 1e-3), STRIBECK_OK, "{}", model.name);
             assert_eq!(stribeck_step(handle, -1.0), STRIBECK_REFUSED_VALUE);
             assert!(CStr::from_ptr(stribeck_last_error(handle)).to_string_lossy().contains("dt = -1"));
+            let mut value = 0.0;
+            assert_eq!(stribeck_get_by_name(handle, c"\xff".as_ptr(), &mut value), STRIBECK_UNKNOWN_VARIABLE);
+            assert!(CStr::from_ptr(stribeck_last_error(handle)).to_string_lossy().contains("not UTF-8"));
             let input = reals(model, |variable| variable.role != Role::Output)[0];
             // A few show it: each computes all outputs, which takes Miri long.
             for output in reals(model, is_output).into_iter().take(3) {

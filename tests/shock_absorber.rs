@@ -1,9 +1,21 @@
 //! The shock absorber against the printed numbers of its law: golden points, worked example, golden trace.
 
+#![allow(non_upper_case_globals, reason = "the names of the standard")]
+
 mod common;
 
+use std::ffi::{CStr, CString};
+use std::ptr::{null, null_mut};
+
 use common::Bench;
+use stribeck::c_api::stribeck_status::{STRIBECK_OK, STRIBECK_UNKNOWN_VARIABLE};
+use stribeck::c_api::*;
 use stribeck::catalogue::by_name;
+use stribeck::fmi2::setup::*;
+use stribeck::fmi2::step::*;
+use stribeck::fmi2::types::fmi2Status::*;
+use stribeck::fmi2::types::*;
+use stribeck::fmi2::values::*;
 use stribeck::friction::LuGre;
 use stribeck::model::{Kind, Law, Model};
 
@@ -896,4 +908,173 @@ fn a_trace_in_a_continuous_state_changes_no_force() {
         tested += 1;
     }
     assert!(tested > 20);
+}
+
+/// Where the characteristic is level, the piston behind its stiffness follows the strut: an importer that integrates it
+/// finds the force of co-simulation, to and fro over the level parts.
+#[test]
+fn a_level_characteristic_does_not_hold_the_piston() {
+    let level = [
+        TABLE,
+        ("damper.tab_n", 5.0),
+        ("damper.tab_v[2]", -0.2),
+        ("damper.tab_f[2]", -300.0),
+        ("damper.tab_v[3]", -0.1),
+        ("damper.tab_f[3]", -300.0),
+        ("damper.tab_v[4]", 0.0),
+        ("damper.tab_f[4]", 0.0),
+        ("damper.tab_v[5]", 0.5),
+        ("damper.tab_f[5]", 900.0),
+    ];
+    let cases: [&[(&str, f64)]; 3] = [&level, &[("damper.c_comp", 0.0)], &[("damper.c_reb", 0.0)]];
+    for (name, output) in [("HydraulicDamper", "force"), ("ShockAbsorber", "force_damper")] {
+        for set in cases {
+            let mut held = Bench::new(name, &[set, &[("damper.k_series", 1e6)]].concat());
+            let [velocity, force, piston] = ["velocity", output, "piston_velocity"].map(|name| held.column(name));
+            held.set("velocity", 0.0);
+            held.step(1e-6);
+            let model = held.instance.model();
+            let mut row = held.instance.row().to_vec();
+            let mut rate = row.clone();
+            let (dt, mut worst, mut largest) = (1e-6, 0f64, 0f64);
+            for k in 0..2_000 {
+                let motion = |time: f64| 0.4 * (2.0 * std::f64::consts::PI * 10.0 * time).sin();
+                for piece in 0..50 {
+                    row[velocity] = motion(dt * (50.0 * f64::from(k) + f64::from(piece) + 0.5));
+                    model.rate(&row, &mut rate);
+                    row[piston] += dt * rate[piston];
+                }
+                held.set("velocity", motion(dt * 50.0 * (f64::from(k) + 0.5)));
+                held.step(50.0 * dt);
+                assert!(model.output(&mut row));
+                worst = worst.max((row[force] - held.instance.row()[force]).abs());
+                largest = largest.max(row[force].abs());
+            }
+            assert!(largest > 500.0 && worst < 1.0, "{name}, {set:?}: {worst} N of {largest} N");
+        }
+    }
+}
+
+/// Behind a series stiffness, from one softer than the damper to a rigid one, the advice is neither above the true
+/// limit nor far below it.
+#[test]
+fn advice_with_a_series_stiffness() {
+    for (law, exchange) in [(NONE, false), (NONE, true), (law("LuGre"), false), (law("LuGre"), true)] {
+        for k_series in [1e5, 1e6, 1e9] {
+            for input_mode in [1.0, 2.0] {
+                let element = [
+                    law,
+                    ("damper.scale", 1.0),
+                    ("damper.c_reb", 1500.0),
+                    ("spring.k", 45e3),
+                    ("c1.preload_k", 1000.0),
+                    ("c1.preload_s", 1000.0),
+                    ("damper.k_series", k_series),
+                    ("num.input_mode", input_mode),
+                ];
+                let set = [&bare(0.0, 0.0)[..], &element].concat();
+                let advice = advice(&set, exchange);
+                let ratio = |part: f64| velocity_ratio(&mut strut(&set), part * advice, exchange);
+                let case = format!("{law:?}, {exchange}, {k_series} N/m, {input_mode}: {advice} s");
+                assert!(ratio(0.5) < 1.0 && ratio(0.95) < 1.0, "{case} grows by {} {}", ratio(0.5), ratio(0.95));
+                assert!(ratio(3.5) > 1.0, "{case} dies to {}", ratio(3.5));
+            }
+        }
+    }
+}
+
+/// Before the run the friction is that of a second of motion: what changes the motion changes it, too.
+#[test]
+fn directional_derivatives_before_the_run() {
+    let inputs = ["length", "velocity", "side_force_m", "c1.mu_k", "friction.sigma_0", "memory_1[1]"];
+    for state in [1.0, 2.0, 3.0] {
+        for velocity in [0.0, 2e-4, 0.1] {
+            let start = |strut: &mut Bench| {
+                for (name, value) in [("velocity", velocity), ("side_force_m", 80.0), ("memory_1[1]", 1e-5)] {
+                    strut.set(name, value);
+                }
+            };
+            let mut strut = strut(&[("init.friction_state", state), ("damper.c_reb", 1500.0)]);
+            start(&mut strut);
+            for input in inputs {
+                let value = strut.get(input);
+                let half = 1e-5 * value.abs().max(1e-4);
+                let mut at = |value: f64| {
+                    strut.set(input, value);
+                    strut.get("force")
+                };
+                let difference = (at(value + half) - at(value - half)) / (2.0 * half);
+                at(value);
+                let [seed, force] = [strut.column(input), strut.column("force")];
+                for scale in [1.0, 1e-3, 1e6] {
+                    let exact = strut.instance.derivative([(seed, scale)].into_iter())[force].slope / scale;
+                    let size = difference.abs().max(1e-4 / value.abs().max(1e-4));
+                    let case = format!("{state}, {velocity} m/s, {input} by {scale}");
+                    assert!((exact - difference).abs() < 2e-3 * size, "{case}: {exact} {difference}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn advice_has_no_derivatives() {
+    let model = by_name("ShockAbsorber").unwrap();
+    let without: Vec<String> = model
+        .table
+        .iter()
+        .filter(|variable| !variable.has_derivatives)
+        .map(|variable| variable.path.to_string())
+        .collect();
+    assert_eq!(without, ["dforce_dlength", "dforce_dvelocity", "step_limit"]);
+    let [limit, force, length] =
+        ["step_limit", "force", "length"].map(|name| model.find(name).unwrap() as fmi2ValueReference);
+    let mut handle = null_mut();
+    // SAFETY: a handle of this test, freed once.
+    unsafe {
+        assert_eq!(stribeck_create(c"ShockAbsorber".as_ptr(), &mut handle), STRIBECK_OK);
+        assert_eq!(stribeck_derivative(handle, force, length, &mut 0.0), STRIBECK_OK);
+        assert_eq!(stribeck_derivative(handle, limit, length, &mut 0.0), STRIBECK_UNKNOWN_VARIABLE);
+        assert_eq!(CStr::from_ptr(stribeck_last_error(handle)).to_str(), Ok("step_limit has no derivatives"));
+        stribeck_free(handle);
+    }
+    let guid = CString::new(model.guid()).unwrap();
+    let callbacks = fmi2CallbackFunctions {
+        logger: None,
+        allocateMemory: None,
+        freeMemory: None,
+        stepFinished: None,
+        componentEnvironment: null_mut(),
+    };
+    // SAFETY: texts that end, one reference and one value each; the last instance of this thread is freed once.
+    unsafe {
+        let name = c"ShockAbsorber".as_ptr();
+        let start = |kind| {
+            let c = fmi2Instantiate(name, kind, guid.as_ptr(), null(), &callbacks, fmi2False, fmi2False);
+            assert_eq!(fmi2SetupExperiment(c, fmi2False, 0.0, 0.0, fmi2False, 0.0), fmi2OK);
+            assert_eq!(fmi2EnterInitializationMode(c), fmi2OK);
+            assert_eq!(fmi2ExitInitializationMode(c), fmi2OK);
+            c
+        };
+        for (unknown, expected) in [(force, fmi2OK), (limit, fmi2Discard)] {
+            let c = start(fmi2CoSimulation);
+            assert_eq!(fmi2GetDirectionalDerivative(c, &unknown, 1, &length, 1, &1.0, &mut 0.0), expected);
+            fmi2FreeInstance(c);
+            let c = start(fmi2CoSimulation);
+            assert_eq!(fmi2DoStep(c, 0.0, 1e-3, fmi2True), fmi2OK);
+            assert_eq!(fmi2GetRealOutputDerivatives(c, &unknown, 1, &1, &mut 0.0), expected);
+            fmi2FreeInstance(c);
+        }
+    }
+}
+
+/// Where the rod would fill the gas volume, the message names the compression and its limit.
+#[test]
+fn a_strut_without_gas_volume_left_says_so() {
+    let mut strut = strut(&[("gas.V0", 1e-5)]);
+    strut.set("length", 0.12);
+    let text = strut.instance.refresh().unwrap_err().to_string();
+    assert!(text.contains("compression = 0.08") && text.contains("m: must be < 0.06496"), "{text}");
+    let text = strut.instance.step(1e-3).unwrap_err().to_string();
+    assert!(text.contains("m: must be < 0.06496"), "{text}");
 }

@@ -1,8 +1,8 @@
 //! The library for C and C++ callers who want no FMU.
 //!
 //! Conventions: a function returns a [`stribeck_status`]; results are written through pointers, and only on
-//! `STRIBECK_OK`. A refused call changes nothing, and [`stribeck_last_error`] says why. Every handle made by
-//! [`stribeck_create`] is freed once with [`stribeck_free`]; texts belong to the library.
+//! `STRIBECK_OK`. A refused call changes nothing, and [`stribeck_last_error`] says why, if there is a handle. Every
+//! handle made by [`stribeck_create`] is freed once with [`stribeck_free`]; texts belong to the library.
 //!
 //! For every function that takes a handle, it must be NULL or a handle from [`stribeck_create`] that was not yet freed
 //! and that no other thread uses during the call; every other pointer must be NULL or valid for its purpose.
@@ -34,7 +34,8 @@ pub enum stribeck_status {
     STRIBECK_NULL = 1,
     /// There is no model, or no preset, of that name.
     STRIBECK_UNKNOWN_MODEL = 2,
-    /// The model has no variable of that name, or no column of that number.
+    /// The model has no variable of that name, or no column of that number, or the derivative asked for is not that of
+    /// a result with respect to something that can be set.
     STRIBECK_UNKNOWN_VARIABLE = 3,
     /// The value is outside the bound of its variable, or the parameters do not fit together.
     STRIBECK_REFUSED_VALUE = 4,
@@ -169,7 +170,7 @@ unsafe fn text<'a>(text: *const c_char, name: &str) -> Result<&'a str, Refusal> 
         return refuse(STRIBECK_NULL, format_args!("{name} is NULL"));
     }
     // SAFETY: not NULL, and the caller promises a terminated text. A text that is not UTF-8 names nothing we have.
-    Ok(unsafe { CStr::from_ptr(text) }.to_str().unwrap_or_default())
+    Ok(unsafe { CStr::from_ptr(text) }.to_str().unwrap_or("(a text that is not UTF-8)"))
 }
 
 /// The place behind a result pointer.
@@ -194,9 +195,7 @@ impl stribeck_model {
         if variable.role == Role::Output {
             return refuse(STRIBECK_NOT_SETTABLE, format_args!("{} is computed and cannot be set", variable.path));
         }
-        if !variable.admits(value) {
-            return Err(fault(STRIBECK_REFUSED_VALUE)(variable.fault(value)));
-        }
+        variable.check_for_steps(value).map_err(fault(STRIBECK_REFUSED_VALUE))?;
         self.instance.put(column, value);
         Ok(())
     }
@@ -305,8 +304,8 @@ pub unsafe extern "C" fn stribeck_free(model: *mut stribeck_model) {
     }
 }
 
-/// Why the last refused call on this handle was refused. The text lives until the next call on the handle; for NULL a
-/// fixed text is returned.
+/// Why the last refused call on this handle was refused. The text lives until the next call on the handle. For NULL it
+/// says that the handle is NULL; why stribeck_create has made none, only its status says.
 ///
 /// # Safety
 /// As the module says of handles.
@@ -372,6 +371,11 @@ pub unsafe extern "C" fn stribeck_describe(
 ) -> stribeck_status {
     let body = |model: &mut stribeck_model| {
         let known = model.known(column as usize)?;
+        // No other value is taken where there are no events: see `check_for_steps`.
+        let (min, max) = match known.is_settled_by_events() {
+            true => (known.start, known.start),
+            false => (known.bound.min(), known.bound.max()),
+        };
         let [name, unit, help] = model.texts[column as usize].each_ref().map(|text| text.as_ptr());
         // SAFETY: the caller's promise.
         *unsafe { place(variable, "variable") }? = stribeck_variable {
@@ -381,8 +385,8 @@ pub unsafe extern "C" fn stribeck_describe(
             role: role(known.role),
             kind: kind(known.kind),
             start: known.start,
-            min: known.bound.min(),
-            max: known.bound.max(),
+            min,
+            max,
         };
         Ok(())
     };
@@ -575,7 +579,8 @@ pub unsafe extern "C" fn stribeck_time(model: *const stribeck_model) -> f64 {
     unsafe { model.as_ref() }.map_or(f64::NAN, |model| model.instance.time())
 }
 
-/// Exact partial derivative of a result with respect to an input, parameter or state, at the present values.
+/// Partial derivative of a result with respect to an input, parameter or state, at the present values: exact, but for the
+/// friction of ShockAbsorber before its first step, which differences give.
 ///
 /// # Safety
 /// As the module says of handles and pointers.
@@ -591,6 +596,9 @@ pub unsafe extern "C" fn stribeck_derivative(
         if !result.role.is_output() || varied.role == Role::Output {
             let text = format_args!("{} cannot be differentiated with respect to {}", result.path, varied.path);
             return refuse(STRIBECK_UNKNOWN_VARIABLE, text);
+        }
+        if let Err(fault) = result.check_derivatives() {
+            return refuse(STRIBECK_UNKNOWN_VARIABLE, format_args!("{fault}"));
         }
         // SAFETY: the caller's promise.
         let place = unsafe { place(value, "value") }?;
@@ -660,6 +668,8 @@ pub unsafe extern "C" fn stribeck_restore(
         let bytes = unsafe { std::slice::from_raw_parts(buffer.cast::<u8>(), size) };
         let (snapshot, _) = serial::read(model.instance.model(), bytes).map_err(fault(STRIBECK_BAD_BUFFER))?;
         model.instance.restore(&snapshot);
+        // A state of an FMU in Model Exchange is one of the same model.
+        model.instance.forget_events();
         Ok(())
     };
     // SAFETY: the caller's promise.

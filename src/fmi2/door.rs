@@ -19,6 +19,8 @@ pub(super) struct Slave {
     pub purpose: Purpose,
     pub state: State,
     pub experiment: Experiment,
+    /// Has the end of the initialization changed states, and fmi2NewDiscreteStates not told of it yet?
+    pub has_jumped: bool,
     pub log: Log,
 }
 
@@ -40,7 +42,8 @@ const MAGIC: u64 = u64::from_le_bytes(*b"STRIBECK");
 
 impl Slave {
     pub fn new(instance: Instance, purpose: Purpose, log: Log) -> Slave {
-        Slave { magic: MAGIC, instance, purpose, state: State::Instantiated, experiment: Experiment::NONE, log }
+        let (state, experiment) = (State::Instantiated, Experiment::NONE);
+        Slave { magic: MAGIC, instance, purpose, state, experiment, has_jumped: false, log }
     }
 
     /// Refuses parameters that do not fit together, or that do not serve this instance's purpose.

@@ -3,12 +3,6 @@
 use super::door::{Outcome, Refusal, Slave, array, array_mut, enter, refuse};
 use super::lifecycle::{Call, State};
 use super::types::*;
-use crate::model::Fault;
-
-/// What a solver can mend by a smaller step.
-fn discard(fault: Fault) -> Refusal {
-    Refusal::Discard(fault.0)
-}
 
 /// Refuses an array of another length than that of what it is to hold.
 fn check_length(given: usize, wanted: usize, what: &str) -> Outcome {
@@ -40,7 +34,7 @@ pub unsafe extern "C" fn fmi2NewDiscreteStates(c: fmi2Component, eventInfo: *mut
         // SAFETY: the caller promises NULL or a writable struct.
         let Some(info) = (unsafe { eventInfo.as_mut() }) else { return refuse("eventInfo is NULL") };
         slave.check()?;
-        let has_jumped = slave.instance.at_event()?;
+        let has_jumped = slave.instance.at_event()? | std::mem::take(&mut slave.has_jumped);
         *info = fmi2EventInfo {
             newDiscreteStatesNeeded: fmi2False,
             terminateSimulation: fmi2False,
@@ -132,7 +126,8 @@ pub unsafe extern "C" fn fmi2SetContinuousStates(c: fmi2Component, x: *const fmi
     unsafe { enter(c, Call::SetContinuousStates, body) }
 }
 
-/// Time derivatives of the states. fmi2Discard if one is not finite: the solver may try a smaller step.
+/// Time derivatives of the states. If one is not finite: fmi2Discard at and between events, where the solver may try a
+/// smaller step, else fmi2Error.
 ///
 /// # Safety
 /// `c` as for every call on an instance; `derivatives` must have `nx` elements.
@@ -142,11 +137,8 @@ pub unsafe extern "C" fn fmi2GetDerivatives(c: fmi2Component, derivatives: *mut 
         check_length(nx, slave.instance.continuous_states().len(), "derivatives")?;
         // SAFETY: the caller promises `nx` elements.
         let values = unsafe { array_mut(derivatives, nx, "derivatives") }?;
-        // After an error the last derivatives are read, for debugging.
-        if slave.state != State::Error {
-            slave.instance.rates().map_err(discard)?;
-        }
-        let rates = slave.instance.last_rates();
+        slave.instance.compute_rates().map_err(|fault| slave.out_of_domain(fault))?;
+        let rates = slave.instance.rates();
         for (value, column) in values.iter_mut().zip(slave.instance.continuous_states()) {
             *value = rates[*column];
         }
@@ -156,7 +148,8 @@ pub unsafe extern "C" fn fmi2GetDerivatives(c: fmi2Component, derivatives: *mut 
     unsafe { enter(c, Call::GetDerivatives, body) }
 }
 
-/// Functions that change sign where the derivatives jump or bend. fmi2Discard if one is not finite.
+/// Functions that change sign where derivatives or outputs jump. If one is not finite: fmi2Discard at and between events,
+/// else fmi2Error.
 ///
 /// # Safety
 /// `c` as for every call on an instance; `eventIndicators` must have `ni` elements.
@@ -170,7 +163,7 @@ pub unsafe extern "C" fn fmi2GetEventIndicators(
         check_length(ni, slave.instance.model().event_indicators, "event indicators")?;
         // SAFETY: the caller promises `ni` elements.
         let values = unsafe { array_mut(eventIndicators, ni, "eventIndicators") }?;
-        slave.instance.indicate(values).map_err(discard)
+        slave.instance.indicate(values).map_err(|fault| slave.out_of_domain(fault))
     };
     // SAFETY: the caller's promise about `c`.
     unsafe { enter(c, Call::GetEventIndicators, body) }

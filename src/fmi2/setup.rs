@@ -30,7 +30,7 @@ pub extern "C" fn fmi2GetVersion() -> fmi2String {
 /// `fmuType` must be `fmi2CoSimulation` or, for the models that offer it, `fmi2ModelExchange`. `callbacks` is copied;
 /// its function pointers may all be NULL. `fmuResourceLocation` and `visible` are not used. Returns NULL, and says why
 /// to the logger, if the guid is that of no model of this library, if the model does not offer that type, if the name
-/// is blank, or if there is no memory.
+/// is blank, or if there is no memory; without a word if `callbacks` is NULL, for then there is no logger.
 ///
 /// # Safety
 /// Texts must be NULL or zero-terminated; `callbacks` must be NULL or point to a valid struct.
@@ -190,7 +190,7 @@ pub unsafe extern "C" fn fmi2EnterInitializationMode(c: fmi2Component) -> fmi2St
 }
 
 /// Ends the initialization: parameters must now fit together, outputs must be finite. Model Exchange goes on in event
-/// mode.
+/// mode; what the start values have left open is settled, and the first fmi2NewDiscreteStates says whether states jumped.
 ///
 /// # Safety
 /// `c` as for every call on an instance.
@@ -202,7 +202,7 @@ pub unsafe extern "C" fn fmi2ExitInitializationMode(c: fmi2Component) -> fmi2Sta
         slave.state = match slave.purpose {
             Purpose::CoSimulation => State::StepComplete,
             Purpose::ModelExchange => {
-                slave.instance.at_event()?;
+                slave.has_jumped = slave.instance.at_event()?;
                 State::EventMode
             }
         };

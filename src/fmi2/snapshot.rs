@@ -1,7 +1,7 @@
 //! Saving and restoring the complete state of an instance.
 
 use super::door::{Experiment, Outcome, Refusal, Slave, array, array_mut, enter, refuse};
-use super::lifecycle::{Call, STATES, State};
+use super::lifecycle::{Call, Purpose, STATES, State};
 use super::types::*;
 use crate::instance::Snapshot;
 use crate::memory::{self, OutOfMemory};
@@ -121,9 +121,14 @@ pub unsafe extern "C" fn fmi2SetFMUstate(c: fmi2Component, FMUstate: fmi2FMUstat
             return refuse(format_args!("FMUstate is in state {:?}, not one of {:?}", saved.state, slave.purpose));
         }
         slave.instance.restore(&saved.snapshot);
+        if slave.purpose == Purpose::CoSimulation {
+            slave.instance.forget_events();
+        }
         if saved.state == State::ContinuousTimeMode {
             slave.instance.go_on_between_events();
         }
+        // It is not saved whether an event was told of; to read the states again is never wrong.
+        slave.has_jumped = saved.state == State::EventMode;
         slave.state = saved.state;
         slave.experiment = saved.experiment;
         Ok(())
@@ -252,6 +257,8 @@ mod tests {
             ([0.5, 1.0, 0.0, 1.0], "unknown state 0.5".to_owned()),
             ([0.0, 1.0, f64::INFINITY, 1.0], "start time inf".to_owned()),
             ([0.0, 1.0, 0.0, f64::NAN], "stop time NaN".to_owned()),
+            ([0.0, 0.5, 0.0, 1.0], "the flag of the experiment is 0.5".to_owned()),
+            ([0.0, -0.0, 0.0, 1.0], "the flag of the experiment is -0".to_owned()),
         ] {
             let Err(Refusal::Error(text)) = read(owners) else { panic!("{owners:?} was taken") };
             assert!(text.contains(&why), "{text}");

@@ -3,10 +3,10 @@
 use std::slice::{from_raw_parts, from_raw_parts_mut};
 
 use super::door::{self, Outcome, Refusal, Slave, array, array_mut, enter, refuse};
-use super::lifecycle::{Call, State};
+use super::lifecycle::{Call, Purpose, State};
 use super::types::fmi2Status::fmi2OK;
 use super::types::*;
-use crate::model::{BaseType, Role, Variable};
+use crate::model::{BaseType, Fault, Role, Variable};
 
 /// How one of FMI's base types looks at a column.
 trait Base {
@@ -68,6 +68,11 @@ impl Slave {
         self.instance.continuous_states().get(place).copied().filter(|_| B::TYPE == BaseType::Real)
     }
 
+    /// Is it a result, which may lag behind the other columns?
+    fn is_computed(&self, reference: fmi2ValueReference) -> bool {
+        self.instance.variable(reference as usize).is_some_and(|variable| variable.role.is_computed())
+    }
+
     /// The variable behind a value reference; an error if it is of another type, or if there is none.
     fn variable<B: Base>(&self, reference: fmi2ValueReference) -> Result<&'static Variable, Refusal> {
         match self.instance.variable(reference as usize) {
@@ -110,10 +115,12 @@ fn check_value(slave: &Slave, variable: &Variable, value: f64) -> Outcome {
         let text = "cannot be set in state";
         return refuse(format_args!("{} {text} {state:?}", variable.path));
     }
-    if !variable.admits(value) {
-        return Err(Refusal::Discard(variable.fault(value).0));
-    }
-    Ok(())
+    let checked = match slave.purpose {
+        Purpose::CoSimulation => variable.check_for_steps(value),
+        Purpose::ModelExchange if variable.admits(value) => Ok(()),
+        Purpose::ModelExchange => Err(variable.fault(value)),
+    };
+    checked.map_err(|fault| Refusal::Discard(fault.0))
 }
 
 /// Reads `n` variables. After an error the values are not to be used.
@@ -133,19 +140,14 @@ unsafe fn get<B: Base>(
                 slave.variable::<B>(*reference)?;
             }
         }
-        let is_result = |reference: &fmi2ValueReference| {
-            slave.instance.variable(*reference as usize).is_some_and(|variable| variable.role == Role::Output)
-        };
         // After an error the last results are read, for debugging.
-        if slave.state != State::Error && references.iter().any(is_result) {
+        if slave.state != State::Error && references.iter().any(|reference| slave.is_computed(*reference)) {
             slave.instance.refresh().map_err(|fault| slave.out_of_domain(fault))?;
         }
-        let is_rate = |reference: &fmi2ValueReference| slave.derivative_of::<B>(*reference).is_some();
-        if slave.state != State::Error && references.iter().any(is_rate) {
-            let rates = slave.instance.rates().map(|_| ());
-            rates.map_err(|fault| slave.out_of_domain(fault))?;
+        if references.iter().any(|reference| slave.derivative_of::<B>(*reference).is_some()) {
+            slave.instance.compute_rates().map_err(|fault| slave.out_of_domain(fault))?;
         }
-        let (row, rates) = (slave.instance.row(), slave.instance.last_rates());
+        let (row, rates) = (slave.instance.row(), slave.instance.rates());
         for (reference, value) in references.iter().zip(values) {
             let rate = || slave.derivative_of::<B>(*reference).map(|column| rates[column]);
             let found = row.get(*reference as usize).copied().or_else(rate);
@@ -437,6 +439,7 @@ pub unsafe extern "C" fn fmi2GetRealOutputDerivatives(
             if !variable.role.is_output() {
                 return refuse(format_args!("{} is not an output", variable.path));
             }
+            variable.check_derivatives().map_err(|fault| Refusal::Discard(fault.0))?;
             if *order < 1 {
                 return refuse(format_args!("order {order} of {}: must be >= 1", variable.path));
             }
@@ -457,7 +460,7 @@ pub unsafe extern "C" fn fmi2GetRealOutputDerivatives(
 }
 
 /// Derivative of outputs, and of the states' time derivatives, in a direction of inputs, parameters and states: exact, by
-/// automatic differentiation.
+/// automatic differentiation, but for the friction of ShockAbsorber before the run, which differences give.
 ///
 /// # Safety
 /// `c` as for every call on an instance; the arrays must have `nUnknown` and `nKnown` elements.
@@ -486,6 +489,7 @@ pub unsafe extern "C" fn fmi2GetDirectionalDerivative(
             if !variable.role.is_output() {
                 return refuse(format_args!("{} is neither an output nor a derivative", variable.path));
             }
+            variable.check_derivatives().map_err(|fault| Refusal::Discard(fault.0))?;
         }
         for reference in knowns {
             let variable = slave.variable::<Real>(*reference)?;
@@ -493,9 +497,12 @@ pub unsafe extern "C" fn fmi2GetDirectionalDerivative(
                 return refuse(format_args!("{} is computed: outputs are differentiated, not varied", variable.path));
             }
         }
-        slave.instance.refresh()?;
+        if unknowns.iter().any(|reference| slave.is_computed(*reference)) {
+            slave.instance.refresh().map_err(|fault| slave.out_of_domain(fault))?;
+        }
         let seeds = || knowns.iter().map(|reference| *reference as usize).zip(seed.iter().copied());
         if unknowns.iter().any(|reference| slave.derivative_of::<Real>(*reference).is_some()) {
+            slave.instance.compute_rates().map_err(|fault| slave.out_of_domain(fault))?;
             slave.instance.rate_derivative(seeds());
         }
         slave.instance.derivative(seeds());
@@ -505,7 +512,8 @@ pub unsafe extern "C" fn fmi2GetDirectionalDerivative(
             rate.unwrap_or_else(|| outputs[reference as usize]).slope
         };
         if let Some(reference) = unknowns.iter().find(|unknown| !slope(**unknown).is_finite()) {
-            return refuse(format_args!("the derivative of value reference {reference} is not finite"));
+            let text = format_args!("the derivative of value reference {reference} is not finite");
+            return Err(slave.out_of_domain(Fault::new(text)));
         }
         for (reference, value) in unknowns.iter().zip(result) {
             *value = slope(*reference);

@@ -31,8 +31,8 @@ crate::model! {
     /// | f_f    | `friction_force`   | N    | friction force                                   |
     ///
     /// # Sign
-    /// `friction_force` has the sign of `velocity`; body 1 feels `-friction_force`. Dissipated power is `friction_force
-    /// * velocity`, never negative: the law is passive.
+    /// `friction_force` has the sign of `velocity`; body 1 feels `-friction_force`. Dissipated power is
+    /// `friction_force * velocity`, never negative: the law is passive.
     ///
     /// # Step
     /// Without `mass` the law has no memory; only the dissipated energy is integrated, exactly for held inputs. A

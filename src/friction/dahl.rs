@@ -46,11 +46,13 @@ crate::model! {
     ///
     /// A master that integrates a mass m with the force it reads couples it explicitly to the stiffness k of the
     /// contact at rest. If the friction steps first, a held body stays still for communication steps below 2 sqrt(m /
-    /// k), which is 6.3 ms for the defaults and 1 kg; above, it chatters within the bounds of the force.
+    /// k), which is 6.3 ms for the defaults and 1 kg; above, it chatters within the bounds of the force. If all models
+    /// step at once and exchange afterwards, it chatters at every step, since nothing damps the stiffness: take the
+    /// friction first, or Model Exchange.
     ///
     /// # Errors
-    /// Refused: a parameter outside its bound; in Model Exchange `alpha` < 1, with which the bristles reach their full
-    /// deflection with an infinite slope, where solvers stop.
+    /// Refused: a parameter outside its bound; in Model Exchange `mu_k` = 0, and `alpha` < 1, with which the bristles
+    /// reach their full deflection with an infinite slope, where solvers stop.
     ///
     /// # Limits
     /// No stiction and no Stribeck effect. Drifts under a load that cycles below f_C. If the load falls while the contact
@@ -148,7 +150,7 @@ impl Model for Dahl {
         if self.alpha < 1.0 {
             return Err(Fault::new(format_args!("alpha = {}: must be >= 1 in Model Exchange", self.alpha)));
         }
-        Ok(())
+        crate::friction::kinetic_friction_for_exchange(self.mu_k)
     }
 
     fn step(&mut self, dt: f64) {

@@ -60,17 +60,15 @@ crate::model! {
     /// Its error per step is below 1e-12 z_ss (chosen), and two half steps equal one to 1e-10 of the level. `sticking`
     /// says that more than 1 % (chosen) of the motion still goes into the bristles.
     ///
-    /// A master that integrates a mass m with the force it reads finds at rest a spring sigma_0 and a damper sigma_1 +
-    /// sigma_2, as with `LuGre`: step the friction first and read the force then.
-    ///
     /// A master that integrates a mass m with the force it reads couples it explicitly to the stiffness k and the
-    /// damping c of the contact at rest. If the friction steps first, a held body stays still for communication steps
-    /// h with k h^2 + 2 c h < 4 m, which is 3.9 ms for the defaults and 1 kg; above, it chatters within the bounds of
-    /// the force.
+    /// damping c of the contact at rest, sigma_0 and sigma_1 + sigma_2 as with `LuGre`. If the friction steps first, a
+    /// held body stays still for communication steps h with k h^2 + 2 c h < 4 m, which is 3.9 ms for the defaults and
+    /// 1 kg; above, it chatters within the bounds of the force. If all models step at once and exchange afterwards, the
+    /// limit is h < 1 / (k / c + c / m), 1.6 ms.
     ///
     /// # Errors
     /// Refused: a parameter outside its bound; `mu_s` < `mu_k`; an even `plastic_exponent`, for which the bracket
-    /// cannot become negative and z could not come back when z_ss(v) falls below |z|.
+    /// cannot become negative and z could not come back when z_ss(v) falls below |z|; in Model Exchange `mu_k` = 0.
     ///
     /// # Limits
     /// No drift as long as |z| stays below z_ba = kappa z_ss. The damping has the weakness of LuGre: with the bracket r
@@ -230,6 +228,10 @@ impl Model for ElastoPlastic {
             return Err(Fault::new(format_args!("plastic_exponent = {}: must be odd", self.plastic_exponent)));
         }
         crate::friction::static_not_below_kinetic(self.mu_s, self.mu_k)
+    }
+
+    fn check_exchange(&self) -> Result<(), Fault> {
+        crate::friction::kinetic_friction_for_exchange(self.mu_k)
     }
 
     fn step(&mut self, dt: f64) {

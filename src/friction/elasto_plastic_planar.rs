@@ -56,11 +56,12 @@ crate::model! {
     /// With held inputs z depends on the distance only. The elastic part of the way is solved exactly and its end is
     /// located; the plastic part is integrated with error control (Dormand-Prince, 1e-13 of z_ss per step), and its end,
     /// the approach to steady sliding, is an exponential again. The result does not depend on how an interval is divided
-    /// by more than 1e-10. `sticking` says that more than 1 % (chosen) of the motion still goes into the bristles.
+    /// by more than 1e-10. `sticking` says that more than 1 % (chosen) of the motion still goes into the bristles. For
+    /// the largest communication step see `LuGrePlanar`, which has the same stiffness and damping at rest.
     ///
     /// # Errors
-    /// Refused: a parameter outside its bound; `mu_s` < `mu_k`. kappa <= 0.99 (chosen): at 1 the law is that of `Liang`
-    /// with RadialReturn, which solves it exactly.
+    /// Refused: a parameter outside its bound; `mu_s` < `mu_k`; in Model Exchange `mu_k` = 0. kappa <= 0.99 (chosen):
+    /// at 1 the law is that of `Liang` with RadialReturn, which solves it exactly.
     ///
     /// # Limits
     /// Not passive for sampled velocities unless sigma_2 >= sigma_1 (f_s - f_C) / f_C or `damping_velocity` > 0, as
@@ -211,6 +212,10 @@ impl Model for ElastoPlasticPlanar {
 
     fn check(&self) -> Result<(), Fault> {
         crate::friction::static_not_below_kinetic(self.mu_s, self.mu_k)
+    }
+
+    fn check_exchange(&self) -> Result<(), Fault> {
+        crate::friction::kinetic_friction_for_exchange(self.mu_k)
     }
 
     fn step(&mut self, dt: f64) {

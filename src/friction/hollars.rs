@@ -35,16 +35,16 @@ crate::model! {
     /// | f_f    | `friction_force`      | N    | friction force                                  |
     ///
     /// # Sign
-    /// `friction_force` has the sign of `velocity`; body 1 feels `-friction_force`. Dissipated power is `friction_force
-    /// * velocity`, never negative: the law is passive.
+    /// `friction_force` has the sign of `velocity`; body 1 feels `-friction_force`. Dissipated power is
+    /// `friction_force * velocity`, never negative: the law is passive.
     ///
     /// # Step
     /// Without `mass` the law has no memory; only the dissipated energy is integrated, exactly for held inputs. A
-    /// master that couples it explicitly to a mass m needs a communication step below 2 m / f'(0), where f'(0) = (2 f_s
-    /// - f_C) / v_0 + mu_v f_n (1962 N.s/m for the defaults: 1.0 ms for 1 kg); above, a held body chatters. With `mass`
-    /// there is no largest step. For two bodies that both move, `mass` is m_1 m_2 / (m_1 + m_2); for `exchange` see
-    /// `CoulombStiction`. A force read before the first step is the printed one. With `mass` > 0 slopes of the inputs
-    /// are not used, only their values at the end of the step. `sticking` says |v| < v_0.
+    /// master that couples it explicitly to a mass m needs a communication step below 2 m / f'(0), where
+    /// f'(0) = (2 f_s - f_C) / v_0 + mu_v f_n (1962 N.s/m for the defaults: 1.0 ms for 1 kg); above, a held body
+    /// chatters. With `mass` there is no largest step. For two bodies that both move, `mass` is m_1 m_2 / (m_1 + m_2);
+    /// for `exchange` see `CoulombStiction`. A force read before the first step is the printed one. With `mass` > 0
+    /// slopes of the inputs are not used, only their values at the end of the step. `sticking` says |v| < v_0.
     ///
     /// # Errors
     /// Refused: a parameter outside its bound; `mu_s` < `mu_k`.

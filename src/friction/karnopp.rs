@@ -146,6 +146,7 @@ impl Model for Karnopp {
     }
 
     fn step(&mut self, dt: f64) {
+        self.time_stepping.forget_event();
         let contact = self.contact();
         let done = self.time_stepping.step(&contact, dt);
         self.dissipated_energy += done.energy;

@@ -43,10 +43,10 @@ crate::model! {
     /// bristles.
     ///
     /// A master that integrates a mass m with the force it reads couples it explicitly to the stiffness k and the
-    /// damping c of the contact at rest. If the friction steps first, a held body stays still for communication steps
-    /// h with k h^2 + 2 c h < 4 m, which is 3.9 ms for the defaults and 1 kg; above, it chatters within the bounds of
-    /// the force. A force that is read right after setting the velocity needs h < 2 m / (sigma_1 + sigma_2), or
-    /// `damping_velocity` > 0.
+    /// damping c of the contact at rest. If the friction steps first, a held body stays still for communication steps h
+    /// with k h^2 + 2 c h < 4 m, which is 3.9 ms for the defaults and 1 kg; above, it chatters within the bounds of the
+    /// force. If all models step at once and exchange afterwards, the limit is h < 1 / (k / c + c / m), 1.6 ms. A force
+    /// that is read right after setting the velocity needs h < 2 m / (sigma_1 + sigma_2), or `damping_velocity` > 0.
     ///
     /// # Errors
     /// Refused: a parameter outside its bound; `mu_s` < `mu_k`.
@@ -131,7 +131,8 @@ impl<T: Real> LuGre<T> {
     /// dz/dt.
     #[inline]
     fn deflection_rate(&self, level: T) -> T {
-        // Without Coulomb level (f_C = 0) g vanishes at high speed, and with it the deflection.
+        // Without load: a step drops the deflection then, and so does the event of Model Exchange at which the load
+        // goes.
         if level.value() == 0.0 {
             return T::zero();
         }

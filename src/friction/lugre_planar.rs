@@ -49,12 +49,12 @@ crate::model! {
     /// interval is divided. `sticking` says that more than 1 % (chosen) of the motion still goes into the bristles.
     ///
     /// A master that integrates a mass m with the force it reads couples it explicitly to the stiffness k and the
-    /// damping c of the contact at rest. If the friction steps first, a held body stays still for communication steps
-    /// h with k h^2 + 2 c h < 4 m, which is 3.9 ms for the defaults and 1 kg; above, it chatters within the bounds of
-    /// the force.
+    /// damping c of the contact at rest. If the friction steps first, a held body stays still for communication steps h
+    /// with k h^2 + 2 c h < 4 m, which is 3.9 ms for the defaults and 1 kg; above, it chatters within the bounds of the
+    /// force. If all models step at once and exchange afterwards, the limit is h < 1 / (k / c + c / m), 1.6 ms.
     ///
     /// # Errors
-    /// Refused: a parameter outside its bound; `mu_s` < `mu_k`.
+    /// Refused: a parameter outside its bound; `mu_s` < `mu_k`; in Model Exchange `mu_k` = 0.
     ///
     /// # Limits
     /// Along a line it is `LuGre`, with all its limits: drift below breakaway; not passive for sampled velocities
@@ -146,7 +146,8 @@ impl<T: Component> LuGrePlanar<T> {
 
     /// dz/dt.
     fn deflection_rate(&self, level: T) -> Vector2<T> {
-        // Without Coulomb level (f_C = 0) g vanishes at high speed, and with it the deflection.
+        // Without load, or at high speed without Coulomb level (f_C = 0): a step drops the deflection then, and in
+        // Model Exchange, where f_C > 0, the event at which the load goes.
         if level.value() == 0.0 {
             return Vector2::repeat(T::from(0.0));
         }
@@ -189,6 +190,10 @@ impl Model for LuGrePlanar {
 
     fn check(&self) -> Result<(), Fault> {
         crate::friction::static_not_below_kinetic(self.mu_s, self.mu_k)
+    }
+
+    fn check_exchange(&self) -> Result<(), Fault> {
+        crate::friction::kinetic_friction_for_exchange(self.mu_k)
     }
 
     fn step(&mut self, dt: f64) {

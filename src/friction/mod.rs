@@ -61,5 +61,15 @@ fn static_not_below_kinetic(mu_s: f64, mu_k: f64) -> Result<(), Fault> {
     Ok(())
 }
 
+/// The rule of laws with bristles in Model Exchange. Where the level is 0 the bristles carry nothing; a step drops
+/// their deflection there, but a solver that integrates it would keep the force it had.
+fn kinetic_friction_for_exchange(mu_k: f64) -> Result<(), Fault> {
+    if mu_k == 0.0 {
+        let why = "must be > 0 in Model Exchange, where nothing lets go of bristles whose level has fallen to 0";
+        return Err(Fault::new(format_args!("mu_k = {mu_k}: {why}")));
+    }
+    Ok(())
+}
+
 /// Share of the motion that is elastic above which a contact with bristles counts as sticking (chosen).
 const ELASTIC_SHARE: f64 = 0.01;

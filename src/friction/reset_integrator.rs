@@ -42,9 +42,9 @@ crate::model! {
     /// contact that is still bonded after a step h has moved by 2 z_m at most.
     ///
     /// A master that integrates a mass m with the force it reads couples it explicitly to the stiffness k and the
-    /// damping c of the contact at rest. If the friction steps first, a held body stays still for communication steps
-    /// h with k h^2 + 2 c h < 4 m, which is 3.5 ms for the defaults and 1 kg; above, it chatters within the bounds of
-    /// the force.
+    /// damping c of the contact at rest. If the friction steps first, a held body stays still for communication steps h
+    /// with k h^2 + 2 c h < 4 m, which is 3.5 ms for the defaults and 1 kg; above, it chatters within the bounds of the
+    /// force. If all models step at once and exchange afterwards, the limit is h < 1 / (k / c + c / m), 1.3 ms.
     ///
     /// # Errors
     /// Refused: a parameter outside its bound; `mu_s` < `mu_k`.

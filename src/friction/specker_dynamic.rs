@@ -42,10 +42,13 @@ crate::model! {
     ///
     /// A master that integrates a mass m with the force it reads couples it explicitly to the stiffness k of the
     /// contact at rest. If the friction steps first, a held body stays still for communication steps below 2 sqrt(m /
-    /// k), which is 6.3 ms for the defaults and 1 kg; above, it chatters within the bounds of the force.
+    /// k), which is 6.3 ms for the defaults and 1 kg; above, it chatters within the bounds of the force. If all models
+    /// step at once and exchange afterwards, it chatters at every step, since nothing damps the stiffness: take the
+    /// friction first, or Model Exchange.
     ///
     /// # Errors
-    /// Refused: a parameter outside its bound; `mu_s` < `mu_k`.
+    /// Refused: a parameter outside its bound; `mu_s` < `mu_k`; in Model Exchange `mu_s` = 0 without viscous part,
+    /// where the force has no time constant at rest, and a solver would keep what it had.
     ///
     /// # Limits
     /// Cannot hold a load: under a constant load below f_s the body creeps with the speed at which f_stat is the load,
@@ -168,6 +171,14 @@ impl Model for SpeckerDynamic {
 
     fn check(&self) -> Result<(), Fault> {
         crate::friction::static_not_below_kinetic(self.mu_s, self.mu_k)
+    }
+
+    fn check_exchange(&self) -> Result<(), Fault> {
+        if self.mu_s == 0.0 && self.viscous_coefficient == 0.0 {
+            let why = "must be > 0 in Model Exchange, or viscous_coefficient, for a time constant at rest";
+            return Err(Fault::new(format_args!("mu_s = {}: {why}", self.mu_s)));
+        }
+        Ok(())
     }
 
     fn step(&mut self, dt: f64) {

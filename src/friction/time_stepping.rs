@@ -134,6 +134,12 @@ pub(crate) struct Done {
 }
 
 impl TimeStepping {
+    /// A step goes by the velocity, whatever an event has found: to be called before its contact is made.
+    #[inline]
+    pub(crate) fn forget_event(&mut self) {
+        self.phase = Phase::Free.number();
+    }
+
     /// Advances by `dt` with held inputs.
     #[inline]
     pub(crate) fn step(&mut self, contact: &impl Contact<f64>, dt: f64) -> Done {
@@ -160,7 +166,6 @@ impl TimeStepping {
     }
 
     fn step_with_mass(&mut self, contact: &impl Contact<f64>, dt: f64) -> Done {
-        self.phase = Phase::Free.number();
         let is_first = self.step_size == 0.0;
         self.step_size = dt;
         // A force that stops the body in a short step throws it back in a long one, and the next step is not known yet.
@@ -646,6 +651,7 @@ macro_rules! memoryless {
         const EVENT_INDICATORS: usize = $crate::friction::time_stepping::EVENTS_ON_CURVE;
 
         fn step(&mut self, dt: f64) {
+            self.time_stepping.forget_event();
             let mut time_stepping = self.time_stepping;
             self.dissipated_energy += time_stepping.step(&self.contact(), dt).energy;
             self.time_stepping = time_stepping;

@@ -127,7 +127,7 @@ crate::model! {
     /// the first and the last line go on. A preload given as a length x is the force k x.
     ///
     /// # Source
-    /// F. Novais, "A critical analysis on friction force models in dynamical systems", MSc thesis, University of Minho
+    /// Novais, "A critical analysis on friction force models in dynamical systems", MSc thesis, University of Minho
     /// (2024), list of symbols of chapter 9. Stiffness: Zips Racing ZR26, front axle (ZipsRacingElectric/Vehicle-Dynamics,
     /// MIT licence). Preload and table are chosen.
     ///

@@ -95,7 +95,7 @@ crate::model! {
     ///
     /// ```text
     /// F_b = k_b u                              linear
-    /// F_b = F_r (u / x_r)^n                    power
+    /// F_b = F_1 (u / x_1)^n                    power
     /// F_b = k_b u + k_2 u^2 + k_3 u^3          cubic
     /// F_r = k_r (x - x_o)                      where x < x_o, else 0
     /// ```
@@ -108,7 +108,15 @@ crate::model! {
     /// | v      | `velocity`    | m/s    | velocity of extension                           |
     /// | x_b    | `bump.gap`    | m      | compression at which the bump stop is touched   |
     /// | x_o    | `rebound.gap` | m      | compression below which the rebound stop pulls  |
+    /// | u      | -             | m      | compression of the bump stop                    |
     /// | k_b    | `bump.k`      | N/m    | stiffness of the bump stop                      |
+    /// | k_2    | `bump.k2`     | N/m2   | second coefficient of the cubic form            |
+    /// | k_3    | `bump.k3`     | N/m3   | third coefficient of the cubic form             |
+    /// | x_1    | `bump.x_ref`  | m      | compression at which the power form has F_1     |
+    /// | F_1    | `bump.F_ref`  | N      | force of the power form there                   |
+    /// | n      | `bump.n`      | 1      | exponent of the power form                      |
+    /// | k_r    | `rebound.k`   | N/m    | stiffness of the rebound stop                   |
+    /// | c      | `bump.c`, `rebound.c` | N.s/m | damping while a stop is touched          |
     /// | F_b    | `force_bump`  | N      | force of the bump stop                          |
     /// | F_r    | `force_rebound` | N    | force of the rebound stop                       |
     ///

@@ -1,4 +1,4 @@
-use crate::model::{Fault, Law, Model, boolean, real};
+use crate::model::{Brief, Fault, Law, Model, boolean, real};
 use crate::number::Real;
 
 crate::part! {
@@ -48,6 +48,18 @@ impl GasChamber {
             return Err(Fault::new(format_args!(
                 "gas.V0 = {} m3: must be > {displaced:e} m3, the volume of the rod over a stroke of {stroke} m",
                 self.V0
+            )));
+        }
+        Ok(())
+    }
+
+    /// Refuses a compression at which the rod fills the whole volume.
+    pub(crate) fn check_compression(&self, compression: f64) -> Result<(), Fault> {
+        let most = self.V0 / self.rod_area();
+        if self.enabled != 0.0 && compression >= most {
+            let (compression, most) = (Brief(compression), Brief(most));
+            return Err(Fault::new(format_args!(
+                "compression = {compression} m: must be < {most} m, where the rod fills the volume gas.V0"
             )));
         }
         Ok(())
@@ -117,6 +129,10 @@ impl<T: Real> Law for GasSpring<T> {
 impl Model for GasSpring {
     const MODEL_EXCHANGE: bool = true;
 
+    fn check_motion(&self) -> Result<(), Fault> {
+        self.gas.check_compression(self.compression)
+    }
+
     fn step(&mut self, _dt: f64) {}
 }
 
@@ -138,7 +154,9 @@ mod tests {
             spring.refresh().expect("there is gas left");
             for compression_there in [1.001 * filled, 2.0 * filled] {
                 spring.put(compression, compression_there);
-                assert!(spring.refresh().is_err(), "n = {exponent}");
+                let text = spring.refresh().unwrap_err().to_string();
+                let named = format!("compression = {compression_there} m: must be < {filled} m, where the rod fills");
+                assert!(text.contains(&named), "n = {exponent}: {text}");
             }
         }
     }

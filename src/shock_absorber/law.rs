@@ -377,6 +377,12 @@ pub trait Evaluate: Real {
 
     /// Computes the time derivatives of the states.
     fn rate(model: &ModelType, row: &[Self], rate: &mut [Self]);
+
+    /// The slope that the number carries; 0 for one that carries none.
+    fn slope(self) -> f64;
+
+    /// A number with that slope, if it can carry one.
+    fn with_slope(value: f64, slope: f64) -> Self;
 }
 
 impl Evaluate for f64 {
@@ -386,6 +392,14 @@ impl Evaluate for f64 {
 
     fn rate(model: &ModelType, row: &[f64], rate: &mut [f64]) {
         model.rate(row, rate);
+    }
+
+    fn slope(self) -> f64 {
+        0.0
+    }
+
+    fn with_slope(value: f64, _slope: f64) -> f64 {
+        value
     }
 }
 
@@ -397,6 +411,14 @@ impl Evaluate for Dual {
 
     fn rate(model: &ModelType, row: &[Dual], rate: &mut [Dual]) {
         model.rate_dual(row, rate);
+    }
+
+    fn slope(self) -> f64 {
+        self.slope
+    }
+
+    fn with_slope(value: f64, slope: f64) -> Dual {
+        Dual { value, slope }
     }
 }
 
@@ -574,7 +596,8 @@ impl ChosenLaw {
 }
 
 /// Time in which bristles slip down to what they can carry once the load has fallen, if an importer integrates them
-/// (chosen, in s). The force never lags: it is that of bristles that have slipped.
+/// (chosen, in s). While the motion goes on, the force is that of bristles that have slipped. At a reversal within this
+/// time they first have to come back: the force then lags by about what the load took away in that time, at most.
 const RELEASE_TIME: f64 = 1e-3;
 
 /// Most event indicators of any law.

@@ -1,9 +1,9 @@
 use crate::friction::Exchange;
-use crate::model::{Fault, Law, Model, Preset, boolean, real};
+use crate::model::{Columns, Fault, Kind, Law, Model, Preset, boolean, real, row_of, row_of_mut};
 use crate::number::Real;
 use crate::ramp;
 use crate::shock_absorber::coil_spring::Coil;
-use crate::shock_absorber::coupling;
+use crate::shock_absorber::coupling::{self, Series};
 use crate::shock_absorber::damper_temperature::Heating;
 use crate::shock_absorber::end_stops::{BumpStop, ReboundStop};
 use crate::shock_absorber::gas_spring::GasChamber;
@@ -282,16 +282,10 @@ impl Setting {
         }
     }
 
-    /// What the two contacts remember before the run.
-    fn begin(&self, given: [&[f64; MEMORY]; 2]) -> [[f64; MEMORY]; 2] {
-        match FrictionStart::of(self.init.friction_state) {
-            FrictionStart::Steady => {
-                let touches = self.touches(&self.motion());
-                [0, 1].map(|at| self.friction.settled(self.contacts()[at], &touches[at]))
-            }
-            FrictionStart::Zero => [self.friction.fresh(); 2],
-            FrictionStart::Value => given.map(|memory| *memory),
-        }
+    /// What the two contacts remember after a while at this motion.
+    fn settled(&self) -> [[f64; MEMORY]; 2] {
+        let touches = self.touches(&self.motion());
+        [0, 1].map(|at| self.friction.settled(self.contacts()[at], &touches[at]))
     }
 
     /// Friction force along the axis after a step, if the strut moves so; nothing is changed.
@@ -327,19 +321,17 @@ impl Setting {
         factor * self.damper.resistance(piston)
     }
 
-    /// Derivatives of the force: with respect to length and to velocity at this instant, and to a velocity that is held
-    /// over a step of `dt`.
+    /// Derivatives of the force: with respect to the length at this instant; to the velocity at this instant and to one
+    /// that is held over a step of `dt`, for the damper by itself.
     #[inline(never)] // as the other parts of an output: what each puts on the stack is gone before the next
     fn tangents(&self, memory: [&[f64; MEMORY]; 2], state: &OtherStates<f64>, dt: f64) -> Tangents {
         let here = self.motion();
         let now = |motion: &Motion<f64>| {
             self.forces(motion).sum() - self.friction_now(motion, memory) - self.resistance_after(motion, state, 0.0)
         };
-        let later = |motion: &Motion<f64>| {
-            self.forces(motion).sum()
-                - self.friction_after(motion, memory, dt)
-                - self.resistance_after(motion, state, dt)
-        };
+        let undamped = |motion: &Motion<f64>| self.forces(motion).sum() - self.friction_now(motion, memory);
+        let later = |motion: &Motion<f64>| self.forces(motion).sum() - self.friction_after(motion, memory, dt);
+        let damper = |motion: &Motion<f64>| -self.resistance_after(motion, state, dt);
         let difference = |force: &dyn Fn(&Motion<f64>) -> f64, d_length: f64, d_velocity: f64| {
             let at = |side: f64| {
                 force(&Motion { length: here.length + side * d_length, velocity: here.velocity + side * d_velocity })
@@ -349,9 +341,18 @@ impl Setting {
         let d_velocity = PROBE_VELOCITY.max(1e-6 * here.velocity.abs());
         Tangents {
             length: difference(&now, PROBE_LENGTH, 0.0),
-            velocity: difference(&now, 0.0, d_velocity),
+            velocity: difference(&undamped, 0.0, d_velocity),
             held_velocity: difference(&later, 0.0, d_velocity),
+            held_damper: difference(&damper, 0.0, d_velocity),
+            damper: self.slope_of_the_damper(self.piston(&here, state.piston_velocity), state.temperature),
         }
+    }
+
+    /// Slope of the damper's resistance about a velocity of the piston.
+    fn slope_of_the_damper(&self, piston_velocity: f64, temperature: f64) -> f64 {
+        let d_velocity = PROBE_VELOCITY.max(1e-6 * piston_velocity.abs());
+        let at = |velocity: f64| self.resistance(velocity, temperature);
+        (at(piston_velocity + d_velocity) - at(piston_velocity - d_velocity)) / (2.0 * d_velocity)
     }
 }
 
@@ -360,13 +361,23 @@ impl Setting {
 const PROBE_LENGTH: f64 = 1e-8;
 const PROBE_VELOCITY: f64 = 1e-8;
 
+/// Half width of the difference by which the settled friction is differentiated, relative to the sizes of the numbers
+/// that vary, and the least size that counts, in SI units (both chosen).
+const PROBE_SETTING: f64 = 1e-6;
+const SMALL: f64 = 1e-3;
+
 /// Shortest step that the tangents of a step are taken over (chosen), for their digits.
 const SHORTEST_PROBE: f64 = 1e-6;
 
 struct Tangents {
     length: f64,
+    /// Without the damper.
     velocity: f64,
     held_velocity: f64,
+    /// Of the damper's force.
+    held_damper: f64,
+    /// Slope of the damper's resistance over the velocity of its piston.
+    damper: f64,
 }
 
 /// States of the damper.
@@ -391,7 +402,8 @@ crate::model! {
     /// F_d = -c v
     /// f_k = phi_k(s_k) v / s_k,   tau_k = r_k phi_k(s_k) r_k w / s_k
     /// s_k = (v^2 + (r_k w)^2)^(1/2)
-    /// N_1 = R / 2 + G / h,   N_2 = R / 2 - G / h
+    /// N_1 = c_g |R / 2 + G / h_e|,   N_2 = c_g |R / 2 - G / h_e|
+    /// h_e = (h^2 + h_r^2)^(1/2)
     /// ```
     ///
     /// F_s, F_b, F_r and F_d have other forms, too, by `spring.mode`, `bump.mode` and `damper.mode`; phi is any scalar law
@@ -408,10 +420,27 @@ crate::model! {
     /// | M_m, M_n | `side_moment_m`, `side_moment_n` | N.m | moment of the tube on the rod, about that eye     |
     /// | w        | `spin_rate`            | rad/s | spin of the rod relative to the tube                     |
     /// | d_0      | `geom.length_extended` | m     | distance of the eyes at full extension                   |
+    /// | x        | `compression`          | m     | compression from full extension                          |
     /// | h        | `overlap`              | m     | distance from piston to rod guide                        |
+    /// | h_r      | `geom.h_reg`           | m     | regularisation of the overlap, 0 = none                  |
+    /// | G        | -                      | N.m   | couple of the contact forces: see TelescopicJoint        |
+    /// | c_g      | `side.c_geo`           | 1     | factor for the distribution of pressure                  |
+    /// | s_k      | -                      | m/s   | sliding speed                                            |
+    /// | F_s      | `force_spring`         | N     | force of the spring                                      |
+    /// | F_p      | `spring.preload`       | N     | its force at full extension                              |
+    /// | k        | `spring.k`             | N/m   | stiffness of the spring                                  |
+    /// | F_g      | `force_gas`            | N     | force of the gas                                         |
+    /// | p_0, V_0 | `gas.p0`, `gas.V0`     | Pa, m3 | pressure and volume of the gas at full extension        |
+    /// | n        | `gas.n`                | 1     | polytropic exponent                                      |
+    /// | A        | -                      | m2    | area of the rod, of `gas.rod_diameter`                   |
+    /// | p_a      | `gas.p_ambient`        | Pa    | ambient pressure                                         |
+    /// | F_b, F_r | `force_bump`, `force_rebound` | N | forces of bump stop and rebound stop                  |
+    /// | F_d      | `force_damper`         | N     | force of the damper                                      |
+    /// | c        | `damper.c_comp`, `damper.c_reb` | N.s/m | coefficient in compression, in extension         |
     /// | r_k      | `geom.r_1`, `geom.r_2` | m     | radius of rod and piston                                 |
     /// | F        | `force`                | N     | force of the strut                                       |
     /// | f_k      | `friction_1`, `friction_2` | N | friction force at rod guide and piston                   |
+    /// | tau_k    | -                      | N.m   | friction torques, `friction_torque` is their sum         |
     /// | N_k      | `normal_1`, `normal_2` | N     | normal force at rod guide and piston                     |
     ///
     /// # Sign
@@ -430,9 +459,10 @@ crate::model! {
     /// of `force` at this instant, `dforce_dvelocity` that with respect to a velocity held over a step like the last
     /// one (before the first: `num.h_max`), which includes what bristles and series stiffness add. `step_limit` is
     /// the largest communication step that keeps `num.mass_ref` stable on the strut as it is now, for the order of
-    /// exchange `friction.exchange`; they are advice and have no derivatives. At the start friction is as after a
-    /// second of motion at the first velocity, unless `init.friction_state` says otherwise. The first velocity is that of
-    /// the first step; in Model Exchange it is that at the end of the initialization.
+    /// exchange `friction.exchange`; with `damper.k_series` it is 0.3 to 1 of that, less with undamped bristles. The
+    /// three are advice and have no derivatives. At the start friction is as after a second of motion at the first
+    /// velocity, unless `init.friction_state` says otherwise. The first velocity is that of the first step; in Model
+    /// Exchange it is that at the end of the initialization.
     ///
     /// # Errors
     /// Refused: a parameter outside its bound; static levels below kinetic ones; tables that do not rise; a gas volume
@@ -444,10 +474,11 @@ crate::model! {
     /// Rigid bodies: no bending of the rod, no bearing friction in the eyes; axial friction acts on the axis. Stops, spring
     /// and gas go on beyond the stroke. A law with memory remembers along the axis only. Most laws without memory do not
     /// hold a load at rest unless `friction.mass` and `external_force` are given; LuGre and the other bristle laws do.
-    /// In Model Exchange `Coulomb`, `CoulombStiction`, `CoulombViscous`, `Stribeck` and `Karnopp` want `external_force`.
+    /// In Model Exchange `Coulomb`, `CoulombStiction`, `CoulombViscous`, `Stribeck` and `Karnopp` want `external_force`, and
+    /// bristles that carry too much as the load falls slip down with a time constant of 1 ms: at a reversal the force lags.
     ///
     /// # Source
-    /// F. Novais, "A critical analysis on friction force models in dynamical systems", MSc thesis, University of Minho
+    /// Novais, "A critical analysis on friction force models in dynamical systems", MSc thesis, University of Minho
     /// (2024), chapter 9, rebuilt from its lists of symbols and figures; LuGre parameters: its Table 7.1. Spring, travel
     /// and masses: Zips Racing ZR26 (ZipsRacingElectric/Vehicle-Dynamics, MIT licence). All other defaults are chosen;
     /// with them a strut has 21 N to 26 N of kinetic friction, within the 10 N to 70 N that rigs report (thesis, Table 2.1).
@@ -514,11 +545,11 @@ crate::model! {
         /// Distance from piston to rod guide.
         overlap: output = real("m", 0.0).shown_in("mm"),
         /// Derivative of the force with respect to the length of the strut.
-        dforce_dlength: output = real("N/m", 0.0),
+        dforce_dlength: output = real("N/m", 0.0).without_derivatives(),
         /// Derivative of the force after a step with respect to the velocity of the strut.
-        dforce_dvelocity: output = real("N.s/m", 0.0),
+        dforce_dvelocity: output = real("N.s/m", 0.0).without_derivatives(),
         /// Largest communication step that is stable for num.mass_ref; advice to the master.
-        step_limit: output = real("s", 0.0).shown_in("ms"),
+        step_limit: output = real("s", 0.0).shown_in("ms").without_derivatives(),
         /// Power taken out of the motion by friction and damper.
         power_dissipated: output = real("W", 0.0),
         /// Do the contacts stick?
@@ -541,8 +572,41 @@ impl<T: Evaluate> ShockAbsorber<T> {
         if self.has_started() {
             return memories;
         }
-        let given = memories.map(|memory| memory.map(|number| number.value()));
-        self.setting.map(&|number: T| number.value()).begin([&given[0], &given[1]]).map(|memory| memory.map(T::from))
+        match FrictionStart::of(self.setting.init.friction_state.value()) {
+            FrictionStart::Steady => self.settled(),
+            FrictionStart::Zero => [self.setting.map(&|number: T| number.value()).friction.fresh().map(T::from); 2],
+            FrictionStart::Value => memories,
+        }
+    }
+
+    /// What the two contacts remember once they have moved for a while. Its derivative is a central difference along
+    /// the direction that the setting carries.
+    #[inline(never)]
+    fn settled(&self) -> [[T; MEMORY]; 2] {
+        let (setting, mut slopes) =
+            (self.setting.map(&|number: T| number.value()), self.setting.map(&|number: T| number.slope()));
+        let mut fastest = 0f64;
+        for ((slope, value), variable) in row_of_mut(&mut slopes).iter_mut().zip(row_of(&setting)).zip(Setting::TABLE) {
+            if !matches!(variable.kind, Kind::Real(_)) {
+                *slope = 0.0;
+            }
+            fastest = fastest.max(slope.abs() / value.abs().max(SMALL));
+        }
+        let here = setting.settled();
+        if fastest == 0.0 {
+            return here.map(|memory| memory.map(T::from));
+        }
+        let distance = PROBE_SETTING / fastest;
+        let at = |distance: f64| {
+            let mut setting = setting;
+            for (value, slope) in row_of_mut(&mut setting).iter_mut().zip(row_of(&slopes)) {
+                *value += distance * slope;
+            }
+            setting.settled()
+        };
+        let (after, before) = (at(distance), at(-distance));
+        let slope = |contact: usize, place: usize| (after[contact][place] - before[contact][place]) / (2.0 * distance);
+        [0, 1].map(|contact| std::array::from_fn(|place| T::with_slope(here[contact][place], slope(contact, place))))
     }
 
     fn damper_state(&self) -> OtherStates<T> {
@@ -609,9 +673,15 @@ impl<T: Evaluate> ShockAbsorber<T> {
         let is_held = InputMode::of(setting.num.input_mode) == InputMode::Hold;
         let (stiffness, held) = if is_held { (-tangents.length, bristles) } else { (bristles - tangents.length, 0.0) };
         let exchange = Exchange::of(setting.friction.exchange);
-        let limit = coupling::step_limit(stiffness, held, tangents.velocity, setting.num.mass_ref, exchange);
+        let mass = setting.num.mass_ref;
+        let limit = if setting.damper.has_series() {
+            let series = Series { damping: tangents.damper, stiffness: setting.damper.k_series, is_late: is_held };
+            coupling::step_limit_in_series(stiffness, held, -tangents.velocity, &series, mass, exchange)
+        } else {
+            coupling::step_limit(stiffness, held, tangents.velocity - tangents.damper, mass, exchange)
+        };
         self.dforce_dlength = T::from(tangents.length);
-        self.dforce_dvelocity = T::from(tangents.held_velocity);
+        self.dforce_dvelocity = T::from(tangents.held_velocity + tangents.held_damper);
         self.step_limit = T::from(limit);
     }
 }
@@ -719,6 +789,12 @@ impl Model for ShockAbsorber {
             return Err(Fault::new("adapter.length_gain = 0: must not be 0"));
         }
         Ok(())
+    }
+
+    fn check_motion(&self) -> Result<(), Fault> {
+        let (setting, motion) = (&self.setting, self.setting.motion());
+        setting.gas.check_compression(setting.compression(&motion))?;
+        setting.geom.guidance.check_overlap(motion.length)
     }
 
     fn check_exchange(&self) -> Result<(), Fault> {

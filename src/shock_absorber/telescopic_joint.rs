@@ -1,4 +1,4 @@
-use crate::model::{Law, Model, Preset, boolean, real};
+use crate::model::{Fault, Law, Model, Preset, boolean, real};
 use crate::number::Real;
 
 crate::choices! {
@@ -103,9 +103,32 @@ impl<T: Real> Guidance<T> {
         [m_n - middle * r_m, -m_m - middle * r_n]
     }
 
-    /// (h^2 + h_reg^2)^(1/2).
+    /// (h^2 + h_reg^2)^(1/2); not a number where that is but the rounding of the lengths.
     fn regular_overlap(&self, length: T) -> T {
-        magnitude([self.overlap(length), self.h_reg])
+        let overlap = magnitude([self.overlap(length), self.h_reg]);
+        if overlap.value() > self.least_overlap().value() { overlap } else { T::from(f64::NAN) }
+    }
+
+    /// Overlap that is left with six digits or more.
+    fn least_overlap(&self) -> T {
+        T::from(LEAST_OVERLAP) * (self.d_i + self.d_j)
+    }
+}
+
+/// Least overlap relative to the lengths that it is the difference of (chosen).
+const LEAST_OVERLAP: f64 = 1e-9;
+
+impl Guidance {
+    /// Refuses a length at which there is no overlap to carry a couple.
+    pub(crate) fn check_overlap(&self, length: f64) -> Result<(), Fault> {
+        let (overlap, least) = (self.overlap(length), self.least_overlap());
+        if magnitude([overlap, self.h_reg]) <= least {
+            let h_reg = self.h_reg;
+            return Err(Fault::new(format_args!(
+                "overlap = {overlap:e} m: its size must be > {least:e} m with geom.h_reg = {h_reg} m"
+            )));
+        }
+        Ok(())
     }
 }
 
@@ -157,7 +180,7 @@ crate::model! {
     /// No memory: the outputs follow the inputs.
     ///
     /// # Errors
-    /// Refused: a parameter outside its bound. With `geom.h_reg` = 0 and no overlap the forces are not finite: an error.
+    /// Refused: a parameter outside its bound. An overlap (h^2 + h_r^2)^(1/2) of at most 1e-9 (d_i + d_j) is an error.
     ///
     /// # Limits
     /// Rigid, straight bodies that touch at two rings; no clearance, no pressure distribution. The resultant is exact
@@ -227,6 +250,10 @@ impl Model for TelescopicJoint {
         source: "Example of a side load of 100 N at the upper eye",
         values: &[("side_force_m", 100.0)],
     }];
+
+    fn check_motion(&self) -> Result<(), Fault> {
+        self.geom.check_overlap(self.length)
+    }
 
     fn step(&mut self, _dt: f64) {}
 }
@@ -329,6 +356,29 @@ mod tests {
             let [a, b] = guidance(0.002).normal_forces(&wrench, length, NormalSum::TwoPoint);
             assert!((a - n_1).abs() < 6e-5 * n_1.max(10.0) && (b - n_2).abs() < 6e-5 * n_2, "{length}: {a} {b}");
         }
+    }
+
+    /// Without regularisation an overlap that is but rounding is refused by name; one that has digits is not.
+    #[test]
+    fn an_overlap_of_rounding_is_an_error() {
+        use crate::catalogue::by_name;
+        use crate::instance::Instance;
+        let mut joint = Instance::new(by_name("TelescopicJoint").expect("a model"));
+        let column = |name: &str| joint.model().find(name).expect("a column");
+        let [length, moment, h_reg] = [column("length"), column("side_moment_n"), column("geom.h_reg")];
+        joint.put(moment, 1.0);
+        joint.put(h_reg, 0.0);
+        for (there, is_refused) in
+            [(0.23, true), (0.23f64.next_up(), true), (0.23f64.next_down(), true), (0.23 - 1e-8, false), (0.231, false)]
+        {
+            joint.put(length, there);
+            let text = joint.refresh().err().map(|fault| fault.to_string()).unwrap_or_default();
+            assert_eq!(text.contains("overlap = "), is_refused, "{there}: {text}");
+            assert!(!is_refused || text.contains(" m with geom.h_reg = 0 m"), "{text}");
+        }
+        joint.put(h_reg, 0.002);
+        joint.put(length, 0.23);
+        joint.refresh().expect("regularised");
     }
 
     /// With collinear force and couple both sums are max(|R|, 2 |G| / h) and |R| + |G| / h; a pure couple counts twice

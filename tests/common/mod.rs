@@ -2,7 +2,18 @@
 #![allow(dead_code, reason = "each test program uses a part of it")]
 
 use stribeck::catalogue;
+use stribeck::fmi2::types::{fmi2EventInfo, fmi2False};
 use stribeck::instance::Instance;
+
+/// What an importer hands over to be filled in by an event.
+pub const NO_EVENT: fmi2EventInfo = fmi2EventInfo {
+    newDiscreteStatesNeeded: fmi2False,
+    terminateSimulation: fmi2False,
+    nominalsOfContinuousStatesChanged: fmi2False,
+    valuesOfContinuousStatesChanged: fmi2False,
+    nextEventTimeDefined: fmi2False,
+    nextEventTime: 0.0,
+};
 
 /// A live model, driven by names.
 pub struct Bench {

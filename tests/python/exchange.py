@@ -11,7 +11,8 @@ import numpy
 from coupling import path_of
 from fmpy.fmi2 import FMU2Model
 from fmpy.simulation import apply_start_values
-from scipy.integrate import solve_ivp
+from scipy.integrate import BDF, DOP853, LSODA, RK45, Radau
+from scipy.optimize import brentq
 
 
 @dataclass
@@ -62,6 +63,12 @@ class Part:
         """Changes what an event changes."""
         self.fmu.enterEventMode()
         self.settle()
+
+    def completed_step(self) -> bool:
+        """Tells that a step of the solver is done; does the part ask for an event?"""
+        asks, ends = self.fmu.completedIntegratorStep()
+        assert not ends
+        return bool(asks)
 
     @staticmethod
     def _read(function, count: int) -> numpy.ndarray:
@@ -127,6 +134,11 @@ class System:
         self.put(time, x)
         return numpy.concatenate([part.event_indicators() for part in self.parts])
 
+    def completed_step(self, time: float, x: numpy.ndarray) -> bool:
+        """Tells all parts that a step of the solver has ended there; does one of them ask for an event?"""
+        self.put(time, x)
+        return sum(part.completed_step() for part in self.parts) > 0
+
     def at_event(self, time: float, x: numpy.ndarray) -> numpy.ndarray:
         """Lets all parts change what an event changes; returns the states after it."""
         self.put(time, x)
@@ -150,41 +162,55 @@ class Run:
     events: list[float] = field(default_factory=list)
 
 
+METHODS = {solver.__name__: solver for solver in (BDF, DOP853, LSODA, RK45, Radau)}
+
+
 def integrate(system: System, times: numpy.ndarray, method: str, tolerance: float) -> Run:
     """Integrates a system and stops at its events."""
-    run, time = Run(), float(times[0])
+    run, time, end = Run(), float(times[0]), float(times[-1])
     x = system.at_event(time, system.x())
-    count = len(system.indicators(time, x))
-    events = [_event(system, at) for at in range(count)]
     while len(run.events) < MOST_EVENTS:
-        asked = times[times >= time]
-        if len(asked) == 0:
-            return run
         nominal = numpy.maximum(numpy.abs(x), 1e-5)
-        solution = solve_ivp(
-            system.rates,
-            (time, float(times[-1])),
-            x,
-            method=method,
-            rtol=tolerance,
-            atol=tolerance * nominal,
-            events=events,
-            dense_output=True,
-            max_step=0.05,
-        )
-        assert solution.success, solution.message
-        run.states += [solution.sol(at) for at in asked if at <= solution.t[-1]]
-        if solution.status == 0:
+        solver = METHODS[method](system.rates, time, x, end, rtol=tolerance, atol=tolerance * nominal, max_step=0.05)
+        event = _until_event(system, solver, times, run)
+        if event is None:
             return run
-        run.events.append(float(solution.t[-1]))
-        time = run.events[-1] + BEHIND
-        x = system.at_event(time, solution.sol(time))
+        time, x = event
+        run.events.append(time)
+        if time >= end:
+            return run
+        x = system.at_event(time, x)
     raise AssertionError(f"more than {MOST_EVENTS} events until {time} s")
 
 
-def _event(system: System, at: int):
-    def event(time, x):
-        return system.indicators(time, x)[at]
+def _until_event(system: System, solver, times: numpy.ndarray, run: Run) -> tuple[float, numpy.ndarray] | None:
+    """Makes steps, and keeps the states asked for, up to the next event: its time and the states there, if any."""
+    before = system.indicators(solver.t, solver.y)
+    while solver.status == "running":
+        message = solver.step()
+        assert solver.status != "failed", message
+        begin, time, state = solver.t_old, solver.t, solver.dense_output()
+        after = system.indicators(time, solver.y)
+        crossed = numpy.flatnonzero((before > 0.0) != (after > 0.0))
+        if len(crossed) > 0:
+            # A solver that finds an event stops behind it.
+            time = min(_crossing(system, state, at, begin, time) for at in crossed) + BEHIND
+        asks = system.completed_step(time, state(time))
+        is_first = len(run.states) == 0
+        run.states += [state(at) for at in times if begin < at <= time or (is_first and at == begin)]
+        if asks or len(crossed) > 0:
+            return time, state(time)
+        before = after
+    return None
 
-    event.terminal = True
-    return event
+
+def _crossing(system: System, state, at: int, begin: float, end: float) -> float:
+    """The instant at which an indicator changes its sign."""
+
+    def indicator(time: float) -> float:
+        return system.indicators(time, state(time))[at]
+
+    # What is no change along the interpolated states is one at the end of the step.
+    if (indicator(begin) > 0.0) == (indicator(end) > 0.0):
+        return end
+    return brentq(indicator, begin, end, xtol=1e-15, rtol=1e-15)

@@ -182,7 +182,8 @@ def test_stick_and_slip_on_the_belt_are_events_at_the_instants_of_the_closed_for
 def test_a_coarse_solver_finds_the_same_events(method, tolerance):
     expected = breakaways_and_captures()
     _, run = on_the_belt("CoulombStiction", method, tolerance)
-    assert len(expected) <= len(run.events) <= 2 * len(expected)
+    print(f"figure: {method}, tolerance {tolerance:g}: {len(run.events)} events, {len(expected)} in closed form")
+    assert len(run.events) == len(expected)
     # The tolerance is that of a step, and the errors of some hundred steps add up in a multistep method.
     for instant in expected:
         assert min(abs(event - instant) for event in run.events) < 100.0 * tolerance, instant
@@ -201,7 +202,8 @@ def test_a_coarse_solver_does_not_chatter(law, method, tolerance):
 )
 def test_a_contact_on_the_belt_does_not_chatter(law):
     _, run = on_the_belt(law, "LSODA", 1e-8)
-    assert len(run.events) <= 2 * len(breakaways_and_captures()), run.events
+    # Laws without event indicators on the way ask for the events at which `sticking` changes.
+    assert 1 <= len(run.events) <= 2 * len(breakaways_and_captures()), run.events
 
 
 @pytest.mark.parametrize("model", MODELS)
