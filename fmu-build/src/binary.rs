@@ -3,15 +3,20 @@
 use std::collections::BTreeSet;
 
 use anyhow::{Context, Result};
-use object::Endianness;
 use object::macho::LC_CODE_SIGNATURE;
 use object::read::macho::{LoadCommandVariant, MachOFile64};
 use object::read::{File, ImportFlags, Object};
+use object::{Architecture, BinaryFormat, Endianness};
+
+/// Format of a file, and the processor that it is for.
+pub type Machine = (BinaryFormat, Architecture);
 
 /// A shared library as a loader sees it. All names are those of the file, except that the underscore that Mach-O puts
 /// before every C name is left out.
-#[derive(Debug, Default, PartialEq)]
+#[derive(Debug, PartialEq)]
 pub struct Binary {
+    /// What can load it.
+    pub machine: Machine,
     /// Functions and data that a host can find by name.
     pub exports: BTreeSet<String>,
     /// Libraries that the loader must find.
@@ -27,8 +32,6 @@ pub struct Binary {
 /// What a Mach-O file tells the loader of macOS about itself.
 #[derive(Debug, Default, PartialEq)]
 pub struct Image {
-    /// Whether it is for Apple's processors.
-    pub is_arm: bool,
     /// Whether it has a UUID.
     pub has_uuid: bool,
     /// Whether it has a signature, be it of nobody.
@@ -48,7 +51,7 @@ pub fn read(bytes: &[u8]) -> Result<Binary> {
         name.strip_prefix(prefix).map_or(name.clone(), str::to_owned)
     };
     let image = if let File::MachO64(file) = &file { Some(image(file)?) } else { None };
-    let mut binary = Binary { image, ..Binary::default() };
+    let mut binary = Binary { image, ..Binary::empty((file.format(), file.architecture())) };
     for export in file.exports()? {
         let export = export?;
         binary.exports.insert(export.name().name().map_or_else(|| "(a number)".into(), plain));
@@ -68,7 +71,7 @@ pub fn read(bytes: &[u8]) -> Result<Binary> {
 
 fn image(file: &MachOFile64) -> Result<Image> {
     let endian: Endianness = file.endian();
-    let mut image = Image { is_arm: file.architecture() == object::Architecture::Aarch64, ..Image::default() };
+    let mut image = Image::default();
     let mut commands = file.macho_load_commands()?;
     while let Some(command) = commands.next()? {
         match command.variant()? {
@@ -93,6 +96,12 @@ pub fn glibc(version: &str) -> Option<Vec<u32>> {
 }
 
 impl Binary {
+    /// A library that offers and needs nothing.
+    pub fn empty(machine: Machine) -> Binary {
+        let (exports, libraries, imports, versions) = Default::default();
+        Binary { machine, exports, libraries, imports, versions, image: None }
+    }
+
     /// The newest glibc that an import asks for, such as `2.14`.
     pub fn newest_glibc(&self) -> Option<String> {
         let newest = self.versions.iter().filter_map(|version| glibc(version)).max()?;
@@ -110,7 +119,8 @@ mod tests {
         assert!(glibc("GLIBC_2.4") < glibc("GLIBC_2.17"));
         assert_eq!(glibc("GLIBC_PRIVATE"), None);
         let versions = ["GLIBC_2.4", "GLIBC_2.17", "GLIBC_2.2.5", "GCC_3.0"].map(str::to_owned).into();
-        assert_eq!(Binary { versions, ..Binary::default() }.newest_glibc().as_deref(), Some("2.17"));
+        let binary = Binary { versions, ..Binary::empty((BinaryFormat::Elf, Architecture::X86_64)) };
+        assert_eq!(binary.newest_glibc().as_deref(), Some("2.17"));
     }
 
     #[test]
@@ -127,5 +137,8 @@ mod tests {
         assert!(this.libraries.contains("libc.so.6"), "{:?}", this.libraries);
         assert!(this.imports.contains("malloc") && !this.exports.contains("malloc"));
         assert!(this.newest_glibc().is_some() && this.image.is_none());
+        let (format, processor) = this.machine;
+        assert_eq!(format, BinaryFormat::Elf);
+        assert_eq!(format!("{processor:?}").to_lowercase(), std::env::consts::ARCH);
     }
 }

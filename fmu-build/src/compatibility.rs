@@ -28,12 +28,11 @@ impl fmt::Display for Change {
     }
 }
 
-/// Prints what has changed since the list was written, and refuses what the version does not allow.
+/// Prints what has changed since the list was written, and refuses what the version does not allow. Without a list any
+/// break would pass, so it must be there.
 pub fn review(root: &Path, now: &Interface) -> Result<()> {
     let file = root.join(FILE);
-    if !file.exists() {
-        return Ok(());
-    }
+    ensure!(file.exists(), "{FILE} is missing, so nothing was compared: take it from the last commit");
     let listed = fs::read_to_string(&file).with_context(|| format!("cannot read {}", file.display()))?;
     let listed = Interface::read(&listed)?;
     let changes = changes(&listed, now);
@@ -306,6 +305,11 @@ mod tests {
             assert!(error.contains(text), "{text} is not in {error}");
         }
         reviewed("0.0.9").unwrap();
-        review(tempfile::tempdir().unwrap().path(), &NOW).unwrap();
+    }
+
+    #[test]
+    fn without_a_list_nothing_is_compared_and_that_is_said() {
+        let error = review(tempfile::tempdir().unwrap().path(), &NOW).unwrap_err().to_string();
+        assert!(error.contains("interface.csv is missing, so nothing was compared"), "{error}");
     }
 }

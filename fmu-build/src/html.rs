@@ -243,6 +243,19 @@ mod tests {
         }
     }
 
+    /// A line that begins with a sign would be taken for an item of a list, and its code for text.
+    #[test]
+    fn sentences_are_whole() {
+        for (model, page) in pages() {
+            assert!(!page.contains('`'), "{}: {:?}", model.name, page.lines().find(|line| line.contains('`')));
+        }
+        for entry in entries() {
+            let begins_with_sign = |line: &&str| line.starts_with(['*', '+']) || line.starts_with("- ");
+            let prose = entry.documentation.split("```").step_by(2).flat_map(str::lines);
+            assert_eq!(prose.map(str::trim).find(begins_with_sign), None, "{}", entry.model.name);
+        }
+    }
+
     /// A reader without a network sees the same page: nothing is loaded but the icon, and nothing runs.
     #[test]
     fn pages_need_no_network() {

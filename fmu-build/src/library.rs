@@ -39,11 +39,10 @@ pub fn build(root: &Path, platform: Platform, exports: &[String]) -> Result<Libr
 /// this machine. Returns the glibc that it needs.
 pub fn check(root: &Path, platform: Platform, bytes: &[u8], exports: &[String]) -> Result<Option<String>> {
     let mut glibc = None;
-    let parts = universal::parts(bytes)?;
-    ensure!(parts.len() == platform.targets.len().max(1), "{} is for {} processors", platform.name(), parts.len());
-    for part in parts {
-        let library = binary::read(part)?;
-        platform.check(&library, exports)?;
+    let parts = universal::parts(bytes)?.into_iter().map(binary::read).collect::<Result<Vec<_>>>()?;
+    platform.check_machines(&parts)?;
+    for library in &parts {
+        platform.check(library, exports)?;
         glibc = library.newest_glibc();
     }
     let folders = remapped_paths(root)?.into_iter().map(|(folder, _)| folder);

@@ -27,7 +27,8 @@ pub fn files(root: &Path, parts: &Parts) -> Result<Files> {
     let mut files = Files::from([
         (format!("{FOLDER}/license.txt"), entry(root, &parts.additions)?.into()),
         (format!("{FOLDER}/crates.txt"), of_crates(&parts.crates)?.into()),
-        (format!("{FOLDER}/rust.html"), of_standard_library()?),
+        (format!("{FOLDER}/rust.html"), of_standard_library("COPYRIGHT-library.html")?),
+        (format!("{FOLDER}/unicode.txt"), of_standard_library("licenses/Unicode-3.0.txt")?),
     ]);
     for Addition { name, notices, .. } in &parts.additions {
         files.insert(format!("{FOLDER}/{name}.txt"), read(notices)?.into());
@@ -44,7 +45,8 @@ fn entry(root: &Path, additions: &[Addition]) -> Result<String> {
     Ok(format!(
         "Stribeck is licensed under the MIT licence or the Apache License 2.0, at your choice.\n\n\
          The library in this FMU has other people's code in it: the crates in crates.txt, each with its licence, and\n\
-         parts of Rust's standard library, with the notices in rust.html. ../sbom.cdx.json lists them for programs.\n\n\
+         parts of Rust's standard library, with the notices in rust.html and, for its tables of characters, the licence\n\
+         of Unicode in unicode.txt. ../sbom.cdx.json lists them for programs.\n\n\
          {UNNAMED_BY_RUST}\n{additions}\n\
          {rule}\n\n{}\n{rule}\n\n{}",
         read(&root.join("LICENSE-MIT"))?,
@@ -82,12 +84,12 @@ fn texts_of(one: &Crate) -> Result<Vec<PathBuf>> {
     Ok(texts)
 }
 
-/// The notices of the standard library, which come with the compiler.
-fn of_standard_library() -> Result<Vec<u8>> {
-    let file = toolchain::sysroot()?.join("share/doc/rust/COPYRIGHT-library.html");
+/// A file with licences of the standard library, which comes with the compiler.
+fn of_standard_library(name: &str) -> Result<Vec<u8>> {
+    let file = toolchain::sysroot()?.join("share/doc/rust").join(name);
     fs::read(&file).with_context(|| {
         let cure = "the Rust of https://rustup.rs has it, some others leave it out";
-        format!("cannot read {}, the licences of Rust's standard library: {cure}", file.display())
+        format!("cannot read {}, a licence of Rust's standard library: {cure}", file.display())
     })
 }
 
@@ -146,6 +148,13 @@ mod tests {
         let text = entry(root(), &additions).unwrap();
         assert!(text.contains("Permission is hereby granted") && text.contains("Apache License"));
         assert!(text.contains("\nmingw-w64.txt: mingw-w64, which the linker adds, ZPL-2.1\n"), "{text}");
+    }
+
+    #[test]
+    fn tables_of_unicode_bring_their_licence() {
+        let parts = Parts { crates: Vec::new(), rust: "1.95.0".into(), additions: Vec::new() };
+        let text = String::from_utf8(files(root(), &parts).unwrap()["documentation/licenses/unicode.txt"].clone());
+        assert!(text.unwrap().starts_with("UNICODE LICENSE V3\n"));
     }
 
     #[test]

@@ -107,9 +107,7 @@ enum Command {
 
 fn main() -> ExitCode {
     let arguments = Arguments::parse();
-    let root = arguments.project.map(path::absolute).transpose();
-    let root = root.map(|given| given.unwrap_or(project::root().into())).context("no folder of a project");
-    let result = root.and_then(|root| obey(arguments.command, &root));
+    let result = root_of(arguments.project).and_then(|root| obey(arguments.command, &root));
     match result {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
@@ -117,6 +115,14 @@ fn main() -> ExitCode {
             ExitCode::FAILURE
         }
     }
+}
+
+/// Folder of the project: the given one, or that of this program.
+fn root_of(given: Option<PathBuf>) -> Result<PathBuf> {
+    let root = path::absolute(given.unwrap_or(project::root().into())).context("no folder of a project")?;
+    let has_manifest = root.join("Cargo.toml").is_file();
+    ensure!(has_manifest, "{} has no Cargo.toml: --project must name the folder of the project", root.display());
+    Ok(root)
 }
 
 fn obey(command: Command, root: &Path) -> Result<()> {
@@ -132,7 +138,10 @@ fn obey(command: Command, root: &Path) -> Result<()> {
 
 fn generate(root: &Path) -> Result<()> {
     let Generated { stale, interface } = generated::of(root)?;
-    compatibility::review(root, &interface)?;
+    match root.join(interface::FILE).exists() {
+        true => compatibility::review(root, &interface)?,
+        false => println!("{} was missing, so the interface was compared with nothing", interface::FILE),
+    }
     for file in &stale {
         file.write(root)?;
         println!("wrote {}", file.path.display());
@@ -159,6 +168,7 @@ fn check(root: &Path) -> Result<()> {
     if !breaches.is_empty() {
         bail!("broken rules: {}", breaches.len());
     }
+    println!("figure: {} items of the interface are those of {}", interface.rows.len(), interface::FILE);
     println!(
         "generated files are up to date, the tables keep the rules, and the interface is that of {}",
         interface::FILE
@@ -214,8 +224,10 @@ fn buildable(root: &Path, platforms: &[Platform]) -> Result<(Vec<Platform>, Vec<
 fn inspect(root: &Path, library: &Path, choice: Choice) -> Result<()> {
     let bytes = fs::read(library).with_context(|| format!("cannot read {}", library.display()))?;
     let exports = exports(root)?;
+    ensure!(choice != Choice::All, "--platform all: a library is for one platform, name that one");
     for platform in platform::platforms(&[choice])? {
-        library::check(root, platform, &bytes, &exports)?;
+        let checked = library::check(root, platform, &bytes, &exports);
+        checked.with_context(|| format!("{} is not as it should be", library.display()))?;
     }
     println!("{} is as it should be: {} functions", library.display(), exports.len());
     Ok(())

@@ -191,6 +191,7 @@ mod tests {
                 "documentation/licenses/crates.txt",
                 "documentation/licenses/license.txt",
                 "documentation/licenses/rust.html",
+                "documentation/licenses/unicode.txt",
                 "documentation/sbom.cdx.json",
                 "model.png",
                 "modelDescription.xml",

@@ -4,8 +4,9 @@ use std::env;
 
 use anyhow::{Result, bail, ensure};
 use clap::ValueEnum;
+use object::{Architecture, BinaryFormat};
 
-use crate::binary::{self, Binary, Image};
+use crate::binary::{self, Binary, Image, Machine};
 use crate::toolchain::{
     self, LINUX_AARCH64, LINUX_X86_64, MACOS_AARCH64, MACOS_NAME, MACOS_X86_64, OLDEST_GLIBC, OLDEST_MACOS, Target,
     WINDOWS_X86_64,
@@ -37,6 +38,8 @@ pub struct Platform {
     pub suffix: &'static str,
     /// What the compiler builds it for; nothing if this machine builds it for itself.
     pub targets: &'static [Target],
+    /// What the parts of its library are for; only macOS loads a file with several parts.
+    machines: &'static [Machine],
     /// Libraries that it may need, in lower case: those that every such system has.
     libraries: &'static [&'static str],
 }
@@ -45,6 +48,7 @@ const LINUX64: Platform = Platform {
     folders: &["linux64"],
     suffix: ".so",
     targets: &[LINUX_X86_64],
+    machines: &[(BinaryFormat::Elf, Architecture::X86_64)],
     libraries: &["libc.so.6", "libm.so.6", "libdl.so.2", "libpthread.so.0", "librt.so.1", "ld-linux-x86-64.so.2"],
 };
 
@@ -54,6 +58,7 @@ const AARCH64_LINUX: Platform = Platform {
     folders: &["aarch64-linux", "linux64"],
     suffix: ".so",
     targets: &[LINUX_AARCH64],
+    machines: &[(BinaryFormat::Elf, Architecture::Aarch64)],
     libraries: &["libc.so.6", "libm.so.6", "libdl.so.2", "libpthread.so.0", "librt.so.1", "ld-linux-aarch64.so.1"],
 };
 
@@ -61,6 +66,7 @@ const WIN64: Platform = Platform {
     folders: &["win64"],
     suffix: ".dll",
     targets: &[WINDOWS_X86_64],
+    machines: &[(BinaryFormat::Pe, Architecture::X86_64)],
     // wine 8 has these too; it lacks bcryptprimitives.dll, which Rust needs for random numbers.
     libraries: &["api-ms-win-core-synch-l1-2-0.dll", "kernel32.dll", "msvcrt.dll", "ntdll.dll"],
 };
@@ -69,6 +75,7 @@ const DARWIN64: Platform = Platform {
     folders: &["darwin64"],
     suffix: ".dylib",
     targets: &[MACOS_X86_64, MACOS_AARCH64],
+    machines: &[(BinaryFormat::MachO, Architecture::X86_64), (BinaryFormat::MachO, Architecture::Aarch64)],
     libraries: &["/usr/lib/libsystem.b.dylib"],
 };
 
@@ -102,11 +109,16 @@ pub fn platforms(choices: &[Choice]) -> Result<Vec<Platform>> {
 fn host(os: &str, architecture: &str) -> Result<Platform> {
     let platform = match (os, architecture) {
         ("linux", "x86_64") => LINUX64,
-        ("linux", "x86") => Platform { folders: &["linux32"], ..LINUX64 },
+        ("linux", "x86") => {
+            Platform { folders: &["linux32"], machines: &[(BinaryFormat::Elf, Architecture::I386)], ..LINUX64 }
+        }
         ("linux", "aarch64") => AARCH64_LINUX,
         ("windows", "x86_64") => WIN64,
-        ("windows", "x86") => Platform { folders: &["win32"], ..WIN64 },
-        ("macos", "x86_64" | "aarch64") => DARWIN64,
+        ("windows", "x86") => {
+            Platform { folders: &["win32"], machines: &[(BinaryFormat::Pe, Architecture::I386)], ..WIN64 }
+        }
+        ("macos", "x86_64") => Platform { machines: &[(BinaryFormat::MachO, Architecture::X86_64)], ..DARWIN64 },
+        ("macos", "aarch64") => Platform { machines: &[(BinaryFormat::MachO, Architecture::Aarch64)], ..DARWIN64 },
         _ => bail!("FMI has no platform name for {architecture} {os}"),
     };
     Ok(Platform { targets: &[], ..platform })
@@ -137,6 +149,14 @@ impl Platform {
         if is_shared { "" } else { self.name() }
     }
 
+    /// Refuses a library whose parts are not one for each of its processors, in the format of its loader.
+    pub fn check_machines(&self, parts: &[Binary]) -> Result<()> {
+        let found: Vec<_> = parts.iter().map(|part| part.machine).collect();
+        let is_it = found.len() == self.machines.len() && self.machines.iter().all(|machine| found.contains(machine));
+        ensure!(is_it, "{}: is {}, not {}", self.name(), listed(&found), listed(self.machines));
+        Ok(())
+    }
+
     /// Refuses a library that not every importer on every such system can load.
     pub fn check(&self, binary: &Binary, exports: &[String]) -> Result<()> {
         let name = self.name();
@@ -157,20 +177,26 @@ impl Platform {
             ensure!(is_old, "{name}: needs {version}, which is newer than glibc {OLDEST_GLIBC}");
         }
         if let Some(image) = &binary.image {
-            self.check_image(image)?;
+            self.check_image(image, binary.machine.1)?;
         }
         Ok(())
     }
 
-    fn check_image(&self, image: &Image) -> Result<()> {
+    fn check_image(&self, image: &Image, processor: Architecture) -> Result<()> {
         let name = self.name();
         ensure!(image.name == MACOS_NAME, "{name}: is called {}, not {MACOS_NAME}", image.name);
         ensure!(image.oldest == OLDEST_MACOS, "{name}: is for macOS {} or newer, not {OLDEST_MACOS}", image.oldest);
         // The loader of macOS 26 refuses a library without one.
         ensure!(image.has_uuid, "{name}: has no UUID");
-        ensure!(image.is_signed || !image.is_arm, "{name}: is not signed, as Apple's processors demand");
+        let must_be_signed = processor == Architecture::Aarch64;
+        ensure!(image.is_signed || !must_be_signed, "{name}: is not signed, as Apple's processors demand");
         Ok(())
     }
+}
+
+fn listed(machines: &[Machine]) -> String {
+    let names: Vec<_> = machines.iter().map(|(format, processor)| format!("{format:?} for {processor:?}")).collect();
+    names.join(" and ")
 }
 
 #[cfg(test)]
@@ -213,12 +239,12 @@ mod tests {
     fn refusal(platform: Platform, change: impl FnOnce(&mut Binary)) -> Option<String> {
         let set = |names: &[&str]| names.iter().map(|&name| name.to_owned()).collect();
         let mut binary = Binary {
+            machine: *platform.machines.last().unwrap(),
             exports: set(&["fmi2DoStep"]),
             libraries: set(&[platform.libraries[0]]),
             imports: set(&["exp"]),
             versions: set(&["GLIBC_2.2.5", "GLIBC_2.17"]),
             image: (platform.suffix == ".dylib").then(|| Image {
-                is_arm: true,
                 has_uuid: true,
                 is_signed: true,
                 name: MACOS_NAME.into(),
@@ -293,6 +319,34 @@ mod tests {
         assert!(refused(|image| image.is_signed = false).unwrap().contains("is not signed"));
         assert!(refused(|image| image.oldest = "15.0".into()).unwrap().contains("for macOS 15.0"));
         assert!(refused(|image| image.name = "/home/lib.dylib".into()).unwrap().contains("called /home/lib.dylib"));
-        assert_eq!(refused(|image| (image.is_arm, image.is_signed) = (false, false)), None);
+        let unsigned_for_intel = |binary: &mut Binary| {
+            binary.machine.1 = Architecture::X86_64;
+            binary.image.as_mut().unwrap().is_signed = false;
+        };
+        assert_eq!(refusal(DARWIN64, unsigned_for_intel), None);
+    }
+
+    #[test]
+    fn libraries_in_another_format_or_for_other_processors_are_refused() {
+        let check = |platform: Platform, machines: &[Machine]| {
+            let parts: Vec<_> = machines.iter().map(|machine| Binary::empty(*machine)).collect();
+            platform.check_machines(&parts).err().map(|error| error.to_string())
+        };
+        let all = platforms(&[Choice::All]).unwrap();
+        for platform in &all {
+            for other in &all {
+                assert_eq!(check(*platform, other.machines).is_none(), platform.name() == other.name());
+            }
+        }
+        let [intel, apple] = DARWIN64.machines else { panic!("two processors") };
+        assert_eq!(check(DARWIN64, &[*apple, *intel]), None);
+        let refused = check(DARWIN64, &[*intel, *intel]).unwrap();
+        assert_eq!(
+            refused,
+            "darwin64: is MachO for X86_64 and MachO for X86_64, not MachO for X86_64 and MachO for Aarch64"
+        );
+        assert_eq!(check(host("macos", "aarch64").unwrap(), &[*apple]), None);
+        assert!(check(host("macos", "aarch64").unwrap(), &[*intel]).is_some());
+        assert!(check(host("linux", "x86").unwrap(), LINUX64.machines).is_some());
     }
 }

@@ -69,8 +69,8 @@ fn of_crate(one: &Crate) -> Result<Component> {
 }
 
 fn of_standard_library(id: &str, rust: &str) -> Result<Component> {
-    // As https://github.com/rust-lang/rust says for `library`.
-    let mut component = component(STANDARD_LIBRARY, rust, id.into(), "MIT OR Apache-2.0")?;
+    // As https://github.com/rust-lang/rust says for `library`; its tables of characters are made of Unicode's data.
+    let mut component = component(STANDARD_LIBRARY, rust, id.into(), "(MIT OR Apache-2.0) AND Unicode-3.0")?;
     component.purl = Some(Purl::new("generic", STANDARD_LIBRARY, rust)?);
     Ok(component)
 }
@@ -123,7 +123,9 @@ mod tests {
             let is_from_registry = one.name != LIBRARY;
             assert_eq!(component["purl"].is_string(), is_from_registry);
         }
-        assert_eq!(components[parts.crates.len()]["purl"], format!("pkg:generic/rust-std@{}", parts.rust));
+        let standard_library = &components[parts.crates.len()];
+        assert_eq!(standard_library["purl"], format!("pkg:generic/rust-std@{}", parts.rust));
+        assert_eq!(standard_library["licenses"][0]["expression"], "(MIT OR Apache-2.0) AND Unicode-3.0");
         let last = components.last().unwrap();
         assert_eq!((&last["name"], &last["version"]), (&"mingw-w64".into(), &Value::Null));
     }

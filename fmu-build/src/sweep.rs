@@ -25,7 +25,7 @@ pub struct Sweep {
 /// What is moved, and how far to both sides of its start value.
 enum Motion {
     /// A travel, and its velocity if that is an input, too.
-    Travel { travel: usize, velocity: Option<usize>, amplitude: f64 },
+    Travel { travel: usize, velocity: Option<usize>, shown: usize, amplitude: f64 },
     /// An input alone, slowly.
     Slow { input: usize, amplitude: f64 },
 }
@@ -57,8 +57,10 @@ impl Motion {
     fn of(model: &ModelType) -> Result<Motion> {
         let velocity = model.find("velocity");
         if let Some(travel) = model.find("length").or_else(|| model.find("compression")) {
+            // Force over velocity says most of a whole strut, force over travel of what stops a compression.
+            let shown = velocity.filter(|_| model.find("length").is_some()).unwrap_or(travel);
             // Over the stroke and a little beyond, where the travel begins at 0; else to both sides of the start.
-            return Ok(Motion::Travel { travel, velocity, amplitude: 0.02 });
+            return Ok(Motion::Travel { travel, velocity, shown, amplitude: 0.02 });
         }
         if let Some(input) = velocity {
             return Ok(Motion::Slow { input, amplitude: 0.3 });
@@ -70,10 +72,10 @@ impl Motion {
         Ok(Motion::Slow { input, amplitude: 50.0 })
     }
 
-    /// Force over velocity says most; without the velocity, over the travel.
+    /// What the force is shown over.
     fn shown(&self) -> usize {
         match *self {
-            Motion::Travel { travel, velocity, .. } => velocity.unwrap_or(travel),
+            Motion::Travel { shown, .. } => shown,
             Motion::Slow { input, .. } => input,
         }
     }
@@ -81,7 +83,7 @@ impl Motion {
     fn put(&self, instance: &mut Instance, start: &[f64], time: f64) {
         let phase = TAU * time / PERIOD;
         match *self {
-            Motion::Travel { travel, velocity, amplitude } => {
+            Motion::Travel { travel, velocity, amplitude, .. } => {
                 // A compression begins at full extension.
                 let middle = if start[travel] == 0.0 { 0.03 } else { start[travel] };
                 instance.put(travel, middle + amplitude * phase.sin());

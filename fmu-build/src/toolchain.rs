@@ -128,15 +128,21 @@ impl Target {
 }
 
 impl Linker {
-    /// Code that unwinds the stack, and what starts a library on Windows. That for macOS adds nothing: its libraries are
-    /// lists of names.
+    /// Code that unwinds the stack, functions that glibc has in no shared library (fstat64 before version 2.33), and what
+    /// starts a library on Windows. That for macOS adds nothing: its libraries are lists of names.
     fn additions(self, root: &Path) -> Result<Vec<Addition>> {
         let of = |name, license, notices| Addition { name, license, notices };
         Ok(match self {
             Linker::Zig => {
                 let zig = zig_folder(root)?;
                 let unwind = zig.join("lib").join("libunwind").join("LICENSE.TXT");
-                vec![of("libunwind", "Apache-2.0 WITH LLVM-exception", unwind), of("zig", "MIT", zig.join("LICENSE"))]
+                // The terms stand in the source of each such function, with the exception for programs linked to it.
+                let glibc = zig.join("lib").join("libc").join("glibc").join("io").join("fstat64-2.32.c");
+                vec![
+                    of("glibc", "LGPL-2.1-or-later WITH GCC-exception-2.0-note", glibc),
+                    of("libunwind", "Apache-2.0 WITH LLVM-exception", unwind),
+                    of("zig", "MIT", zig.join("LICENSE")),
+                ]
             }
             Linker::MinGw => {
                 let notices = |package: &str| Path::new("/usr/share/doc").join(package).join("copyright");
@@ -149,8 +155,9 @@ impl Linker {
         })
     }
 
-    fn has_notices(self, root: &Path) -> Result<bool> {
-        Ok(self.additions(root)?.iter().all(|addition| addition.notices.is_file()))
+    fn has_notices(self, root: &Path) -> bool {
+        let are_there = |additions: Vec<Addition>| additions.iter().all(|addition| addition.notices.is_file());
+        self.additions(root).is_ok_and(are_there)
     }
 
     fn missing(self, root: &Path) -> Result<Option<String>> {
@@ -159,10 +166,13 @@ impl Linker {
                 let python = programs(root).join("python");
                 Some(format!("Zig as linker: {} -m pip install cargo-zigbuild ziglang", python.display()))
             }
+            Linker::Zig if !self.has_notices(root) => Some(
+                "the licences of Zig, which Python's package ziglang has beside its program: install that one".into(),
+            ),
             Linker::MinGw if !runs(root, "x86_64-w64-mingw32-gcc", &["--version"]) => {
                 Some("the linker for Windows: apt-get install gcc-mingw-w64-x86-64-win32".into())
             }
-            Linker::MinGw if !self.has_notices(root)? => {
+            Linker::MinGw if !self.has_notices(root) => {
                 Some("the licences of MinGW-w64, which Debian and Ubuntu have in /usr/share/doc: pack there".into())
             }
             Linker::RustLld if !has_rust_lld()? => {
@@ -228,7 +238,9 @@ pub fn search_path(root: &Path) -> Result<OsString> {
 /// Folder of Zig, which cargo-zigbuild takes from Python's packages or from the search path.
 fn zig_folder(root: &Path) -> Result<PathBuf> {
     let path = search_path(root)?;
-    for (program, arguments) in [("python3", &["-m", "ziglang", "env"][..]), ("zig", &["env"])] {
+    let package = &["-m", "ziglang", "env"][..];
+    // On Windows an environment of Python has no python3.
+    for (program, arguments) in [("python3", package), ("python", package), ("zig", &["env"])] {
         let mut command = Command::new(program);
         let output = command.args(arguments).current_dir(root).env("PATH", &path).stderr(Stdio::null()).output();
         let text = output.map(|output| String::from_utf8_lossy(&output.stdout).into_owned()).unwrap_or_default();

@@ -4,11 +4,12 @@ import os
 import shutil
 import struct
 import subprocess
+import zipfile
 from pathlib import Path
 
 import pytest
 from coupling import PROJECT, models_in
-from lief import MachO
+from lief import ELF, PE, MachO
 from mach_o import PAGE, pages_that_differ, part_of, processors
 from machines import ARM, FMUS, library_of
 
@@ -85,11 +86,66 @@ def test_the_packer_takes_its_library_and_refuses_a_doctored_one(packer, librari
         said = inspect(packer, doctored, platform)
         assert said is not None, complaint
         assert complaint in said
+        assert str(doctored) in said
+    print(f"figure: {platform}: {len(MISTAKES[platform])} doctored libraries refused")
 
 
-def test_a_library_of_another_platform_is_refused(packer, libraries):
-    assert "is for 1 processors" in inspect(packer, libraries["win64"], "darwin64")
-    assert "needs" in inspect(packer, libraries["win64"], "linux64")
+# Format and processor of a library, as the packer names them.
+MACHINES = {
+    "linux64": "Elf for X86_64",
+    "win64": "Pe for X86_64",
+    "darwin64": "MachO for X86_64 and MachO for Aarch64",
+    ARM: "Elf for Aarch64",
+}
+
+
+@pytest.mark.parametrize("platform", SUFFIXES)
+def test_a_library_of_another_platform_is_refused(packer, libraries, platform):
+    for other in SUFFIXES.keys() - {platform}:
+        said = inspect(packer, libraries[other], platform)
+        assert said is not None, other
+        assert f"{platform}: is {MACHINES[other]}, not {MACHINES[platform]}\n" in said
+
+
+@pytest.mark.parametrize("processor", ["Intel", "Apple"])
+def test_half_a_library_for_macos_is_refused(packer, libraries, processor, tmp_path):
+    half = tmp_path / "half"
+    half.write_bytes(part_of(libraries["darwin64"], processors(libraries["darwin64"])[processor]))
+    found = {"Intel": "MachO for X86_64", "Apple": "MachO for Aarch64"}[processor]
+    assert f"darwin64: is {found}, not {MACHINES['darwin64']}\n" in inspect(packer, half, "darwin64")
+
+
+def test_a_library_is_not_for_all_platforms(packer, libraries):
+    assert "--platform all: a library is for one platform" in inspect(packer, libraries["linux64"], "all")
+
+
+@pytest.mark.parametrize("folder", [FMUS, FMUS / ARM], ids=["linux64", ARM])
+def test_functions_that_glibc_has_in_no_shared_library_bring_its_licence(folder):
+    with zipfile.ZipFile(folder / f"{models_in(folder)[0]}.fmu") as archive:
+        library = next(name for name in archive.namelist() if name.startswith("binaries/linux64/"))
+        # What glibc 2.17 has in its place: the function of that name is linked in.
+        assert b"__fxstat64\0" in archive.read(library)
+        assert b"GNU Lesser General Public" in archive.read("documentation/licenses/glibc.txt")
+        assert b'"LGPL-2.1-or-later WITH GCC-exception-2.0-note"' in archive.read("documentation/sbom.cdx.json")
+
+
+def test_needs_of_the_linux_library(libraries):
+    library = ELF.parse(str(libraries["linux64"]))
+    versions = {
+        tuple(map(int, version.name.removeprefix("GLIBC_").split(".")))
+        for needed in library.symbols_version_requirement
+        for version in needed.get_auxiliary_symbols()
+    }
+    newest = ".".join(map(str, max(versions)))
+    print(f"figure: linux64 imports: glibc {newest}, {', '.join(sorted(library.libraries))}")
+    assert "libgcc_s.so.1" not in library.libraries
+
+
+def test_needs_of_the_windows_library(libraries):
+    library = PE.parse(str(libraries["win64"]))
+    names = sorted(needed.name for needed in library.imports)
+    print(f"figure: win64 imports: {', '.join(names)}")
+    assert "libgcc_s_seh-1.dll" not in names
 
 
 @pytest.mark.parametrize("options", [[], ["--strict"]], ids=["", "strict"])
