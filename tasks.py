@@ -11,7 +11,7 @@
     python3 tasks.py trust    all that docs/trust.md lists, with its figures: the tasks below, one after the other
     python3 tasks.py faults   importers, and faults of hosts, in full
     python3 tasks.py platforms  the FMUs for Linux, Windows and macOS, run under wine and qemu
-    python3 tasks.py fuzz     new inputs for interfaces and file readers, five minutes for each target
+    python3 tasks.py fuzz     new inputs for interfaces and file readers, two minutes for each target
     python3 tasks.py coverage the branches that the tests take
     python3 tasks.py broken   copies broken on purpose, and the tests that notice
     python3 tasks.py mutants  many small changes of the laws, and how many of them the tests notice
@@ -61,9 +61,12 @@ TARGETS = [
 ]
 # What Miri runs: memory, states as bytes, instances of the test model, and a whole life of every model.
 UNDER_MIRI = ["guid::", "memory::", "number::", "probe::", "serial::", "fmi2::tests::child"]
+# Programs and files that tasks need, and the packages of Debian and Ubuntu they are in. First what the tests in C make
+# the German locale of.
+LOCALE = {"localedef": "libc-bin", "/usr/share/i18n/locales/de_DE": "locales"}
 # What the task faults needs beside what every test needs.
-FAULT_PROGRAMS = {"valgrind": "valgrind", "localedef": "libc-bin", "gcc": "gcc"}
-# Programs that build for other platforms and run what was built, and the packages of Debian and Ubuntu they are in.
+FAULT_PROGRAMS = {"valgrind": "valgrind", "gcc": "gcc", **LOCALE}
+# What builds for other platforms, and runs what was built.
 PLATFORM_PROGRAMS = {
     "x86_64-w64-mingw32-gcc": "gcc-mingw-w64-x86-64-win32",
     "/usr/lib/wine/wine64": "wine64",
@@ -91,8 +94,9 @@ def run(*command: str | Path, **environment: str) -> None:
         raise TaskError(f"exit code {status}: {shown}")
 
 
-def figures(*command: str | Path, **environment: str) -> list[str]:
-    """Runs a command as `run` does, and returns what it prints behind `figure:` or cargo's `test result:`."""
+def figures(*command: str | Path, **environment: str) -> tuple[list[str], int]:
+    """Runs a command as `run` does. Returns what it prints behind `figure:` or cargo's `test result:`, and its exit
+    code: what a command has found before it failed is worth knowing too."""
     words = [str(word) for word in command]
     print(f"\n> {shlex.join(words)}", flush=True)
     found = []
@@ -103,9 +107,7 @@ def figures(*command: str | Path, **environment: str) -> list[str]:
         for line in process.stdout:
             print(line, end="", flush=True)
             found += re.findall(r"(?:figure|test result): (.*\S)", line)
-    if process.returncode != 0:
-        raise TaskError(f"exit code {process.returncode}: {shlex.join(words)}")
-    return found
+    return found, process.returncode
 
 
 def need(program: str, cure: str) -> None:
@@ -170,19 +172,30 @@ def setup_platforms() -> None:
     setup()
     run(PYTHON, "-m", "pip", "install", "--quiet", "--disable-pip-version-check", "-r", REQUIREMENTS_OF_PLATFORMS)
     run("rustup", "target", "add", *TARGETS)
-    install_programs(PLATFORM_PROGRAMS)
+    install_missing(PLATFORM_PROGRAMS)
 
 
-def install_programs(packages: dict[str, str]) -> None:
-    """Installs the programs that are missing. Only root can do it."""
-    missing = [package for program, package in packages.items() if shutil.which(program) is None]
+def missing_files(packages: dict[str, str]) -> list[str]:
+    """Those of these programs and files that are not here."""
+    return [name for name in packages if shutil.which(name) is None and not (name[0] == "/" and Path(name).exists())]
+
+
+def install_missing(packages: dict[str, str]) -> None:
+    """Installs the programs and files that are missing. Only root can do it."""
+    missing = missing_files(packages)
     if not missing:
         return
-    install = ["apt-get", "install", "--yes", "--no-install-recommends", *" ".join(missing).split()]
+    wanted = " ".join(packages[name] for name in missing).split()
+    install = ["apt-get", "install", "--yes", "--no-install-recommends", *wanted]
+    cure = f"{', '.join(missing)} not found: on Debian or Ubuntu, as root, run {shlex.join(install)}"
     if os.geteuid() != 0 or shutil.which("apt-get") is None:
-        raise TaskError(f"programs are missing: as root, run {shlex.join(install)}")
+        raise TaskError(cure)
+    print(f"\n{cure}; trying that now", flush=True)
     run("apt-get", "update")
     run(*install)
+    # An image may leave out what a package of it has in /usr/share.
+    if missing_files(packages):
+        raise TaskError(f"{', '.join(missing_files(packages))} not found after {shlex.join(install)}")
 
 
 def pack_for_all(project: Path, fmus: Path) -> None:
@@ -242,6 +255,9 @@ def test() -> None:
     for program in ("rustfmt", "cargo-clippy"):
         need(program, "rustup component add rustfmt clippy")
     setup()
+    # The tests in C look at the German locale on Linux only.
+    if platform.system() == "Linux":
+        install_missing(LOCALE)
     check_style()
     run("cargo", "test", "--workspace")
     # Here each benchmark runs once, to see that it runs.
@@ -260,7 +276,7 @@ def setup_faults() -> None:
         raise TaskError("this task needs Linux on x86-64")
     need("rustup", "this task needs the Rust of https://rustup.rs, which has nightly versions")
     setup()
-    install_programs(FAULT_PROGRAMS)
+    install_missing(FAULT_PROGRAMS)
     miri = ["cargo", "+nightly", "miri", "--version"]
     if subprocess.run(miri, capture_output=True).returncode != 0:
         run("rustup", "toolchain", "install", "nightly", "--profile", "minimal", "--component", "miri,rust-src")
@@ -270,11 +286,17 @@ def summarise(commands: list[list[str | Path]], **environment: str) -> None:
     """Runs all the commands, also if one fails, and prints their figures at the end."""
     found, failed = [], []
     for command in commands:
+        shown = shlex.join(map(str, command))
         try:
-            lines = figures(*command, **environment)
-            found += ["", shlex.join(map(str, command)), *(f"    {line}" for line in lines)]
-        except TaskError as error:
-            failed.append(str(error))
+            lines, status = figures(*command, **environment)
+        except OSError as error:
+            lines, status = [f"cannot run {command[0]}: {error}"], 1
+        if status != 0:
+            failed.append(f"exit code {status}: {shown}")
+            # As a figure, so that the task trust has it too if this is one of its parts.
+            print(f"figure: FAILED with exit code {status}: {shown}", flush=True)
+        found += ["", shown if status == 0 else f"FAILED with exit code {status}: {shown}"]
+        found += [f"    {line}" for line in lines]
     print("\n\nWhat was tried, and what came of it:", *found, sep="\n")
     if failed:
         raise TaskError("; ".join(failed))
@@ -286,10 +308,12 @@ def faults() -> None:
     need_c_compiler()
     setup_faults()
     pack()
-    names = ("model_description", "exchange", "importers", "ssp", "supply")
+    names = ("model_description", "fmus", "exchange", "importers", "ssp", "supply")
     python_tests = [f"tests/python/test_{name}.py" for name in names]
     commands = [
         ["cargo", "test", "--test", "fmi", "--test", "allocation", "--", "--nocapture"],
+        ["cargo", "test", "--package", "fmu-build"],
+        ["cargo", "run", "--package", "fmu-build", "--", "check"],
         *([PYTHON, "-m", "pytest", "-s", "-q", test] for test in python_tests),
         [PYTHON, "tests/c/run.py", "--thorough"],
         ["cargo", "+nightly", "miri", "test", "--package", "stribeck", "--lib", "--", *UNDER_MIRI],
@@ -351,6 +375,8 @@ def coverage() -> None:
     environment = setup_tool(COVERAGE_TOOL)
     # Rust counts branches in unstable builds only; the compiler is the same.
     build = {**environment, "RUSTC_BOOTSTRAP": "1", "CARGO_PROFILE_DEV_DEBUG": "0"}
+    # Else counters and test programs of earlier sources count too.
+    run("cargo", "llvm-cov", "clean", "--workspace", **build)
     run("cargo", "llvm-cov", "--branch", "--no-report", "--package", "stribeck", "--lib", "--tests", **build)
     run(sys.executable, "tests/coverage.py")
 
@@ -358,7 +384,7 @@ def coverage() -> None:
 def broken() -> None:
     """Copies of the library that are broken on purpose, and the tests that notice."""
     need_rust()
-    need("git", "it applies the patches")
+    need("git", "it lists what to copy, and applies the patches")
     run(sys.executable, "tests/broken/patches.py")
 
 
@@ -367,6 +393,7 @@ def mutants() -> None:
     need_rust()
     if WINDOWS:
         raise TaskError("this task bounds processor times, which Windows does not")
+    need("git", "it lists what to copy")
     run(sys.executable, "tests/broken/mutants.py", **setup_tool(MUTATION_TOOL))
 
 
@@ -374,7 +401,7 @@ def fuzz() -> None:
     """Coverage-guided fuzzing under the address sanitizer. What is found is in target/fuzz/found."""
     need_rust()
     need_c_compiler()
-    run(sys.executable, "fuzz/run.py", "--long", "300")
+    run(sys.executable, "fuzz/run.py", "--long", "120")
 
 
 def bench() -> None:
@@ -403,7 +430,7 @@ TASKS = {
     faults: "try what importers and hosts may do to the library, in full, and print the figures: 10 to 20 minutes",
     platforms: "pack for all platforms twice, compare, run the libraries under wine and qemu; as root it installs what "
     "it needs with apt: 15 to 30 minutes",
-    fuzz: "try new inputs for interfaces and file readers, five minutes for each of seven targets: 20 to 30 minutes",
+    fuzz: "try new inputs for interfaces and file readers, two minutes for each of seven targets: 10 to 20 minutes",
     coverage: "install cargo-llvm-cov, run the Rust and C tests with counters, print which branches they take: "
     "8 to 15 minutes",
     broken: "break copies of the library on purpose and show which tests notice: 5 to 10 minutes",

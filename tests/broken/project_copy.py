@@ -4,6 +4,7 @@ import json
 import os
 import shutil
 import subprocess
+import sys
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -21,7 +22,10 @@ class ProjectCopy:
         """Makes the copy equal to the project again."""
         shutil.rmtree(self.root, ignore_errors=True)
         listed = ["git", "ls-files", "-z", "--cached", "--others", "--exclude-standard"]
-        names = subprocess.run(listed, cwd=ROOT, check=True, capture_output=True, text=True).stdout.split("\0")
+        done = subprocess.run(listed, cwd=ROOT, capture_output=True, text=True)
+        names = done.stdout.split("\0")
+        if done.returncode != 0 or "Cargo.toml" not in names:
+            sys.exit(f"{ROOT} is not a git checkout, and what git knows is copied: clone the project\n{done.stderr}")
         for name in filter(None, names):
             if (ROOT / name).is_file():
                 (self.root / name).parent.mkdir(parents=True, exist_ok=True)
