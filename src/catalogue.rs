@@ -54,6 +54,6 @@ pub fn by_name(name: &str) -> Option<&'static ModelType> {
 }
 
 /// The model whose table has that fingerprint.
-pub fn by_guid(guid: &str) -> Option<&'static ModelType> {
-    models().find(|model| model.guid() == guid)
+pub fn by_guid(guid: impl AsRef<[u8]>) -> Option<&'static ModelType> {
+    models().find(|model| model.guid().as_bytes() == guid.as_ref())
 }

@@ -100,6 +100,11 @@ impl Instance {
         self.model
     }
 
+    /// Replaces the model by the same one at another address.
+    pub(crate) fn set_model(&mut self, model: &'static ModelType) {
+        self.model = model;
+    }
+
     /// The variable of a column, if there is such a column.
     #[inline]
     pub fn variable(&self, column: usize) -> Option<&'static Variable> {

@@ -713,6 +713,11 @@ impl ModelType {
         std::str::from_utf8(&self.guid).unwrap_or_default()
     }
 
+    /// The guid, for what must not hold the address of its model.
+    pub(crate) fn guid_text(&self) -> GuidText {
+        self.guid
+    }
+
     /// The column of that name.
     pub fn find(&self, name: &str) -> Option<usize> {
         // Names are put together only where they begin alike: a table can have hundreds of rows.

@@ -7,7 +7,9 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use super::lifecycle::{Call, Purpose, State};
 use super::log::Log;
 use super::types::{fmi2Component, fmi2Status};
+use crate::catalogue;
 use crate::float_mode::DefaultMode;
+use crate::guid::GuidText;
 use crate::instance::Instance;
 use crate::memory::{self, OutOfMemory};
 use crate::model::Fault;
@@ -15,6 +17,10 @@ use crate::model::Fault;
 /// What an importer holds as `fmi2Component`.
 pub(super) struct Slave {
     magic: u64,
+    /// Where the library was in the last call.
+    home: usize,
+    /// Which model it is of, wherever the library is.
+    pub guid: GuidText,
     pub instance: Instance,
     pub purpose: Purpose,
     pub state: State,
@@ -40,10 +46,36 @@ impl Experiment {
 /// Marks the memory of a live instance, so that a pointer to something else is refused.
 const MAGIC: u64 = u64::from_le_bytes(*b"STRIBECK");
 
+/// Where the library is.
+fn home() -> usize {
+    static HERE: u8 = 0;
+    (&raw const HERE).addr()
+}
+
 impl Slave {
     pub fn new(instance: Instance, purpose: Purpose, log: Log) -> Slave {
-        let (state, experiment) = (State::Instantiated, Experiment::NONE);
-        Slave { magic: MAGIC, instance, purpose, state, experiment, has_jumped: false, log }
+        Slave {
+            magic: MAGIC,
+            home: home(),
+            guid: instance.model().guid_text(),
+            instance,
+            purpose,
+            state: State::Instantiated,
+            experiment: Experiment::NONE,
+            has_jumped: false,
+            log,
+        }
+    }
+
+    /// Follows the library to where it is now. An importer may unload it and load it again while instances live, and it
+    /// may then be elsewhere: Ecos 0.7.2 does so before each further instance of an FMU. Of all that an instance holds
+    /// only its model is in the library; the rest is in the host's memory and stays.
+    #[cold]
+    #[inline(never)]
+    fn follow(&mut self) -> Option<()> {
+        self.instance.set_model(catalogue::by_guid(self.guid)?);
+        self.home = home();
+        Some(())
     }
 
     /// Refuses parameters that do not fit together, or that do not serve this instance's purpose.
@@ -142,10 +174,14 @@ unsafe fn slave<'a>(c: fmi2Component) -> Option<&'a mut Slave> {
     let slave = c.cast::<Slave>();
     // SAFETY: the caller promises NULL or a `Slave` that nobody else uses now. Only its mark is read before it is known
     // to be one.
-    unsafe {
+    let slave = unsafe {
         let is_one = !slave.is_null() && (&raw const (*slave).magic).read() == MAGIC;
         is_one.then(|| &mut *slave)
+    }?;
+    if slave.home != home() {
+        slave.follow()?;
     }
+    Some(slave)
 }
 
 /// Takes an instance back to free it. `None` for NULL and for memory that is no instance.

@@ -3,6 +3,8 @@
 use super::door::{Experiment, Outcome, Refusal, Slave, array, array_mut, enter, refuse};
 use super::lifecycle::{Call, Purpose, STATES, State};
 use super::types::*;
+use crate::catalogue;
+use crate::guid::GuidText;
 use crate::instance::Snapshot;
 use crate::memory::{self, OutOfMemory};
 use crate::model::ModelType;
@@ -11,7 +13,7 @@ use crate::serial;
 /// What an importer holds as `fmi2FMUstate`.
 struct Saved {
     magic: u64,
-    model: &'static ModelType,
+    guid: GuidText,
     state: State,
     experiment: Experiment,
     snapshot: Snapshot,
@@ -24,7 +26,7 @@ impl Saved {
     fn of(slave: &Slave) -> Result<Saved, OutOfMemory> {
         Ok(Saved {
             magic: MAGIC,
-            model: slave.instance.model(),
+            guid: slave.guid,
             state: slave.state,
             experiment: slave.experiment,
             snapshot: slave.instance.try_save()?,
@@ -55,7 +57,7 @@ impl Saved {
             return refuse(format_args!("the flag of the experiment is {is_set_up}, and neither 0 nor 1"));
         };
         let experiment = Experiment { is_set_up, start, stop };
-        Ok(Saved { magic: MAGIC, model, state: *state, experiment, snapshot })
+        Ok(Saved { magic: MAGIC, guid: model.guid_text(), state: *state, experiment, snapshot })
     }
 }
 
@@ -68,8 +70,9 @@ unsafe fn saved<'a>(slave: &Slave, state: fmi2FMUstate) -> Result<&'a Saved, Ref
     match unsafe { state.cast::<Saved>().as_ref() } {
         None => refuse("FMUstate is NULL"),
         Some(saved) if saved.magic != MAGIC => refuse("FMUstate is no state of this library"),
-        Some(saved) if saved.model != slave.instance.model() => {
-            refuse(format_args!("FMUstate is one of {}, not of {}", saved.model.name, slave.instance.model().name))
+        Some(saved) if saved.guid != slave.guid => {
+            let whose = catalogue::by_guid(saved.guid).map_or("another version", |model| model.name);
+            refuse(format_args!("FMUstate is one of {whose}, not of {}", slave.instance.model().name))
         }
         Some(saved) => Ok(saved),
     }
@@ -169,9 +172,9 @@ pub unsafe extern "C" fn fmi2SerializedFMUstateSize(
 ) -> fmi2Status {
     let body = |slave: &mut Slave| {
         // SAFETY: the caller's promises.
-        let (saved, size) = unsafe { (saved(slave, FMUstate)?, size.as_mut()) };
+        let (_, size) = unsafe { (saved(slave, FMUstate)?, size.as_mut()) };
         let Some(size) = size else { return refuse("size is NULL") };
-        *size = serial::size(saved.model);
+        *size = serial::size(slave.instance.model());
         Ok(())
     };
     // SAFETY: the caller's promise about `c`.
@@ -194,11 +197,11 @@ pub unsafe extern "C" fn fmi2SerializeFMUstate(
         // SAFETY: the caller's promises; bytes are bytes, signed or not.
         let (saved, bytes) =
             unsafe { (saved(slave, FMUstate)?, array_mut(serializedState.cast::<u8>(), size, "serializedState")?) };
-        let needed = serial::size(saved.model);
+        let needed = serial::size(slave.instance.model());
         if size < needed {
             return refuse(format_args!("serializedState has {size} bytes, {needed} are needed"));
         }
-        serial::write(saved.model, &saved.snapshot, saved.owners(), &mut bytes[..needed]);
+        serial::write(slave.instance.model(), &saved.snapshot, saved.owners(), &mut bytes[..needed]);
         Ok(())
     };
     // SAFETY: the caller's promise about `c`.

@@ -303,14 +303,13 @@ def test_addresses(output_folder, results):
     """The address sanitizer sees an array that is too short, and nothing in the fault programs; no leak either."""
     instrumented = Instrumented("address", output_folder)
     faults, loads = instrumented.compile(TESTS / "faults.c"), instrumented.compile(TESTS / "loads.c")
-    guid = models()[0].partition("=")[2]
     label = "address sanitizer: "
     results.check(f"{label}short array", lambda: is_caught(faults, "short", *models(), by="src/fmi2/values.rs"))
     results.check(f"{label}environment", lambda: report_environments(faults, label))
     for fault in ["threads", "0.5"]:
         results.check(f"{label}{fault}", lambda fault=fault: report(faults, fault, *models(), label=label))
     with tempfile.TemporaryDirectory() as folder:
-        arguments = [instrumented.library, folder, 200, guid]
+        arguments = [instrumented.library, folder, 200, *guids()]
         results.check(f"{label}loads", lambda: report(loads, *arguments, label=label))
 
 
@@ -325,6 +324,11 @@ def models():
     if not found:
         raise Failed("no description in modelDescription")
     return found
+
+
+def guids():
+    """The guid of every model."""
+    return [model.partition("=")[2] for model in models()]
 
 
 def report_environments(faults, label=""):
@@ -350,11 +354,10 @@ def test_faults(compiler, results, thorough):
     seconds = "5" if thorough else "0.5"
     for fault in ["stack", "threads", seconds, *(["long"] if thorough else [])]:
         results.check(f"fault: {fault}", lambda fault=fault: report(faults, fault, *all_models))
-    guid = all_models[0].partition("=")[2]
     cycles = 10_000 if thorough else 500
     results.check("fault: environment", lambda: report_environments(faults))
     with tempfile.TemporaryDirectory() as folder:
-        results.check("fault: loads", lambda: report(loads, compiler.shared_library(), folder, cycles, guid))
+        results.check("fault: loads", lambda: report(loads, compiler.shared_library(), folder, cycles, *guids()))
 
 
 def main():
