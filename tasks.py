@@ -23,6 +23,7 @@ On Windows: py tasks.py demo
 from __future__ import annotations
 
 import argparse
+import ctypes
 import os
 import platform
 import re
@@ -61,11 +62,17 @@ TARGETS = [
 ]
 # What Miri runs: memory, states as bytes, instances of the test model, and a whole life of every model.
 UNDER_MIRI = ["guid::", "memory::", "number::", "probe::", "serial::", "fmi2::tests::child"]
-# Programs and files that tasks need, and the packages of Debian and Ubuntu they are in. First what the tests in C make
-# the German locale of.
-LOCALE = {"localedef": "libc-bin", "/usr/share/i18n/locales/de_DE": "locales"}
-# What the task faults needs beside what every test needs.
-FAULT_PROGRAMS = {"valgrind": "valgrind", "gcc": "gcc", **LOCALE}
+# Programs, files and libraries that tasks need, and the packages of Debian and Ubuntu they are in. First what the tests
+# need: the German locale is made of a file, Ecos calls unzip, exudyn is linked to libraries for its window.
+TEST_PROGRAMS = {
+    "localedef": "libc-bin",
+    "/usr/share/i18n/locales/de_DE": "locales",
+    "unzip": "unzip",
+    "libGL.so.1": "libgl1",
+    "libX11.so.6": "libx11-6",
+}
+# What the task faults needs beside that.
+FAULT_PROGRAMS = {"valgrind": "valgrind", "gcc": "gcc", **TEST_PROGRAMS}
 # What builds for other platforms, and runs what was built.
 PLATFORM_PROGRAMS = {
     "x86_64-w64-mingw32-gcc": "gcc-mingw-w64-x86-64-win32",
@@ -175,24 +182,37 @@ def setup_platforms() -> None:
     install_missing(PLATFORM_PROGRAMS)
 
 
+def is_here(name: str) -> bool:
+    """Is this program, file or library here?"""
+    if ".so" in name:
+        try:
+            ctypes.CDLL(name)
+        except OSError:
+            return False
+        return True
+    return shutil.which(name) is not None or (name[0] == "/" and Path(name).exists())
+
+
 def missing_files(packages: dict[str, str]) -> list[str]:
-    """Those of these programs and files that are not here."""
-    return [name for name in packages if shutil.which(name) is None and not (name[0] == "/" and Path(name).exists())]
+    """Those of these programs, files and libraries that are not here."""
+    return [name for name in packages if not is_here(name)]
 
 
 def install_missing(packages: dict[str, str]) -> None:
-    """Installs the programs and files that are missing. Only root can do it."""
+    """Installs what is missing. Only root can do it."""
     missing = missing_files(packages)
     if not missing:
         return
     wanted = " ".join(packages[name] for name in missing).split()
-    install = ["apt-get", "install", "--yes", "--no-install-recommends", *wanted]
+    # A new machine may still be installing updates.
+    patience = ["-o", "DPkg::Lock::Timeout=300", "-o", "Acquire::Retries=3"]
+    install = ["apt-get", *patience, "install", "--yes", "--no-install-recommends", *wanted]
     cure = f"{', '.join(missing)} not found: on Debian or Ubuntu, as root, run {shlex.join(install)}"
     if os.geteuid() != 0 or shutil.which("apt-get") is None:
         raise TaskError(cure)
     print(f"\n{cure}; trying that now", flush=True)
-    run("apt-get", "update")
-    run(*install)
+    run("apt-get", *patience, "update")
+    run(*install, DEBIAN_FRONTEND="noninteractive")
     # An image may leave out what a package of it has in /usr/share.
     if missing_files(packages):
         raise TaskError(f"{', '.join(missing_files(packages))} not found after {shlex.join(install)}")
@@ -255,9 +275,8 @@ def test() -> None:
     for program in ("rustfmt", "cargo-clippy"):
         need(program, "rustup component add rustfmt clippy")
     setup()
-    # The tests in C look at the German locale on Linux only.
     if platform.system() == "Linux":
-        install_missing(LOCALE)
+        install_missing(TEST_PROGRAMS)
     check_style()
     run("cargo", "test", "--workspace")
     # Here each benchmark runs once, to see that it runs.

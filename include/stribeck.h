@@ -16,7 +16,8 @@
  *             enumerations are numbers from 1.
  * Ownership   What stribeck_create or fmi2Instantiate makes is freed exactly once, with stribeck_free or
  *             fmi2FreeInstance. Texts that the library returns belong to the library. Every pointer you pass stays
- *             yours and is not kept after the call, except the logger of fmi2Instantiate and its environment.
+ *             yours and is not kept after the call, except the logger of fmi2Instantiate and its environment. A program
+ *             that unloads the library must first free what stribeck_create made.
  * Threads     Different instances may be used from different threads at the same time, one instance from one thread at
  *             a time. The library starts no thread.
  * Errors      A call that is refused changes nothing; no call aborts the program. stribeck_...: any status but

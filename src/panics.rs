@@ -5,7 +5,7 @@ use std::panic::{self, PanicHookInfo};
 use std::sync::OnceLock;
 
 /// Silences the report that Rust prints for a panic in this library's code; all other panics keep their report. Called
-/// when the first instance is made through a C interface, where every panic is caught and told to the caller instead.
+/// when an instance is made through a C interface or follows the library to another place, for there every panic is caught and told to the caller instead.
 ///
 /// The place of the panic decides, and not a thread-local flag: that would cost as much as a friction law on each call.
 pub(crate) fn silence() {

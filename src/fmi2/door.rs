@@ -73,6 +73,7 @@ impl Slave {
     #[cold]
     #[inline(never)]
     fn follow(&mut self) -> Option<()> {
+        crate::panics::silence();
         self.instance.set_model(catalogue::by_guid(self.guid)?);
         self.home = home();
         Some(())

@@ -357,8 +357,8 @@ static void try_values(const model *of, const uint32_t *columns, const double *v
     fmi2FreeInstance(slave);
 }
 
-/* Knuth's generator, so that a failure can be repeated. */
-static uint64_t random_state = 1;
+/* Knuth's generator. Each mixture has its own beginning, so that a failure can be repeated. */
+static uint64_t random_state;
 static size_t random_below(size_t limit) {
     random_state = random_state * 6364136223846793005u + 1442695040888963407u;
     return (size_t)((random_state >> 33) % limit);
@@ -390,7 +390,8 @@ static void try_single(const model *of, uint32_t column, size_t which) {
 }
 
 /* Any numbers in a quarter of the variables. */
-static void try_mixture(const model *of, int with_ramps) {
+static void try_mixture(const model *of, int number) {
+    random_state = (uint64_t)number;
     uint32_t *columns = memory(of->columns * sizeof *columns);
     double *values = memory(of->columns * sizeof *values);
     size_t count = 0;
@@ -400,7 +401,7 @@ static void try_mixture(const model *of, int with_ramps) {
             values[count++] = any_number(&of->variables[column]);
         }
     }
-    double slope = with_ramps ? any_number(of->variables) : 0.0;
+    double slope = number % 3 == 0 ? any_number(of->variables) : 0.0;
     try_values(of, columns, values, count, STEPS[random_below(3)], slope);
     free(columns);
     free(values);
@@ -429,7 +430,7 @@ static void sweep(double seconds) {
         }
         for (int i = 0; i < MIXTURES; i++) {
             if (since(&start) < seconds) {
-                try_mixture(of, i % 3 == 0);
+                try_mixture(of, i);
             } else {
                 skipped++;
             }
