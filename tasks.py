@@ -37,6 +37,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent
 VENV = ROOT / ".venv"
 REQUIREMENTS = ROOT / "requirements.txt"
+CONSTRAINTS = ROOT / "constraints.txt"
 # Cargo's tools that only single tasks need are built here, with these versions.
 TOOLS = ROOT / "target" / "tools"
 COVERAGE_TOOL = "cargo-llvm-cov@0.9.1"
@@ -155,11 +156,12 @@ def files(folders: list[str], *endings: str) -> list[Path]:
 
 
 def setup() -> None:
-    """Makes .venv; again only if requirements.txt or the Python version has changed."""
+    """Makes .venv; again only if the packages to install or the Python version have changed."""
     if sys.version_info < (3, 11):  # noqa: UP036 - whoever starts it may have an older one
         raise TaskError(f"Python 3.11 or newer is needed, this is {sys.version.split()[0]}: install it from python.org")
     stamp = VENV / "installed.txt"
-    wanted = f"# Python {sys.version_info.major}.{sys.version_info.minor}\n{REQUIREMENTS.read_text(encoding='utf-8')}"
+    packages = [path.read_text(encoding="utf-8") for path in (REQUIREMENTS, CONSTRAINTS)]
+    wanted = "\n".join([f"# Python {sys.version_info.major}.{sys.version_info.minor}", *packages])
     if stamp.is_file() and stamp.read_text(encoding="utf-8") == wanted:
         return
     try:

@@ -2,6 +2,7 @@
 
 import copy
 import json
+import os
 import re
 import subprocess
 import sys
@@ -101,7 +102,8 @@ def test_crates_of_the_standard_library_have_notices(dist):
 def test_crates_that_symbols_and_paths_name_are_listed(dist):
     """The library in an FMU has no symbols, and where nothing can panic no paths; that of the tests has both."""
     subprocess.run(["cargo", "build", "--package", "stribeck", "--lib"], cwd=PROJECT, check=True)
-    library = (PROJECT / "target" / "debug" / "libstribeck.so").read_bytes().decode("latin-1")
+    target = Path(os.environ.get("CARGO_TARGET_DIR", PROJECT / "target"))
+    library = (target / "debug" / "libstribeck.so").read_bytes().decode("latin-1")
     # Both forms in which Rust writes names: the crate follows the number of its letters.
     symbols = re.findall(r"(?:_ZN|Cs[0-9A-Za-z]*_)(\d+)([A-Za-z]\w*)", library)
     command = ["rustc", "--print", "target-libdir"]
