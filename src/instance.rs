@@ -226,14 +226,10 @@ impl Instance {
         Ok(())
     }
 
-    /// Takes back what only an event of Model Exchange settles, for a state that goes on by steps.
-    pub(crate) fn forget_events(&mut self) {
-        for (variable, value) in self.model.table.iter().zip(&mut self.row) {
-            if variable.is_settled_by_events() && *value != variable.start {
-                *value = variable.start;
-                self.stale = true;
-            }
-        }
+    /// Refuses a saved state that only events of Model Exchange lead to, for an instance that goes on by steps.
+    pub(crate) fn check_without_events(&self, snapshot: &Snapshot) -> Result<(), Fault> {
+        let mut columns = self.model.table.iter().zip(&snapshot.row);
+        columns.try_for_each(|(variable, value)| variable.check_without_events(*value))
     }
 
     /// From here to the next event the results that jump stay as they are.

@@ -421,9 +421,11 @@ impl Variable {
 
     /// Refuses values that steps do not admit, with the text that the user sees.
     pub(crate) fn check_for_steps(&self, value: f64) -> Result<(), Fault> {
-        if !self.admits(value) {
-            return Err(self.fault(value));
-        }
+        if self.admits(value) { self.check_without_events(value) } else { Err(self.fault(value)) }
+    }
+
+    /// Refuses what only events lead to.
+    pub(crate) fn check_without_events(&self, value: f64) -> Result<(), Fault> {
         if self.is_settled_by_events() && value != self.start {
             let text = "without events, which only Model Exchange has";
             return Err(Fault::new(format_args!("{} = {}: must be {} {text}", self.path, Brief(value), self.start)));

@@ -591,7 +591,11 @@ impl World {
         let saved = self.slots[slot].as_ref();
         // SAFETY: a live instance, and NULL or a live state.
         let status = unsafe { fmi2SetFMUstate(slave.c, saved.map_or(null_mut(), |saved| saved.state)) };
-        let fits = |saved: &&Saved| saved.model == slave.model && state(&saved.numbers).is_for(slave.purpose);
+        let has_events = slave.purpose == Purpose::ModelExchange;
+        let fits = |saved: &&Saved| {
+            let is_kind = saved.model == slave.model && state(&saved.numbers).is_for(slave.purpose);
+            is_kind && (has_events || !saved::needs_events(saved.model, &saved.numbers))
+        };
         let fitting = saved.filter(fits).map(|saved| saved.numbers.clone());
         assert_eq!(status == fmi2OK, fitting.is_some());
         self.made(who, Call::SetFMUstate, status, Changes);

@@ -46,6 +46,12 @@ pub fn is_unchanged(model: &ModelType, before: &[f64], after: &[f64], with_resul
         && pairs.filter(|(place, _)| !may_differ(*place)).all(|(_, (a, b))| a.to_bits() == b.to_bits())
 }
 
+/// Do only events of Model Exchange lead to that state?
+pub fn needs_events(model: &ModelType, numbers: &[f64]) -> bool {
+    let mut columns = model.table.iter().zip(&numbers[ROW..]);
+    columns.any(|(variable, value)| variable.is_settled_by_events() && *value != variable.start)
+}
+
 /// Is everything finite but the stop time?
 pub fn is_finite(numbers: &[f64]) -> bool {
     numbers.iter().enumerate().all(|(place, number)| number.is_finite() || (place == STOP && !number.is_nan()))

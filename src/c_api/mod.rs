@@ -667,9 +667,9 @@ pub unsafe extern "C" fn stribeck_restore(
         // SAFETY: not NULL, and the caller promises `size` bytes.
         let bytes = unsafe { std::slice::from_raw_parts(buffer.cast::<u8>(), size) };
         let (snapshot, _) = serial::read(model.instance.model(), bytes).map_err(fault(STRIBECK_BAD_BUFFER))?;
+        // It may be that of an FMU in Model Exchange.
+        model.instance.check_without_events(&snapshot).map_err(fault(STRIBECK_BAD_BUFFER))?;
         model.instance.restore(&snapshot);
-        // A state of an FMU in Model Exchange is one of the same model.
-        model.instance.forget_events();
         Ok(())
     };
     // SAFETY: the caller's promise.

@@ -123,10 +123,10 @@ pub unsafe extern "C" fn fmi2SetFMUstate(c: fmi2Component, FMUstate: fmi2FMUstat
         if !saved.state.is_for(slave.purpose) {
             return refuse(format_args!("FMUstate is in state {:?}, not one of {:?}", saved.state, slave.purpose));
         }
-        slave.instance.restore(&saved.snapshot);
         if slave.purpose == Purpose::CoSimulation {
-            slave.instance.forget_events();
+            slave.instance.check_without_events(&saved.snapshot)?;
         }
+        slave.instance.restore(&saved.snapshot);
         if saved.state == State::ContinuousTimeMode {
             slave.instance.go_on_between_events();
         }
