@@ -1078,3 +1078,15 @@ fn a_strut_without_gas_volume_left_says_so() {
     let text = strut.instance.step(1e-3).unwrap_err().to_string();
     assert!(text.contains("m: must be < 0.06496"), "{text}");
 }
+
+/// Where guide and piston meet, nothing carries the couple of a side load: the message names the overlap and its limit.
+#[test]
+fn a_strut_without_overlap_left_says_so() {
+    let mut strut = strut(&[("geom.h_reg", 0.0), ("side_force_m", 100.0)]);
+    let end = strut.instance.row()[strut.column("length")] + strut.get("overlap");
+    strut.set("length", end);
+    let text = strut.instance.refresh().unwrap_err().to_string();
+    assert!(text.contains("overlap = ") && text.contains("with geom.h_reg = 0 m"), "{text}");
+    let text = strut.instance.step(1e-3).unwrap_err().to_string();
+    assert!(text.contains("with geom.h_reg = 0 m"), "{text}");
+}
