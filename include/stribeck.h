@@ -348,7 +348,10 @@ size_t stribeck_state_size(const stribeck_model *model);
 /** Writes the complete state of the model, parameters and time included, as bytes that any process can read. */
 stribeck_status stribeck_save(stribeck_model *model, void *buffer, size_t size);
 
-/** Goes back to a saved state of this or of another model of the same kind. Foreign or damaged bytes are refused. */
+/**
+ * Goes back to a saved state of this or of another model of the same kind. Foreign or damaged bytes are refused, and a
+ * state that only events of Model Exchange lead to (`phase`).
+ */
 stribeck_status stribeck_restore(stribeck_model *model, const void *buffer, size_t size);
 
 /** Enters event mode, in which inputs may jump. */
@@ -455,7 +458,10 @@ fmi2Status fmi2Reset(fmi2Component c);
  */
 fmi2Status fmi2GetFMUstate(fmi2Component c, fmi2FMUstate *FMUstate);
 
-/** Goes back to a saved state, of this or of another instance of the same model. The state can be used again. */
+/**
+ * Goes back to a saved state, of this or of another instance of the same model. The state can be used again.
+ * Co-simulation refuses one that only events lead to (`phase`).
+ */
 fmi2Status fmi2SetFMUstate(fmi2Component c, fmi2FMUstate FMUstate);
 
 /** Frees a saved state and sets the pointer to NULL. A pointer to NULL is ignored, as is NULL. */

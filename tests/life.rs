@@ -7,7 +7,7 @@ mod common;
 use std::ffi::{CStr, CString};
 use std::ptr::{null, null_mut};
 
-use common::NO_EVENT;
+use common::{NO_CALLBACKS, NO_EVENT};
 use stribeck::c_api::stribeck_status::{STRIBECK_OK, STRIBECK_REFUSED_VALUE, STRIBECK_UNKNOWN_VARIABLE};
 use stribeck::c_api::*;
 use stribeck::catalogue;
@@ -38,19 +38,12 @@ fn is_output(variable: &Variable) -> bool {
 /// The instance must be freed.
 unsafe fn begin(model: &ModelType, kind: fmi2Type) -> fmi2Component {
     let guid = CString::new(model.guid()).expect("no zero byte");
-    let callbacks = fmi2CallbackFunctions {
-        logger: None,
-        allocateMemory: None,
-        freeMemory: None,
-        stepFinished: None,
-        componentEnvironment: null_mut(),
-    };
     let inputs = reals(model, |variable| variable.role == Role::Input);
     let starts: Vec<f64> = inputs.iter().map(|column| model.table[*column as usize].start).collect();
     // SAFETY: valid texts, callbacks and arrays.
     unsafe {
         let name = c"life".as_ptr();
-        let c = fmi2Instantiate(name, kind, guid.as_ptr(), null(), &callbacks, fmi2False, fmi2True);
+        let c = fmi2Instantiate(name, kind, guid.as_ptr(), null(), &NO_CALLBACKS, fmi2False, fmi2True);
         assert!(!c.is_null(), "{}", model.name);
         assert_eq!(fmi2SetupExperiment(c, fmi2False, 0.0, 0.0, fmi2False, 0.0), fmi2OK);
         assert_eq!(fmi2EnterInitializationMode(c), fmi2OK);

@@ -650,7 +650,8 @@ pub unsafe extern "C" fn stribeck_save(
     unsafe { enter(model, body) }
 }
 
-/// Goes back to a saved state of this or of another model of the same kind. Foreign or damaged bytes are refused.
+/// Goes back to a saved state of this or of another model of the same kind. Foreign or damaged bytes are refused, and a
+/// state that only events of Model Exchange lead to (`phase`).
 ///
 /// # Safety
 /// As the module says of handles; `buffer` must be NULL or have `size` readable bytes.

@@ -112,6 +112,7 @@ pub unsafe extern "C" fn fmi2GetFMUstate(c: fmi2Component, FMUstate: *mut fmi2FM
 }
 
 /// Goes back to a saved state, of this or of another instance of the same model. The state can be used again.
+/// Co-simulation refuses one that only events lead to (`phase`).
 ///
 /// # Safety
 /// `c` as for every call on an instance; `FMUstate` must be NULL or a state of this library.

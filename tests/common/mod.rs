@@ -1,8 +1,10 @@
 //! What several test programs share: a model driven by the names of its variables, and the belt benchmark.
 #![allow(dead_code, reason = "each test program uses a part of it")]
 
+use std::ptr::null_mut;
+
 use stribeck::catalogue;
-use stribeck::fmi2::types::{fmi2EventInfo, fmi2False};
+use stribeck::fmi2::types::{fmi2CallbackFunctions, fmi2EventInfo, fmi2False};
 use stribeck::instance::Instance;
 
 /// What an importer hands over to be filled in by an event.
@@ -13,6 +15,15 @@ pub const NO_EVENT: fmi2EventInfo = fmi2EventInfo {
     valuesOfContinuousStatesChanged: fmi2False,
     nextEventTimeDefined: fmi2False,
     nextEventTime: 0.0,
+};
+
+/// Of an importer that wants to hear nothing and has no memory of its own.
+pub const NO_CALLBACKS: fmi2CallbackFunctions = fmi2CallbackFunctions {
+    logger: None,
+    allocateMemory: None,
+    freeMemory: None,
+    stepFinished: None,
+    componentEnvironment: null_mut(),
 };
 
 /// A live model, driven by names.
