@@ -578,14 +578,6 @@ typedef enum stribeck_bliman_sorine_order {
   STRIBECK_BLIMAN_SORINE_ORDER_SECOND = 2,
 } stribeck_bliman_sorine_order;
 
-/** Choices of a variable of the type BristleStart. */
-typedef enum stribeck_bristle_start {
-  /** All are bonded where they stand, so they snap together at the first breakaway. */
-  STRIBECK_BRISTLE_START_BONDED = 1,
-  /** As after a long slide in the direction of the first motion. */
-  STRIBECK_BRISTLE_START_STATIONARY = 2,
-} stribeck_bristle_start;
-
 /** Choices of a variable of the type BumpMode. */
 typedef enum stribeck_bump_mode {
   /** Proportional to its compression. */
@@ -729,6 +721,14 @@ typedef enum stribeck_frictional_lag_variant {
   /** The force follows the velocity through a first-order filter. */
   STRIBECK_FRICTIONAL_LAG_VARIANT_FIRST_ORDER = 2,
 } stribeck_frictional_lag_variant;
+
+/** Choices of a variable of the type InitialBonds. */
+typedef enum stribeck_initial_bonds {
+  /** All are bonded where they stand, so they snap together at the first breakaway. */
+  STRIBECK_INITIAL_BONDS_BONDED = 1,
+  /** As after a long slide in the direction of the first motion. */
+  STRIBECK_INITIAL_BONDS_STATIONARY = 2,
+} stribeck_initial_bonds;
 
 /** Choices of a variable of the type InputMode. */
 typedef enum stribeck_input_mode {
@@ -2664,7 +2664,7 @@ typedef enum stribeck_elasto_plastic_variable {
 } stribeck_elasto_plastic_variable;
 
 /** Guid of Bristle for fmi2Instantiate. */
-#define STRIBECK_BRISTLE_GUID "{dae2f272-94bf-e010-62b0-41a8a012c373}"
+#define STRIBECK_BRISTLE_GUID "{dd244833-9aa2-fca8-d005-d275c968e3c3}"
 
 /** Bristle: Bonds that snap and form again at random (bristle model). Columns of "Bristle". */
 typedef enum stribeck_bristle_variable {
@@ -2682,8 +2682,8 @@ typedef enum stribeck_bristle_variable {
   STRIBECK_BRISTLE_BRISTLE_COUNT = 5,
   /** fixed [Integer]: Seed of the random numbers. (>= 0, default 0) */
   STRIBECK_BRISTLE_SEED = 6,
-  /** fixed [stribeck_bristle_start]: State of the bristles when the motion starts. (default Bonded) */
-  STRIBECK_BRISTLE_START = 7,
+  /** fixed [stribeck_initial_bonds]: State of the bristles when the motion starts. (default Bonded) */
+  STRIBECK_BRISTLE_INITIAL_BONDS = 7,
   /** state [m]: Strain of the bristle, x - b_i. (default 0) */
   STRIBECK_BRISTLE_BRISTLE_1_STRAIN = 8,
   /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
@@ -4150,7 +4150,7 @@ typedef enum stribeck_elasto_plastic_planar_variable {
 } stribeck_elasto_plastic_planar_variable;
 
 /** Guid of ShockAbsorber for fmi2Instantiate. */
-#define STRIBECK_SHOCK_ABSORBER_GUID "{61747dc1-10de-8f5b-c2cd-52bb0ae96319}"
+#define STRIBECK_SHOCK_ABSORBER_GUID "{18641639-cf51-92aa-884e-f3b81ffdec65}"
 
 /** ShockAbsorber: Telescopic shock absorber with friction from its side load. Columns of "ShockAbsorber". */
 typedef enum stribeck_shock_absorber_variable {
@@ -4497,8 +4497,8 @@ typedef enum stribeck_shock_absorber_variable {
   STRIBECK_SHOCK_ABSORBER_FRICTION_BRISTLE_COUNT = 154,
   /** fixed [Integer]: Seed of the random numbers. (>= 0, default 0) */
   STRIBECK_SHOCK_ABSORBER_FRICTION_SEED = 155,
-  /** fixed [stribeck_bristle_start]: State of the bristles when the motion starts. (default Bonded) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_START = 156,
+  /** fixed [stribeck_initial_bonds]: State of the bristles when the motion starts. (default Bonded) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_INITIAL_BONDS = 156,
   /** tunable [s]: Time constant of the force while sliding (default chosen). (> 0, default 0.001) */
   STRIBECK_SHOCK_ABSORBER_FRICTION_SLIP_TIME = 157,
   /** tunable [N/s]: Rate at which the slipping elements together approach their level (default chosen).
@@ -5438,7 +5438,7 @@ typedef enum stribeck_shock_absorber_variable {
   /** state, out [K]: Temperature of the damper. (> 0, default 293.15) */
   STRIBECK_SHOCK_ABSORBER_TEMPERATURE = 620,
   /** state, out [J]: Energy taken out of the motion by friction and damper since the start. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_ENERGY_DISSIPATED = 621,
+  STRIBECK_SHOCK_ABSORBER_DISSIPATED_ENERGY = 621,
   /** out [N]: Force of the strut; positive pushes the eyes apart. */
   STRIBECK_SHOCK_ABSORBER_FORCE = 622,
   /** out [N]: The same with the other sign: positive pulls the eyes together. */
@@ -5478,7 +5478,7 @@ typedef enum stribeck_shock_absorber_variable {
   /** out [s]: Largest communication step that is stable for num.mass_ref; advice to the master. */
   STRIBECK_SHOCK_ABSORBER_STEP_LIMIT = 640,
   /** out [W]: Power taken out of the motion by friction and damper. */
-  STRIBECK_SHOCK_ABSORBER_POWER_DISSIPATED = 641,
+  STRIBECK_SHOCK_ABSORBER_DISSIPATED_POWER = 641,
   /** out [Boolean]: Do the contacts stick? */
   STRIBECK_SHOCK_ABSORBER_STICKING = 642,
   /** out [Boolean]: Is the bump stop touched? */
@@ -5531,7 +5531,7 @@ typedef enum stribeck_telescopic_joint_variable {
 } stribeck_telescopic_joint_variable;
 
 /** Guid of GuideContact for fmi2Instantiate. */
-#define STRIBECK_GUIDE_CONTACT_GUID "{f40bf5ba-2af3-6dd2-9e7f-35b1f8feca75}"
+#define STRIBECK_GUIDE_CONTACT_GUID "{c16d505d-3fd1-c930-caf9-c3727f472b4d}"
 
 /** GuideContact: Friction of a rod in its guide, by any law of the catalogue. Columns of "GuideContact". */
 typedef enum stribeck_guide_contact_variable {
@@ -5656,8 +5656,8 @@ typedef enum stribeck_guide_contact_variable {
   STRIBECK_GUIDE_CONTACT_FRICTION_BRISTLE_COUNT = 52,
   /** fixed [Integer]: Seed of the random numbers. (>= 0, default 0) */
   STRIBECK_GUIDE_CONTACT_FRICTION_SEED = 53,
-  /** fixed [stribeck_bristle_start]: State of the bristles when the motion starts. (default Bonded) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_START = 54,
+  /** fixed [stribeck_initial_bonds]: State of the bristles when the motion starts. (default Bonded) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_INITIAL_BONDS = 54,
   /** tunable [s]: Time constant of the force while sliding (default chosen). (> 0, default 0.001) */
   STRIBECK_GUIDE_CONTACT_FRICTION_SLIP_TIME = 55,
   /** tunable [N/s]: Rate at which the slipping elements together approach their level (default chosen).

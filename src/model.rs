@@ -556,6 +556,12 @@ pub trait Model: Described + Law {
         Ok(())
     }
 
+    /// What the user should know of values that are taken though they make no sense here, such as an input that was left
+    /// open and stands at 0. Hosts tell it once.
+    fn warning(&self) -> Option<Fault> {
+        None
+    }
+
     /// Refuses inputs for which the equations give no number; asked where a result is not finite, to name the limit.
     fn check_motion(&self) -> Result<(), Fault> {
         Ok(())
@@ -653,6 +659,7 @@ pub struct ModelType {
     guid: GuidText,
     check: fn(&[f64]) -> Result<(), Fault>,
     check_motion: fn(&[f64]) -> Result<(), Fault>,
+    warning: fn(&[f64]) -> Option<Fault>,
     advance: fn(&mut [f64], f64) -> bool,
     advance_ramp: fn(&mut [f64], &[f64], f64) -> bool,
     output: fn(&mut [f64]) -> bool,
@@ -683,6 +690,7 @@ impl ModelType {
             ),
             check: |row| view::<M, f64>(row).check(),
             check_motion: |row| view::<M, f64>(row).check_motion(),
+            warning: |row| view::<M, f64>(row).warning(),
             advance: |row, dt| commit::<M>(row, first_result(M::TABLE), |model| model.step_and_output(dt)),
             advance_ramp: |row, slope, dt| {
                 let slope = *view::<M, f64>(slope);
@@ -730,6 +738,11 @@ impl ModelType {
     /// Refuses parameters that are admitted one by one but not together.
     pub fn check(&self, row: &[f64]) -> Result<(), Fault> {
         (self.check)(row)
+    }
+
+    /// What the user should know of values that are taken though they make no sense here.
+    pub fn warning(&self, row: &[f64]) -> Option<Fault> {
+        (self.warning)(row)
     }
 
     /// Names the limit of an input for which a result is not finite.

@@ -627,7 +627,7 @@ fn bristle_forces(seeds: i32, start: f64, path: &[f64]) -> Vec<f64> {
     let one = |seed: i32| {
         let mut bench = Bench::new("Bristle", &UNIT_BRISTLES);
         bench.set("seed", f64::from(seed));
-        bench.set("start", start);
+        bench.set("initial_bonds", start);
         for displacement in path {
             bench.set("velocity", *displacement);
             bench.step(1.0);
@@ -780,7 +780,7 @@ fn stationary_bristles_give_back_no_more_than_their_strain_energy() {
     let mut random = Random(41);
     let mut least: f64 = 0.0;
     for seed in 0..1000 {
-        let mut bench = Bench::new("Bristle", &[("start", 2.0), ("seed", f64::from(seed))]);
+        let mut bench = Bench::new("Bristle", &[("initial_bonds", 2.0), ("seed", f64::from(seed))]);
         for displacement in [1e-12, -1e-5 * random.next()] {
             bench.set("velocity", displacement);
             bench.step(1.0);

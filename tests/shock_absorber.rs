@@ -485,7 +485,7 @@ fn area_of_a_quasi_static_loop() {
     let mut energy = [0.0; 3];
     for k in 0..30_000 {
         if k % 10_000 == 0 {
-            energy[k / 10_000] = strut.get("energy_dissipated");
+            energy[k / 10_000] = strut.get("dissipated_energy");
         }
         let phase = 2.0 * std::f64::consts::PI * (k as f64 + 0.5) * 1e-3 / period;
         strut.set("length", 0.1725 + amplitude * phase.sin());
@@ -552,7 +552,7 @@ fn energy_balance() {
         work -= 0.5 * (before + strut.get("force")) * velocity * h;
         rotation += 0.5 * (turning + strut.get("friction_torque")) * 2.0 * h;
     }
-    let dissipated = strut.get("energy_dissipated");
+    let dissipated = strut.get("dissipated_energy");
     assert!((work + rotation - dissipated).abs() < 2e-3 * dissipated, "{work} + {rotation} = {dissipated}");
 }
 
@@ -763,8 +763,8 @@ fn all_that_is_dissipated_heats() {
         strut.step(0.01);
     }
     let heat = 600.0 * (strut.get("temperature") - 293.15);
-    assert!((heat / strut.get("energy_dissipated") - 1.0).abs() < 1e-9, "{heat} J");
-    let power = strut.get("power_dissipated");
+    assert!((heat / strut.get("dissipated_energy") - 1.0).abs() < 1e-9, "{heat} J");
+    let power = strut.get("dissipated_power");
     let friction = strut.get("friction_1") + strut.get("friction_2");
     let work = friction * 0.2 + strut.get("friction_torque") * 3.0 - strut.get("force_damper") * 0.2;
     assert!((power / work - 1.0).abs() < 1e-9, "{power} {work}");

@@ -6,7 +6,7 @@ const MOST: usize = 64;
 
 crate::choices! {
     /// State of the bristles when the motion starts.
-    pub enum BristleStart {
+    pub enum InitialBonds {
         /// All are bonded where they stand, so they snap together at the first breakaway.
         Bonded,
         /// As after a long slide in the direction of the first motion.
@@ -47,7 +47,7 @@ crate::model! {
     /// | delta   | `delta`            | m    | strain at which a bond snaps                           |
     /// | N       | `bristle_count`    | -    | number of bristles                                     |
     /// | -       | `seed`             | -    | selects the sequence of random numbers                 |
-    /// | -       | `start`            | -    | state of the bristles when the motion starts           |
+    /// | -       | `initial_bonds`    | -    | state of the bristles when the motion starts           |
     /// | x - b_i | `bristle[i].strain` | m   | strain of bristle i                                    |
     /// | -       | `bristle[i].draws` | 1    | random numbers that bristle i has used                 |
     /// | f_f     | `friction_force`   | N    | friction force                                         |
@@ -133,7 +133,7 @@ crate::model! {
         /// Seed of the random numbers.
         seed: fixed = integer(0).at_least(0.0),
         /// State of the bristles when the motion starts.
-        start: fixed = BristleStart::Bonded.start(),
+        initial_bonds: fixed = InitialBonds::Bonded.start(),
         /// Bristles; those beyond the count are not used.
         bristle: [Bond; MOST],
         /// Energy taken out of the motion since the start.
@@ -190,7 +190,7 @@ impl Bristle {
     fn shift(&mut self, displacement: f64) {
         let direction = displacement.sign();
         let surface = Surface { delta: self.delta, span: self.span(), seed: self.seed };
-        let is_stationary = BristleStart::of(self.start) == BristleStart::Stationary;
+        let is_stationary = InitialBonds::of(self.initial_bonds) == InitialBonds::Stationary;
         let count = self.count();
         let mut area = 0.0;
         for (number, bond) in self.bristle[..count].iter_mut().enumerate() {
@@ -222,7 +222,7 @@ impl Model for Bristle {
         Preset {
             name: "haessig_friedland_stationary",
             source: "Example: the start values without the first peak, in which all bristles snap together",
-            values: &[("start", 2.0)],
+            values: &[("initial_bonds", 2.0)],
         },
     ];
 
@@ -402,7 +402,7 @@ mod tests {
     /// The energy is what the springs hold and what the snaps took: the fine sum of force times distance.
     #[test]
     fn energy_is_the_integral_of_force_over_distance() {
-        for law in [Bristle::default(), Bristle { start: 2.0, mu_s: 0.29, bristle_count: 3.0, ..Default::default() }] {
+        for law in [Bristle::default(), Bristle { initial_bonds: 2.0, mu_s: 0.29, bristle_count: 3.0, ..Default::default() }] {
             let (mut sum, mut fine, n) = (0.0, law, 200_000);
             for leg in [1e-4, -1.3e-4] {
                 for _ in 0..n {

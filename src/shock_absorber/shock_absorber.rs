@@ -511,7 +511,7 @@ crate::model! {
         /// Temperature of the damper.
         temperature: state_output = real("K", 293.15).positive().nominal(300.0).shown_in("degC"),
         /// Energy taken out of the motion by friction and damper since the start.
-        energy_dissipated: state_output = real("J", 0.0),
+        dissipated_energy: state_output = real("J", 0.0),
         /// Force of the strut; positive pushes the eyes apart.
         force: output = real("N", 0.0),
         /// The same with the other sign: positive pulls the eyes together.
@@ -551,7 +551,7 @@ crate::model! {
         /// Largest communication step that is stable for num.mass_ref; advice to the master.
         step_limit: output = real("s", 0.0).shown_in("ms").without_derivatives(),
         /// Power taken out of the motion by friction and damper.
-        power_dissipated: output = real("W", 0.0),
+        dissipated_power: output = real("W", 0.0),
         /// Do the contacts stick?
         sticking: output = boolean(false),
         /// Is the bump stop touched?
@@ -633,7 +633,7 @@ impl<T: Evaluate> ShockAbsorber<T> {
         self.force = forces.sum() + self.force_damper + self.force_friction;
         self.force_tension = -self.force;
         self.force_travel = self.setting.adapter.force_gain * self.setting.adapter.length_gain * self.force;
-        self.power_dissipated = resistance * piston;
+        self.dissipated_power = resistance * piston;
     }
 
     fn write_friction(&mut self, touches: &[Touch<T>; 2], answers: &[Answer<T>; 2]) {
@@ -643,7 +643,7 @@ impl<T: Evaluate> ShockAbsorber<T> {
         let torque = [0, 1].map(|at| radii[at] * answers[at].force * directions[at][1]);
         self.friction_torque = torque[0] + torque[1];
         for (touch, answer) in touches.iter().zip(answers) {
-            self.power_dissipated = self.power_dissipated + answer.force * touch.signed_speed();
+            self.dissipated_power = self.dissipated_power + answer.force * touch.signed_speed();
         }
         self.sticking = truth(self.sticks(touches, answers));
     }
@@ -714,8 +714,8 @@ impl<T: Evaluate> Law for ShockAbsorber<T> {
         rate.piston_velocity = setting.damper.rate(piston, motion.velocity, factor);
         let mut now = *self;
         now.output();
-        rate.energy_dissipated = now.power_dissipated;
-        rate.temperature = setting.thermal.rate(self.temperature, setting.temperature_ambient, now.power_dissipated);
+        rate.dissipated_energy = now.dissipated_power;
+        rate.temperature = setting.thermal.rate(self.temperature, setting.temperature_ambient, now.dissipated_power);
     }
 }
 
@@ -750,7 +750,7 @@ impl ShockAbsorber {
         let damper = setting.damper.advance(&mut self.piston_velocity, velocity, factor, dt);
         let power = friction + damper / dt;
         self.temperature = setting.thermal.after(self.temperature, setting.temperature_ambient, power, dt);
-        self.energy_dissipated += friction * dt + damper;
+        self.dissipated_energy += friction * dt + damper;
     }
 }
 

@@ -29,7 +29,7 @@ OUTPUTS = [
     "compression",
     "overlap",
 ]
-OTHERS = ["force_tension", "force_travel", "dforce_dlength", "dforce_dvelocity", "energy_dissipated"]
+OTHERS = ["force_tension", "force_travel", "dforce_dlength", "dforce_dvelocity", "dissipated_energy"]
 
 # The wrench of the worked example.
 WRENCH = {"side_force_m": 80.0, "side_force_n": -30.0, "side_moment_m": 2.0, "side_moment_n": 6.0}
@@ -367,13 +367,13 @@ def test_closed_cycles_dissipate_what_the_force_puts_in(model):
         for k in range(20_000):
             time = step * k
             if k == 2_000:
-                work, begin = 0.0, found["energy_dissipated"]
+                work, begin = 0.0, found["dissipated_energy"]
             phases = [2.0 * math.pi * f * time for f in (5.0, 15.0)]
             length = 0.1775 + 0.01 * math.sin(phases[0]) + 0.001 * math.sin(phases[1])
             velocity = 2.0 * math.pi * (0.05 * math.cos(phases[0]) + 0.015 * math.cos(phases[1]))
             found = fmu.drive({"length": length, "velocity": velocity}, step)
             work -= found["force"] * velocity * step
-        dissipated = found["energy_dissipated"] - begin
+        dissipated = found["dissipated_energy"] - begin
         assert dissipated > 0.0
         assert dissipated == pytest.approx(work, rel=2e-3)
 
