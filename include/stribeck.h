@@ -1,19 +1,22 @@
 /* stribeck.h: friction force models, the interface for C and C++.  Written by fmu-build; do not edit.
  *
  * Two interfaces, one library. The functions stribeck_... are for programs that use the models directly; the functions
- * fmi2... are those of FMI 2.0 for co-simulation, with the names and types of the standard's headers, for programs that
- * treat the library as an FMU. Use one of them for an instance, and do not include the standard's headers together with
- * this one.
+ * fmi2... are those of FMI 2.0 for co-simulation and Model Exchange, with the names and types of the standard's headers,
+ * for programs that treat the library as an FMU. Use one of the two for an instance, and do not include the standard's
+ * headers together with this one. Which models offer Model Exchange is in their modelDescription.xml; fmi2Instantiate
+ * refuses it for the others.
  *
  * Sign        velocity is that of body 1 relative to body 2. friction_force is the resistance: it has the sign of
  *             velocity when sliding, body 1 feels -friction_force and body 2 feels +friction_force. The power
  *             friction_force * velocity leaves the motion. external_force is the resultant of all other tangential
- *             forces on body 1; a contact that sticks carries friction_force = external_force. SI units throughout.
+ *             forces on body 1 or, if body 2 moves too, the effective mass times the relative acceleration that they
+ *             give. A contact that sticks carries friction_force = external_force. SI units throughout.
  * Columns     A model is a row of numbers. Every variable has a column, which is also its FMI value reference; the
  *             enums at the end of this file name the columns of each model, with role, unit, meaning, bound and default:
- *             in = set by the caller before each step; fixed = parameter that stays constant during a run; tunable =
- *             parameter that may change between steps; state = advanced by steps; out = result. Booleans are 0 or 1,
- *             enumerations are numbers from 1.
+ *             in = set by the caller before each step or evaluation; fixed = parameter that stays constant during a run;
+ *             tunable = parameter that may change between steps or at events; state = advanced by steps or, in Model
+ *             Exchange, by the caller's solver and by events; out = result. Booleans are 0 or 1, enumerations are
+ *             numbers from 1.
  * Ownership   What stribeck_create or fmi2Instantiate makes is freed exactly once, with stribeck_free or
  *             fmi2FreeInstance. Texts that the library returns belong to the library. Every pointer you pass stays
  *             yours and is not kept after the call, except the logger of fmi2Instantiate and its environment. A program
@@ -22,8 +25,9 @@
  *             a time. The library starts no thread.
  * Errors      A call that is refused changes nothing; no call aborts the program. stribeck_...: any status but
  *             STRIBECK_OK is a refusal, and stribeck_last_error says why. fmi2...: with fmi2Discard a value was refused
- *             and the run can go on; after fmi2Error the instance must be reset, freed or given a saved state. The
- *             reason goes to the logger. A result is never infinite or NaN.
+ *             and the run can go on, in Model Exchange with a shorter step of the solver; after fmi2Error the instance
+ *             must be reset, freed or given a saved state. The reason goes to the logger. A result is never infinite
+ *             or NaN.
  * NULL        A NULL instance or array is refused, never dereferenced; an array of length 0 may be NULL. Freeing NULL
  *             does nothing.
  * Safety      A pointer that is not NULL must be valid for its purpose, and a text must end with a zero byte.
@@ -849,11 +853,13 @@ typedef enum stribeck_coulomb_variable {
   STRIBECK_COULOMB_VELOCITY = 0,
   /** in [N]: Normal force that presses the surfaces together. (>= 0, default 9.81) */
   STRIBECK_COULOMB_NORMAL_FORCE = 1,
-  /** in [N]: Resultant of all other tangential forces on body 1. (default 0) */
+  /** in [N]: All other tangential forces on body 1; if body 2 moves, mass times relative acceleration without friction.
+   *  (default 0) */
   STRIBECK_COULOMB_EXTERNAL_FORCE = 2,
   /** tunable [1]: Kinetic coefficient of friction. (>= 0, default 0.1) */
   STRIBECK_COULOMB_MU_K = 3,
-  /** tunable [kg]: Effective mass of the host, to hold it in co-simulation; 0 = the printed law. (>= 0, default 0) */
+  /** tunable [kg]: Effective mass of the host, rather too small than too large, to hold it in co-simulation; 0 = the printed law.
+   *  (>= 0, default 0) */
   STRIBECK_COULOMB_MASS = 4,
   /** fixed [stribeck_exchange]: Order in which the master exchanges values; used with mass > 0. (default Sequential) */
   STRIBECK_COULOMB_EXCHANGE = 5,
@@ -884,7 +890,8 @@ typedef enum stribeck_coulomb_stiction_variable {
   STRIBECK_COULOMB_STICTION_VELOCITY = 0,
   /** in [N]: Normal force that presses the surfaces together. (>= 0, default 9.81) */
   STRIBECK_COULOMB_STICTION_NORMAL_FORCE = 1,
-  /** in [N]: Resultant of all other tangential forces on body 1. (default 0) */
+  /** in [N]: All other tangential forces on body 1; if body 2 moves, mass times relative acceleration without friction.
+   *  (default 0) */
   STRIBECK_COULOMB_STICTION_EXTERNAL_FORCE = 2,
   /** tunable [1]: Kinetic coefficient of friction. (>= 0, default 0.1) */
   STRIBECK_COULOMB_STICTION_MU_K = 3,
@@ -893,7 +900,8 @@ typedef enum stribeck_coulomb_stiction_variable {
   /** state [Boolean]: Has the last step left the contact stuck? Only with mass > 0; phase tells it in Model Exchange.
    *  (default false) */
   STRIBECK_COULOMB_STICTION_STUCK = 5,
-  /** tunable [kg]: Effective mass of the host, to hold it in co-simulation; 0 = the printed law. (>= 0, default 0) */
+  /** tunable [kg]: Effective mass of the host, rather too small than too large, to hold it in co-simulation; 0 = the printed law.
+   *  (>= 0, default 0) */
   STRIBECK_COULOMB_STICTION_MASS = 6,
   /** fixed [stribeck_exchange]: Order in which the master exchanges values; used with mass > 0. (default Sequential) */
   STRIBECK_COULOMB_STICTION_EXCHANGE = 7,
@@ -924,7 +932,8 @@ typedef enum stribeck_coulomb_viscous_variable {
   STRIBECK_COULOMB_VISCOUS_VELOCITY = 0,
   /** in [N]: Normal force that presses the surfaces together. (>= 0, default 9.81) */
   STRIBECK_COULOMB_VISCOUS_NORMAL_FORCE = 1,
-  /** in [N]: Resultant of all other tangential forces on body 1. (default 0) */
+  /** in [N]: All other tangential forces on body 1; if body 2 moves, mass times relative acceleration without friction.
+   *  (default 0) */
   STRIBECK_COULOMB_VISCOUS_EXTERNAL_FORCE = 2,
   /** tunable [1]: Kinetic coefficient of friction. (>= 0, default 0.1) */
   STRIBECK_COULOMB_VISCOUS_MU_K = 3,
@@ -934,7 +943,8 @@ typedef enum stribeck_coulomb_viscous_variable {
   STRIBECK_COULOMB_VISCOUS_VISCOUS_COEFFICIENT = 5,
   /** tunable [1]: Exponent of the viscous part. (> 0, default 1) */
   STRIBECK_COULOMB_VISCOUS_VISCOUS_EXPONENT = 6,
-  /** tunable [kg]: Effective mass of the host, to hold it in co-simulation; 0 = the printed law. (>= 0, default 0) */
+  /** tunable [kg]: Effective mass of the host, rather too small than too large, to hold it in co-simulation; 0 = the printed law.
+   *  (>= 0, default 0) */
   STRIBECK_COULOMB_VISCOUS_MASS = 7,
   /** fixed [stribeck_exchange]: Order in which the master exchanges values; used with mass > 0. (default Sequential) */
   STRIBECK_COULOMB_VISCOUS_EXCHANGE = 8,
@@ -965,7 +975,8 @@ typedef enum stribeck_stribeck_variable {
   STRIBECK_STRIBECK_VELOCITY = 0,
   /** in [N]: Normal force that presses the surfaces together. (>= 0, default 9.81) */
   STRIBECK_STRIBECK_NORMAL_FORCE = 1,
-  /** in [N]: Resultant of all other tangential forces on body 1. (default 0) */
+  /** in [N]: All other tangential forces on body 1; if body 2 moves, mass times relative acceleration without friction.
+   *  (default 0) */
   STRIBECK_STRIBECK_EXTERNAL_FORCE = 2,
   /** fixed [stribeck_stribeck_curve]: How the level falls with speed. (default Gaussian) */
   STRIBECK_STRIBECK_CURVE = 3,
@@ -982,7 +993,8 @@ typedef enum stribeck_stribeck_variable {
   STRIBECK_STRIBECK_VISCOUS_COEFFICIENT = 8,
   /** tunable [N.s2/m2]: Quadratic friction coefficient; used by PoppStelter. (>= 0, default 0) */
   STRIBECK_STRIBECK_QUADRATIC_COEFFICIENT = 9,
-  /** tunable [kg]: Effective mass of the host, to hold it in co-simulation; 0 = the printed law. (>= 0, default 0) */
+  /** tunable [kg]: Effective mass of the host, rather too small than too large, to hold it in co-simulation; 0 = the printed law.
+   *  (>= 0, default 0) */
   STRIBECK_STRIBECK_MASS = 10,
   /** fixed [stribeck_exchange]: Order in which the master exchanges values; used with mass > 0. (default Sequential) */
   STRIBECK_STRIBECK_EXCHANGE = 11,
@@ -1013,13 +1025,15 @@ typedef enum stribeck_bernard_variable {
   STRIBECK_BERNARD_VELOCITY = 0,
   /** in [N]: Normal force that presses the surfaces together. (>= 0, default 9.81) */
   STRIBECK_BERNARD_NORMAL_FORCE = 1,
-  /** in [N]: Resultant of all other tangential forces on body 1. (default 0) */
+  /** in [N]: All other tangential forces on body 1; if body 2 moves, mass times relative acceleration without friction.
+   *  (default 0) */
   STRIBECK_BERNARD_EXTERNAL_FORCE = 2,
   /** tunable [1]: Kinetic coefficient of friction. (>= 0, default 0.1) */
   STRIBECK_BERNARD_MU_K = 3,
   /** tunable [s/m]: Slope of the force at rest, relative to the level there. (> 0, default 2000) */
   STRIBECK_BERNARD_TRANSITION_SLOPE = 4,
-  /** tunable [kg]: Effective mass of the host, to hold it in co-simulation; 0 = the printed law. (>= 0, default 0) */
+  /** tunable [kg]: Effective mass of the host, rather too small than too large, to hold it in co-simulation; 0 = the printed law.
+   *  (>= 0, default 0) */
   STRIBECK_BERNARD_MASS = 5,
   /** fixed [stribeck_exchange]: Order in which the master exchanges values; used with mass > 0. (default Sequential) */
   STRIBECK_BERNARD_EXCHANGE = 6,
@@ -1050,7 +1064,8 @@ typedef enum stribeck_threlfall_variable {
   STRIBECK_THRELFALL_VELOCITY = 0,
   /** in [N]: Normal force that presses the surfaces together. (>= 0, default 9.81) */
   STRIBECK_THRELFALL_NORMAL_FORCE = 1,
-  /** in [N]: Resultant of all other tangential forces on body 1. (default 0) */
+  /** in [N]: All other tangential forces on body 1; if body 2 moves, mass times relative acceleration without friction.
+   *  (default 0) */
   STRIBECK_THRELFALL_EXTERNAL_FORCE = 2,
   /** tunable [1]: Kinetic coefficient of friction. (>= 0, default 0.1) */
   STRIBECK_THRELFALL_MU_K = 3,
@@ -1058,7 +1073,8 @@ typedef enum stribeck_threlfall_variable {
   STRIBECK_THRELFALL_VARIANT = 4,
   /** tunable [m/s]: Velocity at which the regularised band around rest ends (default chosen). (> 0, default 0.001) */
   STRIBECK_THRELFALL_TRANSITION_VELOCITY = 5,
-  /** tunable [kg]: Effective mass of the host, to hold it in co-simulation; 0 = the printed law. (>= 0, default 0) */
+  /** tunable [kg]: Effective mass of the host, rather too small than too large, to hold it in co-simulation; 0 = the printed law.
+   *  (>= 0, default 0) */
   STRIBECK_THRELFALL_MASS = 6,
   /** fixed [stribeck_exchange]: Order in which the master exchanges values; used with mass > 0. (default Sequential) */
   STRIBECK_THRELFALL_EXCHANGE = 7,
@@ -1089,13 +1105,15 @@ typedef enum stribeck_threlfall_modified_variable {
   STRIBECK_THRELFALL_MODIFIED_VELOCITY = 0,
   /** in [N]: Normal force that presses the surfaces together. (>= 0, default 9.81) */
   STRIBECK_THRELFALL_MODIFIED_NORMAL_FORCE = 1,
-  /** in [N]: Resultant of all other tangential forces on body 1. (default 0) */
+  /** in [N]: All other tangential forces on body 1; if body 2 moves, mass times relative acceleration without friction.
+   *  (default 0) */
   STRIBECK_THRELFALL_MODIFIED_EXTERNAL_FORCE = 2,
   /** tunable [1]: Kinetic coefficient of friction. (>= 0, default 0.1) */
   STRIBECK_THRELFALL_MODIFIED_MU_K = 3,
   /** tunable [m/s]: Velocity at which the regularised band around rest ends (default chosen). (> 0, default 0.001) */
   STRIBECK_THRELFALL_MODIFIED_TRANSITION_VELOCITY = 4,
-  /** tunable [kg]: Effective mass of the host, to hold it in co-simulation; 0 = the printed law. (>= 0, default 0) */
+  /** tunable [kg]: Effective mass of the host, rather too small than too large, to hold it in co-simulation; 0 = the printed law.
+   *  (>= 0, default 0) */
   STRIBECK_THRELFALL_MODIFIED_MASS = 5,
   /** fixed [stribeck_exchange]: Order in which the master exchanges values; used with mass > 0. (default Sequential) */
   STRIBECK_THRELFALL_MODIFIED_EXCHANGE = 6,
@@ -1126,7 +1144,8 @@ typedef enum stribeck_rooney_deravi_variable {
   STRIBECK_ROONEY_DERAVI_VELOCITY = 0,
   /** in [N]: Normal force that presses the surfaces together. (>= 0, default 9.81) */
   STRIBECK_ROONEY_DERAVI_NORMAL_FORCE = 1,
-  /** in [N]: Resultant of all other tangential forces on body 1. (default 0) */
+  /** in [N]: All other tangential forces on body 1; if body 2 moves, mass times relative acceleration without friction.
+   *  (default 0) */
   STRIBECK_ROONEY_DERAVI_EXTERNAL_FORCE = 2,
   /** tunable [1]: Kinetic coefficient of friction. (>= 0, default 0.1) */
   STRIBECK_ROONEY_DERAVI_MU_K = 3,
@@ -1134,7 +1153,8 @@ typedef enum stribeck_rooney_deravi_variable {
   STRIBECK_ROONEY_DERAVI_VARIANT = 4,
   /** tunable [m/s]: Velocity at which the regularised band around rest ends (default chosen). (> 0, default 0.001) */
   STRIBECK_ROONEY_DERAVI_TRANSITION_VELOCITY = 5,
-  /** tunable [kg]: Effective mass of the host, to hold it in co-simulation; 0 = the printed law. (>= 0, default 0) */
+  /** tunable [kg]: Effective mass of the host, rather too small than too large, to hold it in co-simulation; 0 = the printed law.
+   *  (>= 0, default 0) */
   STRIBECK_ROONEY_DERAVI_MASS = 6,
   /** fixed [stribeck_exchange]: Order in which the master exchanges values; used with mass > 0. (default Sequential) */
   STRIBECK_ROONEY_DERAVI_EXCHANGE = 7,
@@ -1165,7 +1185,8 @@ typedef enum stribeck_ambrosio_variable {
   STRIBECK_AMBROSIO_VELOCITY = 0,
   /** in [N]: Normal force that presses the surfaces together. (>= 0, default 9.81) */
   STRIBECK_AMBROSIO_NORMAL_FORCE = 1,
-  /** in [N]: Resultant of all other tangential forces on body 1. (default 0) */
+  /** in [N]: All other tangential forces on body 1; if body 2 moves, mass times relative acceleration without friction.
+   *  (default 0) */
   STRIBECK_AMBROSIO_EXTERNAL_FORCE = 2,
   /** tunable [1]: Kinetic coefficient of friction. (>= 0, default 0.1) */
   STRIBECK_AMBROSIO_MU_K = 3,
@@ -1173,7 +1194,8 @@ typedef enum stribeck_ambrosio_variable {
   STRIBECK_AMBROSIO_TRANSITION_VELOCITY = 4,
   /** tunable [m/s]: Velocity at which the kinetic level is reached. (> 0, default 0.001) */
   STRIBECK_AMBROSIO_SLIDING_VELOCITY = 5,
-  /** tunable [kg]: Effective mass of the host, to hold it in co-simulation; 0 = the printed law. (>= 0, default 0) */
+  /** tunable [kg]: Effective mass of the host, rather too small than too large, to hold it in co-simulation; 0 = the printed law.
+   *  (>= 0, default 0) */
   STRIBECK_AMBROSIO_MASS = 6,
   /** fixed [stribeck_exchange]: Order in which the master exchanges values; used with mass > 0. (default Sequential) */
   STRIBECK_AMBROSIO_EXCHANGE = 7,
@@ -1204,7 +1226,8 @@ typedef enum stribeck_karnopp_variable {
   STRIBECK_KARNOPP_VELOCITY = 0,
   /** in [N]: Normal force that presses the surfaces together. (>= 0, default 9.81) */
   STRIBECK_KARNOPP_NORMAL_FORCE = 1,
-  /** in [N]: Resultant of all other tangential forces on body 1. (default 0) */
+  /** in [N]: All other tangential forces on body 1; if body 2 moves, mass times relative acceleration without friction.
+   *  (default 0) */
   STRIBECK_KARNOPP_EXTERNAL_FORCE = 2,
   /** tunable [1]: Kinetic coefficient of friction. (>= 0, default 0.1) */
   STRIBECK_KARNOPP_MU_K = 3,
@@ -1215,7 +1238,8 @@ typedef enum stribeck_karnopp_variable {
   /** state [Boolean]: Has the last step left the contact stuck? Only with mass > 0; phase tells it in Model Exchange.
    *  (default false) */
   STRIBECK_KARNOPP_STUCK = 6,
-  /** tunable [kg]: Effective mass of the host, to hold it in co-simulation; 0 = the printed law. (>= 0, default 0) */
+  /** tunable [kg]: Effective mass of the host, rather too small than too large, to hold it in co-simulation; 0 = the printed law.
+   *  (>= 0, default 0) */
   STRIBECK_KARNOPP_MASS = 7,
   /** fixed [stribeck_exchange]: Order in which the master exchanges values; used with mass > 0. (default Sequential) */
   STRIBECK_KARNOPP_EXCHANGE = 8,
@@ -1246,7 +1270,8 @@ typedef enum stribeck_bengisu_akay_variable {
   STRIBECK_BENGISU_AKAY_VELOCITY = 0,
   /** in [N]: Normal force that presses the surfaces together. (>= 0, default 9.81) */
   STRIBECK_BENGISU_AKAY_NORMAL_FORCE = 1,
-  /** in [N]: Resultant of all other tangential forces on body 1. (default 0) */
+  /** in [N]: All other tangential forces on body 1; if body 2 moves, mass times relative acceleration without friction.
+   *  (default 0) */
   STRIBECK_BENGISU_AKAY_EXTERNAL_FORCE = 2,
   /** tunable [1]: Kinetic coefficient of friction. (>= 0, default 0.1) */
   STRIBECK_BENGISU_AKAY_MU_K = 3,
@@ -1261,7 +1286,8 @@ typedef enum stribeck_bengisu_akay_variable {
   STRIBECK_BENGISU_AKAY_STICTION_DECAY = 7,
   /** tunable [m/s]: Velocity at which the regularised band around rest ends (default chosen). (> 0, default 0.001) */
   STRIBECK_BENGISU_AKAY_TRANSITION_VELOCITY = 8,
-  /** tunable [kg]: Effective mass of the host, to hold it in co-simulation; 0 = the printed law. (>= 0, default 0) */
+  /** tunable [kg]: Effective mass of the host, rather too small than too large, to hold it in co-simulation; 0 = the printed law.
+   *  (>= 0, default 0) */
   STRIBECK_BENGISU_AKAY_MASS = 9,
   /** fixed [stribeck_exchange]: Order in which the master exchanges values; used with mass > 0. (default Sequential) */
   STRIBECK_BENGISU_AKAY_EXCHANGE = 10,
@@ -1292,7 +1318,8 @@ typedef enum stribeck_hollars_variable {
   STRIBECK_HOLLARS_VELOCITY = 0,
   /** in [N]: Normal force that presses the surfaces together. (>= 0, default 9.81) */
   STRIBECK_HOLLARS_NORMAL_FORCE = 1,
-  /** in [N]: Resultant of all other tangential forces on body 1. (default 0) */
+  /** in [N]: All other tangential forces on body 1; if body 2 moves, mass times relative acceleration without friction.
+   *  (default 0) */
   STRIBECK_HOLLARS_EXTERNAL_FORCE = 2,
   /** tunable [1]: Kinetic coefficient of friction. (>= 0, default 0.1) */
   STRIBECK_HOLLARS_MU_K = 3,
@@ -1302,7 +1329,8 @@ typedef enum stribeck_hollars_variable {
   STRIBECK_HOLLARS_TRANSITION_VELOCITY = 5,
   /** tunable [s/m]: Viscous coefficient of friction, per normal force. (>= 0, default 0) */
   STRIBECK_HOLLARS_MU_V = 6,
-  /** tunable [kg]: Effective mass of the host, to hold it in co-simulation; 0 = the printed law. (>= 0, default 0) */
+  /** tunable [kg]: Effective mass of the host, rather too small than too large, to hold it in co-simulation; 0 = the printed law.
+   *  (>= 0, default 0) */
   STRIBECK_HOLLARS_MASS = 7,
   /** fixed [stribeck_exchange]: Order in which the master exchanges values; used with mass > 0. (default Sequential) */
   STRIBECK_HOLLARS_EXCHANGE = 8,
@@ -1333,7 +1361,8 @@ typedef enum stribeck_andersson_variable {
   STRIBECK_ANDERSSON_VELOCITY = 0,
   /** in [N]: Normal force that presses the surfaces together. (>= 0, default 9.81) */
   STRIBECK_ANDERSSON_NORMAL_FORCE = 1,
-  /** in [N]: Resultant of all other tangential forces on body 1. (default 0) */
+  /** in [N]: All other tangential forces on body 1; if body 2 moves, mass times relative acceleration without friction.
+   *  (default 0) */
   STRIBECK_ANDERSSON_EXTERNAL_FORCE = 2,
   /** tunable [1]: Kinetic coefficient of friction. (>= 0, default 0.1) */
   STRIBECK_ANDERSSON_MU_K = 3,
@@ -1348,7 +1377,8 @@ typedef enum stribeck_andersson_variable {
   STRIBECK_ANDERSSON_TRANSITION_SLOPE = 7,
   /** tunable [N.s/m]: Viscous friction coefficient. (>= 0, default 0) */
   STRIBECK_ANDERSSON_VISCOUS_COEFFICIENT = 8,
-  /** tunable [kg]: Effective mass of the host, to hold it in co-simulation; 0 = the printed law. (>= 0, default 0) */
+  /** tunable [kg]: Effective mass of the host, rather too small than too large, to hold it in co-simulation; 0 = the printed law.
+   *  (>= 0, default 0) */
   STRIBECK_ANDERSSON_MASS = 9,
   /** fixed [stribeck_exchange]: Order in which the master exchanges values; used with mass > 0. (default Sequential) */
   STRIBECK_ANDERSSON_EXCHANGE = 10,
@@ -1379,7 +1409,8 @@ typedef enum stribeck_awrejcewicz_variable {
   STRIBECK_AWREJCEWICZ_VELOCITY = 0,
   /** in [N]: Normal force that presses the surfaces together. (>= 0, default 9.81) */
   STRIBECK_AWREJCEWICZ_NORMAL_FORCE = 1,
-  /** in [N]: Resultant of all other tangential forces on body 1. (default 0) */
+  /** in [N]: All other tangential forces on body 1; if body 2 moves, mass times relative acceleration without friction.
+   *  (default 0) */
   STRIBECK_AWREJCEWICZ_EXTERNAL_FORCE = 2,
   /** tunable [1]: Kinetic coefficient of friction. (>= 0, default 0.1) */
   STRIBECK_AWREJCEWICZ_MU_K = 3,
@@ -1390,7 +1421,8 @@ typedef enum stribeck_awrejcewicz_variable {
   /** tunable [s/m]: Rate at which the excess of static over kinetic friction decays with speed (default chosen).
    *  (> 0, default 1000) */
   STRIBECK_AWREJCEWICZ_STICTION_DECAY = 6,
-  /** tunable [kg]: Effective mass of the host, to hold it in co-simulation; 0 = the printed law. (>= 0, default 0) */
+  /** tunable [kg]: Effective mass of the host, rather too small than too large, to hold it in co-simulation; 0 = the printed law.
+   *  (>= 0, default 0) */
   STRIBECK_AWREJCEWICZ_MASS = 7,
   /** fixed [stribeck_exchange]: Order in which the master exchanges values; used with mass > 0. (default Sequential) */
   STRIBECK_AWREJCEWICZ_EXCHANGE = 8,
@@ -1421,7 +1453,8 @@ typedef enum stribeck_specker_variable {
   STRIBECK_SPECKER_VELOCITY = 0,
   /** in [N]: Normal force that presses the surfaces together. (>= 0, default 9.81) */
   STRIBECK_SPECKER_NORMAL_FORCE = 1,
-  /** in [N]: Resultant of all other tangential forces on body 1. (default 0) */
+  /** in [N]: All other tangential forces on body 1; if body 2 moves, mass times relative acceleration without friction.
+   *  (default 0) */
   STRIBECK_SPECKER_EXTERNAL_FORCE = 2,
   /** tunable [1]: Kinetic coefficient of friction. (>= 0, default 0.1) */
   STRIBECK_SPECKER_MU_K = 3,
@@ -1433,7 +1466,8 @@ typedef enum stribeck_specker_variable {
   STRIBECK_SPECKER_PEAK_VELOCITY = 6,
   /** tunable [N.s/m]: Viscous friction coefficient. (>= 0, default 0) */
   STRIBECK_SPECKER_VISCOUS_COEFFICIENT = 7,
-  /** tunable [kg]: Effective mass of the host, to hold it in co-simulation; 0 = the printed law. (>= 0, default 0) */
+  /** tunable [kg]: Effective mass of the host, rather too small than too large, to hold it in co-simulation; 0 = the printed law.
+   *  (>= 0, default 0) */
   STRIBECK_SPECKER_MASS = 8,
   /** fixed [stribeck_exchange]: Order in which the master exchanges values; used with mass > 0. (default Sequential) */
   STRIBECK_SPECKER_EXCHANGE = 9,
@@ -1464,7 +1498,8 @@ typedef enum stribeck_linear_stiction_variable {
   STRIBECK_LINEAR_STICTION_VELOCITY = 0,
   /** in [N]: Normal force that presses the surfaces together. (>= 0, default 9.81) */
   STRIBECK_LINEAR_STICTION_NORMAL_FORCE = 1,
-  /** in [N]: Resultant of all other tangential forces on body 1. (default 0) */
+  /** in [N]: All other tangential forces on body 1; if body 2 moves, mass times relative acceleration without friction.
+   *  (default 0) */
   STRIBECK_LINEAR_STICTION_EXTERNAL_FORCE = 2,
   /** tunable [1]: Kinetic coefficient of friction. (>= 0, default 0.1) */
   STRIBECK_LINEAR_STICTION_MU_K = 3,
@@ -1474,7 +1509,8 @@ typedef enum stribeck_linear_stiction_variable {
   STRIBECK_LINEAR_STICTION_TRANSITION_VELOCITY = 5,
   /** tunable [m/s]: Velocity at which the kinetic level is reached. (> 0, default 0.0015) */
   STRIBECK_LINEAR_STICTION_SLIDING_VELOCITY = 6,
-  /** tunable [kg]: Effective mass of the host, to hold it in co-simulation; 0 = the printed law. (>= 0, default 0) */
+  /** tunable [kg]: Effective mass of the host, rather too small than too large, to hold it in co-simulation; 0 = the printed law.
+   *  (>= 0, default 0) */
   STRIBECK_LINEAR_STICTION_MASS = 7,
   /** fixed [stribeck_exchange]: Order in which the master exchanges values; used with mass > 0. (default Sequential) */
   STRIBECK_LINEAR_STICTION_EXCHANGE = 8,
@@ -1505,7 +1541,8 @@ typedef enum stribeck_brown_mcphee_variable {
   STRIBECK_BROWN_MCPHEE_VELOCITY = 0,
   /** in [N]: Normal force that presses the surfaces together. (>= 0, default 9.81) */
   STRIBECK_BROWN_MCPHEE_NORMAL_FORCE = 1,
-  /** in [N]: Resultant of all other tangential forces on body 1. (default 0) */
+  /** in [N]: All other tangential forces on body 1; if body 2 moves, mass times relative acceleration without friction.
+   *  (default 0) */
   STRIBECK_BROWN_MCPHEE_EXTERNAL_FORCE = 2,
   /** tunable [1]: Kinetic coefficient of friction. (>= 0, default 0.1) */
   STRIBECK_BROWN_MCPHEE_MU_K = 3,
@@ -1517,7 +1554,8 @@ typedef enum stribeck_brown_mcphee_variable {
   STRIBECK_BROWN_MCPHEE_VISCOUS_COEFFICIENT = 6,
   /** tunable [N]: Normal force at which the viscous part is fully active (default chosen). (> 0, default 1) */
   STRIBECK_BROWN_MCPHEE_TRANSITION_NORMAL_FORCE = 7,
-  /** tunable [kg]: Effective mass of the host, to hold it in co-simulation; 0 = the printed law. (>= 0, default 0) */
+  /** tunable [kg]: Effective mass of the host, rather too small than too large, to hold it in co-simulation; 0 = the printed law.
+   *  (>= 0, default 0) */
   STRIBECK_BROWN_MCPHEE_MASS = 8,
   /** fixed [stribeck_exchange]: Order in which the master exchanges values; used with mass > 0. (default Sequential) */
   STRIBECK_BROWN_MCPHEE_EXCHANGE = 9,

@@ -1078,7 +1078,7 @@ macro_rules! choices {
 /// The syntax of the fields is that of [`model!`](crate::model!).
 #[macro_export]
 macro_rules! part {
-    ($(#[doc = $doc:literal])+ $Name:ident { $($(#[doc = $help:literal])+ $field:ident: $what:tt $(= $column:expr)?,)+ }) => {
+    ($(#[doc = $doc:expr])+ $Name:ident { $($(#[doc = $help:literal])+ $field:ident: $what:tt $(= $column:expr)?,)+ }) => {
         $(#[doc = $doc])+
         #[repr(C)]
         #[allow(non_snake_case, reason = "a symbol such as V0 is a name, too")]
@@ -1244,7 +1244,7 @@ macro_rules! part {
 /// ```
 #[macro_export]
 macro_rules! model {
-    ($(#[doc = $doc:literal])+ $Name:ident: $summary:literal { $($fields:tt)+ }) => {
+    ($(#[doc = $doc:expr])+ $Name:ident: $summary:literal { $($fields:tt)+ }) => {
         $crate::part! { $(#[doc = $doc])+ $Name { $($fields)+ } }
 
         // SAFETY: `Dual` is the same generic struct, for which `part!` makes the promise of `Columns`.

@@ -41,12 +41,11 @@ crate::model! {
     /// Without `mass` the law has no memory; only the dissipated energy is integrated, exactly for held inputs. A host
     /// that integrates the body itself never meets v = 0 exactly, so the force of a contact at rest then alternates at
     /// any step. With `mass` the body is caught where it comes to rest and neither chatters nor creeps; there is no
-    /// largest step. For two bodies that both move, `mass` is m_1 m_2 / (m_1 + m_2); for `exchange` see
-    /// `CoulombStiction`. A force read before the first step is the printed one. With `mass` > 0 slopes of the inputs
-    /// are not used, only their values at the end of the step.
+    /// largest step.
     /// In Model Exchange a contact is held or slides in one direction from one event to the next. A held contact gives
     /// `external_force` back: connect it, or the body is let go and caught again without end.
     ///
+    #[doc = include_str!("coupling.md")]
     /// # Errors
     /// Refused: a parameter outside its bound.
     ///
@@ -73,7 +72,7 @@ crate::model! {
         velocity: input = real("m/s", 0.0).shown_in("mm/s"),
         /// Normal force that presses the surfaces together.
         normal_force: input = real("N", 9.81).at_least(0.0),
-        /// Resultant of all other tangential forces on body 1.
+        /// All other tangential forces on body 1; if body 2 moves, mass times relative acceleration without friction.
         external_force: input = real("N", 0.0),
         /// Kinetic coefficient of friction.
         mu_k: tunable = real("1", 0.1).at_least(0.0),

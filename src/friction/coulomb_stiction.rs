@@ -37,19 +37,13 @@ crate::model! {
     /// `-friction_force`. Dissipated power is `friction_force * velocity`.
     ///
     /// # Step
-    /// Without `mass` the law has no memory. With `mass` it remembers whether it is stuck and how long the last step was.
-    /// A stuck body then neither chatters nor creeps, at any step size: what velocity remains is the one that a change
-    /// of `external_force` within a step causes. For two bodies that both move, `mass` is m_1 m_2 / (m_1 + m_2).
-    /// `exchange` tells how the master works. Sequential: set the inputs, step this model, read `friction_force`, step
-    /// the host with it. Parallel: step both, then exchange all values, as most masters do; the force then acts one step
-    /// later and is planned for that. The step may change from one to the next: a sequential exchange knows it, a
-    /// parallel one plans for the longest of late. A force that is read between setting the inputs and the step, which
-    /// FMI 2.0 does not allow but the C and Rust interfaces do, is that of a step as long as the last one.
-    /// A force read before the first step is that of (5.1). With `mass` > 0 slopes of the inputs are not used, only
-    /// their values at the end of the step.
+    /// Without `mass` the law has no memory. With `mass` it remembers whether it is stuck and how long the last step
+    /// was. A stuck body then neither chatters nor creeps, at any step size: what velocity remains is the one that a
+    /// change of `external_force` within a step causes.
     /// In Model Exchange a contact is held or slides in one direction from one event to the next. A held contact gives
     /// `external_force` back: connect it, or the body is let go and caught again without end.
     ///
+    #[doc = include_str!("coupling.md")]
     /// # Errors
     /// Refused: a parameter outside its bound; `mu_s` < `mu_k`.
     ///
@@ -76,7 +70,7 @@ crate::model! {
         velocity: input = real("m/s", 0.0).shown_in("mm/s"),
         /// Normal force that presses the surfaces together.
         normal_force: input = real("N", 9.81).at_least(0.0),
-        /// Resultant of all other tangential forces on body 1.
+        /// All other tangential forces on body 1; if body 2 moves, mass times relative acceleration without friction.
         external_force: input = real("N", 0.0),
         /// Kinetic coefficient of friction.
         mu_k: tunable = real("1", 0.1).at_least(0.0),

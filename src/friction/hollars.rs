@@ -42,10 +42,9 @@ crate::model! {
     /// Without `mass` the law has no memory; only the dissipated energy is integrated, exactly for held inputs. A
     /// master that couples it explicitly to a mass m needs a communication step below 2 m / f'(0), where
     /// f'(0) = (2 f_s - f_C) / v_0 + mu_v f_n (1962 N.s/m for the defaults: 1.0 ms for 1 kg); above, a held body
-    /// chatters. With `mass` there is no largest step. For two bodies that both move, `mass` is m_1 m_2 / (m_1 + m_2);
-    /// for `exchange` see `CoulombStiction`. A force read before the first step is the printed one. With `mass` > 0
-    /// slopes of the inputs are not used, only their values at the end of the step. `sticking` says |v| < v_0.
+    /// chatters. With `mass` there is no largest step. `sticking` says |v| < v_0.
     ///
+    #[doc = include_str!("coupling.md")]
     /// # Errors
     /// Refused: a parameter outside its bound; `mu_s` < `mu_k`.
     ///
@@ -73,7 +72,7 @@ crate::model! {
         velocity: input = real("m/s", 0.0).shown_in("mm/s"),
         /// Normal force that presses the surfaces together.
         normal_force: input = real("N", 9.81).at_least(0.0),
-        /// Resultant of all other tangential forces on body 1.
+        /// All other tangential forces on body 1; if body 2 moves, mass times relative acceleration without friction.
         external_force: input = real("N", 0.0),
         /// Kinetic coefficient of friction.
         mu_k: tunable = real("1", 0.1).at_least(0.0),

@@ -39,15 +39,13 @@ crate::model! {
     ///
     /// # Step
     /// Without `mass` the law has no memory. Inside the band its force balances the external force, so the velocity
-    /// stays constant instead of going to zero: a captured body creeps with up to v_0. With `mass` it is brought to rest
-    /// and neither chatters nor creeps, at any step size. For the meaning of `exchange` see `CoulombStiction`: sequential
-    /// if the host uses the force of the step just computed, parallel if all models step at once and then exchange. A
-    /// force read before the first step is that of (6.7). With `mass` > 0 slopes of the inputs are not used, only their
-    /// values at the end of the step.
-    /// In Model Exchange a contact is inside the band, or slides in one direction, from one event to the next. Inside it
-    /// gives `external_force` back up to f_s: connect it, or nothing is held there and events follow one another at the
-    /// edge without end.
+    /// stays constant instead of going to zero: a captured body creeps with up to v_0. With `mass` it is brought to
+    /// rest and neither chatters nor creeps, at any step size.
+    /// In Model Exchange a contact is inside the band, or slides in one direction, from one event to the next. Inside
+    /// it gives `external_force` back up to f_s: connect it, or nothing is held there and events follow one another at
+    /// the edge without end.
     ///
+    #[doc = include_str!("coupling.md")]
     /// # Errors
     /// Refused: a parameter outside its bound; `mu_s` < `mu_k`.
     ///
@@ -74,7 +72,7 @@ crate::model! {
         velocity: input = real("m/s", 0.0).shown_in("mm/s"),
         /// Normal force that presses the surfaces together.
         normal_force: input = real("N", 9.81).at_least(0.0),
-        /// Resultant of all other tangential forces on body 1.
+        /// All other tangential forces on body 1; if body 2 moves, mass times relative acceleration without friction.
         external_force: input = real("N", 0.0),
         /// Kinetic coefficient of friction.
         mu_k: tunable = real("1", 0.1).at_least(0.0),

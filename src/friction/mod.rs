@@ -2,7 +2,8 @@
 //!
 //! Sign: `velocity` is that of body 1 relative to body 2; `friction_force` is the resistance and has the sign of
 //! `velocity` when sliding. Body 1 feels `-friction_force`, body 2 feels `+friction_force`. `external_force` is the
-//! resultant of all other tangential forces on body 1.
+//! resultant of all other tangential forces on body 1 or, if body 2 moves too, the effective mass times the relative
+//! acceleration that they give; see the section Coupling of the laws that have it.
 
 // The choice of a law in the shock absorber counts in this order: a new law goes to the end.
 crate::catalogue::family! {
