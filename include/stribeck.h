@@ -858,7 +858,7 @@ typedef enum stribeck_coulomb_variable {
   STRIBECK_COULOMB_EXTERNAL_FORCE = 2,
   /** tunable [1]: Kinetic coefficient of friction. (>= 0, default 0.1) */
   STRIBECK_COULOMB_MU_K = 3,
-  /** tunable [kg]: Effective mass of the host, rather too small than too large, to hold it in co-simulation; 0 = the printed law.
+  /** tunable [kg]: Effective mass of the host, if in doubt too small, to hold it in co-simulation; 0 = the printed law.
    *  (>= 0, default 0) */
   STRIBECK_COULOMB_MASS = 4,
   /** fixed [stribeck_exchange]: Order in which the master exchanges values; used with mass > 0. (default Sequential) */
@@ -900,7 +900,7 @@ typedef enum stribeck_coulomb_stiction_variable {
   /** state [Boolean]: Has the last step left the contact stuck? Only with mass > 0; phase tells it in Model Exchange.
    *  (default false) */
   STRIBECK_COULOMB_STICTION_STUCK = 5,
-  /** tunable [kg]: Effective mass of the host, rather too small than too large, to hold it in co-simulation; 0 = the printed law.
+  /** tunable [kg]: Effective mass of the host, if in doubt too small, to hold it in co-simulation; 0 = the printed law.
    *  (>= 0, default 0) */
   STRIBECK_COULOMB_STICTION_MASS = 6,
   /** fixed [stribeck_exchange]: Order in which the master exchanges values; used with mass > 0. (default Sequential) */
@@ -943,7 +943,7 @@ typedef enum stribeck_coulomb_viscous_variable {
   STRIBECK_COULOMB_VISCOUS_VISCOUS_COEFFICIENT = 5,
   /** tunable [1]: Exponent of the viscous part. (> 0, default 1) */
   STRIBECK_COULOMB_VISCOUS_VISCOUS_EXPONENT = 6,
-  /** tunable [kg]: Effective mass of the host, rather too small than too large, to hold it in co-simulation; 0 = the printed law.
+  /** tunable [kg]: Effective mass of the host, if in doubt too small, to hold it in co-simulation; 0 = the printed law.
    *  (>= 0, default 0) */
   STRIBECK_COULOMB_VISCOUS_MASS = 7,
   /** fixed [stribeck_exchange]: Order in which the master exchanges values; used with mass > 0. (default Sequential) */
@@ -984,7 +984,7 @@ typedef enum stribeck_stribeck_variable {
   STRIBECK_STRIBECK_MU_K = 4,
   /** tunable [1]: Static coefficient of friction; not less than mu_k. (>= 0, default 0.15) */
   STRIBECK_STRIBECK_MU_S = 5,
-  /** tunable [m/s]: Speed at which the excess of static over kinetic friction has fallen to 1/e.
+  /** tunable [m/s]: Speed at which the excess of static over kinetic friction has fallen to 1/e (Lorentzian, hyperbola: 1/2).
    *  (> 0, default 0.001) */
   STRIBECK_STRIBECK_STRIBECK_VELOCITY = 6,
   /** tunable [1]: Exponent of the falling level. (> 0, default 2) */
@@ -993,7 +993,7 @@ typedef enum stribeck_stribeck_variable {
   STRIBECK_STRIBECK_VISCOUS_COEFFICIENT = 8,
   /** tunable [N.s2/m2]: Quadratic friction coefficient; used by PoppStelter. (>= 0, default 0) */
   STRIBECK_STRIBECK_QUADRATIC_COEFFICIENT = 9,
-  /** tunable [kg]: Effective mass of the host, rather too small than too large, to hold it in co-simulation; 0 = the printed law.
+  /** tunable [kg]: Effective mass of the host, if in doubt too small, to hold it in co-simulation; 0 = the printed law.
    *  (>= 0, default 0) */
   STRIBECK_STRIBECK_MASS = 10,
   /** fixed [stribeck_exchange]: Order in which the master exchanges values; used with mass > 0. (default Sequential) */
@@ -1032,7 +1032,7 @@ typedef enum stribeck_bernard_variable {
   STRIBECK_BERNARD_MU_K = 3,
   /** tunable [s/m]: Slope of the force at rest, relative to the level there. (> 0, default 2000) */
   STRIBECK_BERNARD_TRANSITION_SLOPE = 4,
-  /** tunable [kg]: Effective mass of the host, rather too small than too large, to hold it in co-simulation; 0 = the printed law.
+  /** tunable [kg]: Effective mass of the host, if in doubt too small, to hold it in co-simulation; 0 = the printed law.
    *  (>= 0, default 0) */
   STRIBECK_BERNARD_MASS = 5,
   /** fixed [stribeck_exchange]: Order in which the master exchanges values; used with mass > 0. (default Sequential) */
@@ -1071,9 +1071,9 @@ typedef enum stribeck_threlfall_variable {
   STRIBECK_THRELFALL_MU_K = 3,
   /** fixed [stribeck_threlfall_variant]: Variant of the law. (default Printed) */
   STRIBECK_THRELFALL_VARIANT = 4,
-  /** tunable [m/s]: Velocity at which the regularised band around rest ends (default chosen). (> 0, default 0.001) */
+  /** tunable [m/s]: Velocity at which the regularised band around rest ends. (> 0, default 0.001) */
   STRIBECK_THRELFALL_TRANSITION_VELOCITY = 5,
-  /** tunable [kg]: Effective mass of the host, rather too small than too large, to hold it in co-simulation; 0 = the printed law.
+  /** tunable [kg]: Effective mass of the host, if in doubt too small, to hold it in co-simulation; 0 = the printed law.
    *  (>= 0, default 0) */
   STRIBECK_THRELFALL_MASS = 6,
   /** fixed [stribeck_exchange]: Order in which the master exchanges values; used with mass > 0. (default Sequential) */
@@ -1110,9 +1110,9 @@ typedef enum stribeck_threlfall_modified_variable {
   STRIBECK_THRELFALL_MODIFIED_EXTERNAL_FORCE = 2,
   /** tunable [1]: Kinetic coefficient of friction. (>= 0, default 0.1) */
   STRIBECK_THRELFALL_MODIFIED_MU_K = 3,
-  /** tunable [m/s]: Velocity at which the regularised band around rest ends (default chosen). (> 0, default 0.001) */
+  /** tunable [m/s]: Velocity at which the regularised band around rest ends. (> 0, default 0.001) */
   STRIBECK_THRELFALL_MODIFIED_TRANSITION_VELOCITY = 4,
-  /** tunable [kg]: Effective mass of the host, rather too small than too large, to hold it in co-simulation; 0 = the printed law.
+  /** tunable [kg]: Effective mass of the host, if in doubt too small, to hold it in co-simulation; 0 = the printed law.
    *  (>= 0, default 0) */
   STRIBECK_THRELFALL_MODIFIED_MASS = 5,
   /** fixed [stribeck_exchange]: Order in which the master exchanges values; used with mass > 0. (default Sequential) */
@@ -1151,9 +1151,9 @@ typedef enum stribeck_rooney_deravi_variable {
   STRIBECK_ROONEY_DERAVI_MU_K = 3,
   /** fixed [stribeck_rooney_deravi_variant]: Variant of the law. (default Linear) */
   STRIBECK_ROONEY_DERAVI_VARIANT = 4,
-  /** tunable [m/s]: Velocity at which the regularised band around rest ends (default chosen). (> 0, default 0.001) */
+  /** tunable [m/s]: Velocity at which the regularised band around rest ends. (> 0, default 0.001) */
   STRIBECK_ROONEY_DERAVI_TRANSITION_VELOCITY = 5,
-  /** tunable [kg]: Effective mass of the host, rather too small than too large, to hold it in co-simulation; 0 = the printed law.
+  /** tunable [kg]: Effective mass of the host, if in doubt too small, to hold it in co-simulation; 0 = the printed law.
    *  (>= 0, default 0) */
   STRIBECK_ROONEY_DERAVI_MASS = 6,
   /** fixed [stribeck_exchange]: Order in which the master exchanges values; used with mass > 0. (default Sequential) */
@@ -1190,11 +1190,11 @@ typedef enum stribeck_ambrosio_variable {
   STRIBECK_AMBROSIO_EXTERNAL_FORCE = 2,
   /** tunable [1]: Kinetic coefficient of friction. (>= 0, default 0.1) */
   STRIBECK_AMBROSIO_MU_K = 3,
-  /** tunable [m/s]: Velocity at which the regularised band around rest ends (default chosen). (>= 0, default 0.0001) */
+  /** tunable [m/s]: Velocity up to which there is no friction. (>= 0, default 0.0001) */
   STRIBECK_AMBROSIO_TRANSITION_VELOCITY = 4,
   /** tunable [m/s]: Velocity at which the kinetic level is reached. (> 0, default 0.001) */
   STRIBECK_AMBROSIO_SLIDING_VELOCITY = 5,
-  /** tunable [kg]: Effective mass of the host, rather too small than too large, to hold it in co-simulation; 0 = the printed law.
+  /** tunable [kg]: Effective mass of the host, if in doubt too small, to hold it in co-simulation; 0 = the printed law.
    *  (>= 0, default 0) */
   STRIBECK_AMBROSIO_MASS = 6,
   /** fixed [stribeck_exchange]: Order in which the master exchanges values; used with mass > 0. (default Sequential) */
@@ -1238,7 +1238,7 @@ typedef enum stribeck_karnopp_variable {
   /** state [Boolean]: Has the last step left the contact stuck? Only with mass > 0; phase tells it in Model Exchange.
    *  (default false) */
   STRIBECK_KARNOPP_STUCK = 6,
-  /** tunable [kg]: Effective mass of the host, rather too small than too large, to hold it in co-simulation; 0 = the printed law.
+  /** tunable [kg]: Effective mass of the host, if in doubt too small, to hold it in co-simulation; 0 = the printed law.
    *  (>= 0, default 0) */
   STRIBECK_KARNOPP_MASS = 7,
   /** fixed [stribeck_exchange]: Order in which the master exchanges values; used with mass > 0. (default Sequential) */
@@ -1286,7 +1286,7 @@ typedef enum stribeck_bengisu_akay_variable {
   STRIBECK_BENGISU_AKAY_STICTION_DECAY = 7,
   /** tunable [m/s]: Velocity at which the regularised band around rest ends (default chosen). (> 0, default 0.001) */
   STRIBECK_BENGISU_AKAY_TRANSITION_VELOCITY = 8,
-  /** tunable [kg]: Effective mass of the host, rather too small than too large, to hold it in co-simulation; 0 = the printed law.
+  /** tunable [kg]: Effective mass of the host, if in doubt too small, to hold it in co-simulation; 0 = the printed law.
    *  (>= 0, default 0) */
   STRIBECK_BENGISU_AKAY_MASS = 9,
   /** fixed [stribeck_exchange]: Order in which the master exchanges values; used with mass > 0. (default Sequential) */
@@ -1325,11 +1325,12 @@ typedef enum stribeck_hollars_variable {
   STRIBECK_HOLLARS_MU_K = 3,
   /** tunable [1]: Static coefficient of friction; not less than mu_k. (>= 0, default 0.15) */
   STRIBECK_HOLLARS_MU_S = 4,
-  /** tunable [m/s]: Velocity at which the regularised band around rest ends (default chosen). (> 0, default 0.001) */
+  /** tunable [m/s]: Velocity of the stiction peak, where the regularised band around rest ends (default chosen).
+   *  (> 0, default 0.001) */
   STRIBECK_HOLLARS_TRANSITION_VELOCITY = 5,
   /** tunable [s/m]: Viscous coefficient of friction, per normal force. (>= 0, default 0) */
   STRIBECK_HOLLARS_MU_V = 6,
-  /** tunable [kg]: Effective mass of the host, rather too small than too large, to hold it in co-simulation; 0 = the printed law.
+  /** tunable [kg]: Effective mass of the host, if in doubt too small, to hold it in co-simulation; 0 = the printed law.
    *  (>= 0, default 0) */
   STRIBECK_HOLLARS_MASS = 7,
   /** fixed [stribeck_exchange]: Order in which the master exchanges values; used with mass > 0. (default Sequential) */
@@ -1377,7 +1378,7 @@ typedef enum stribeck_andersson_variable {
   STRIBECK_ANDERSSON_TRANSITION_SLOPE = 7,
   /** tunable [N.s/m]: Viscous friction coefficient. (>= 0, default 0) */
   STRIBECK_ANDERSSON_VISCOUS_COEFFICIENT = 8,
-  /** tunable [kg]: Effective mass of the host, rather too small than too large, to hold it in co-simulation; 0 = the printed law.
+  /** tunable [kg]: Effective mass of the host, if in doubt too small, to hold it in co-simulation; 0 = the printed law.
    *  (>= 0, default 0) */
   STRIBECK_ANDERSSON_MASS = 9,
   /** fixed [stribeck_exchange]: Order in which the master exchanges values; used with mass > 0. (default Sequential) */
@@ -1421,7 +1422,7 @@ typedef enum stribeck_awrejcewicz_variable {
   /** tunable [s/m]: Rate at which the excess of static over kinetic friction decays with speed (default chosen).
    *  (> 0, default 1000) */
   STRIBECK_AWREJCEWICZ_STICTION_DECAY = 6,
-  /** tunable [kg]: Effective mass of the host, rather too small than too large, to hold it in co-simulation; 0 = the printed law.
+  /** tunable [kg]: Effective mass of the host, if in doubt too small, to hold it in co-simulation; 0 = the printed law.
    *  (>= 0, default 0) */
   STRIBECK_AWREJCEWICZ_MASS = 7,
   /** fixed [stribeck_exchange]: Order in which the master exchanges values; used with mass > 0. (default Sequential) */
@@ -1460,13 +1461,13 @@ typedef enum stribeck_specker_variable {
   STRIBECK_SPECKER_MU_K = 3,
   /** tunable [1]: Static coefficient of friction; not less than mu_k. (>= 0, default 0.15) */
   STRIBECK_SPECKER_MU_S = 4,
-  /** tunable [m/s]: Velocity at which the regularised band around rest ends (default chosen). (> 0, default 0.00025) */
+  /** tunable [m/s]: Velocity scale of the transition around rest (default chosen). (> 0, default 0.00025) */
   STRIBECK_SPECKER_TRANSITION_VELOCITY = 5,
   /** tunable [m/s]: Velocity at which the static level is reached (default chosen). (> 0, default 0.0005) */
   STRIBECK_SPECKER_PEAK_VELOCITY = 6,
   /** tunable [N.s/m]: Viscous friction coefficient. (>= 0, default 0) */
   STRIBECK_SPECKER_VISCOUS_COEFFICIENT = 7,
-  /** tunable [kg]: Effective mass of the host, rather too small than too large, to hold it in co-simulation; 0 = the printed law.
+  /** tunable [kg]: Effective mass of the host, if in doubt too small, to hold it in co-simulation; 0 = the printed law.
    *  (>= 0, default 0) */
   STRIBECK_SPECKER_MASS = 8,
   /** fixed [stribeck_exchange]: Order in which the master exchanges values; used with mass > 0. (default Sequential) */
@@ -1505,11 +1506,12 @@ typedef enum stribeck_linear_stiction_variable {
   STRIBECK_LINEAR_STICTION_MU_K = 3,
   /** tunable [1]: Static coefficient of friction; not less than mu_k. (>= 0, default 0.15) */
   STRIBECK_LINEAR_STICTION_MU_S = 4,
-  /** tunable [m/s]: Velocity at which the regularised band around rest ends (default chosen). (> 0, default 0.001) */
+  /** tunable [m/s]: Velocity of the stiction peak, where the regularised band around rest ends (default chosen).
+   *  (> 0, default 0.001) */
   STRIBECK_LINEAR_STICTION_TRANSITION_VELOCITY = 5,
   /** tunable [m/s]: Velocity at which the kinetic level is reached. (> 0, default 0.0015) */
   STRIBECK_LINEAR_STICTION_SLIDING_VELOCITY = 6,
-  /** tunable [kg]: Effective mass of the host, rather too small than too large, to hold it in co-simulation; 0 = the printed law.
+  /** tunable [kg]: Effective mass of the host, if in doubt too small, to hold it in co-simulation; 0 = the printed law.
    *  (>= 0, default 0) */
   STRIBECK_LINEAR_STICTION_MASS = 7,
   /** fixed [stribeck_exchange]: Order in which the master exchanges values; used with mass > 0. (default Sequential) */
@@ -1548,13 +1550,14 @@ typedef enum stribeck_brown_mcphee_variable {
   STRIBECK_BROWN_MCPHEE_MU_K = 3,
   /** tunable [1]: Static coefficient of friction; not less than mu_k. (>= 0, default 0.15) */
   STRIBECK_BROWN_MCPHEE_MU_S = 4,
-  /** tunable [m/s]: Velocity at which the regularised band around rest ends (default chosen). (> 0, default 0.001) */
+  /** tunable [m/s]: Velocity of the stiction peak, where the regularised band around rest ends (default chosen).
+   *  (> 0, default 0.001) */
   STRIBECK_BROWN_MCPHEE_TRANSITION_VELOCITY = 5,
   /** tunable [N.s/m]: Viscous friction coefficient. (>= 0, default 0) */
   STRIBECK_BROWN_MCPHEE_VISCOUS_COEFFICIENT = 6,
   /** tunable [N]: Normal force at which the viscous part is fully active (default chosen). (> 0, default 1) */
   STRIBECK_BROWN_MCPHEE_TRANSITION_NORMAL_FORCE = 7,
-  /** tunable [kg]: Effective mass of the host, rather too small than too large, to hold it in co-simulation; 0 = the printed law.
+  /** tunable [kg]: Effective mass of the host, if in doubt too small, to hold it in co-simulation; 0 = the printed law.
    *  (>= 0, default 0) */
   STRIBECK_BROWN_MCPHEE_MASS = 8,
   /** fixed [stribeck_exchange]: Order in which the master exchanges values; used with mass > 0. (default Sequential) */
@@ -2080,7 +2083,7 @@ typedef enum stribeck_armstrong_variable {
   STRIBECK_ARMSTRONG_MU_S = 3,
   /** tunable [N/m]: Stiffness of the bristles. (> 0, default 100000) */
   STRIBECK_ARMSTRONG_SIGMA_0 = 4,
-  /** tunable [m/s]: Speed at which the excess of static over kinetic friction has fallen to 1/e.
+  /** tunable [m/s]: Speed at which the excess of static over kinetic friction has fallen to 1/2.
    *  (> 0, default 0.001) */
   STRIBECK_ARMSTRONG_STRIBECK_VELOCITY = 5,
   /** tunable [N.s/m]: Viscous friction coefficient. (>= 0, default 0) */
@@ -3001,7 +3004,7 @@ typedef enum stribeck_specker_dynamic_variable {
   STRIBECK_SPECKER_DYNAMIC_MU_K = 2,
   /** tunable [1]: Static coefficient of friction; not less than mu_k. (>= 0, default 0.15) */
   STRIBECK_SPECKER_DYNAMIC_MU_S = 3,
-  /** tunable [m/s]: Velocity at which the regularised band around rest ends (default chosen). (> 0, default 0.00025) */
+  /** tunable [m/s]: Velocity scale of the transition around rest (default chosen). (> 0, default 0.00025) */
   STRIBECK_SPECKER_DYNAMIC_TRANSITION_VELOCITY = 4,
   /** tunable [m/s]: Velocity at which the static level is reached (default chosen). (> 0, default 0.0005) */
   STRIBECK_SPECKER_DYNAMIC_PEAK_VELOCITY = 5,
@@ -4021,7 +4024,7 @@ typedef enum stribeck_gonthier_variable {
   /** tunable [m/s]: Speed at which the excess of static over kinetic friction has fallen to 1/e.
    *  (> 0, default 0.001) */
   STRIBECK_GONTHIER_STRIBECK_VELOCITY = 4,
-  /** tunable [m/s]: Velocity at which the regularised band around rest ends (default chosen). (> 0, default 1e-5) */
+  /** tunable [m/s]: Velocity below which the direction of motion is smoothed. (> 0, default 1e-5) */
   STRIBECK_GONTHIER_TRANSITION_VELOCITY = 5,
   /** tunable [N/m]: Stiffness of the bristles. (> 0, default 100000) */
   STRIBECK_GONTHIER_SIGMA_0 = 6,
@@ -4475,7 +4478,7 @@ typedef enum stribeck_shock_absorber_variable {
   STRIBECK_SHOCK_ABSORBER_FRICTION_TRANSITION_SLOPE = 128,
   /** fixed [stribeck_threlfall_variant]: Variant of the law. (default Printed) */
   STRIBECK_SHOCK_ABSORBER_FRICTION_THRELFALL_VARIANT = 129,
-  /** tunable [m/s]: Velocity at which the regularised band around rest ends (default chosen). (>= 0, default 0.001) */
+  /** tunable [m/s]: Velocity at which the regularised band around rest ends. (>= 0, default 0.001) */
   STRIBECK_SHOCK_ABSORBER_FRICTION_TRANSITION_VELOCITY = 130,
   /** fixed [stribeck_rooney_deravi_variant]: Variant of the law. (default Linear) */
   STRIBECK_SHOCK_ABSORBER_FRICTION_ROONEYDERAVI_VARIANT = 131,
@@ -5634,7 +5637,7 @@ typedef enum stribeck_guide_contact_variable {
   STRIBECK_GUIDE_CONTACT_FRICTION_TRANSITION_SLOPE = 26,
   /** fixed [stribeck_threlfall_variant]: Variant of the law. (default Printed) */
   STRIBECK_GUIDE_CONTACT_FRICTION_THRELFALL_VARIANT = 27,
-  /** tunable [m/s]: Velocity at which the regularised band around rest ends (default chosen). (>= 0, default 0.001) */
+  /** tunable [m/s]: Velocity at which the regularised band around rest ends. (>= 0, default 0.001) */
   STRIBECK_GUIDE_CONTACT_FRICTION_TRANSITION_VELOCITY = 28,
   /** fixed [stribeck_rooney_deravi_variant]: Variant of the law. (default Linear) */
   STRIBECK_GUIDE_CONTACT_FRICTION_ROONEYDERAVI_VARIANT = 29,

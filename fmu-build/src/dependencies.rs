@@ -131,7 +131,7 @@ mod tests {
         assert_depends("BeltRig", "position", &[], &[]);
     }
 
-    /// Eq. (6.31) has all its symbols, and with `mass` it looks ahead; whether it sticks is a matter of v_0 alone, unless
+    /// Eq. (6.30) has all its symbols, and with `mass` it looks ahead; whether it sticks is a matter of v_0 alone, unless
     /// there is no load.
     #[test]
     fn brown_mcphee() {

@@ -35,7 +35,7 @@ crate::model! {
     /// | mu_k    | `mu_k`                 | 1     | kinetic coefficient of friction                         |
     /// | mu_s    | `mu_s`                 | 1     | static coefficient of friction after a long rest        |
     /// | sigma_0 | `sigma_0`              | N/m   | stiffness of the stuck contact                          |
-    /// | v_S     | `stribeck_velocity`    | m/s   | speed at which F_S has fallen to 1/2 (here not to 1/e)  |
+    /// | v_S     | `stribeck_velocity`    | m/s   | speed at which the excess F_S has fallen to 1/2         |
     /// | f_v     | `viscous_coefficient`  | N.s/m | viscous coefficient                                     |
     /// | tau_L   | `time_lag`             | s     | time by which the Stribeck effect lags behind           |
     /// | gamma   | `gamma`                | s     | dwell time after which half of the rise has come        |
@@ -117,7 +117,7 @@ crate::model! {
         mu_s: tunable = real("1", 0.15).at_least(0.0),
         /// Stiffness of the bristles.
         sigma_0: tunable = real("N/m", 1e5).positive().nominal(1e5),
-        /// Speed at which the excess of static over kinetic friction has fallen to 1/e.
+        /// Speed at which the excess of static over kinetic friction has fallen to 1/2.
         stribeck_velocity: tunable = real("m/s", 0.001).positive().shown_in("mm/s"),
         /// Viscous friction coefficient.
         viscous_coefficient: tunable = real("N.s/m", 0.0).at_least(0.0),

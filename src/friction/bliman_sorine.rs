@@ -21,8 +21,9 @@ crate::model! {
     /// # Equations
     ///
     /// ```text
-    /// dx_s/ds = A x_s + B sgn(v)                                                     (7.12)
-    /// f_f     = C x_s,   s = integral of |v| dt                                      (7.13)
+    /// s       = integral of |v| dt                                                   (7.12)
+    /// dx_s/ds = A x_s + B sgn(v)                                                     (7.13)
+    /// f_f     = C x_s
     ///
     /// First:   A = -1 / eps_f,   B = f_1 / eps_f,   C = 1,   f_1 = f_C               (7.14)
     /// Second:  A = -1 / eps_f [1 / eta, 0; 0, 1],   B = 1 / eps_f [f_1 / eta; -f_2],   C = [1, 1]
@@ -94,10 +95,10 @@ crate::model! {
     /// Bliman and Sorine (1995), "Easy-to-use realistic dry friction models for automatic control", European Control
     /// Conference; equations (7.12) to (7.14) of F. Novais, "A critical analysis on friction force models in dynamical
     /// systems", MSc thesis, University of Minho (2024); second order as in Olsson et al. (1998),
-    /// doi:10.1016/S0947-3580(98)70113-X. The levels are given as coefficients, and the states in units of their level:
-    /// both are ours, and nothing else at constant load. The defaults are calibrated to f_C = 0.981 N, f_peak = 1.4715
-    /// N and the initial stiffness 1e5 N/m of Table 7.1 at eta = 0.5: mu_2 = 0.1 + sqrt(0.03), eps_f = (3 + sqrt(3))
-    /// f_C / sigma_0.
+    /// doi:10.1016/S0947-3580(98)70113-X. (7.13) has D sgn(v) in f_f, too; D is 0 in both orders. The levels are given
+    /// as coefficients, and the states in units of their level: both are ours, and nothing else at constant load. The
+    /// defaults are calibrated to f_C = 0.981 N, f_peak = 1.4715 N and the initial stiffness 1e5 N/m of Table 7.1 at
+    /// eta = 0.5: mu_2 = 0.1 + sqrt(0.03), eps_f = (3 + sqrt(3)) f_C / sigma_0.
     ///
     /// # Example
     /// ```
@@ -189,7 +190,7 @@ impl Model for BlimanSorine {
     const PRESETS: &'static [Preset] = &[
         Preset {
             name: "thesis",
-            source: "Novais (2024), Tables 6.1 and 7.1: first order with eps_f = f_C / sigma_0",
+            source: "Novais (2024), (7.14), Tables 6.1 and 7.1: first order; eps_f = f_C / sigma_0 is derived",
             values: &[("variant", 1.0), ("eps_f", 9.81e-6)],
         },
         Preset {

@@ -3,13 +3,13 @@ use crate::model::{Fault, Model, boolean, real};
 use crate::number::Real;
 
 crate::model! {
-    /// Brown-McPhee friction: a smooth law with a stiction peak near the transition velocity, without memory and without
-    /// exponentials of large arguments, made for fast multibody simulation.
+    /// Brown-McPhee friction: a smooth law with a stiction peak near the transition velocity, without memory and
+    /// without exponentials of large arguments, made for fast multibody simulation.
     ///
     /// # Equations
     ///
     /// ```text
-    /// f_f = f_C tanh(4 v / v_0)                                           (6.31)
+    /// f_f = f_C tanh(4 v / v_0)                                           (6.30)
     ///     + (f_s - f_C) (v / v_0) / ((v / v_0)^2 / 4 + 3 / 4)^2
     ///     + mu_v v tanh(4 f_n / f_nt)
     /// f_C = mu_k f_n,   f_s = mu_s f_n
@@ -56,9 +56,9 @@ crate::model! {
     /// displacement. `normal_force` = 0 gives force 0.
     ///
     /// # Source
-    /// Brown and McPhee (2016), doi:10.1115/1.4033658; equations (6.30) and (6.31) of F. Novais, "A critical analysis on
-    /// friction force models in dynamical systems", MSc thesis, University of Minho (2024). mu_v must be in N.s/m for the
-    /// printed equation to have consistent units. The defaults of v_0 and f_nt are chosen.
+    /// Brown and McPhee (2016), doi:10.1115/1.4033658; equations (6.30) and (6.31) of F. Novais, "A critical analysis
+    /// on friction force models in dynamical systems", MSc thesis, University of Minho (2024). mu_v must be in N.s/m
+    /// for the printed equation to have consistent units. The defaults of v_0 and f_nt are chosen.
     ///
     /// # Example
     /// ```
@@ -80,7 +80,7 @@ crate::model! {
         mu_k: tunable = real("1", 0.1).at_least(0.0),
         /// Static coefficient of friction; not less than mu_k.
         mu_s: tunable = real("1", 0.15).at_least(0.0),
-        /// Velocity at which the regularised band around rest ends (default chosen).
+        /// Velocity of the stiction peak, where the regularised band around rest ends (default chosen).
         transition_velocity: tunable = real("m/s", 0.001).positive().shown_in("mm/s"),
         /// Viscous friction coefficient.
         viscous_coefficient: tunable = real("N.s/m", 0.0).at_least(0.0),
@@ -100,7 +100,7 @@ crate::model! {
 }
 
 impl<T: Real> Curve<T> for BrownMcPhee<T> {
-    /// Eq. (6.31).
+    /// Eq. (6.30).
     #[inline]
     fn curve(&self, velocity: T) -> T {
         let [quarter, three_quarters, four] = [0.25, 0.75, 4.0].map(T::from);

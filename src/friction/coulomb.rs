@@ -55,7 +55,7 @@ crate::model! {
     /// ends at rest or, without `mass`, that v = 0 and |f_e| is within the level.
     ///
     /// # Source
-    /// Coulomb (1785); section 5.1 of F. Novais, "A critical analysis on friction force models in dynamical systems",
+    /// Coulomb (1785); section 4.1.2 of F. Novais, "A critical analysis on friction force models in dynamical systems",
     /// MSc thesis, University of Minho (2024). Time stepping: Moreau (1988), doi:10.1007/978-3-7091-2624-0_1. The
     /// choice `exchange` is ours.
     ///

@@ -14,8 +14,8 @@ crate::model! {
     /// f_C = mu_k f_n,   f_s = mu_s f_n
     /// ```
     ///
-    /// With `mass` m > 0 the force over a step h is the one that brings the body to rest within the step, limited to the
-    /// static level while stuck and to the kinetic level while sliding (time stepping in the sense of Moreau):
+    /// With `mass` m > 0 the force over a step h is the one that brings the body to rest within the step, limited to
+    /// the static level while stuck and to the kinetic level while sliding (time stepping in the sense of Moreau):
     ///
     /// ```text
     /// f_stop = f_e + m v / h
@@ -33,8 +33,8 @@ crate::model! {
     /// | f_f    | `friction_force`     | N    | friction force                              |
     ///
     /// # Sign
-    /// `friction_force` has the sign of `velocity` when sliding and the sign of `external_force` when stuck; body 1 feels
-    /// `-friction_force`. Dissipated power is `friction_force * velocity`.
+    /// `friction_force` has the sign of `velocity` when sliding and the sign of `external_force` when stuck; body 1
+    /// feels `-friction_force`. Dissipated power is `friction_force * velocity`.
     ///
     /// # Step
     /// Without `mass` the law has no memory. With `mass` it remembers whether it is stuck and how long the last step
@@ -54,8 +54,8 @@ crate::model! {
     ///
     /// # Source
     /// Morin (1833); Rabinowicz (1951), doi:10.1063/1.1699869; equation (5.1) of F. Novais, "A critical analysis on
-    /// friction force models in dynamical systems", MSc thesis, University of Minho (2024). Time stepping: Moreau (1988),
-    /// doi:10.1007/978-3-7091-2624-0_1. The choice `exchange` is ours.
+    /// friction force models in dynamical systems", MSc thesis, University of Minho (2024). Time stepping: Moreau
+    /// (1988), doi:10.1007/978-3-7091-2624-0_1. The choice `exchange` is ours.
     ///
     /// # Example
     /// ```

@@ -10,12 +10,12 @@ crate::model! {
     /// # Equations
     ///
     /// ```text
-    /// df_f/dt = sigma_0 |1 - (f_f / f_C) sgn v|^alpha sgn(1 - (f_f / f_C) sgn v) v     (7.1)
+    /// df_f/dt = sigma_0 |1 - (f_f / f_C) sgn v|^alpha sgn(1 - (f_f / f_C) sgn v) v     (7.2)
     /// f_f = sigma_0 z
     /// f_C = mu_k f_n
     /// ```
     ///
-    /// For alpha = 1 this is dz/dt = v - sigma_0 |v| z / f_C (7.5).
+    /// The first line is (7.1), which has df_f/dx, times v. For alpha = 1 it is dz/dt = v - sigma_0 |v| z / f_C (7.5).
     ///
     /// | symbol  | variable             | unit | meaning                                               |
     /// |---------|----------------------|------|-------------------------------------------------------|
@@ -55,14 +55,14 @@ crate::model! {
     /// reach their full deflection with an infinite slope, where solvers stop.
     ///
     /// # Limits
-    /// No stiction and no Stribeck effect. Drifts under a load that cycles below f_C. If the load falls while the contact
-    /// is at rest, the force keeps the old deflection until there is motion. `normal_force` = 0 releases the contact
-    /// (force 0, deflection 0).
+    /// No stiction and no Stribeck effect. Drifts under a load that cycles below f_C. If the load falls while the
+    /// contact is at rest, the force keeps the old deflection until there is motion. `normal_force` = 0 releases the
+    /// contact (force 0, deflection 0).
     ///
     /// # Source
-    /// Dahl (1968), "A solid friction model", TOR-0158(3107-18)-1, The Aerospace Corporation; equations (7.1) to (7.6) of
-    /// F. Novais, "A critical analysis on friction force models in dynamical systems", MSc thesis, University of Minho
-    /// (2024), whose Table 7.1 gives sigma_0.
+    /// Dahl (1968), "A solid friction model", TOR-0158(3107-18)-1, The Aerospace Corporation; equations (7.1) to (7.6)
+    /// of F. Novais, "A critical analysis on friction force models in dynamical systems", MSc thesis, University of
+    /// Minho (2024), whose Table 7.1 gives sigma_0. alpha = 1, the form (7.5), is chosen as the default.
     ///
     /// # Example
     /// ```
@@ -136,7 +136,11 @@ impl<T: Real> Law for Dahl<T> {
 impl Model for Dahl {
     const MODEL_EXCHANGE: bool = true;
     const PRESETS: &'static [Preset] = &[
-        Preset { name: "thesis", source: "Novais (2024), Tables 6.1 and 7.1: the start values", values: &[] },
+        Preset {
+            name: "thesis",
+            source: "Novais (2024), Tables 6.1 and 7.1, in the form (7.5), alpha = 1: the start values",
+            values: &[],
+        },
         Preset {
             name: "bushing",
             source: "Example of a suspension bushing: 60 N of hysteresis, reached over some 0.2 mm",

@@ -124,7 +124,7 @@ impl Model for Dankowicz {
     const MODEL_EXCHANGE: bool = true;
     const PRESETS: &'static [Preset] = &[Preset {
         name: "thesis",
-        source: "Novais (2024), Table 6.1, and delta_t = f_C / sigma_0 with Table 7.1: the start values",
+        source: "Novais (2024), Tables 6.1 and 7.1; delta_t = f_C / sigma_0 is derived: the start values",
         values: &[],
     }];
 

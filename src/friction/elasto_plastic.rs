@@ -14,8 +14,8 @@ crate::model! {
     /// ```text
     /// f_f   = sigma_0 z + sigma_1(v) dz/dt + sigma_2 v                                  (7.30)
     /// dz/dt = v [1 - alpha(z, v) sgn(v) z / z_ss(v)]^i                                  (7.32)
-    /// z_ss  = g(v) / sigma_0,   g(v) = f_C + (f_s - f_C) exp(-(|v| / v_S)^delta)        (7.33)
-    /// alpha = 0                                                        sgn v != sgn z   (7.34)
+    /// z_ss  = g(v) / sigma_0,   g(v) = f_C + (f_s - f_C) exp(-(|v| / v_S)^delta)
+    /// alpha = 0                                                        sgn v != sgn z   (7.33)
     ///       = 0                                                        |z| <= z_ba
     ///       = 1/2 + 1/2 sin(pi (|z| - (z_ss + z_ba) / 2) / (z_ss - z_ba))   z_ba < |z| < z_ss
     ///       = 1                                                        |z| >= z_ss
@@ -84,10 +84,10 @@ crate::model! {
     /// Dupont, Hayward, Armstrong, Altpeter (2002), "Single state elastoplastic friction models",
     /// doi:10.1109/TAC.2002.1000274; equations (7.30) to (7.34) of F. Novais, "A critical analysis on friction force
     /// models in dynamical systems", MSc thesis, University of Minho (2024), whose Table 7.1 gives sigma_0, sigma_1,
-    /// sigma_2, v_S and i, and whose text gives kappa = 0.7. Differences: (7.34) is printed with z, which is right for
-    /// z > 0 only; here it has |z|. i is any integer there and odd here. `damping_velocity`: Olsson (1996), PhD thesis,
-    /// Lund University.
-    /// A public library of friction models has z for |z|, and lacks alpha = 0 for sgn v != sgn z.
+    /// sigma_2, v_S and i, and whose text gives kappa = 0.7. Differences: the sine (7.34) is printed with z, which is
+    /// right for z > 0 only; here it has |z|. i is any integer there and odd here. `damping_velocity`: Olsson (1996),
+    /// PhD thesis, Lund University. A public library of friction models has z for |z|, and lacks alpha = 0 for sgn v !=
+    /// sgn z.
     ///
     /// # Example
     /// ```
@@ -154,7 +154,7 @@ impl<T: Real> ElastoPlastic<T> {
         self.sigma_1 * (-(u * u)).exp()
     }
 
-    /// Eq. (7.34), in terms of u = sgn(v) z / z_ss.
+    /// Eqs. (7.33) and (7.34), in terms of u = sgn(v) z / z_ss.
     fn alpha(&self, u: T) -> T {
         let [half, one] = [0.5, 1.0].map(T::from);
         let kappa = self.breakaway_ratio;
@@ -377,7 +377,7 @@ mod tests {
         slide
     }
 
-    /// alpha as it stands in (7.34), with u = |z| / z_ss.
+    /// alpha as it stands in (7.33) and (7.34), with u = |z| / z_ss.
     fn alpha(u: f64, kappa: f64) -> f64 {
         ElastoPlastic { breakaway_ratio: kappa, ..Default::default() }.alpha(u)
     }

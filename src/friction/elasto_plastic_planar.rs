@@ -8,8 +8,8 @@ use crate::laws::{elasto_plastic, stribeck};
 use crate::model::{Fault, Law, Model, Preset, boolean, real};
 
 crate::model! {
-    /// Elasto-plastic friction in a plane: as LuGre in a plane, but purely elastic up to a breakaway deflection, so that
-    /// a contact under a small load, from any direction, does not drift.
+    /// Elasto-plastic friction in a plane: as LuGre in a plane, but purely elastic up to a breakaway deflection, so
+    /// that a contact under a small load, from any direction, does not drift.
     ///
     /// # Equations
     ///
@@ -25,9 +25,9 @@ crate::model! {
     /// sigma_1(v) = sigma_1 exp(-(|v| / v_d)^2)     if v_d > 0, else sigma_1
     /// ```
     ///
-    /// v, z and f_f are vectors in the plane; max(0, e^T v) is the velocity along the bristle if it loads it, else 0. Along a
-    /// line this is the rule alpha = 0 for sgn v != sgn z of the scalar law, and without its jump: in the plane a motion
-    /// can turn from loading to unloading without coming to rest.
+    /// v, z and f_f are vectors in the plane; max(0, e^T v) is the velocity along the bristle if it loads it, else 0.
+    /// Along a line this is the rule alpha = 0 for sgn v != sgn z of the scalar law, and without its jump: in the plane
+    /// a motion can turn from loading to unloading without coming to rest.
     ///
     /// | symbol  | variable                 | unit  | meaning                                                  |
     /// |---------|--------------------------|-------|----------------------------------------------------------|
@@ -54,10 +54,11 @@ crate::model! {
     ///
     /// # Step
     /// With held inputs z depends on the distance only. The elastic part of the way is solved exactly and its end is
-    /// located; the plastic part is integrated with error control (Dormand-Prince, 1e-13 of z_ss per step), and its end,
-    /// the approach to steady sliding, is an exponential again. The result does not depend on how an interval is divided
-    /// by more than 1e-10. `sticking` says that more than 1 % (chosen) of the motion still goes into the bristles. For
-    /// the largest communication step see `LuGrePlanar`, which has the same stiffness and damping at rest.
+    /// located; the plastic part is integrated with error control (Dormand-Prince, 1e-13 of z_ss per step), and its
+    /// end, the approach to steady sliding, is an exponential again. The result does not depend on how an interval is
+    /// divided by more than 1e-10. `sticking` says that more than 1 % (chosen) of the motion still goes into the
+    /// bristles. For the largest communication step see `LuGrePlanar`, which has the same stiffness and damping at
+    /// rest.
     ///
     /// # Errors
     /// Refused: a parameter outside its bound; `mu_s` < `mu_k`; in Model Exchange `mu_k` = 0. kappa <= 0.99 (chosen):
@@ -65,15 +66,15 @@ crate::model! {
     ///
     /// # Limits
     /// Not passive for sampled velocities unless sigma_2 >= sigma_1 (f_s - f_C) / f_C or `damping_velocity` > 0, as
-    /// LuGre. Without damping (sigma_1 = 0) it is passive at constant load. No drift as long as |f_f| < kappa g. Isotropic.
-    /// No spin about the normal. `normal_force` = 0 releases the contact (force 0, deflection 0).
+    /// LuGre. Without damping (sigma_1 = 0) it is passive at constant load. No drift as long as |f_f| < kappa g.
+    /// Isotropic. No spin about the normal. `normal_force` = 0 releases the contact (force 0, deflection 0).
     ///
     /// # Source
-    /// The law along a line: Dupont, Hayward, Armstrong, Altpeter (2002), "Single state elastoplastic friction models", IEEE
-    /// Transactions on Automatic Control 47, 787-792; equations (7.30) to (7.34) of F. Novais, "A critical analysis on
-    /// friction force models in dynamical systems", MSc thesis, University of Minho (2024), here with the exponent i = 1.
-    /// (7.34) is printed with z; |z| is meant. The step to the plane is ours. Defaults: Tables 6.1 and 7.1 of the thesis and
-    /// kappa = 0.7 from its text.
+    /// The law along a line: Dupont, Hayward, Armstrong, Altpeter (2002), "Single state elastoplastic friction models",
+    /// IEEE Transactions on Automatic Control 47, 787-792; equations (7.30) to (7.34) of F. Novais, "A critical
+    /// analysis on friction force models in dynamical systems", MSc thesis, University of Minho (2024), here with the
+    /// exponent i = 1. The sine (7.34) is printed with z; |z| is meant. The step to the plane is ours. Defaults: Tables
+    /// 6.1 and 7.1 of the thesis and kappa = 0.7 from its text.
     ///
     /// # Example
     /// ```
@@ -204,7 +205,7 @@ impl Model for ElastoPlasticPlanar {
     const MODEL_EXCHANGE: bool = true;
     const PRESETS: &'static [Preset] = &[Preset {
         name: "thesis",
-        source: "Novais (2024), Tables 6.1 and 7.1, and kappa = 0.7 from its text: the start values",
+        source: "The law along a line in Novais (2024), Tables 6.1 and 7.1, and kappa = 0.7: the start values",
         values: &[],
     }];
 

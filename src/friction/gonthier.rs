@@ -72,9 +72,10 @@ crate::model! {
     /// Gonthier, McPhee, Lange, Piedboeuf (2004), "A regularized contact model with asymmetric damping and dwell-time
     /// dependent friction", Multibody System Dynamics 11, 209-233; equations (7.38) to (7.47) and Table 7.1 of F.
     /// Novais, "A critical analysis on friction force models in dynamical systems", MSc thesis, University of Minho
-    /// (2024). The thesis calls v_0 at least one tenth of v_S and commonly one hundredth, which contradicts itself: it
-    /// should be at most one tenth, and here it is one hundredth. Here the scalar form; for a motion in a plane the
-    /// paper takes vectors.
+    /// (2024). Only two of the equations above carry their number: those of the others were not legible in the copy
+    /// that was available. The thesis calls v_0 at least one tenth of v_S and commonly one hundredth, which contradicts
+    /// itself: it should be at most one tenth, and here it is one hundredth. Here the scalar form; for a motion in a
+    /// plane the paper takes vectors.
     ///
     /// # Example
     /// ```
@@ -99,7 +100,7 @@ crate::model! {
         mu_s: tunable = real("1", 0.15).at_least(0.0),
         /// Speed at which the excess of static over kinetic friction has fallen to 1/e.
         stribeck_velocity: tunable = real("m/s", 0.001).positive().shown_in("mm/s"),
-        /// Velocity at which the regularised band around rest ends (default chosen).
+        /// Velocity below which the direction of motion is smoothed.
         transition_velocity: tunable = real("m/s", 1e-5).positive().shown_in("mm/s"),
         /// Stiffness of the bristles.
         sigma_0: tunable = real("N/m", 1e5).positive().nominal(1e5),
@@ -213,8 +214,11 @@ impl Gonthier {
 
 impl Model for Gonthier {
     const MODEL_EXCHANGE: bool = true;
-    const PRESETS: &'static [Preset] =
-        &[Preset { name: "thesis", source: "Novais (2024), Tables 6.1 and 7.1: the start values", values: &[] }];
+    const PRESETS: &'static [Preset] = &[Preset {
+        name: "thesis",
+        source: "Novais (2024), Tables 6.1 and 7.1, v_0 = v_S / 100 of its text: the start values",
+        values: &[],
+    }];
 
     released_without_load!(bristle_deflection, dwell);
 

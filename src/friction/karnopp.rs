@@ -14,8 +14,8 @@ crate::model! {
     /// f_C = mu_k f_n,   f_s = mu_s f_n
     /// ```
     ///
-    /// With `mass` m > 0 the force over a step h is the one that brings the body to rest within the step, limited to the
-    /// static level inside the band and to the kinetic level outside (time stepping in the sense of Moreau):
+    /// With `mass` m > 0 the force over a step h is the one that brings the body to rest within the step, limited to
+    /// the static level inside the band and to the kinetic level outside (time stepping in the sense of Moreau):
     ///
     /// ```text
     /// f_stop = f_e + m v / h
@@ -34,8 +34,8 @@ crate::model! {
     /// | f_f    | `friction_force`      | N    | friction force                              |
     ///
     /// # Sign
-    /// `friction_force` has the sign of `velocity` when sliding and the sign of `external_force` inside the band; body 1
-    /// feels `-friction_force`. Dissipated power is `friction_force * velocity`.
+    /// `friction_force` has the sign of `velocity` when sliding and the sign of `external_force` inside the band; body
+    /// 1 feels `-friction_force`. Dissipated power is `friction_force * velocity`.
     ///
     /// # Step
     /// Without `mass` the law has no memory. Inside the band its force balances the external force, so the velocity
@@ -55,8 +55,9 @@ crate::model! {
     /// `mu_s` = `mu_k` is regularised Coulomb friction.
     ///
     /// # Source
-    /// Karnopp (1985), doi:10.1115/1.3140698; equation (6.7) of F. Novais, "A critical analysis on friction force models
-    /// in dynamical systems", MSc thesis, University of Minho (2024). The default v_0 = 0.001 m/s is chosen. Time
+    /// Karnopp (1985), doi:10.1115/1.3140698; equation (6.7) of F. Novais, "A critical analysis on friction force
+    /// models in dynamical systems", MSc thesis, University of Minho (2024). Differs: outside the band (6.7) allows any
+    /// f(v), here it is f_C sgn(v) without a viscous or a Stribeck part. The default v_0 = 0.001 m/s is chosen. Time
     /// stepping: Moreau (1988), doi:10.1007/978-3-7091-2624-0_1. The choice `exchange` is ours.
     ///
     /// # Example

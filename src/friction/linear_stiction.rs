@@ -78,7 +78,7 @@ crate::model! {
         mu_k: tunable = real("1", 0.1).at_least(0.0),
         /// Static coefficient of friction; not less than mu_k.
         mu_s: tunable = real("1", 0.15).at_least(0.0),
-        /// Velocity at which the regularised band around rest ends (default chosen).
+        /// Velocity of the stiction peak, where the regularised band around rest ends (default chosen).
         transition_velocity: tunable = real("m/s", 0.001).positive().shown_in("mm/s"),
         /// Velocity at which the kinetic level is reached.
         sliding_velocity: tunable = real("m/s", 0.0015).positive().shown_in("mm/s"),
@@ -161,8 +161,8 @@ mod tests {
         assert_eq!(law.check().unwrap_err().0, "sliding_velocity = 0.001: must be > transition_velocity = 0.001");
     }
 
-    /// A body of 1 kg at 1.4 mm/s under 1.2 N, on the falling line, where f = 2.4525 - 981 v and the load is above it: it
-    /// escapes to the kinetic line. In 1 ms: w = v + h (f_e - f_C) / m.
+    /// A body of 1 kg at 1.4 mm/s under 1.2 N, on the falling line, where f = 2.4525 - 981 v and the load is above it:
+    /// it escapes to the kinetic line. In 1 ms: w = v + h (f_e - f_C) / m.
     #[test]
     fn a_driven_body_leaves_the_falling_line() {
         let mut law = LinearStiction { velocity: 1.4e-3, external_force: 1.2, ..Default::default() };

@@ -5,8 +5,8 @@ use crate::model::{Fault, Law, Model, Preset, boolean, real};
 use crate::number::Real;
 
 crate::model! {
-    /// LuGre friction: bristles that yield before they slide (Dahl) with a level that falls with speed (Stribeck) and with
-    /// damping; the most used dynamic friction model.
+    /// LuGre friction: bristles that yield before they slide (Dahl) with a level that falls with speed (Stribeck) and
+    /// with damping; the most used dynamic friction model.
     ///
     /// # Equations
     ///
@@ -38,9 +38,9 @@ crate::model! {
     /// is `friction_force * velocity`; it is negative while the bristles spring back.
     ///
     /// # Step
-    /// With held inputs the equation of z is linear and solved exactly, so the result does not depend on how an interval
-    /// is divided, from 1 us to 1 s. `sticking` says that more than 1 % (chosen) of the motion still goes into the
-    /// bristles.
+    /// With held inputs the equation of z is linear and solved exactly, so the result does not depend on how an
+    /// interval is divided, from 1 us to 1 s. `sticking` says that more than 1 % (chosen) of the motion still goes into
+    /// the bristles.
     ///
     /// A master that integrates a mass m with the force it reads couples it explicitly to the stiffness k and the
     /// damping c of the contact at rest. If the friction steps first, a held body stays still for communication steps h
@@ -52,18 +52,17 @@ crate::model! {
     /// Refused: a parameter outside its bound; `mu_s` < `mu_k`.
     ///
     /// # Limits
-    /// Drifts under a load that cycles below breakaway. mu_k = 0 is refused: g would vanish at high speed, and the equation
-    /// of z with it. Passive for every motion only if
-    /// sigma_2 >= sigma_1 (f_s - f_C) / f_C, which no common parameter set satisfies: a velocity that jumps, as a sampled
-    /// one does, can give a force spike of sigma_1 dz/dt (0 -> 0.1 m/s from full stiction: -14.3 N). `damping_velocity`
-    /// (of the size of v_S) removes it; the default 0 keeps the law of the paper. `normal_force` = 0 releases the contact
-    /// (force 0, deflection 0).
+    /// Drifts under a load that cycles below breakaway. mu_k = 0 is refused: g would vanish at high speed, and the
+    /// equation of z with it. Passive for every motion only if sigma_2 >= sigma_1 (f_s - f_C) / f_C, which no common
+    /// parameter set satisfies: a velocity that jumps, as a sampled one does, can give a force spike of sigma_1 dz/dt
+    /// (0 -> 0.1 m/s from full stiction: -14.3 N). `damping_velocity` (of the size of v_S) removes it; the default 0
+    /// keeps the law of the paper. `normal_force` = 0 releases the contact (force 0, deflection 0).
     ///
     /// # Source
     /// Canudas de Wit, Olsson, Astrom, Lischinsky (1995), doi:10.1109/9.376053. In the paper sigma_0 g(v) is the level;
-    /// here g is in newtons and carries the normal force, and delta = 2 is a parameter. Defaults: Table 7.1 of F. Novais,
-    /// "A critical analysis on friction force models in dynamical systems", MSc thesis, University of Minho (2024).
-    /// Velocity-dependent damping: Olsson (1996), PhD thesis, Lund University.
+    /// here g is in newtons and carries the normal force, and delta = 2 is a parameter. Defaults: Table 7.1 of F.
+    /// Novais, "A critical analysis on friction force models in dynamical systems", MSc thesis, University of Minho
+    /// (2024). Velocity-dependent damping: Olsson (1996), PhD thesis, Lund University.
     ///
     /// # Example
     /// ```

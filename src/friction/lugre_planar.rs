@@ -183,8 +183,11 @@ impl<T: Component> Law for LuGrePlanar<T> {
 
 impl Model for LuGrePlanar {
     const MODEL_EXCHANGE: bool = true;
-    const PRESETS: &'static [Preset] =
-        &[Preset { name: "thesis", source: "Novais (2024), Tables 6.1 and 7.1: the start values", values: &[] }];
+    const PRESETS: &'static [Preset] = &[Preset {
+        name: "thesis",
+        source: "The law along a line in Novais (2024), Tables 6.1 and 7.1: the start values",
+        values: &[],
+    }];
 
     released_without_load!(bristle_deflection_x, bristle_deflection_y);
 

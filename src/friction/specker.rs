@@ -10,7 +10,7 @@ crate::model! {
     /// # Equations
     ///
     /// ```text
-    /// f_f = f_C tanh(v / v_0)                                        (6.24)
+    /// f_f = f_C tanh(v / v_0)                                        (6.27)
     ///     + f_p (v / v_p) exp((1 - (v / v_p)^2) / 2) + c_v v
     /// f_p = max(f_s - f_C tanh(v_p / v_0) - c_v v_p, 0)
     /// f_C = mu_k f_n,   f_s = mu_s f_n
@@ -60,10 +60,10 @@ crate::model! {
     /// # Source
     /// Specker, Buchholz, Dietmayer (2014), IFAC Proceedings Volumes 47(3), 4523-4528; equations (6.24) to (6.28) of F.
     /// Novais, "A critical analysis on friction force models in dynamical systems", MSc thesis, University of Minho
-    /// (2024). Differs: f_p is kept from becoming negative, which would drive the motion; with `mu_s` >= `mu_k` that
-    /// concerns the viscous part at small loads only. v_0 = 0.25 mm/s and v_p = 0.5 mm/s follow the guidance for v_S =
-    /// 1 mm/s, which is chosen. Translational Friction of Simscape has the same form without the corrections in f_p
-    /// (preset `simscape`).
+    /// (2024), of which (6.24) is the first term, (6.27) the whole and (6.28) the guidance. Differs: f_p is kept from
+    /// becoming negative, which would drive the motion; with `mu_s` >= `mu_k` that concerns the viscous part at small
+    /// loads only. v_0 = 0.25 mm/s and v_p = 0.5 mm/s follow the guidance for v_S = 1 mm/s, which is chosen.
+    /// Translational Friction of Simscape has the same form without the corrections in f_p (preset `simscape`).
     ///
     /// # Example
     /// ```
@@ -84,7 +84,7 @@ crate::model! {
         mu_k: tunable = real("1", 0.1).at_least(0.0),
         /// Static coefficient of friction; not less than mu_k.
         mu_s: tunable = real("1", 0.15).at_least(0.0),
-        /// Velocity at which the regularised band around rest ends (default chosen).
+        /// Velocity scale of the transition around rest (default chosen).
         transition_velocity: tunable = real("m/s", 0.00025).positive().shown_in("mm/s"),
         /// Velocity at which the static level is reached (default chosen).
         peak_velocity: tunable = real("m/s", 0.0005).positive().shown_in("mm/s"),
@@ -104,7 +104,7 @@ crate::model! {
 }
 
 impl<T: Real> Curve<T> for Specker<T> {
-    /// Eq. (6.24).
+    /// Eq. (6.27).
     #[inline]
     fn curve(&self, velocity: T) -> T {
         if self.normal_force.value() <= 0.0 {

@@ -13,7 +13,7 @@ crate::model! {
     /// ```text
     /// T(v) df_f/dt + f_f = f_stat(v)
     /// T(v)      = T_slip + (T_stick - T_slip) exp(-(v / v_Sp)^2),   T_stick = K_0 / sigma_0
-    /// f_stat(v) = f_C tanh(v / v_0) + f_p (v / v_Sp) exp(1/2 (1 - (v / v_Sp)^2)) + c_v v    (6.24)
+    /// f_stat(v) = f_C tanh(v / v_0) + f_p (v / v_Sp) exp(1/2 (1 - (v / v_Sp)^2)) + c_v v    (6.27)
     /// f_p       = f_s - f_C tanh(v_Sp / v_0) - c_v v_Sp,  not below 0
     /// K_0       = f_C / v_0 + f_p exp(1/2) / v_Sp + c_v          slope of f_stat at rest
     /// f_C = mu_k f_n,   f_s = mu_s f_n
@@ -54,8 +54,7 @@ crate::model! {
     /// Cannot hold a load: under a constant load below f_s the body creeps with the speed at which f_stat is the load,
     /// and after a stop the force is lost within T_stick (57 ms for the defaults). A step of the velocity to v << v_Sp
     /// gives f_f = K_0 v (1 - exp(-t / T_stick)), which is sigma_0 x for t << T_stick. |f_f| never exceeds the maximum
-    /// of
-    /// |f_stat| (1.0044 f_s for the defaults) and the viscous part.
+    /// of |f_stat| (1.0044 f_s for the defaults) and the viscous part.
     ///
     /// Not passive: after a reversal from a force f_0 to a speed V well above v_Sp the contact gives back the energy
     /// V T_slip (f_0 - f_C ln(1 + f_0 / f_C)), and fast cycles with slow parts in between gain energy. The power that
@@ -66,10 +65,10 @@ crate::model! {
     /// # Source
     /// Reconstructed: F. Novais, "A critical analysis on friction force models in dynamical systems", MSc thesis,
     /// University of Minho (2024), says that the curve of Specker, Buchholz, Dietmayer (2014), IFAC Proceedings Volumes
-    /// 47(3), 4523-4528, (6.24) to (6.28), is extended to a linear parameter-varying system in the form of a
+    /// 47(3), 4523-4528, (6.24) to (6.27), is extended to a linear parameter-varying system in the form of a
     /// first-order low-pass filter; the law of its time constant is ours. v_0 = 0.25 mm/s and v_Sp = 0.5 mm/s follow
-    /// (6.28), v_S = 4 v_0 = 2 v_Sp, for v_S = 1 mm/s, which is chosen, and so is T_slip. sigma_0 is that of Table 7.1.
-    /// f_p is kept from becoming negative, which would drive the motion.
+    /// (6.28), v_S = 4 v_0 = 2 v_Sp, for v_S = 1 mm/s, which is chosen, and so is T_slip. sigma_0 is that of the laws
+    /// in Table 7.1, which does not list this one. f_p is kept from becoming negative, which would drive the motion.
     ///
     /// # Example
     /// ```
@@ -93,7 +92,7 @@ crate::model! {
         mu_k: tunable = real("1", 0.1).at_least(0.0),
         /// Static coefficient of friction; not less than mu_k.
         mu_s: tunable = real("1", 0.15).at_least(0.0),
-        /// Velocity at which the regularised band around rest ends (default chosen).
+        /// Velocity scale of the transition around rest (default chosen).
         transition_velocity: tunable = real("m/s", 0.00025).positive().shown_in("mm/s"),
         /// Velocity at which the static level is reached (default chosen).
         peak_velocity: tunable = real("m/s", 0.0005).positive().shown_in("mm/s"),
@@ -162,8 +161,8 @@ impl<T: Real> Law for SpeckerDynamic<T> {
 impl Model for SpeckerDynamic {
     const MODEL_EXCHANGE: bool = true;
     const PRESETS: &'static [Preset] = &[Preset {
-        name: "thesis",
-        source: "Novais (2024), Tables 6.1 and 7.1, and (6.28) for v_S = 1 mm/s: the start values; T_slip is chosen",
+        name: "guidance",
+        source: "Guidance (6.28) of Novais (2024) for v_S = 1 mm/s, which is chosen, as T_slip is: the start values",
         values: &[],
     }];
 

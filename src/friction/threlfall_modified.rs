@@ -55,7 +55,8 @@ crate::model! {
     /// Marques, Flores, Claro, Lankarani (2016), doi:10.1007/s11071-016-2999-3, after Threlfall (1978), Mechanism and
     /// Machine Theory 13, 475-483; equation (6.4) of F. Novais, "A critical analysis on friction force models in
     /// dynamical systems", MSc thesis, University of Minho (2024), default of Table 6.2. Differs from the thesis: (6.4)
-    /// has no condition; unbounded, the formula would reach 1.0524 f_C.
+    /// has no condition; unbounded, the formula would reach 1.0524 f_C. What is legible of its denominator fits
+    /// 1 - exp(-1), with which the force at v_0 would be 1.503 f_C: a misprint for 1 - exp(-3), which gives f_C there.
     ///
     /// # Example
     /// ```
@@ -74,7 +75,7 @@ crate::model! {
         external_force: input = real("N", 0.0),
         /// Kinetic coefficient of friction.
         mu_k: tunable = real("1", 0.1).at_least(0.0),
-        /// Velocity at which the regularised band around rest ends (default chosen).
+        /// Velocity at which the regularised band around rest ends.
         transition_velocity: tunable = real("m/s", 0.001).positive().shown_in("mm/s"),
         /// What the law needs of the host in co-simulation.
         time_stepping: (TimeStepping),

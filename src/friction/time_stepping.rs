@@ -56,7 +56,7 @@ impl Phase {
 crate::part! {
     /// Columns of a law that can move a body of known mass.
     TimeStepping {
-        /// Effective mass of the host, rather too small than too large, to hold it in co-simulation; 0 = the printed law.
+        /// Effective mass of the host, if in doubt too small, to hold it in co-simulation; 0 = the printed law.
         mass: tunable = real("kg", 0.0).at_least(0.0),
         /// Order in which the master exchanges values; used with mass > 0.
         exchange: fixed = Exchange::Sequential.start(),

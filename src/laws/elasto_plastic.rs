@@ -2,7 +2,7 @@
 
 use crate::number::Real;
 
-/// alpha of Dupont et al. (2002), (7.34) of the thesis: which part of a motion that loads the bristle is plastic.
+/// alpha of Dupont et al. (2002), (7.33) and (7.34) of the thesis: which part of a motion that loads the bristle is plastic.
 ///
 /// ```text
 /// alpha = 0                                                                          |z| <= z_ba

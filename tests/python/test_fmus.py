@@ -192,7 +192,7 @@ def test_directional_derivatives_of_lugre():
 
 
 def test_directional_derivative_of_brown_mcphee():
-    """The slope of eq. (6.31): at rest (4 f_C + 16/9 (f_s - f_C)) / v_0, elsewhere with B = u^2 / 4 + 3 / 4."""
+    """The slope of eq. (6.30): at rest (4 f_C + 16/9 (f_s - f_C)) / v_0, elsewhere with B = u^2 / 4 + 3 / 4."""
     with open_fmu(path_of("BrownMcPhee")) as fmu:
         assert derivative(fmu, "friction_force", "velocity") == pytest.approx(3924.0 + 872.0, rel=1e-12)
         fmu.slave.setReal(fmu.references("velocity"), [1.7e-3])
