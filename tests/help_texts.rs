@@ -3,7 +3,7 @@
 mod common;
 
 use common::Bench;
-use stribeck::catalogue;
+use stribeck::catalogue::{self, Family};
 
 /// Part of the excess f_s - f_C that is left in steady sliding at the Stribeck velocity, without viscous parts.
 fn left_at_stribeck_velocity(model: &str, curve: Option<f64>) -> f64 {
@@ -79,4 +79,16 @@ fn the_transition_velocity_of_ambrosio_is_the_end_of_no_friction() {
     assert_eq!(law.get("friction_force"), 0.0);
     law.set("velocity", 1.01e-4);
     assert!(law.get("friction_force") > 0.0);
+}
+
+/// A page sends the reader to Model Exchange only if the model offers it.
+#[test]
+fn pages_recommend_model_exchange_only_where_it_is_offered() {
+    let families = [Family::Friction, Family::ShockAbsorber, Family::Host];
+    for (model, page) in families.into_iter().flat_map(catalogue::documented) {
+        let text = page.split_whitespace().collect::<Vec<_>>().join(" ");
+        let recommends =
+            text.contains("friction first, or Model Exchange") || text.contains("In Model Exchange a contact");
+        assert!(model.model_exchange || !recommends, "{}", model.name);
+    }
 }

@@ -160,7 +160,7 @@ fn meaning(capability: &str) -> &'static str {
 /// What an importer that integrates finds.
 fn exchange(model: &ModelType) -> String {
     if !model.model_exchange {
-        return "Not for Model Exchange: its memory is no set of continuous states.".to_owned();
+        return "Not for Model Exchange: its memory is not a set of continuous states.".to_owned();
     }
     let states = match model.continuous_states().count() {
         1 => "1 continuous state".to_owned(),

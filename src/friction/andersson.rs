@@ -58,8 +58,7 @@ crate::model! {
     /// # Source
     /// Andersson, Soderberg, Bjorklund (2007), doi:10.1016/j.triboint.2005.11.014, and Nikravesh, Planar Multibody
     /// Dynamics, whose programs have the same function. No equation of the thesis was available. Defaults as in those
-    /// programs. Some copies of the equation have mu_k - mu_s in the bracket: wrong.
-    /// Public ports have mu_k - mu_s in the bracket, which turns the stiction peak into a dip; it is mu_s - mu_k.
+    /// programs. Public ports have mu_k - mu_s in the bracket, which turns the stiction peak into a dip.
     ///
     /// # Example
     /// ```

@@ -60,7 +60,7 @@ crate::model! {
     /// contact at rest. If the friction steps first, a held body stays still for communication steps below 2 sqrt(m /
     /// k), which is 6.3 ms for the defaults and 1 kg; above, it chatters within the bounds of the force. If all models
     /// step at once and exchange afterwards, it chatters at every step, since nothing damps the stiffness: take the
-    /// friction first, or Model Exchange.
+    /// friction first.
     ///
     /// # Errors
     /// Refused: a parameter outside its bound; `mu_s` < `mu_k`; `mu_s` > 2 `mu_k`, for then the lower curve would push.
