@@ -1071,7 +1071,7 @@ typedef enum stribeck_threlfall_variable {
   STRIBECK_THRELFALL_MU_K = 3,
   /** fixed [stribeck_threlfall_variant]: Variant of the law. (default Printed) */
   STRIBECK_THRELFALL_VARIANT = 4,
-  /** tunable [m/s]: Velocity at which the regularised band around rest ends. (> 0, default 0.001) */
+  /** tunable [m/s]: Velocity that sets the width of the regularised band around rest. (> 0, default 0.001) */
   STRIBECK_THRELFALL_TRANSITION_VELOCITY = 5,
   /** tunable [kg]: Effective mass of the host, if in doubt too small, to hold it in co-simulation; 0 = the printed law.
    *  (>= 0, default 0) */
@@ -1110,7 +1110,7 @@ typedef enum stribeck_threlfall_modified_variable {
   STRIBECK_THRELFALL_MODIFIED_EXTERNAL_FORCE = 2,
   /** tunable [1]: Kinetic coefficient of friction. (>= 0, default 0.1) */
   STRIBECK_THRELFALL_MODIFIED_MU_K = 3,
-  /** tunable [m/s]: Velocity at which the regularised band around rest ends. (> 0, default 0.001) */
+  /** tunable [m/s]: Velocity that sets the width of the regularised band around rest. (> 0, default 0.001) */
   STRIBECK_THRELFALL_MODIFIED_TRANSITION_VELOCITY = 4,
   /** tunable [kg]: Effective mass of the host, if in doubt too small, to hold it in co-simulation; 0 = the printed law.
    *  (>= 0, default 0) */
@@ -1151,7 +1151,7 @@ typedef enum stribeck_rooney_deravi_variable {
   STRIBECK_ROONEY_DERAVI_MU_K = 3,
   /** fixed [stribeck_rooney_deravi_variant]: Variant of the law. (default Linear) */
   STRIBECK_ROONEY_DERAVI_VARIANT = 4,
-  /** tunable [m/s]: Velocity at which the regularised band around rest ends. (> 0, default 0.001) */
+  /** tunable [m/s]: Velocity that sets the width of the regularised band around rest. (> 0, default 0.001) */
   STRIBECK_ROONEY_DERAVI_TRANSITION_VELOCITY = 5,
   /** tunable [kg]: Effective mass of the host, if in doubt too small, to hold it in co-simulation; 0 = the printed law.
    *  (>= 0, default 0) */
@@ -1190,7 +1190,7 @@ typedef enum stribeck_ambrosio_variable {
   STRIBECK_AMBROSIO_EXTERNAL_FORCE = 2,
   /** tunable [1]: Kinetic coefficient of friction. (>= 0, default 0.1) */
   STRIBECK_AMBROSIO_MU_K = 3,
-  /** tunable [m/s]: Velocity up to which there is no friction. (>= 0, default 0.0001) */
+  /** tunable [m/s]: Velocity that sets the width of the regularised band around rest. (>= 0, default 0.0001) */
   STRIBECK_AMBROSIO_TRANSITION_VELOCITY = 4,
   /** tunable [m/s]: Velocity at which the kinetic level is reached. (> 0, default 0.001) */
   STRIBECK_AMBROSIO_SLIDING_VELOCITY = 5,
@@ -1233,7 +1233,7 @@ typedef enum stribeck_karnopp_variable {
   STRIBECK_KARNOPP_MU_K = 3,
   /** tunable [1]: Static coefficient of friction; not less than mu_k. (>= 0, default 0.15) */
   STRIBECK_KARNOPP_MU_S = 4,
-  /** tunable [m/s]: Velocity at which the regularised band around rest ends (default chosen). (> 0, default 0.001) */
+  /** tunable [m/s]: Velocity that sets the width of the regularised band around rest. (> 0, default 0.001) */
   STRIBECK_KARNOPP_TRANSITION_VELOCITY = 5,
   /** state [Boolean]: Has the last step left the contact stuck? Only with mass > 0; phase tells it in Model Exchange.
    *  (default false) */
@@ -1284,7 +1284,7 @@ typedef enum stribeck_bengisu_akay_variable {
   /** tunable [s/m]: Rate at which the excess of static over kinetic friction decays with speed (default chosen).
    *  (> 0, default 500) */
   STRIBECK_BENGISU_AKAY_STICTION_DECAY = 7,
-  /** tunable [m/s]: Velocity at which the regularised band around rest ends (default chosen). (> 0, default 0.001) */
+  /** tunable [m/s]: Velocity that sets the width of the regularised band around rest. (> 0, default 0.001) */
   STRIBECK_BENGISU_AKAY_TRANSITION_VELOCITY = 8,
   /** tunable [kg]: Effective mass of the host, if in doubt too small, to hold it in co-simulation; 0 = the printed law.
    *  (>= 0, default 0) */
@@ -1325,8 +1325,7 @@ typedef enum stribeck_hollars_variable {
   STRIBECK_HOLLARS_MU_K = 3,
   /** tunable [1]: Static coefficient of friction; not less than mu_k. (>= 0, default 0.15) */
   STRIBECK_HOLLARS_MU_S = 4,
-  /** tunable [m/s]: Velocity of the stiction peak, where the regularised band around rest ends (default chosen).
-   *  (> 0, default 0.001) */
+  /** tunable [m/s]: Velocity that sets the width of the regularised band around rest. (> 0, default 0.001) */
   STRIBECK_HOLLARS_TRANSITION_VELOCITY = 5,
   /** tunable [s/m]: Viscous coefficient of friction, per normal force. (>= 0, default 0) */
   STRIBECK_HOLLARS_MU_V = 6,
@@ -1369,7 +1368,7 @@ typedef enum stribeck_andersson_variable {
   STRIBECK_ANDERSSON_MU_K = 3,
   /** tunable [1]: Static coefficient of friction; not less than mu_k. (>= 0, default 0.15) */
   STRIBECK_ANDERSSON_MU_S = 4,
-  /** tunable [m/s]: Speed at which the excess of static over kinetic friction has fallen to 1/e.
+  /** tunable [m/s]: Speed at which the excess of static over kinetic friction has fallen to 1/e (Lorentzian, hyperbola: 1/2).
    *  (> 0, default 0.001) */
   STRIBECK_ANDERSSON_STRIBECK_VELOCITY = 5,
   /** tunable [1]: Exponent of the falling level. (> 0, default 2) */
@@ -1417,7 +1416,7 @@ typedef enum stribeck_awrejcewicz_variable {
   STRIBECK_AWREJCEWICZ_MU_K = 3,
   /** tunable [1]: Static coefficient of friction; not less than mu_k. (>= 0, default 0.15) */
   STRIBECK_AWREJCEWICZ_MU_S = 4,
-  /** tunable [m/s]: Velocity at which the regularised band around rest ends (default chosen). (> 0, default 0.001) */
+  /** tunable [m/s]: Velocity that sets the width of the regularised band around rest. (> 0, default 0.001) */
   STRIBECK_AWREJCEWICZ_TRANSITION_VELOCITY = 5,
   /** tunable [s/m]: Rate at which the excess of static over kinetic friction decays with speed (default chosen).
    *  (> 0, default 1000) */
@@ -1461,7 +1460,7 @@ typedef enum stribeck_specker_variable {
   STRIBECK_SPECKER_MU_K = 3,
   /** tunable [1]: Static coefficient of friction; not less than mu_k. (>= 0, default 0.15) */
   STRIBECK_SPECKER_MU_S = 4,
-  /** tunable [m/s]: Velocity scale of the transition around rest (default chosen). (> 0, default 0.00025) */
+  /** tunable [m/s]: Velocity that sets the width of the regularised band around rest. (> 0, default 0.00025) */
   STRIBECK_SPECKER_TRANSITION_VELOCITY = 5,
   /** tunable [m/s]: Velocity at which the static level is reached (default chosen). (> 0, default 0.0005) */
   STRIBECK_SPECKER_PEAK_VELOCITY = 6,
@@ -1506,8 +1505,7 @@ typedef enum stribeck_linear_stiction_variable {
   STRIBECK_LINEAR_STICTION_MU_K = 3,
   /** tunable [1]: Static coefficient of friction; not less than mu_k. (>= 0, default 0.15) */
   STRIBECK_LINEAR_STICTION_MU_S = 4,
-  /** tunable [m/s]: Velocity of the stiction peak, where the regularised band around rest ends (default chosen).
-   *  (> 0, default 0.001) */
+  /** tunable [m/s]: Velocity that sets the width of the regularised band around rest. (> 0, default 0.001) */
   STRIBECK_LINEAR_STICTION_TRANSITION_VELOCITY = 5,
   /** tunable [m/s]: Velocity at which the kinetic level is reached. (> 0, default 0.0015) */
   STRIBECK_LINEAR_STICTION_SLIDING_VELOCITY = 6,
@@ -1550,8 +1548,7 @@ typedef enum stribeck_brown_mcphee_variable {
   STRIBECK_BROWN_MCPHEE_MU_K = 3,
   /** tunable [1]: Static coefficient of friction; not less than mu_k. (>= 0, default 0.15) */
   STRIBECK_BROWN_MCPHEE_MU_S = 4,
-  /** tunable [m/s]: Velocity of the stiction peak, where the regularised band around rest ends (default chosen).
-   *  (> 0, default 0.001) */
+  /** tunable [m/s]: Velocity that sets the width of the regularised band around rest. (> 0, default 0.001) */
   STRIBECK_BROWN_MCPHEE_TRANSITION_VELOCITY = 5,
   /** tunable [N.s/m]: Viscous friction coefficient. (>= 0, default 0) */
   STRIBECK_BROWN_MCPHEE_VISCOUS_COEFFICIENT = 6,
@@ -1620,7 +1617,7 @@ typedef enum stribeck_lugre_variable {
   STRIBECK_LUGRE_MU_K = 2,
   /** tunable [1]: Static coefficient of friction; not less than mu_k. (>= 0, default 0.15) */
   STRIBECK_LUGRE_MU_S = 3,
-  /** tunable [m/s]: Speed at which the excess of static over kinetic friction has fallen to 1/e.
+  /** tunable [m/s]: Speed at which the excess of static over kinetic friction has fallen to 1/e (Lorentzian, hyperbola: 1/2).
    *  (> 0, default 0.001) */
   STRIBECK_LUGRE_STRIBECK_VELOCITY = 4,
   /** tunable [1]: Exponent of the falling level. (> 0, default 2) */
@@ -1658,7 +1655,7 @@ typedef enum stribeck_frictional_lag_variable {
   STRIBECK_FRICTIONAL_LAG_MU_K = 2,
   /** tunable [1]: Static coefficient of friction; not less than mu_k. (>= 0, default 0.15) */
   STRIBECK_FRICTIONAL_LAG_MU_S = 3,
-  /** tunable [m/s]: Speed at which the excess of static over kinetic friction has fallen to 1/e.
+  /** tunable [m/s]: Speed at which the excess of static over kinetic friction has fallen to 1/e (Lorentzian, hyperbola: 1/2).
    *  (> 0, default 0.001) */
   STRIBECK_FRICTIONAL_LAG_STRIBECK_VELOCITY = 4,
   /** tunable [1]: Exponent of the falling level. (> 0, default 2) */
@@ -2083,7 +2080,7 @@ typedef enum stribeck_armstrong_variable {
   STRIBECK_ARMSTRONG_MU_S = 3,
   /** tunable [N/m]: Stiffness of the bristles. (> 0, default 100000) */
   STRIBECK_ARMSTRONG_SIGMA_0 = 4,
-  /** tunable [m/s]: Speed at which the excess of static over kinetic friction has fallen to 1/2.
+  /** tunable [m/s]: Speed at which the excess of static over kinetic friction has fallen to 1/e (Lorentzian, hyperbola: 1/2).
    *  (> 0, default 0.001) */
   STRIBECK_ARMSTRONG_STRIBECK_VELOCITY = 5,
   /** tunable [N.s/m]: Viscous friction coefficient. (>= 0, default 0) */
@@ -2674,7 +2671,7 @@ typedef enum stribeck_elasto_plastic_variable {
   STRIBECK_ELASTO_PLASTIC_MU_K = 2,
   /** tunable [1]: Static coefficient of friction; not less than mu_k. (>= 0, default 0.15) */
   STRIBECK_ELASTO_PLASTIC_MU_S = 3,
-  /** tunable [m/s]: Speed at which the excess of static over kinetic friction has fallen to 1/e.
+  /** tunable [m/s]: Speed at which the excess of static over kinetic friction has fallen to 1/e (Lorentzian, hyperbola: 1/2).
    *  (> 0, default 0.001) */
   STRIBECK_ELASTO_PLASTIC_STRIBECK_VELOCITY = 4,
   /** tunable [1]: Exponent of the falling level. (> 0, default 2) */
@@ -3004,7 +3001,7 @@ typedef enum stribeck_specker_dynamic_variable {
   STRIBECK_SPECKER_DYNAMIC_MU_K = 2,
   /** tunable [1]: Static coefficient of friction; not less than mu_k. (>= 0, default 0.15) */
   STRIBECK_SPECKER_DYNAMIC_MU_S = 3,
-  /** tunable [m/s]: Velocity scale of the transition around rest (default chosen). (> 0, default 0.00025) */
+  /** tunable [m/s]: Velocity that sets the width of the regularised band around rest. (> 0, default 0.00025) */
   STRIBECK_SPECKER_DYNAMIC_TRANSITION_VELOCITY = 4,
   /** tunable [m/s]: Velocity at which the static level is reached (default chosen). (> 0, default 0.0005) */
   STRIBECK_SPECKER_DYNAMIC_PEAK_VELOCITY = 5,
@@ -3039,7 +3036,7 @@ typedef enum stribeck_maxwell_slip_variable {
   STRIBECK_MAXWELL_SLIP_MU_K = 2,
   /** tunable [1]: Static coefficient of friction; not less than mu_k. (>= 0, default 0.15) */
   STRIBECK_MAXWELL_SLIP_MU_S = 3,
-  /** tunable [m/s]: Speed at which the excess of static over kinetic friction has fallen to 1/e.
+  /** tunable [m/s]: Speed at which the excess of static over kinetic friction has fallen to 1/e (Lorentzian, hyperbola: 1/2).
    *  (> 0, default 0.001) */
   STRIBECK_MAXWELL_SLIP_STRIBECK_VELOCITY = 4,
   /** tunable [1]: Exponent of the falling level. (> 0, default 2) */
@@ -3592,7 +3589,7 @@ typedef enum stribeck_leuven_variable {
   STRIBECK_LEUVEN_MU_K = 2,
   /** tunable [1]: Static coefficient of friction; not less than mu_k. (>= 0, default 0.15) */
   STRIBECK_LEUVEN_MU_S = 3,
-  /** tunable [m/s]: Speed at which the excess of static over kinetic friction has fallen to 1/e.
+  /** tunable [m/s]: Speed at which the excess of static over kinetic friction has fallen to 1/e (Lorentzian, hyperbola: 1/2).
    *  (> 0, default 0.001) */
   STRIBECK_LEUVEN_STRIBECK_VELOCITY = 4,
   /** tunable [1]: Exponent of the falling level. (> 0, default 2) */
@@ -4021,10 +4018,10 @@ typedef enum stribeck_gonthier_variable {
   STRIBECK_GONTHIER_MU_K = 2,
   /** tunable [1]: Static coefficient of friction; not less than mu_k. (>= 0, default 0.15) */
   STRIBECK_GONTHIER_MU_S = 3,
-  /** tunable [m/s]: Speed at which the excess of static over kinetic friction has fallen to 1/e.
+  /** tunable [m/s]: Speed at which the excess of static over kinetic friction has fallen to 1/e (Lorentzian, hyperbola: 1/2).
    *  (> 0, default 0.001) */
   STRIBECK_GONTHIER_STRIBECK_VELOCITY = 4,
-  /** tunable [m/s]: Velocity below which the direction of motion is smoothed. (> 0, default 1e-5) */
+  /** tunable [m/s]: Velocity that sets the width of the regularised band around rest. (> 0, default 1e-5) */
   STRIBECK_GONTHIER_TRANSITION_VELOCITY = 5,
   /** tunable [N/m]: Stiffness of the bristles. (> 0, default 100000) */
   STRIBECK_GONTHIER_SIGMA_0 = 6,
@@ -4071,7 +4068,7 @@ typedef enum stribeck_liang_variable {
   STRIBECK_LIANG_MU_K = 7,
   /** tunable [1]: Static coefficient of friction; not less than mu_k. (>= 0, default 0.15) */
   STRIBECK_LIANG_MU_S = 8,
-  /** tunable [m/s]: Velocity at which the regularised band around rest ends (default chosen). (> 0, default 0.001) */
+  /** tunable [m/s]: Velocity that sets the width of the regularised band around rest. (> 0, default 0.001) */
   STRIBECK_LIANG_TRANSITION_VELOCITY = 9,
   /** tunable [N/m]: Stiffness of the bristles. (> 0, default 100000) */
   STRIBECK_LIANG_SIGMA_0 = 10,
@@ -4114,7 +4111,7 @@ typedef enum stribeck_lugre_planar_variable {
   STRIBECK_LUGRE_PLANAR_MU_K = 3,
   /** tunable [1]: Static coefficient of friction; not less than mu_k. (>= 0, default 0.15) */
   STRIBECK_LUGRE_PLANAR_MU_S = 4,
-  /** tunable [m/s]: Speed at which the excess of static over kinetic friction has fallen to 1/e.
+  /** tunable [m/s]: Speed at which the excess of static over kinetic friction has fallen to 1/e (Lorentzian, hyperbola: 1/2).
    *  (> 0, default 0.001) */
   STRIBECK_LUGRE_PLANAR_STRIBECK_VELOCITY = 5,
   /** tunable [1]: Exponent of the falling level. (> 0, default 2) */
@@ -4158,7 +4155,7 @@ typedef enum stribeck_elasto_plastic_planar_variable {
   STRIBECK_ELASTO_PLASTIC_PLANAR_MU_K = 3,
   /** tunable [1]: Static coefficient of friction; not less than mu_k. (>= 0, default 0.15) */
   STRIBECK_ELASTO_PLASTIC_PLANAR_MU_S = 4,
-  /** tunable [m/s]: Speed at which the excess of static over kinetic friction has fallen to 1/e.
+  /** tunable [m/s]: Speed at which the excess of static over kinetic friction has fallen to 1/e (Lorentzian, hyperbola: 1/2).
    *  (> 0, default 0.001) */
   STRIBECK_ELASTO_PLASTIC_PLANAR_STRIBECK_VELOCITY = 5,
   /** tunable [1]: Exponent of the falling level. (> 0, default 2) */
@@ -4453,7 +4450,7 @@ typedef enum stribeck_shock_absorber_variable {
   /** fixed [stribeck_exchange]: Order in which the master exchanges force and motion; matters where mass > 0.
    *  (default Sequential) */
   STRIBECK_SHOCK_ABSORBER_FRICTION_EXCHANGE = 117,
-  /** tunable [m/s]: Speed at which the excess of static over kinetic friction has fallen to 1/e.
+  /** tunable [m/s]: Speed at which the excess of static over kinetic friction has fallen to 1/e (Lorentzian, hyperbola: 1/2).
    *  (> 0, default 0.001) */
   STRIBECK_SHOCK_ABSORBER_FRICTION_STRIBECK_VELOCITY = 118,
   /** tunable [1]: Exponent of the falling level. (> 0, default 2) */
@@ -4478,7 +4475,7 @@ typedef enum stribeck_shock_absorber_variable {
   STRIBECK_SHOCK_ABSORBER_FRICTION_TRANSITION_SLOPE = 128,
   /** fixed [stribeck_threlfall_variant]: Variant of the law. (default Printed) */
   STRIBECK_SHOCK_ABSORBER_FRICTION_THRELFALL_VARIANT = 129,
-  /** tunable [m/s]: Velocity at which the regularised band around rest ends. (>= 0, default 0.001) */
+  /** tunable [m/s]: Velocity that sets the width of the regularised band around rest. (>= 0, default 0.001) */
   STRIBECK_SHOCK_ABSORBER_FRICTION_TRANSITION_VELOCITY = 130,
   /** fixed [stribeck_rooney_deravi_variant]: Variant of the law. (default Linear) */
   STRIBECK_SHOCK_ABSORBER_FRICTION_ROONEYDERAVI_VARIANT = 131,
@@ -5612,7 +5609,7 @@ typedef enum stribeck_guide_contact_variable {
   /** fixed [stribeck_exchange]: Order in which the master exchanges force and motion; matters where mass > 0.
    *  (default Sequential) */
   STRIBECK_GUIDE_CONTACT_FRICTION_EXCHANGE = 15,
-  /** tunable [m/s]: Speed at which the excess of static over kinetic friction has fallen to 1/e.
+  /** tunable [m/s]: Speed at which the excess of static over kinetic friction has fallen to 1/e (Lorentzian, hyperbola: 1/2).
    *  (> 0, default 0.001) */
   STRIBECK_GUIDE_CONTACT_FRICTION_STRIBECK_VELOCITY = 16,
   /** tunable [1]: Exponent of the falling level. (> 0, default 2) */
@@ -5637,7 +5634,7 @@ typedef enum stribeck_guide_contact_variable {
   STRIBECK_GUIDE_CONTACT_FRICTION_TRANSITION_SLOPE = 26,
   /** fixed [stribeck_threlfall_variant]: Variant of the law. (default Printed) */
   STRIBECK_GUIDE_CONTACT_FRICTION_THRELFALL_VARIANT = 27,
-  /** tunable [m/s]: Velocity at which the regularised band around rest ends. (>= 0, default 0.001) */
+  /** tunable [m/s]: Velocity that sets the width of the regularised band around rest. (>= 0, default 0.001) */
   STRIBECK_GUIDE_CONTACT_FRICTION_TRANSITION_VELOCITY = 28,
   /** fixed [stribeck_rooney_deravi_variant]: Variant of the law. (default Linear) */
   STRIBECK_GUIDE_CONTACT_FRICTION_ROONEYDERAVI_VARIANT = 29,

@@ -75,7 +75,7 @@ crate::model! {
         external_force: input = real("N", 0.0),
         /// Kinetic coefficient of friction.
         mu_k: tunable = real("1", 0.1).at_least(0.0),
-        /// Velocity up to which there is no friction.
+        /// Velocity that sets the width of the regularised band around rest.
         transition_velocity: tunable = real("m/s", 0.0001).at_least(0.0).shown_in("mm/s"),
         /// Velocity at which the kinetic level is reached.
         sliding_velocity: tunable = real("m/s", 0.001).positive().shown_in("mm/s"),

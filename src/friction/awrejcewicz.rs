@@ -84,7 +84,7 @@ crate::model! {
         mu_k: tunable = real("1", 0.1).at_least(0.0),
         /// Static coefficient of friction; not less than mu_k.
         mu_s: tunable = real("1", 0.15).at_least(0.0),
-        /// Velocity at which the regularised band around rest ends (default chosen).
+        /// Velocity that sets the width of the regularised band around rest.
         transition_velocity: tunable = real("m/s", 0.001).positive().shown_in("mm/s"),
         /// Rate at which the excess of static over kinetic friction decays with speed (default chosen).
         stiction_decay: tunable = real("s/m", 1000.0).positive().nominal(1e3),

@@ -101,7 +101,7 @@ crate::model! {
         transition_slope: tunable = real("s/m", 5000.0).positive().nominal(1e3),
         /// Rate at which the excess of static over kinetic friction decays with speed (default chosen).
         stiction_decay: tunable = real("s/m", 500.0).positive().nominal(1e3),
-        /// Velocity at which the regularised band around rest ends (default chosen).
+        /// Velocity that sets the width of the regularised band around rest.
         transition_velocity: tunable = real("m/s", 0.001).positive().shown_in("mm/s"),
         /// What the law needs of the host in co-simulation.
         time_stepping: (TimeStepping),

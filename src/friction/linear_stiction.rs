@@ -79,7 +79,7 @@ crate::model! {
         mu_k: tunable = real("1", 0.1).at_least(0.0),
         /// Static coefficient of friction; not less than mu_k.
         mu_s: tunable = real("1", 0.15).at_least(0.0),
-        /// Velocity of the stiction peak, where the regularised band around rest ends (default chosen).
+        /// Velocity that sets the width of the regularised band around rest.
         transition_velocity: tunable = real("m/s", 0.001).positive().shown_in("mm/s"),
         /// Velocity at which the kinetic level is reached.
         sliding_velocity: tunable = real("m/s", 0.0015).positive().shown_in("mm/s"),

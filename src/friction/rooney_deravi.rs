@@ -92,7 +92,7 @@ crate::model! {
         mu_k: tunable = real("1", 0.1).at_least(0.0),
         /// Variant of the law.
         variant: fixed = RooneyDeraviVariant::Linear.start(),
-        /// Velocity at which the regularised band around rest ends.
+        /// Velocity that sets the width of the regularised band around rest.
         transition_velocity: tunable = real("m/s", 0.001).positive().shown_in("mm/s"),
         /// What the law needs of the host in co-simulation.
         time_stepping: (TimeStepping),

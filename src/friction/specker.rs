@@ -84,7 +84,7 @@ crate::model! {
         mu_k: tunable = real("1", 0.1).at_least(0.0),
         /// Static coefficient of friction; not less than mu_k.
         mu_s: tunable = real("1", 0.15).at_least(0.0),
-        /// Velocity scale of the transition around rest (default chosen).
+        /// Velocity that sets the width of the regularised band around rest.
         transition_velocity: tunable = real("m/s", 0.00025).positive().shown_in("mm/s"),
         /// Velocity at which the static level is reached (default chosen).
         peak_velocity: tunable = real("m/s", 0.0005).positive().shown_in("mm/s"),
