@@ -845,7 +845,7 @@ typedef enum stribeck_threlfall_variant {
 } stribeck_threlfall_variant;
 
 /** Guid of Coulomb for fmi2Instantiate. */
-#define STRIBECK_COULOMB_GUID "{8d03cab5-cf1c-f8e5-9fa6-4c4dc55d1c9f}"
+#define STRIBECK_COULOMB_GUID "{0dd73aab-6318-a97e-4a98-b2ae200224d4}"
 
 /** Coulomb: Coulomb friction. Columns of "Coulomb". */
 typedef enum stribeck_coulomb_variable {
@@ -869,20 +869,30 @@ typedef enum stribeck_coulomb_variable {
   STRIBECK_COULOMB_PLANNING_STEP = 7,
   /** state [N]: Force planned for the coming step of a parallel exchange. (default 0) */
   STRIBECK_COULOMB_PLANNED_FORCE = 8,
+  /** state [m/s]: Velocity at the end of the last step. (default 0) */
+  STRIBECK_COULOMB_END_VELOCITY = 9,
+  /** state [N]: External force at the end of the last step. (default 0) */
+  STRIBECK_COULOMB_END_EXTERNAL_FORCE = 10,
+  /** state [m/s]: Change of the velocity over the last step if the master gave its slope, else 0. (default 0) */
+  STRIBECK_COULOMB_VELOCITY_CHANGE = 11,
+  /** state [N]: Change of the external force over the last step if the master gave its slope, else 0. (default 0) */
+  STRIBECK_COULOMB_EXTERNAL_FORCE_CHANGE = 12,
+  /** state [N]: Change of the normal force over the last step if the master gave its slope, else 0. (default 0) */
+  STRIBECK_COULOMB_NORMAL_FORCE_CHANGE = 13,
   /** state [stribeck_phase]: What the last event of Model Exchange has found the contact to do. (default Free) */
-  STRIBECK_COULOMB_PHASE = 9,
+  STRIBECK_COULOMB_PHASE = 14,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
-  STRIBECK_COULOMB_DISSIPATED_ENERGY = 10,
+  STRIBECK_COULOMB_DISSIPATED_ENERGY = 15,
   /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
-  STRIBECK_COULOMB_FRICTION_FORCE = 11,
+  STRIBECK_COULOMB_FRICTION_FORCE = 16,
   /** out [W]: Power taken out of the motion: friction force times velocity. */
-  STRIBECK_COULOMB_DISSIPATED_POWER = 12,
+  STRIBECK_COULOMB_DISSIPATED_POWER = 17,
   /** out [Boolean]: Is the contact sticking? */
-  STRIBECK_COULOMB_STICKING = 13,
+  STRIBECK_COULOMB_STICKING = 18,
 } stribeck_coulomb_variable;
 
 /** Guid of CoulombStiction for fmi2Instantiate. */
-#define STRIBECK_COULOMB_STICTION_GUID "{3ec98814-7840-46b6-4935-3eb5aae87cb6}"
+#define STRIBECK_COULOMB_STICTION_GUID "{758ac78e-56e1-60b6-313f-9ac7f3e51891}"
 
 /** CoulombStiction: Coulomb friction with stiction. Columns of "CoulombStiction". */
 typedef enum stribeck_coulomb_stiction_variable {
@@ -911,20 +921,30 @@ typedef enum stribeck_coulomb_stiction_variable {
   STRIBECK_COULOMB_STICTION_PLANNING_STEP = 9,
   /** state [N]: Force planned for the coming step of a parallel exchange. (default 0) */
   STRIBECK_COULOMB_STICTION_PLANNED_FORCE = 10,
+  /** state [m/s]: Velocity at the end of the last step. (default 0) */
+  STRIBECK_COULOMB_STICTION_END_VELOCITY = 11,
+  /** state [N]: External force at the end of the last step. (default 0) */
+  STRIBECK_COULOMB_STICTION_END_EXTERNAL_FORCE = 12,
+  /** state [m/s]: Change of the velocity over the last step if the master gave its slope, else 0. (default 0) */
+  STRIBECK_COULOMB_STICTION_VELOCITY_CHANGE = 13,
+  /** state [N]: Change of the external force over the last step if the master gave its slope, else 0. (default 0) */
+  STRIBECK_COULOMB_STICTION_EXTERNAL_FORCE_CHANGE = 14,
+  /** state [N]: Change of the normal force over the last step if the master gave its slope, else 0. (default 0) */
+  STRIBECK_COULOMB_STICTION_NORMAL_FORCE_CHANGE = 15,
   /** state [stribeck_phase]: What the last event of Model Exchange has found the contact to do. (default Free) */
-  STRIBECK_COULOMB_STICTION_PHASE = 11,
+  STRIBECK_COULOMB_STICTION_PHASE = 16,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
-  STRIBECK_COULOMB_STICTION_DISSIPATED_ENERGY = 12,
+  STRIBECK_COULOMB_STICTION_DISSIPATED_ENERGY = 17,
   /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
-  STRIBECK_COULOMB_STICTION_FRICTION_FORCE = 13,
+  STRIBECK_COULOMB_STICTION_FRICTION_FORCE = 18,
   /** out [W]: Power taken out of the motion: friction force times velocity. */
-  STRIBECK_COULOMB_STICTION_DISSIPATED_POWER = 14,
+  STRIBECK_COULOMB_STICTION_DISSIPATED_POWER = 19,
   /** out [Boolean]: Is the contact sticking? */
-  STRIBECK_COULOMB_STICTION_STICKING = 15,
+  STRIBECK_COULOMB_STICTION_STICKING = 20,
 } stribeck_coulomb_stiction_variable;
 
 /** Guid of CoulombViscous for fmi2Instantiate. */
-#define STRIBECK_COULOMB_VISCOUS_GUID "{a89ed522-cc14-453d-378b-6e816ba8a6f0}"
+#define STRIBECK_COULOMB_VISCOUS_GUID "{f8eb09ce-b33e-cd9c-9eef-f35602b85017}"
 
 /** CoulombViscous: Coulomb friction with a viscous part. Columns of "CoulombViscous". */
 typedef enum stribeck_coulomb_viscous_variable {
@@ -954,20 +974,30 @@ typedef enum stribeck_coulomb_viscous_variable {
   STRIBECK_COULOMB_VISCOUS_PLANNING_STEP = 10,
   /** state [N]: Force planned for the coming step of a parallel exchange. (default 0) */
   STRIBECK_COULOMB_VISCOUS_PLANNED_FORCE = 11,
+  /** state [m/s]: Velocity at the end of the last step. (default 0) */
+  STRIBECK_COULOMB_VISCOUS_END_VELOCITY = 12,
+  /** state [N]: External force at the end of the last step. (default 0) */
+  STRIBECK_COULOMB_VISCOUS_END_EXTERNAL_FORCE = 13,
+  /** state [m/s]: Change of the velocity over the last step if the master gave its slope, else 0. (default 0) */
+  STRIBECK_COULOMB_VISCOUS_VELOCITY_CHANGE = 14,
+  /** state [N]: Change of the external force over the last step if the master gave its slope, else 0. (default 0) */
+  STRIBECK_COULOMB_VISCOUS_EXTERNAL_FORCE_CHANGE = 15,
+  /** state [N]: Change of the normal force over the last step if the master gave its slope, else 0. (default 0) */
+  STRIBECK_COULOMB_VISCOUS_NORMAL_FORCE_CHANGE = 16,
   /** state [stribeck_phase]: What the last event of Model Exchange has found the contact to do. (default Free) */
-  STRIBECK_COULOMB_VISCOUS_PHASE = 12,
+  STRIBECK_COULOMB_VISCOUS_PHASE = 17,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
-  STRIBECK_COULOMB_VISCOUS_DISSIPATED_ENERGY = 13,
+  STRIBECK_COULOMB_VISCOUS_DISSIPATED_ENERGY = 18,
   /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
-  STRIBECK_COULOMB_VISCOUS_FRICTION_FORCE = 14,
+  STRIBECK_COULOMB_VISCOUS_FRICTION_FORCE = 19,
   /** out [W]: Power taken out of the motion: friction force times velocity. */
-  STRIBECK_COULOMB_VISCOUS_DISSIPATED_POWER = 15,
+  STRIBECK_COULOMB_VISCOUS_DISSIPATED_POWER = 20,
   /** out [Boolean]: Is the contact sticking? */
-  STRIBECK_COULOMB_VISCOUS_STICKING = 16,
+  STRIBECK_COULOMB_VISCOUS_STICKING = 21,
 } stribeck_coulomb_viscous_variable;
 
 /** Guid of Stribeck for fmi2Instantiate. */
-#define STRIBECK_STRIBECK_GUID "{ec1e6e52-4894-4106-4d2d-24038e0d2a24}"
+#define STRIBECK_STRIBECK_GUID "{d3ee4510-0a45-729a-8ea6-5e8f89cfd1db}"
 
 /** Stribeck: Friction that falls with speed from the static to the kinetic level (Stribeck). Columns of "Stribeck". */
 typedef enum stribeck_stribeck_variable {
@@ -1004,20 +1034,30 @@ typedef enum stribeck_stribeck_variable {
   STRIBECK_STRIBECK_PLANNING_STEP = 13,
   /** state [N]: Force planned for the coming step of a parallel exchange. (default 0) */
   STRIBECK_STRIBECK_PLANNED_FORCE = 14,
+  /** state [m/s]: Velocity at the end of the last step. (default 0) */
+  STRIBECK_STRIBECK_END_VELOCITY = 15,
+  /** state [N]: External force at the end of the last step. (default 0) */
+  STRIBECK_STRIBECK_END_EXTERNAL_FORCE = 16,
+  /** state [m/s]: Change of the velocity over the last step if the master gave its slope, else 0. (default 0) */
+  STRIBECK_STRIBECK_VELOCITY_CHANGE = 17,
+  /** state [N]: Change of the external force over the last step if the master gave its slope, else 0. (default 0) */
+  STRIBECK_STRIBECK_EXTERNAL_FORCE_CHANGE = 18,
+  /** state [N]: Change of the normal force over the last step if the master gave its slope, else 0. (default 0) */
+  STRIBECK_STRIBECK_NORMAL_FORCE_CHANGE = 19,
   /** state [stribeck_phase]: What the last event of Model Exchange has found the contact to do. (default Free) */
-  STRIBECK_STRIBECK_PHASE = 15,
+  STRIBECK_STRIBECK_PHASE = 20,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
-  STRIBECK_STRIBECK_DISSIPATED_ENERGY = 16,
+  STRIBECK_STRIBECK_DISSIPATED_ENERGY = 21,
   /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
-  STRIBECK_STRIBECK_FRICTION_FORCE = 17,
+  STRIBECK_STRIBECK_FRICTION_FORCE = 22,
   /** out [W]: Power taken out of the motion: friction force times velocity. */
-  STRIBECK_STRIBECK_DISSIPATED_POWER = 18,
+  STRIBECK_STRIBECK_DISSIPATED_POWER = 23,
   /** out [Boolean]: Is the contact sticking? */
-  STRIBECK_STRIBECK_STICKING = 19,
+  STRIBECK_STRIBECK_STICKING = 24,
 } stribeck_stribeck_variable;
 
 /** Guid of Bernard for fmi2Instantiate. */
-#define STRIBECK_BERNARD_GUID "{b5d6dda9-04ad-2f3d-e8c9-7aa57f912a4b}"
+#define STRIBECK_BERNARD_GUID "{6ee438c1-b043-793b-dd85-47f810e0a6c0}"
 
 /** Bernard: Coulomb friction with a linear transition, by its slope (Bernard). Columns of "Bernard". */
 typedef enum stribeck_bernard_variable {
@@ -1043,20 +1083,30 @@ typedef enum stribeck_bernard_variable {
   STRIBECK_BERNARD_PLANNING_STEP = 8,
   /** state [N]: Force planned for the coming step of a parallel exchange. (default 0) */
   STRIBECK_BERNARD_PLANNED_FORCE = 9,
+  /** state [m/s]: Velocity at the end of the last step. (default 0) */
+  STRIBECK_BERNARD_END_VELOCITY = 10,
+  /** state [N]: External force at the end of the last step. (default 0) */
+  STRIBECK_BERNARD_END_EXTERNAL_FORCE = 11,
+  /** state [m/s]: Change of the velocity over the last step if the master gave its slope, else 0. (default 0) */
+  STRIBECK_BERNARD_VELOCITY_CHANGE = 12,
+  /** state [N]: Change of the external force over the last step if the master gave its slope, else 0. (default 0) */
+  STRIBECK_BERNARD_EXTERNAL_FORCE_CHANGE = 13,
+  /** state [N]: Change of the normal force over the last step if the master gave its slope, else 0. (default 0) */
+  STRIBECK_BERNARD_NORMAL_FORCE_CHANGE = 14,
   /** state [stribeck_phase]: What the last event of Model Exchange has found the contact to do. (default Free) */
-  STRIBECK_BERNARD_PHASE = 10,
+  STRIBECK_BERNARD_PHASE = 15,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
-  STRIBECK_BERNARD_DISSIPATED_ENERGY = 11,
+  STRIBECK_BERNARD_DISSIPATED_ENERGY = 16,
   /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
-  STRIBECK_BERNARD_FRICTION_FORCE = 12,
+  STRIBECK_BERNARD_FRICTION_FORCE = 17,
   /** out [W]: Power taken out of the motion: friction force times velocity. */
-  STRIBECK_BERNARD_DISSIPATED_POWER = 13,
+  STRIBECK_BERNARD_DISSIPATED_POWER = 18,
   /** out [Boolean]: Is the contact sticking? */
-  STRIBECK_BERNARD_STICKING = 14,
+  STRIBECK_BERNARD_STICKING = 19,
 } stribeck_bernard_variable;
 
 /** Guid of Threlfall for fmi2Instantiate. */
-#define STRIBECK_THRELFALL_GUID "{1a3261a4-beb9-d7e2-e8dc-a5a95f11f412}"
+#define STRIBECK_THRELFALL_GUID "{0046f53a-140d-412c-02ea-86765209dd05}"
 
 /** Threlfall: Coulomb friction with an exponential transition (Threlfall). Columns of "Threlfall". */
 typedef enum stribeck_threlfall_variable {
@@ -1084,20 +1134,30 @@ typedef enum stribeck_threlfall_variable {
   STRIBECK_THRELFALL_PLANNING_STEP = 9,
   /** state [N]: Force planned for the coming step of a parallel exchange. (default 0) */
   STRIBECK_THRELFALL_PLANNED_FORCE = 10,
+  /** state [m/s]: Velocity at the end of the last step. (default 0) */
+  STRIBECK_THRELFALL_END_VELOCITY = 11,
+  /** state [N]: External force at the end of the last step. (default 0) */
+  STRIBECK_THRELFALL_END_EXTERNAL_FORCE = 12,
+  /** state [m/s]: Change of the velocity over the last step if the master gave its slope, else 0. (default 0) */
+  STRIBECK_THRELFALL_VELOCITY_CHANGE = 13,
+  /** state [N]: Change of the external force over the last step if the master gave its slope, else 0. (default 0) */
+  STRIBECK_THRELFALL_EXTERNAL_FORCE_CHANGE = 14,
+  /** state [N]: Change of the normal force over the last step if the master gave its slope, else 0. (default 0) */
+  STRIBECK_THRELFALL_NORMAL_FORCE_CHANGE = 15,
   /** state [stribeck_phase]: What the last event of Model Exchange has found the contact to do. (default Free) */
-  STRIBECK_THRELFALL_PHASE = 11,
+  STRIBECK_THRELFALL_PHASE = 16,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
-  STRIBECK_THRELFALL_DISSIPATED_ENERGY = 12,
+  STRIBECK_THRELFALL_DISSIPATED_ENERGY = 17,
   /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
-  STRIBECK_THRELFALL_FRICTION_FORCE = 13,
+  STRIBECK_THRELFALL_FRICTION_FORCE = 18,
   /** out [W]: Power taken out of the motion: friction force times velocity. */
-  STRIBECK_THRELFALL_DISSIPATED_POWER = 14,
+  STRIBECK_THRELFALL_DISSIPATED_POWER = 19,
   /** out [Boolean]: Is the contact sticking? */
-  STRIBECK_THRELFALL_STICKING = 15,
+  STRIBECK_THRELFALL_STICKING = 20,
 } stribeck_threlfall_variable;
 
 /** Guid of ThrelfallModified for fmi2Instantiate. */
-#define STRIBECK_THRELFALL_MODIFIED_GUID "{c4ffb308-82b2-3efc-3dac-3f21ec355303}"
+#define STRIBECK_THRELFALL_MODIFIED_GUID "{6fd9d2b4-fece-4d8d-c750-769546e57a08}"
 
 /** ThrelfallModified: Coulomb friction with an exponential transition that ends at the Coulomb level (modified Threlfall). Columns of "ThrelfallModified". */
 typedef enum stribeck_threlfall_modified_variable {
@@ -1123,20 +1183,30 @@ typedef enum stribeck_threlfall_modified_variable {
   STRIBECK_THRELFALL_MODIFIED_PLANNING_STEP = 8,
   /** state [N]: Force planned for the coming step of a parallel exchange. (default 0) */
   STRIBECK_THRELFALL_MODIFIED_PLANNED_FORCE = 9,
+  /** state [m/s]: Velocity at the end of the last step. (default 0) */
+  STRIBECK_THRELFALL_MODIFIED_END_VELOCITY = 10,
+  /** state [N]: External force at the end of the last step. (default 0) */
+  STRIBECK_THRELFALL_MODIFIED_END_EXTERNAL_FORCE = 11,
+  /** state [m/s]: Change of the velocity over the last step if the master gave its slope, else 0. (default 0) */
+  STRIBECK_THRELFALL_MODIFIED_VELOCITY_CHANGE = 12,
+  /** state [N]: Change of the external force over the last step if the master gave its slope, else 0. (default 0) */
+  STRIBECK_THRELFALL_MODIFIED_EXTERNAL_FORCE_CHANGE = 13,
+  /** state [N]: Change of the normal force over the last step if the master gave its slope, else 0. (default 0) */
+  STRIBECK_THRELFALL_MODIFIED_NORMAL_FORCE_CHANGE = 14,
   /** state [stribeck_phase]: What the last event of Model Exchange has found the contact to do. (default Free) */
-  STRIBECK_THRELFALL_MODIFIED_PHASE = 10,
+  STRIBECK_THRELFALL_MODIFIED_PHASE = 15,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
-  STRIBECK_THRELFALL_MODIFIED_DISSIPATED_ENERGY = 11,
+  STRIBECK_THRELFALL_MODIFIED_DISSIPATED_ENERGY = 16,
   /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
-  STRIBECK_THRELFALL_MODIFIED_FRICTION_FORCE = 12,
+  STRIBECK_THRELFALL_MODIFIED_FRICTION_FORCE = 17,
   /** out [W]: Power taken out of the motion: friction force times velocity. */
-  STRIBECK_THRELFALL_MODIFIED_DISSIPATED_POWER = 13,
+  STRIBECK_THRELFALL_MODIFIED_DISSIPATED_POWER = 18,
   /** out [Boolean]: Is the contact sticking? */
-  STRIBECK_THRELFALL_MODIFIED_STICKING = 14,
+  STRIBECK_THRELFALL_MODIFIED_STICKING = 19,
 } stribeck_threlfall_modified_variable;
 
 /** Guid of RooneyDeravi for fmi2Instantiate. */
-#define STRIBECK_ROONEY_DERAVI_GUID "{18b2b009-1c6e-b842-6578-dba89be7591e}"
+#define STRIBECK_ROONEY_DERAVI_GUID "{a6694f74-edf9-eba7-124c-b436025f60d1}"
 
 /** RooneyDeravi: Coulomb friction with a transition band (Rooney and Deravi). Columns of "RooneyDeravi". */
 typedef enum stribeck_rooney_deravi_variable {
@@ -1164,20 +1234,30 @@ typedef enum stribeck_rooney_deravi_variable {
   STRIBECK_ROONEY_DERAVI_PLANNING_STEP = 9,
   /** state [N]: Force planned for the coming step of a parallel exchange. (default 0) */
   STRIBECK_ROONEY_DERAVI_PLANNED_FORCE = 10,
+  /** state [m/s]: Velocity at the end of the last step. (default 0) */
+  STRIBECK_ROONEY_DERAVI_END_VELOCITY = 11,
+  /** state [N]: External force at the end of the last step. (default 0) */
+  STRIBECK_ROONEY_DERAVI_END_EXTERNAL_FORCE = 12,
+  /** state [m/s]: Change of the velocity over the last step if the master gave its slope, else 0. (default 0) */
+  STRIBECK_ROONEY_DERAVI_VELOCITY_CHANGE = 13,
+  /** state [N]: Change of the external force over the last step if the master gave its slope, else 0. (default 0) */
+  STRIBECK_ROONEY_DERAVI_EXTERNAL_FORCE_CHANGE = 14,
+  /** state [N]: Change of the normal force over the last step if the master gave its slope, else 0. (default 0) */
+  STRIBECK_ROONEY_DERAVI_NORMAL_FORCE_CHANGE = 15,
   /** state [stribeck_phase]: What the last event of Model Exchange has found the contact to do. (default Free) */
-  STRIBECK_ROONEY_DERAVI_PHASE = 11,
+  STRIBECK_ROONEY_DERAVI_PHASE = 16,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
-  STRIBECK_ROONEY_DERAVI_DISSIPATED_ENERGY = 12,
+  STRIBECK_ROONEY_DERAVI_DISSIPATED_ENERGY = 17,
   /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
-  STRIBECK_ROONEY_DERAVI_FRICTION_FORCE = 13,
+  STRIBECK_ROONEY_DERAVI_FRICTION_FORCE = 18,
   /** out [W]: Power taken out of the motion: friction force times velocity. */
-  STRIBECK_ROONEY_DERAVI_DISSIPATED_POWER = 14,
+  STRIBECK_ROONEY_DERAVI_DISSIPATED_POWER = 19,
   /** out [Boolean]: Is the contact sticking? */
-  STRIBECK_ROONEY_DERAVI_STICKING = 15,
+  STRIBECK_ROONEY_DERAVI_STICKING = 20,
 } stribeck_rooney_deravi_variable;
 
 /** Guid of Ambrosio for fmi2Instantiate. */
-#define STRIBECK_AMBROSIO_GUID "{651f3608-4a5d-22c1-6cd2-389a7eb010a8}"
+#define STRIBECK_AMBROSIO_GUID "{239785d7-c1cf-c79f-8010-381a21b9e07f}"
 
 /** Ambrosio: Coulomb friction that is ramped in with speed (Ambrosio). Columns of "Ambrosio". */
 typedef enum stribeck_ambrosio_variable {
@@ -1205,20 +1285,30 @@ typedef enum stribeck_ambrosio_variable {
   STRIBECK_AMBROSIO_PLANNING_STEP = 9,
   /** state [N]: Force planned for the coming step of a parallel exchange. (default 0) */
   STRIBECK_AMBROSIO_PLANNED_FORCE = 10,
+  /** state [m/s]: Velocity at the end of the last step. (default 0) */
+  STRIBECK_AMBROSIO_END_VELOCITY = 11,
+  /** state [N]: External force at the end of the last step. (default 0) */
+  STRIBECK_AMBROSIO_END_EXTERNAL_FORCE = 12,
+  /** state [m/s]: Change of the velocity over the last step if the master gave its slope, else 0. (default 0) */
+  STRIBECK_AMBROSIO_VELOCITY_CHANGE = 13,
+  /** state [N]: Change of the external force over the last step if the master gave its slope, else 0. (default 0) */
+  STRIBECK_AMBROSIO_EXTERNAL_FORCE_CHANGE = 14,
+  /** state [N]: Change of the normal force over the last step if the master gave its slope, else 0. (default 0) */
+  STRIBECK_AMBROSIO_NORMAL_FORCE_CHANGE = 15,
   /** state [stribeck_phase]: What the last event of Model Exchange has found the contact to do. (default Free) */
-  STRIBECK_AMBROSIO_PHASE = 11,
+  STRIBECK_AMBROSIO_PHASE = 16,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
-  STRIBECK_AMBROSIO_DISSIPATED_ENERGY = 12,
+  STRIBECK_AMBROSIO_DISSIPATED_ENERGY = 17,
   /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
-  STRIBECK_AMBROSIO_FRICTION_FORCE = 13,
+  STRIBECK_AMBROSIO_FRICTION_FORCE = 18,
   /** out [W]: Power taken out of the motion: friction force times velocity. */
-  STRIBECK_AMBROSIO_DISSIPATED_POWER = 14,
+  STRIBECK_AMBROSIO_DISSIPATED_POWER = 19,
   /** out [Boolean]: Is the contact sticking? */
-  STRIBECK_AMBROSIO_STICKING = 15,
+  STRIBECK_AMBROSIO_STICKING = 20,
 } stribeck_ambrosio_variable;
 
 /** Guid of Karnopp for fmi2Instantiate. */
-#define STRIBECK_KARNOPP_GUID "{8a5ed9f1-2d11-5234-a111-064cb0266c37}"
+#define STRIBECK_KARNOPP_GUID "{56eb0852-8baf-f60f-607e-60a32578e6c4}"
 
 /** Karnopp: Coulomb friction with a band of stiction (Karnopp). Columns of "Karnopp". */
 typedef enum stribeck_karnopp_variable {
@@ -1249,20 +1339,30 @@ typedef enum stribeck_karnopp_variable {
   STRIBECK_KARNOPP_PLANNING_STEP = 10,
   /** state [N]: Force planned for the coming step of a parallel exchange. (default 0) */
   STRIBECK_KARNOPP_PLANNED_FORCE = 11,
+  /** state [m/s]: Velocity at the end of the last step. (default 0) */
+  STRIBECK_KARNOPP_END_VELOCITY = 12,
+  /** state [N]: External force at the end of the last step. (default 0) */
+  STRIBECK_KARNOPP_END_EXTERNAL_FORCE = 13,
+  /** state [m/s]: Change of the velocity over the last step if the master gave its slope, else 0. (default 0) */
+  STRIBECK_KARNOPP_VELOCITY_CHANGE = 14,
+  /** state [N]: Change of the external force over the last step if the master gave its slope, else 0. (default 0) */
+  STRIBECK_KARNOPP_EXTERNAL_FORCE_CHANGE = 15,
+  /** state [N]: Change of the normal force over the last step if the master gave its slope, else 0. (default 0) */
+  STRIBECK_KARNOPP_NORMAL_FORCE_CHANGE = 16,
   /** state [stribeck_phase]: What the last event of Model Exchange has found the contact to do. (default Free) */
-  STRIBECK_KARNOPP_PHASE = 12,
+  STRIBECK_KARNOPP_PHASE = 17,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
-  STRIBECK_KARNOPP_DISSIPATED_ENERGY = 13,
+  STRIBECK_KARNOPP_DISSIPATED_ENERGY = 18,
   /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
-  STRIBECK_KARNOPP_FRICTION_FORCE = 14,
+  STRIBECK_KARNOPP_FRICTION_FORCE = 19,
   /** out [W]: Power taken out of the motion: friction force times velocity. */
-  STRIBECK_KARNOPP_DISSIPATED_POWER = 15,
+  STRIBECK_KARNOPP_DISSIPATED_POWER = 20,
   /** out [Boolean]: Is the contact sticking? */
-  STRIBECK_KARNOPP_STICKING = 16,
+  STRIBECK_KARNOPP_STICKING = 21,
 } stribeck_karnopp_variable;
 
 /** Guid of BengisuAkay for fmi2Instantiate. */
-#define STRIBECK_BENGISU_AKAY_GUID "{fb1d319a-15ff-9909-1914-c54c77f25e88}"
+#define STRIBECK_BENGISU_AKAY_GUID "{6cd005e9-c2e9-099c-a2e0-ca81036db39f}"
 
 /** BengisuAkay: Continuous friction law with a stiction peak (Bengisu and Akay). Columns of "BengisuAkay". */
 typedef enum stribeck_bengisu_akay_variable {
@@ -1297,20 +1397,30 @@ typedef enum stribeck_bengisu_akay_variable {
   STRIBECK_BENGISU_AKAY_PLANNING_STEP = 12,
   /** state [N]: Force planned for the coming step of a parallel exchange. (default 0) */
   STRIBECK_BENGISU_AKAY_PLANNED_FORCE = 13,
+  /** state [m/s]: Velocity at the end of the last step. (default 0) */
+  STRIBECK_BENGISU_AKAY_END_VELOCITY = 14,
+  /** state [N]: External force at the end of the last step. (default 0) */
+  STRIBECK_BENGISU_AKAY_END_EXTERNAL_FORCE = 15,
+  /** state [m/s]: Change of the velocity over the last step if the master gave its slope, else 0. (default 0) */
+  STRIBECK_BENGISU_AKAY_VELOCITY_CHANGE = 16,
+  /** state [N]: Change of the external force over the last step if the master gave its slope, else 0. (default 0) */
+  STRIBECK_BENGISU_AKAY_EXTERNAL_FORCE_CHANGE = 17,
+  /** state [N]: Change of the normal force over the last step if the master gave its slope, else 0. (default 0) */
+  STRIBECK_BENGISU_AKAY_NORMAL_FORCE_CHANGE = 18,
   /** state [stribeck_phase]: What the last event of Model Exchange has found the contact to do. (default Free) */
-  STRIBECK_BENGISU_AKAY_PHASE = 14,
+  STRIBECK_BENGISU_AKAY_PHASE = 19,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
-  STRIBECK_BENGISU_AKAY_DISSIPATED_ENERGY = 15,
+  STRIBECK_BENGISU_AKAY_DISSIPATED_ENERGY = 20,
   /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
-  STRIBECK_BENGISU_AKAY_FRICTION_FORCE = 16,
+  STRIBECK_BENGISU_AKAY_FRICTION_FORCE = 21,
   /** out [W]: Power taken out of the motion: friction force times velocity. */
-  STRIBECK_BENGISU_AKAY_DISSIPATED_POWER = 17,
+  STRIBECK_BENGISU_AKAY_DISSIPATED_POWER = 22,
   /** out [Boolean]: Is the contact sticking? */
-  STRIBECK_BENGISU_AKAY_STICKING = 18,
+  STRIBECK_BENGISU_AKAY_STICKING = 23,
 } stribeck_bengisu_akay_variable;
 
 /** Guid of Hollars for fmi2Instantiate. */
-#define STRIBECK_HOLLARS_GUID "{9a25748b-d697-9f7b-f733-5a9aca32c954}"
+#define STRIBECK_HOLLARS_GUID "{164a6953-e934-75eb-3ab9-c187adeeac4b}"
 
 /** Hollars: Continuous friction law with a stiction peak, without exponentials (Hollars). Columns of "Hollars". */
 typedef enum stribeck_hollars_variable {
@@ -1340,20 +1450,30 @@ typedef enum stribeck_hollars_variable {
   STRIBECK_HOLLARS_PLANNING_STEP = 10,
   /** state [N]: Force planned for the coming step of a parallel exchange. (default 0) */
   STRIBECK_HOLLARS_PLANNED_FORCE = 11,
+  /** state [m/s]: Velocity at the end of the last step. (default 0) */
+  STRIBECK_HOLLARS_END_VELOCITY = 12,
+  /** state [N]: External force at the end of the last step. (default 0) */
+  STRIBECK_HOLLARS_END_EXTERNAL_FORCE = 13,
+  /** state [m/s]: Change of the velocity over the last step if the master gave its slope, else 0. (default 0) */
+  STRIBECK_HOLLARS_VELOCITY_CHANGE = 14,
+  /** state [N]: Change of the external force over the last step if the master gave its slope, else 0. (default 0) */
+  STRIBECK_HOLLARS_EXTERNAL_FORCE_CHANGE = 15,
+  /** state [N]: Change of the normal force over the last step if the master gave its slope, else 0. (default 0) */
+  STRIBECK_HOLLARS_NORMAL_FORCE_CHANGE = 16,
   /** state [stribeck_phase]: What the last event of Model Exchange has found the contact to do. (default Free) */
-  STRIBECK_HOLLARS_PHASE = 12,
+  STRIBECK_HOLLARS_PHASE = 17,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
-  STRIBECK_HOLLARS_DISSIPATED_ENERGY = 13,
+  STRIBECK_HOLLARS_DISSIPATED_ENERGY = 18,
   /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
-  STRIBECK_HOLLARS_FRICTION_FORCE = 14,
+  STRIBECK_HOLLARS_FRICTION_FORCE = 19,
   /** out [W]: Power taken out of the motion: friction force times velocity. */
-  STRIBECK_HOLLARS_DISSIPATED_POWER = 15,
+  STRIBECK_HOLLARS_DISSIPATED_POWER = 20,
   /** out [Boolean]: Is the contact sticking? */
-  STRIBECK_HOLLARS_STICKING = 16,
+  STRIBECK_HOLLARS_STICKING = 21,
 } stribeck_hollars_variable;
 
 /** Guid of Andersson for fmi2Instantiate. */
-#define STRIBECK_ANDERSSON_GUID "{6ba04bd1-76cf-8136-cb2f-d442128181ea}"
+#define STRIBECK_ANDERSSON_GUID "{4c6cbd81-924d-5229-544f-bf68ced54c6d}"
 
 /** Andersson: Smooth friction law with the Stribeck curve (Andersson). Columns of "Andersson". */
 typedef enum stribeck_andersson_variable {
@@ -1388,20 +1508,30 @@ typedef enum stribeck_andersson_variable {
   STRIBECK_ANDERSSON_PLANNING_STEP = 12,
   /** state [N]: Force planned for the coming step of a parallel exchange. (default 0) */
   STRIBECK_ANDERSSON_PLANNED_FORCE = 13,
+  /** state [m/s]: Velocity at the end of the last step. (default 0) */
+  STRIBECK_ANDERSSON_END_VELOCITY = 14,
+  /** state [N]: External force at the end of the last step. (default 0) */
+  STRIBECK_ANDERSSON_END_EXTERNAL_FORCE = 15,
+  /** state [m/s]: Change of the velocity over the last step if the master gave its slope, else 0. (default 0) */
+  STRIBECK_ANDERSSON_VELOCITY_CHANGE = 16,
+  /** state [N]: Change of the external force over the last step if the master gave its slope, else 0. (default 0) */
+  STRIBECK_ANDERSSON_EXTERNAL_FORCE_CHANGE = 17,
+  /** state [N]: Change of the normal force over the last step if the master gave its slope, else 0. (default 0) */
+  STRIBECK_ANDERSSON_NORMAL_FORCE_CHANGE = 18,
   /** state [stribeck_phase]: What the last event of Model Exchange has found the contact to do. (default Free) */
-  STRIBECK_ANDERSSON_PHASE = 14,
+  STRIBECK_ANDERSSON_PHASE = 19,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
-  STRIBECK_ANDERSSON_DISSIPATED_ENERGY = 15,
+  STRIBECK_ANDERSSON_DISSIPATED_ENERGY = 20,
   /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
-  STRIBECK_ANDERSSON_FRICTION_FORCE = 16,
+  STRIBECK_ANDERSSON_FRICTION_FORCE = 21,
   /** out [W]: Power taken out of the motion: friction force times velocity. */
-  STRIBECK_ANDERSSON_DISSIPATED_POWER = 17,
+  STRIBECK_ANDERSSON_DISSIPATED_POWER = 22,
   /** out [Boolean]: Is the contact sticking? */
-  STRIBECK_ANDERSSON_STICKING = 18,
+  STRIBECK_ANDERSSON_STICKING = 23,
 } stribeck_andersson_variable;
 
 /** Guid of Awrejcewicz for fmi2Instantiate. */
-#define STRIBECK_AWREJCEWICZ_GUID "{42f6fe37-ebd9-f151-d493-6459ce4d38be}"
+#define STRIBECK_AWREJCEWICZ_GUID "{039c8d60-efda-c34c-8467-938a2a1f54b1}"
 
 /** Awrejcewicz: Continuous friction law that holds a load at rest (Awrejcewicz, Grzelczyk and Pyryev). Columns of "Awrejcewicz". */
 typedef enum stribeck_awrejcewicz_variable {
@@ -1432,20 +1562,30 @@ typedef enum stribeck_awrejcewicz_variable {
   STRIBECK_AWREJCEWICZ_PLANNING_STEP = 10,
   /** state [N]: Force planned for the coming step of a parallel exchange. (default 0) */
   STRIBECK_AWREJCEWICZ_PLANNED_FORCE = 11,
+  /** state [m/s]: Velocity at the end of the last step. (default 0) */
+  STRIBECK_AWREJCEWICZ_END_VELOCITY = 12,
+  /** state [N]: External force at the end of the last step. (default 0) */
+  STRIBECK_AWREJCEWICZ_END_EXTERNAL_FORCE = 13,
+  /** state [m/s]: Change of the velocity over the last step if the master gave its slope, else 0. (default 0) */
+  STRIBECK_AWREJCEWICZ_VELOCITY_CHANGE = 14,
+  /** state [N]: Change of the external force over the last step if the master gave its slope, else 0. (default 0) */
+  STRIBECK_AWREJCEWICZ_EXTERNAL_FORCE_CHANGE = 15,
+  /** state [N]: Change of the normal force over the last step if the master gave its slope, else 0. (default 0) */
+  STRIBECK_AWREJCEWICZ_NORMAL_FORCE_CHANGE = 16,
   /** state [stribeck_phase]: What the last event of Model Exchange has found the contact to do. (default Free) */
-  STRIBECK_AWREJCEWICZ_PHASE = 12,
+  STRIBECK_AWREJCEWICZ_PHASE = 17,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
-  STRIBECK_AWREJCEWICZ_DISSIPATED_ENERGY = 13,
+  STRIBECK_AWREJCEWICZ_DISSIPATED_ENERGY = 18,
   /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
-  STRIBECK_AWREJCEWICZ_FRICTION_FORCE = 14,
+  STRIBECK_AWREJCEWICZ_FRICTION_FORCE = 19,
   /** out [W]: Power taken out of the motion: friction force times velocity. */
-  STRIBECK_AWREJCEWICZ_DISSIPATED_POWER = 15,
+  STRIBECK_AWREJCEWICZ_DISSIPATED_POWER = 20,
   /** out [Boolean]: Is the contact sticking? */
-  STRIBECK_AWREJCEWICZ_STICKING = 16,
+  STRIBECK_AWREJCEWICZ_STICKING = 21,
 } stribeck_awrejcewicz_variable;
 
 /** Guid of Specker for fmi2Instantiate. */
-#define STRIBECK_SPECKER_GUID "{b99530c2-3a75-8543-b232-9ce417c26d8d}"
+#define STRIBECK_SPECKER_GUID "{a064d60f-5a53-766a-100a-89d2df67ed06}"
 
 /** Specker: Smooth friction law that passes through the static level (Specker). Columns of "Specker". */
 typedef enum stribeck_specker_variable {
@@ -1477,20 +1617,30 @@ typedef enum stribeck_specker_variable {
   STRIBECK_SPECKER_PLANNING_STEP = 11,
   /** state [N]: Force planned for the coming step of a parallel exchange. (default 0) */
   STRIBECK_SPECKER_PLANNED_FORCE = 12,
+  /** state [m/s]: Velocity at the end of the last step. (default 0) */
+  STRIBECK_SPECKER_END_VELOCITY = 13,
+  /** state [N]: External force at the end of the last step. (default 0) */
+  STRIBECK_SPECKER_END_EXTERNAL_FORCE = 14,
+  /** state [m/s]: Change of the velocity over the last step if the master gave its slope, else 0. (default 0) */
+  STRIBECK_SPECKER_VELOCITY_CHANGE = 15,
+  /** state [N]: Change of the external force over the last step if the master gave its slope, else 0. (default 0) */
+  STRIBECK_SPECKER_EXTERNAL_FORCE_CHANGE = 16,
+  /** state [N]: Change of the normal force over the last step if the master gave its slope, else 0. (default 0) */
+  STRIBECK_SPECKER_NORMAL_FORCE_CHANGE = 17,
   /** state [stribeck_phase]: What the last event of Model Exchange has found the contact to do. (default Free) */
-  STRIBECK_SPECKER_PHASE = 13,
+  STRIBECK_SPECKER_PHASE = 18,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
-  STRIBECK_SPECKER_DISSIPATED_ENERGY = 14,
+  STRIBECK_SPECKER_DISSIPATED_ENERGY = 19,
   /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
-  STRIBECK_SPECKER_FRICTION_FORCE = 15,
+  STRIBECK_SPECKER_FRICTION_FORCE = 20,
   /** out [W]: Power taken out of the motion: friction force times velocity. */
-  STRIBECK_SPECKER_DISSIPATED_POWER = 16,
+  STRIBECK_SPECKER_DISSIPATED_POWER = 21,
   /** out [Boolean]: Is the contact sticking? */
-  STRIBECK_SPECKER_STICKING = 17,
+  STRIBECK_SPECKER_STICKING = 22,
 } stribeck_specker_variable;
 
 /** Guid of LinearStiction for fmi2Instantiate. */
-#define STRIBECK_LINEAR_STICTION_GUID "{94211c22-aa70-4a30-4aad-adb4163e0e6b}"
+#define STRIBECK_LINEAR_STICTION_GUID "{a3fab339-5708-ca68-f01f-c09f33a5fb20}"
 
 /** LinearStiction: Friction law with stiction made of three straight lines. Columns of "LinearStiction". */
 typedef enum stribeck_linear_stiction_variable {
@@ -1520,20 +1670,30 @@ typedef enum stribeck_linear_stiction_variable {
   STRIBECK_LINEAR_STICTION_PLANNING_STEP = 10,
   /** state [N]: Force planned for the coming step of a parallel exchange. (default 0) */
   STRIBECK_LINEAR_STICTION_PLANNED_FORCE = 11,
+  /** state [m/s]: Velocity at the end of the last step. (default 0) */
+  STRIBECK_LINEAR_STICTION_END_VELOCITY = 12,
+  /** state [N]: External force at the end of the last step. (default 0) */
+  STRIBECK_LINEAR_STICTION_END_EXTERNAL_FORCE = 13,
+  /** state [m/s]: Change of the velocity over the last step if the master gave its slope, else 0. (default 0) */
+  STRIBECK_LINEAR_STICTION_VELOCITY_CHANGE = 14,
+  /** state [N]: Change of the external force over the last step if the master gave its slope, else 0. (default 0) */
+  STRIBECK_LINEAR_STICTION_EXTERNAL_FORCE_CHANGE = 15,
+  /** state [N]: Change of the normal force over the last step if the master gave its slope, else 0. (default 0) */
+  STRIBECK_LINEAR_STICTION_NORMAL_FORCE_CHANGE = 16,
   /** state [stribeck_phase]: What the last event of Model Exchange has found the contact to do. (default Free) */
-  STRIBECK_LINEAR_STICTION_PHASE = 12,
+  STRIBECK_LINEAR_STICTION_PHASE = 17,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
-  STRIBECK_LINEAR_STICTION_DISSIPATED_ENERGY = 13,
+  STRIBECK_LINEAR_STICTION_DISSIPATED_ENERGY = 18,
   /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
-  STRIBECK_LINEAR_STICTION_FRICTION_FORCE = 14,
+  STRIBECK_LINEAR_STICTION_FRICTION_FORCE = 19,
   /** out [W]: Power taken out of the motion: friction force times velocity. */
-  STRIBECK_LINEAR_STICTION_DISSIPATED_POWER = 15,
+  STRIBECK_LINEAR_STICTION_DISSIPATED_POWER = 20,
   /** out [Boolean]: Is the contact sticking? */
-  STRIBECK_LINEAR_STICTION_STICKING = 16,
+  STRIBECK_LINEAR_STICTION_STICKING = 21,
 } stribeck_linear_stiction_variable;
 
 /** Guid of BrownMcPhee for fmi2Instantiate. */
-#define STRIBECK_BROWN_MCPHEE_GUID "{451eb318-ff7b-35bf-d01a-3399c6e6f568}"
+#define STRIBECK_BROWN_MCPHEE_GUID "{fe7b8324-80ba-bec3-c460-1ccb1ef296bf}"
 
 /** BrownMcPhee: Smooth friction law with a stiction peak (Brown and McPhee). Columns of "BrownMcPhee". */
 typedef enum stribeck_brown_mcphee_variable {
@@ -1565,16 +1725,26 @@ typedef enum stribeck_brown_mcphee_variable {
   STRIBECK_BROWN_MCPHEE_PLANNING_STEP = 11,
   /** state [N]: Force planned for the coming step of a parallel exchange. (default 0) */
   STRIBECK_BROWN_MCPHEE_PLANNED_FORCE = 12,
+  /** state [m/s]: Velocity at the end of the last step. (default 0) */
+  STRIBECK_BROWN_MCPHEE_END_VELOCITY = 13,
+  /** state [N]: External force at the end of the last step. (default 0) */
+  STRIBECK_BROWN_MCPHEE_END_EXTERNAL_FORCE = 14,
+  /** state [m/s]: Change of the velocity over the last step if the master gave its slope, else 0. (default 0) */
+  STRIBECK_BROWN_MCPHEE_VELOCITY_CHANGE = 15,
+  /** state [N]: Change of the external force over the last step if the master gave its slope, else 0. (default 0) */
+  STRIBECK_BROWN_MCPHEE_EXTERNAL_FORCE_CHANGE = 16,
+  /** state [N]: Change of the normal force over the last step if the master gave its slope, else 0. (default 0) */
+  STRIBECK_BROWN_MCPHEE_NORMAL_FORCE_CHANGE = 17,
   /** state [stribeck_phase]: What the last event of Model Exchange has found the contact to do. (default Free) */
-  STRIBECK_BROWN_MCPHEE_PHASE = 13,
+  STRIBECK_BROWN_MCPHEE_PHASE = 18,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
-  STRIBECK_BROWN_MCPHEE_DISSIPATED_ENERGY = 14,
+  STRIBECK_BROWN_MCPHEE_DISSIPATED_ENERGY = 19,
   /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
-  STRIBECK_BROWN_MCPHEE_FRICTION_FORCE = 15,
+  STRIBECK_BROWN_MCPHEE_FRICTION_FORCE = 20,
   /** out [W]: Power taken out of the motion: friction force times velocity. */
-  STRIBECK_BROWN_MCPHEE_DISSIPATED_POWER = 16,
+  STRIBECK_BROWN_MCPHEE_DISSIPATED_POWER = 21,
   /** out [Boolean]: Is the contact sticking? */
-  STRIBECK_BROWN_MCPHEE_STICKING = 17,
+  STRIBECK_BROWN_MCPHEE_STICKING = 22,
 } stribeck_brown_mcphee_variable;
 
 /** Guid of Dahl for fmi2Instantiate. */

@@ -19,6 +19,10 @@ pub trait Real:
     /// Is this the constant itself, and not a value that only passes through it? Guards shortcuts, which would
     /// otherwise lose a derivative.
     fn is(self, constant: f64) -> bool;
+    /// Its derivative; 0 for a number that carries none. Tells where a value goes from a limit that it stands at.
+    fn tendency(self) -> f64 {
+        0.0
+    }
     /// e to the power of `self`.
     fn exp(self) -> Self;
     /// Hyperbolic tangent.
@@ -177,6 +181,9 @@ impl Real for Dual {
     }
     fn is(self, constant: f64) -> bool {
         self.value == constant && self.slope == 0.0
+    }
+    fn tendency(self) -> f64 {
+        self.slope
     }
     fn exp(self) -> Dual {
         let value = self.value.exp();

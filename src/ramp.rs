@@ -23,13 +23,6 @@ pub(crate) fn advance<M: Model>(model: &mut M, slope: &M, dt: f64) {
     set_inputs(model, &begin, slope, dt);
 }
 
-/// Moves the inputs to the end of the step and makes one held step there: for laws whose force belongs to a whole step.
-pub(crate) fn at_end<M: Model>(model: &mut M, slope: &M, dt: f64) {
-    let begin = *model;
-    set_inputs(model, &begin, slope, dt);
-    model.step(dt);
-}
-
 /// The first instant after `from` at which an input changes sign, where most laws have a kink, or at which the velocity
 /// passes another kink of the law.
 fn next_kink<M: Model>(begin: &M, slope: &M, from: f64) -> Option<f64> {

@@ -2,7 +2,8 @@
 
 mod common;
 
-use common::{Bench, Exchange, Sample, belt, extrema};
+use common::{Bench, Exchange, Sample, belt, belt_of_master, extrema};
+use stribeck::catalogue;
 
 /// Closed form for m = 1 kg, k = 2 N/m, v_b = 0.1 m/s, f_C = 0.981 N, f_s = 1.4715 N (12 digits):
 /// T = 2 D / v_b + (2 / w) (pi - atan(D w / v_b)) with D = (f_s - f_C) / k, w = sqrt(k / m).
@@ -72,6 +73,111 @@ fn a_stuck_block_neither_chatters_nor_creeps_at_any_step() {
     assert!(stuck(&samples).all(|w| w[0].velocity.abs() < 1e-6));
 }
 
+/// What a master knows of its block at the beginning of a step.
+fn acceleration(rig: &mut Bench) -> f64 {
+    (rig.get("external_force") - rig.get("friction_force")) / rig.get("mass")
+}
+
+fn force_rate(rig: &mut Bench) -> f64 {
+    -rig.get("stiffness") * rig.get("block_velocity")
+}
+
+type Slope = (&'static str, fn(&mut Bench) -> f64);
+const VELOCITY: Slope = ("velocity", acceleration);
+const FORCE: Slope = ("external_force", force_rate);
+
+/// Laws that know the mass of the body.
+fn laws_with_mass() -> Vec<&'static str> {
+    catalogue::models().filter(|model| model.find("planned_force").is_some()).map(|model| model.name).collect()
+}
+
+/// Slopes of the inputs must not disturb a block at rest: the acceleration that a master gives holds the last friction
+/// force, which is not the one of the step.
+#[test]
+fn a_stuck_block_rests_under_slopes_as_without_them() {
+    let laws = laws_with_mass();
+    assert!(laws.len() > 15, "{laws:?}");
+    for model in laws {
+        for exchange in EXCHANGES {
+            for slopes in [&[VELOCITY][..], &[FORCE], &[VELOCITY, FORCE]] {
+                let what =
+                    format!("{model} {exchange:?} {:?}", slopes.iter().map(|(name, _)| name).collect::<Vec<_>>());
+                let held = belt(&mut holding(model, exchange), 1e-3, 4.0, exchange);
+                let sloped = belt_of_master(&mut holding(model, exchange), 1e-3, 4.0, exchange, slopes);
+                let after =
+                    |samples: &'_ [Sample]| samples.iter().filter(|s| s.time > 0.2).copied().collect::<Vec<_>>();
+                let (held, sloped) = (after(&held), after(&sloped));
+                for (a, b) in held.iter().zip(&sloped) {
+                    let (without, with) = (a.velocity.abs(), b.velocity.abs());
+                    assert!(with < without + 1e-6, "{what} {}: {with} m/s, without {without} m/s", a.time);
+                }
+                for w in sloped.windows(3) {
+                    // The spring pulls 0.2 mN more from step to step.
+                    let jump = (w[2].friction_force - 2.0 * w[1].friction_force + w[0].friction_force).abs();
+                    assert!(jump < 1e-5, "{what} {}: {jump} N", w[1].time);
+                }
+            }
+        }
+    }
+}
+
+/// With the slope of the force that it holds, a block rests far better than without.
+#[test]
+fn the_slope_of_the_load_is_what_holds_a_block() {
+    for model in ["Coulomb", "CoulombStiction", "CoulombViscous", "Stribeck", "Karnopp"] {
+        for exchange in [Exchange::Sequential, Exchange::Parallel] {
+            let samples = belt_of_master(&mut holding(model, exchange), 1e-3, 4.0, exchange, &[VELOCITY, FORCE]);
+            let fastest = samples.iter().filter(|s| s.time > 0.2).map(|s| s.velocity.abs()).fold(0.0, f64::max);
+            assert!(fastest < 1e-11, "{model} {exchange:?}: {fastest} m/s");
+        }
+    }
+}
+
+/// The same stick-slip with slopes: the closed form holds.
+#[test]
+fn with_slopes_the_cycle_is_that_of_the_closed_form() {
+    for exchange in [Exchange::Sequential, Exchange::Parallel] {
+        let mut law = holding("CoulombStiction", exchange);
+        let samples = belt_of_master(&mut law, 1e-3, 40.0, exchange, &[VELOCITY, FORCE]);
+        let maxima = maxima(&samples);
+        assert_eq!(maxima.len(), 5, "{exchange:?}");
+        for pair in maxima.windows(2) {
+            assert_close("period", pair[1].0 - pair[0].0, PERIOD, 1e-3);
+        }
+        assert_close("highest position", maxima[0].1, HIGHEST, 2e-3);
+    }
+}
+
+/// A block on a plane whose normal force falls and rises with a slope: what holds it is the mean of the load over the
+/// step, and the velocity at its beginning.
+#[test]
+fn with_mass_a_ramp_counts_by_the_velocity_of_its_beginning_and_the_mean_of_its_forces() {
+    let (h, mass) = (1e-3, 2.0);
+    let ramp = |values: &[(&str, f64)], slopes: &[(&str, f64)]| {
+        let mut law = Bench::new("CoulombStiction", &[("mass", mass), ("mu_k", 0.1), ("mu_s", 0.15)]);
+        for (name, value) in values {
+            law.set(name, *value);
+        }
+        for (name, slope) in slopes {
+            let column = law.column(name);
+            law.instance.put_slope(column, *slope);
+        }
+        law.step(h);
+        (law.get("friction_force"), law.get("dissipated_energy"))
+    };
+    // From 1 um/s to rest: f = f_e + m v / h, whatever acceleration the master expects.
+    for acceleration in [0.0, -1e-3, 5.0] {
+        let slopes = [("velocity", acceleration), ("external_force", 500.0)];
+        let (force, energy) = ramp(&[("velocity", 1e-6), ("external_force", 0.1)], &slopes);
+        assert!((force - (0.1 + 0.25 + mass * 1e-6 / h)).abs() < 1e-15, "{acceleration}: {force}");
+        assert!((energy - force * 0.5e-6 * h).abs() < 1e-20);
+    }
+    // A slide under a load that falls from 10 N to 4 N: 0.1 times 7 N on the mean.
+    let (force, energy) = ramp(&[("velocity", 0.5), ("normal_force", 10.0)], &[("normal_force", -6000.0)]);
+    assert!((force - 0.7).abs() < 1e-15);
+    assert!((energy - 0.7 * (0.5 - 0.5 * 0.7 * h / mass) * h).abs() < 1e-18);
+}
+
 /// A master that changes its step from one to the next, by a factor of a hundred.
 #[test]
 fn a_block_sticks_also_when_the_step_changes_all_the_time() {
@@ -134,16 +240,6 @@ fn the_charged_force_is_the_delivered_force() {
         assert!((law.get("dissipated_energy") - before - work).abs() < 1e-18, "at {external_force} N");
         v = after;
     }
-}
-
-/// With mass the force of a ramp is that of its end.
-#[test]
-fn with_mass_a_ramp_counts_at_its_end() {
-    let mut law = Bench::new("CoulombStiction", &[("mass", 1.0)]);
-    let external_force = law.column("external_force");
-    law.instance.put_slope(external_force, 500.0);
-    law.step(1e-3);
-    assert!((law.get("friction_force") - 0.5).abs() < 1e-15 && law.get("external_force") == 0.5);
 }
 
 /// A sliding block in a parallel exchange: the first force is that of the law, before there is a plan.

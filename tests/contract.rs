@@ -142,6 +142,10 @@ const ODD: &[&str] = &[
     "bristle_deflection_z",
     "element.force",
     "planned_force",
+    "end_velocity",
+    "end_external_force",
+    "velocity_change",
+    "external_force_change",
     "lagged_velocity",
     "acceleration",
     "velocity_slope",
@@ -166,6 +170,7 @@ const EVEN: &[&str] = &[
     "phase",
     "step_size",
     "planning_step",
+    "normal_force_change",
     "has_past",
     "slipping",
     "dwell_time",
@@ -453,7 +458,17 @@ fn everyday_inputs_are_never_refused() {
 
 /// States that jump from step to step, as do the records of a history; all others move continuously, at the rate that
 /// their model gives.
-const DISCRETE: &[&str] = &["step_size", "planning_step", "planned_force"];
+#[rustfmt::skip]
+const DISCRETE: &[&str] = &[
+    "step_size",
+    "planning_step",
+    "planned_force",
+    "end_velocity",
+    "end_external_force",
+    "velocity_change",
+    "external_force_change",
+    "normal_force_change",
+];
 
 #[test]
 fn rates_are_the_derivatives_of_the_states() {

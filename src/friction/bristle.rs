@@ -75,7 +75,8 @@ crate::model! {
     /// A bristle that would slide by more than 20 Delta (about 40 snaps) in one step is instead drawn from the density
     /// above, which it approaches as exp(-2.09 s / Delta): the work of a step is bounded, the force is the same in
     /// distribution to 1e-18, and the energy of such a slide is its expectation. With a linearly moving velocity the
-    /// displacement is exact between the instants where it changes sign; the energy takes the load in the middle.
+    /// displacement, and with it the force, is exact between the instants where it changes sign; the energy takes the
+    /// load in the middle, which is of second order. A contact at rest keeps its bonds, however long.
     ///
     /// `sticking` says that the force is less than half (chosen) of f_C in the direction of the motion. Steady sliding
     /// of 25 bristles is 7 standard deviations away from that; a single bristle passes below now and then.
@@ -186,15 +187,19 @@ impl Bristle {
         if span > SMALL * self.delta { span } else { 0.0 }
     }
 
-    /// Moves the surfaces by `displacement` under the present load.
+    /// Moves the surfaces by `displacement` under the present load. Without motion there is no direction to count
+    /// strains in, and no bond changes.
     fn shift(&mut self, displacement: f64) {
+        if displacement == 0.0 {
+            return;
+        }
         let direction = displacement.sign();
         let surface = Surface { delta: self.delta, span: self.span(), seed: self.seed };
         let is_stationary = InitialBonds::of(self.initial_bonds) == InitialBonds::Stationary;
         let count = self.count();
         let mut area = 0.0;
         for (number, bond) in self.bristle[..count].iter_mut().enumerate() {
-            if is_stationary && bond.draws == 0.0 && displacement != 0.0 {
+            if is_stationary && bond.draws == 0.0 {
                 bond.strain = direction * surface.stationary(number, bond);
             }
             let mut strain = direction * bond.strain;
@@ -203,6 +208,11 @@ impl Bristle {
         }
         // sigma_i = f_s / (N delta).
         self.dissipated_energy += self.mu_s * self.normal_force * (area / (count as f64 * self.delta));
+    }
+
+    /// Does a bond that forms again without a random number slide along at delta?
+    fn slides(&self, bond: &Bond) -> bool {
+        self.span() == 0.0 && bond.strain * self.velocity.sign() >= self.delta
     }
 
     fn release(&mut self) {
@@ -216,7 +226,7 @@ impl Model for Bristle {
     const PRESETS: &'static [Preset] = &[
         Preset {
             name: "thesis",
-            source: "Novais (2024), Tables 6.1 and 7.1, and 25 bristles: the start values",
+            source: "Novais (2024), Tables 6.1 and 7.1 for levels and stiffness; 25 bristles are chosen: the start values",
             values: &[],
         },
         Preset {
@@ -262,8 +272,9 @@ impl Model for Bristle {
 
     fn rate(&self, rate: &mut Self) {
         if self.normal_force > 0.0 {
-            for bond in &mut rate.bristle[..self.count()] {
-                bond.strain = self.velocity;
+            let count = self.count();
+            for (rate, bond) in rate.bristle[..count].iter_mut().zip(&self.bristle) {
+                rate.strain = if self.slides(bond) { 0.0 } else { self.velocity };
             }
         }
         rate.dissipated_energy = self.force() * self.velocity;
@@ -402,7 +413,9 @@ mod tests {
     /// The energy is what the springs hold and what the snaps took: the fine sum of force times distance.
     #[test]
     fn energy_is_the_integral_of_force_over_distance() {
-        for law in [Bristle::default(), Bristle { initial_bonds: 2.0, mu_s: 0.29, bristle_count: 3.0, ..Default::default() }] {
+        for law in
+            [Bristle::default(), Bristle { initial_bonds: 2.0, mu_s: 0.29, bristle_count: 3.0, ..Default::default() }]
+        {
             let (mut sum, mut fine, n) = (0.0, law, 200_000);
             for leg in [1e-4, -1.3e-4] {
                 for _ in 0..n {

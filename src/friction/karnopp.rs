@@ -1,5 +1,5 @@
-use crate::friction::time_stepping::{self, TimeStepping, TwoLevels};
-use crate::model::{Fault, Law, Model, boolean, real};
+use crate::friction::time_stepping::{TimeStepping, two_levels};
+use crate::model::{Model, boolean, real};
 use crate::number::Real;
 
 crate::model! {
@@ -96,74 +96,20 @@ crate::model! {
     }
 }
 
-impl<T: Real> Karnopp<T> {
-    fn contact(&self) -> TwoLevels<T> {
-        TwoLevels {
-            velocity: self.velocity,
-            external_force: self.external_force,
-            kinetic: self.mu_k * self.normal_force,
-            statical: self.mu_s * self.normal_force,
-            band: self.transition_velocity,
-            stuck: self.stuck.value() != 0.0,
-            phase: self.time_stepping.phase(),
-        }
-    }
-}
-
-impl<T: Real> Law for Karnopp<T> {
-    fn output(&mut self) {
-        let contact = self.contact();
-        self.friction_force = self.time_stepping.force(&contact);
-        self.dissipated_power = self.friction_force * self.velocity;
-        self.sticking = contact.sticking(&self.time_stepping);
-    }
-
-    fn derivatives(&self, rate: &mut Self) {
-        rate.dissipated_energy = self.time_stepping.force(&self.contact()) * self.velocity;
-    }
-}
+two_levels!(Karnopp, |law| law.transition_velocity);
 
 impl Model for Karnopp {
-    const MODEL_EXCHANGE: bool = true;
-    const EVENT_INDICATORS: usize = time_stepping::EVENTS_OF_TWO_LEVELS;
-
-    fn check(&self) -> Result<(), Fault> {
-        crate::friction::static_not_below_kinetic(self.mu_s, self.mu_k)
-    }
-
-    fn check_exchange(&self) -> Result<(), Fault> {
-        self.time_stepping.check_exchange()
-    }
-
-    fn event_indicators(&self, indicators: &mut [f64]) {
-        self.contact().write_indicators(indicators);
-    }
-
-    fn at_event(&mut self) {
-        self.time_stepping.phase = self.contact().settled().number();
-        self.stuck = 0.0;
-    }
-
-    fn step(&mut self, dt: f64) {
-        self.time_stepping.forget_event();
-        let contact = self.contact();
-        let done = self.time_stepping.step(&contact, dt);
-        self.dissipated_energy += done.energy;
-        self.stuck = f64::from(u8::from(done.is_held));
-    }
+    two_levels!();
 
     fn kinks(&self) -> [f64; 2] {
         [self.transition_velocity, 0.0]
-    }
-
-    fn step_ramp(&mut self, slope: &Self, dt: f64) {
-        time_stepping::step_ramp(self, self.time_stepping.mass, slope, dt);
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::model::Law;
 
     fn force(velocity: f64, external_force: f64) -> f64 {
         let mut law = Karnopp { velocity, external_force, ..Default::default() };

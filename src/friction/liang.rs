@@ -1,6 +1,7 @@
 use nalgebra::Vector3;
 
 use crate::laws::vector::{Component, direction, in_plane, length, remainder, turned_into};
+use crate::laws::{root, turning};
 use crate::model::{Fault, Law, Model, Preset, boolean, real};
 
 crate::choices! {
@@ -20,10 +21,10 @@ crate::model! {
     /// # Equations
     ///
     /// ```text
-    /// f_f   = sigma_0 z + sigma_1 dz/dt                        (7.48)
+    /// f_f   = sigma_0 z + sigma_1 dz/dt                        (7.51)
     /// dz/dt = v_t                    while |z| <= z_max        (7.49)
     /// z     = z_max z / |z|          beyond, RadialReturn
-    /// z     = z_max v_t / |v_t|      beyond, Printed
+    /// z     = z_max v_t / |v_t|      beyond, Printed           (7.49)
     /// z_max = f_s / sigma_0          |v_t| <= v_0              (7.50)
     ///       = f_C / sigma_0          |v_t| >  v_0
     /// v_t   = v - (n^T v) n,   f_C = mu_k f_n,   f_s = mu_s f_n
@@ -55,7 +56,7 @@ crate::model! {
     /// |         | `friction_force_z`       |       |                                                    |
     ///
     /// # Sign
-    /// The friction force has the direction of the velocity when sliding; body 1 feels its negative. (7.48) is printed
+    /// The friction force has the direction of the velocity when sliding; body 1 feels its negative. (7.51) is printed
     /// with minus signs: there it is the force on the body. Dissipated power is the scalar product of friction force
     /// and velocity; it is negative while the bristle springs back.
     ///
@@ -70,13 +71,19 @@ crate::model! {
     /// At the start of a step z is turned into the plane of the present normal: projected, with its length kept.
     /// `sticking` says that the bristle is not at its limit.
     ///
+    /// With linearly moving inputs the step is of second order, in eight pieces (chosen), the plane turning with its
+    /// normal. A bristle that slides stays on the circle while the load, and with it the circle, grows or shrinks, and
+    /// leaves it where the circle outruns it. The energy has the damping of the motion with the growing circle; the force
+    /// that is given out belongs to held inputs, and has not.
+    ///
     /// A master that integrates a mass m with the force it reads couples it explicitly to the stiffness k and the
     /// damping c of the contact at rest. If the friction steps first, a held body stays still for communication steps h
     /// with k h^2 + 2 c h < 4 m, which is 3.9 ms for the defaults and 1 kg; above, it chatters within the bounds of the
     /// force. If all models step at once and exchange afterwards, the limit is h < 1 / (k / c + c / m), 1.6 ms.
     ///
     /// # Errors
-    /// Refused: a parameter outside its bound; `mu_s` < `mu_k`; a normal of length 0.
+    /// Refused: a parameter outside its bound; `mu_s` < `mu_k`. A normal of length 0, as importers have it that start from
+    /// zeros, is taken with a warning: there is no tangent plane then, and the whole velocity counts as tangential.
     ///
     /// # Limits
     /// No Stribeck curve: the limit falls at once by f_s - f_C when the speed passes v_0, and the damping force ends
@@ -184,8 +191,11 @@ impl<T: Component> Liang<T> {
         // A deflection that was left at its limit must not count as beyond it by rounding.
         if (length(&z) * T::from(AT_LIMIT)) > limit {
             direction(if self.is_printed() && length(&velocity).value() > 0.0 { &velocity } else { &z }) * limit
-        } else if self.is_printed() && self.slides(&z) {
-            direction(&velocity) * limit
+        } else if self.slides(&z) {
+            direction(if self.is_printed() { &velocity } else { &z }) * limit
+        } else if length(&z).value() >= AT_LIMIT * limit.value() && limit.tendency() < length(&z).tendency() {
+            // It is not moved outwards, but the circle shrinks faster than it moves inwards.
+            direction(&z) * limit
         } else {
             z
         }
@@ -242,10 +252,13 @@ impl Model for Liang {
     ];
 
     fn check(&self) -> Result<(), Fault> {
-        if length(&Vector3::new(self.normal_x, self.normal_y, self.normal_z)) == 0.0 {
-            return Err(Fault::new("normal_x, normal_y, normal_z = 0, 0, 0: the normal must have a length > 0"));
-        }
         crate::friction::static_not_below_kinetic(self.mu_s, self.mu_k)
+    }
+
+    fn warning(&self) -> Option<Fault> {
+        let has_normal = [self.normal_x, self.normal_y, self.normal_z] != [0.0; 3];
+        let text = "a contact without a normal has no plane, so the whole velocity counts as tangential";
+        (!has_normal).then(|| Fault::new(format_args!("normal_x, normal_y, normal_z = 0, 0, 0: {text}")))
     }
 
     fn step(&mut self, dt: f64) {
@@ -265,14 +278,36 @@ impl Model for Liang {
                 if self.is_printed() {
                     z = direction(&velocity) * limit;
                 }
-                let slide = Slide::new(&z, &velocity, limit, left);
-                let speed = length(&velocity);
+                let forward = direction(&velocity);
+                let (along, across) = slide(&mut z, &[forward; 2], &self.normal(), length(&velocity) * left, limit);
                 self.dissipated_energy +=
-                    limit * (self.sigma_0 * limit * slide.along + self.sigma_1 * speed * slide.across);
-                z = slide.deflection;
+                    limit * (self.sigma_0 * limit * along + self.sigma_1 * length(&velocity) * across);
             }
         }
-        [self.bristle_deflection_x, self.bristle_deflection_y, self.bristle_deflection_z] = z.into();
+        self.put(&z);
+    }
+
+    /// In pieces over which velocity, normal and load count as linear. In the plane of its normal each has its instants
+    /// located: where the speed passes v_0, and where the bristle meets its circle or leaves it.
+    fn step_ramp(&mut self, slope: &Self, dt: f64) {
+        let begin = *self;
+        let mut z = self.deflection();
+        for piece in 0..PIECES {
+            let [from, to] = [piece, piece + 1].map(|k| dt * (f64::from(k) / f64::from(PIECES)));
+            crate::ramp::set_inputs(self, &begin, slope, from);
+            let (normal, velocity, load) = (self.normal(), self.tangential_velocity(), self.normal_force);
+            crate::ramp::set_inputs(self, &begin, slope, to);
+            let normal_end = self.normal();
+            let ramp = Ramp {
+                velocity: [carried(&velocity, &normal, &normal_end), self.tangential_velocity()],
+                load: [load, self.normal_force],
+                duration: to - from,
+            };
+            z = carried(&z, &normal, &normal_end);
+            self.follow(&mut z, &ramp);
+        }
+        crate::ramp::set_inputs(self, &begin, slope, dt);
+        self.put(&z);
     }
 
     fn rate(&self, rate: &mut Self) {
@@ -281,6 +316,113 @@ impl Model for Liang {
             (rate.bristle_deflection_x, rate.bristle_deflection_y, rate.bristle_deflection_z) = (x, y, z);
             rate.dissipated_energy = self.force().0.dot(&self.velocity());
         }
+    }
+}
+
+impl Liang {
+    fn put(&mut self, z: &Vector3<f64>) {
+        [self.bristle_deflection_x, self.bristle_deflection_y, self.bristle_deflection_z] = (*z).into();
+    }
+
+    /// Follows a ramp in the plane of the present normal, whatever the speed.
+    fn follow(&mut self, z: &mut Vector3<f64>, ramp: &Ramp) {
+        let mut from = 0.0;
+        for cut in ramp.cuts(self.transition_velocity).into_iter().chain([1.0]) {
+            let to = cut.min(1.0);
+            if to > from {
+                let part = ramp.part(from, to).rounded();
+                let mu = if length(&part.velocity_at(0.5)) <= self.transition_velocity { self.mu_s } else { self.mu_k };
+                self.follow_part(z, &part, part.load.map(|load| mu * load / self.sigma_0));
+                from = to;
+            }
+        }
+    }
+
+    /// Follows a ramp over which z_max moves linearly.
+    fn follow_part(&mut self, z: &mut Vector3<f64>, ramp: &Ramp, limit: [f64; 2]) {
+        let growth = (limit[1] - limit[0]) / ramp.duration;
+        let (mut from, mut has_left) = (0.0, false);
+        // It seldom takes more than two: a bristle that swings back and forth within a part would be taken as it is.
+        for _ in 0..8 {
+            if from >= 1.0 {
+                break;
+            }
+            let rest = ramp.part(from, 1.0);
+            let circle = [limit[0] + (limit[1] - limit[0]) * from, limit[1]];
+            if !has_left && length(z) >= AT_LIMIT * circle[0] {
+                self.clamp(z, &rest.velocity[0], circle[0]);
+                let outward = if circle[0] > 0.0 { direction(z) } else { rest.forward()[0] };
+                let ahead = rest.velocity[0].dot(&outward) - growth;
+                if ahead > 0.0 || ahead == 0.0 && (rest.velocity[1] - rest.velocity[0]).dot(&outward) > 0.0 {
+                    let done = self.slide_part(z, &rest, circle, ahead);
+                    from = if done < 1.0 { from + (1.0 - from) * done } else { 1.0 };
+                    has_left = true;
+                    continue;
+                }
+            }
+            let done = self.move_freely(z, &rest, circle);
+            from = if done < 1.0 { from + (1.0 - from) * done } else { 1.0 };
+            has_left = false;
+        }
+        self.clamp(z, &ramp.velocity[1], limit[1]);
+    }
+
+    /// Takes a deflection back to its limit.
+    fn clamp(&self, z: &mut Vector3<f64>, velocity: &Vector3<f64>, limit: f64) {
+        if length(z) * AT_LIMIT > limit {
+            *z = direction(if self.is_printed() && length(velocity) > 0.0 { velocity } else { z }) * limit;
+        }
+    }
+
+    /// Slides until the bristle leaves the circle; returns the share of the ramp that this takes. `ahead` is the speed
+    /// outwards, less that of the circle.
+    fn slide_part(&mut self, z: &mut Vector3<f64>, ramp: &Ramp, limit: [f64; 2], ahead: f64) -> f64 {
+        let growth = (limit[1] - limit[0]) / ramp.duration;
+        let mut end = *z;
+        self.slide_over(&mut end, ramp, limit);
+        let ahead_end = ramp.velocity[1].dot(&direction(&end)) - growth;
+        let share = if ahead_end < 0.0 { ahead / (ahead - ahead_end) } else { 1.0 };
+        let (part, limit) = (ramp.part(0.0, share), [limit[0], limit[0] + (limit[1] - limit[0]) * share]);
+        self.dissipated_energy += self.slide_over(z, &part, limit);
+        share
+    }
+
+    /// Slides over the whole ramp; returns the work.
+    fn slide_over(&self, z: &mut Vector3<f64>, ramp: &Ramp, limit: [f64; 2]) -> f64 {
+        let (forward, middle) = (ramp.forward(), 0.5 * (limit[0] + limit[1]));
+        let speed = length(&ramp.velocity_at(0.5));
+        let distance = speed * ramp.duration;
+        if distance == 0.0 || middle == 0.0 {
+            *z = direction(z) * limit[1];
+            return 0.0;
+        }
+        if *z == Vector3::zeros() || self.is_printed() {
+            *z = forward[0] * middle;
+        }
+        let (mut along, mut across) = slide(z, &forward, &self.normal(), distance, middle);
+        if self.is_printed() {
+            (*z, along, across) = (forward[1], distance / middle, 0.0);
+        }
+        *z = direction(z) * limit[1];
+        let outward = middle * along / ramp.duration;
+        // Damping of what the circle lets the bristle move outwards, and of a free one that a shrinking circle overtakes.
+        let radial = if outward > 0.0 { ((limit[1] - limit[0]) / ramp.duration).max(0.0) } else { outward };
+        self.sigma_0 * middle * middle * along
+            + self.sigma_1 * (speed * middle * across + radial * outward * ramp.duration)
+    }
+
+    /// Moves within the circle until the bristle meets it; returns the share of the ramp that this takes.
+    fn move_freely(&mut self, z: &mut Vector3<f64>, ramp: &Ramp, limit: [f64; 2]) -> f64 {
+        let start = *z;
+        let at = |share: f64| start + (ramp.velocity[0] + ramp.velocity_at(share)) * (0.5 * share * ramp.duration);
+        let beyond = |share: f64| length(&at(share)) - (limit[0] + (limit[1] - limit[0]) * share);
+        let share = if beyond(1.0) > 0.0 { root::bisect(beyond, 0.0, 1.0) } else { 1.0 };
+        *z = at(share);
+        let [a, b] = [ramp.velocity[0], ramp.velocity_at(share)];
+        let squares = (a.dot(&a) + a.dot(&b) + b.dot(&b)) / 3.0;
+        self.dissipated_energy +=
+            self.sigma_0 * 0.5 * (*z - start).dot(&(*z + start)) + self.sigma_1 * squares * (share * ramp.duration);
+        share
     }
 }
 
@@ -299,32 +441,90 @@ fn time_to_limit(z: &Vector3<f64>, velocity: &Vector3<f64>, limit: f64) -> f64 {
     distance.max(0.0) * (limit / speed)
 }
 
-/// A bristle that slides along the circle |z| = limit and turns towards the velocity.
-struct Slide {
-    /// z at the end.
-    deflection: Vector3<f64>,
-    /// Integral of cos(phi) over the distance, in lengths of the limit.
-    along: f64,
-    /// Integral of sin(phi)^2 over the distance, in lengths of the limit.
-    across: f64,
+/// Lets a bristle slide along the circle of the radius `limit` over a distance, while the direction of the motion turns
+/// from one to the other. Returns the integrals of cos(phi) and sin(phi)^2 over the distance, in lengths of the limit.
+fn slide(
+    z: &mut Vector3<f64>,
+    forward: &[Vector3<f64>; 2],
+    normal: &Vector3<f64>,
+    distance: f64,
+    limit: f64,
+) -> (f64, f64) {
+    let start = direction(z);
+    let side = in_plane(&start, &forward[0]);
+    // Without a normal the bristle turns in the plane of its own and of the motion.
+    let has_plane = forward[0] != forward[1] && length(normal) > 0.0;
+    let left = forward.map(|forward| if has_plane { normal.cross(&forward) } else { -direction(&side) });
+    let sin = if has_plane { -start.dot(&left[0]) } else { length(&side) };
+    let w = f64::atan2(forward[1].dot(&left[0]), forward[1].dot(&forward[0]));
+    let turn = turning::follow(sin, start.dot(&forward[0]), distance / limit, if has_plane { w } else { 0.0 });
+    *z = (forward[1] * turn.cos - left[1] * turn.sin) * limit;
+    (turn.along, turn.across)
 }
 
-impl Slide {
-    fn new(z: &Vector3<f64>, velocity: &Vector3<f64>, limit: f64, time: f64) -> Slide {
-        let (forward, start) = (direction(velocity), direction(z));
-        let side = in_plane(&start, &forward);
-        let distance = length(velocity) * (time / limit);
-        // tan(phi / 2) = sin / (1 + cos)
-        let half = length(&side) / (1.0 + start.dot(&forward));
-        let (half_end, shrink) = (half * (-distance).exp(), (-2.0 * distance).exp_m1());
-        let cos = |half: f64| (1.0 - half * half) / (1.0 + half * half);
-        let sin_end = 2.0 * half_end / (1.0 + half_end * half_end);
-        Slide {
-            deflection: (forward * cos(half_end) + direction(&side) * sin_end) * limit,
-            // The integral of d(phi) cos / sin, which is the logarithm of the ratio of the two sines.
-            along: distance + (half * half * shrink / (1.0 + half * half)).ln_1p(),
-            across: cos(half_end) - cos(half),
+/// A vector in the plane of one normal taken along as the plane turns into that of another.
+fn carried(vector: &Vector3<f64>, from: &Vector3<f64>, to: &Vector3<f64>) -> Vector3<f64> {
+    // The plane does not care which way its normal points.
+    let cos = from.dot(to);
+    let to = if cos < 0.0 { -to } else { *to };
+    vector - (from + to) * (vector.dot(&to) / (1.0 + cos.abs()))
+}
+
+/// Pieces of a step with inputs that move (chosen).
+const PIECES: u32 = 8;
+
+/// Velocity and load that move linearly in a plane.
+#[derive(Clone, Copy)]
+struct Ramp {
+    velocity: [Vector3<f64>; 2],
+    load: [f64; 2],
+    duration: f64,
+}
+
+impl Ramp {
+    fn velocity_at(&self, share: f64) -> Vector3<f64> {
+        self.velocity[0] + (self.velocity[1] - self.velocity[0]) * share
+    }
+
+    fn load_at(&self, share: f64) -> f64 {
+        self.load[0] + (self.load[1] - self.load[0]) * share
+    }
+
+    /// What lies between two shares of the duration.
+    fn part(&self, from: f64, to: f64) -> Ramp {
+        Ramp {
+            velocity: [self.velocity_at(from), self.velocity_at(to)],
+            load: [self.load_at(from), self.load_at(to)],
+            duration: (to - from) * self.duration,
         }
+    }
+
+    /// Shares of the duration at which the speed passes `speed`, and at which it is lowest, in rising order.
+    fn cuts(&self, speed: f64) -> [f64; 3] {
+        let (start, change) = (self.velocity[0], self.velocity[1] - self.velocity[0]);
+        let square = change.dot(&change);
+        let lowest = -start.dot(&change) / square;
+        let least = start + change * lowest;
+        let half = ((speed * speed - least.dot(&least)) / square).max(0.0).sqrt();
+        [lowest - half, lowest, lowest + half]
+    }
+
+    /// A speed that is nothing but rounding has no direction.
+    fn rounded(mut self) -> Ramp {
+        let largest = length(&self.velocity[0]).max(length(&self.velocity[1]));
+        for velocity in &mut self.velocity {
+            if length(velocity) <= 1e-12 * largest {
+                *velocity = Vector3::zeros();
+            }
+        }
+        self
+    }
+
+    /// Directions of the motion at both ends.
+    fn forward(&self) -> [Vector3<f64>; 2] {
+        let [a, b] = self.velocity.map(|velocity| direction(&velocity));
+        let is_zero = |vector: &Vector3<f64>| *vector == Vector3::zeros();
+        [if is_zero(&a) { b } else { a }, if is_zero(&b) { a } else { b }]
     }
 }
 
@@ -336,6 +536,14 @@ mod tests {
         let mut law = *law;
         law.output();
         Vector3::new(law.friction_force_x, law.friction_force_y, law.friction_force_z)
+    }
+
+    impl Liang {
+        fn at_zero() -> Liang {
+            let mut zero = Liang::default();
+            crate::model::row_of_mut(&mut zero).fill(0.0);
+            zero
+        }
     }
 
     fn moving(law: &mut Liang, velocity: Vector3<f64>) {
@@ -380,10 +588,22 @@ mod tests {
         assert!((forces(&law) - Vector3::new(0.0, 0.0, -0.981)).norm() < 1e-15);
     }
 
+    /// Importers start from zeros: without a plane every direction is tangential, and the user hears of it.
     #[test]
-    fn zero_normal_is_refused() {
-        let fault = Liang { normal_z: 0.0, ..Default::default() }.check().unwrap_err();
-        assert!(fault.0.ends_with("the normal must have a length > 0"), "{fault}");
+    fn without_a_normal_the_whole_velocity_is_tangential() {
+        let mut law = Liang { normal_z: 0.0, velocity_x: 0.3, velocity_z: -0.4, ..Default::default() };
+        assert!(law.check().is_ok());
+        let warning = law.warning().map(|fault| fault.0).unwrap_or_default();
+        assert!(warning.starts_with("normal_x, normal_y, normal_z = 0, 0, 0: a contact without a normal"), "{warning}");
+        law.step(1.0);
+        assert!((forces(&law) - Vector3::new(0.6, 0.0, -0.8) * 0.981).norm() < 1e-15, "{}", forces(&law));
+        let slope = Liang { velocity_x: 1.0, velocity_y: 2.0, ..Liang::at_zero() };
+        law.step_ramp(&slope, 0.1);
+        assert!(((forces(&law)).norm() / 0.981 - 1.0).abs() < 1e-12, "{}", forces(&law));
+        assert!(Liang::default().warning().is_none());
+        let mut zeros = Liang { normal_z: 0.0, normal_force: 0.0, ..Default::default() };
+        zeros.step(1e-3);
+        assert_eq!(forces(&zeros), Vector3::zeros());
     }
 
     /// The trap of the printed rule: loaded forwards to 0.98 f_s, then fast backwards, so that the limit shrinks below

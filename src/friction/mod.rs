@@ -44,7 +44,7 @@ crate::catalogue::family! {
     elasto_plastic_planar::ElastoPlasticPlanar,
 }
 
-pub(crate) use time_stepping::{Exchange, Phase};
+pub(crate) use time_stepping::Exchange;
 
 mod branching;
 mod delay_line;

@@ -14,5 +14,6 @@ pub mod specker;
 pub mod stopping;
 pub mod stribeck;
 pub mod table;
+pub mod turning;
 pub mod vector;
 pub mod viscous;

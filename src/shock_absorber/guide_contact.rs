@@ -1,6 +1,7 @@
 use crate::friction::Exchange;
 use crate::model::{Fault, Law, Model, boolean, choice, real};
 use crate::number::Real;
+use crate::ramp;
 use crate::shock_absorber::law::{
     Answer, ChosenLaw, Evaluate, FRICTION_MODEL, Given, LUGRE, LawParameters, MEMORY, MOST_EVENTS, blank_memory,
 };
@@ -221,6 +222,26 @@ impl FrictionLaw {
         answer
     }
 
+    /// As [`FrictionLaw::advance`], where the force stops a mass over the whole step: the contact has moved from one
+    /// touch to the other.
+    pub(crate) fn advance_from(
+        &self,
+        levels: &Levels,
+        [begin, end]: [&Touch<f64>; 2],
+        memory: &mut [f64; MEMORY],
+        dt: f64,
+    ) -> Answer<f64> {
+        let Some(law) = self.chosen() else {
+            return Answer { force: 0.0, sticking: false, energy: 0.0 };
+        };
+        let [begin, end] = [begin, end].map(|touch| self.given(levels, touch));
+        let mut answer = law.advance_from(&begin, &end, &self.law, memory, dt);
+        let drag = self.drag(law, &end);
+        answer.force += drag * end.velocity;
+        answer.energy += drag * 0.25 * (begin.velocity + end.velocity).powi(2) * dt;
+        answer
+    }
+
     /// What the law remembers after a while at this velocity: steady sliding, and rest where the velocity is but noise.
     pub(crate) fn settled(&self, levels: &Levels, touch: &Touch<f64>) -> [f64; MEMORY] {
         let mut memory = self.fresh();
@@ -409,6 +430,20 @@ impl Model for GuideContact {
     fn step(&mut self, dt: f64) {
         let mut memory = self.memory();
         let answer = self.friction.advance(&self.levels, &self.touch(), &mut memory, dt);
+        self.memory = memory;
+        self.started = 1.0;
+        self.dissipated_energy += answer.energy;
+    }
+
+    fn step_ramp(&mut self, slope: &Self, dt: f64) {
+        if !self.friction.moves_mass() {
+            return ramp::advance(self, slope, dt);
+        }
+        // The force that stops a mass belongs to the whole step.
+        let (begin, mut memory) = (*self, self.memory());
+        ramp::set_inputs(self, &begin, slope, dt);
+        let touches = [&begin.touch(), &self.touch()];
+        let answer = self.friction.advance_from(&self.levels, touches, &mut memory, dt);
         self.memory = memory;
         self.started = 1.0;
         self.dissipated_energy += answer.energy;

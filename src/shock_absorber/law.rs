@@ -470,6 +470,33 @@ impl ChosenLaw {
         self.answer(&row, is_finite)
     }
 
+    /// Advances the memory by `dt` while velocity and forces move linearly: from `begin` to the others.
+    #[inline(never)]
+    pub(crate) fn advance_from(
+        self,
+        begin: &Given<f64>,
+        end: &Given<f64>,
+        parameters: &LawParameters,
+        memory: &mut [f64; MEMORY],
+        dt: f64,
+    ) -> Answer<f64> {
+        let columns = self.0.model.table.len();
+        let (mut row, mut slope) = (self.row(end, parameters, memory), [0.0; WIDEST]);
+        for ((value, slope), source) in row.iter_mut().zip(&mut slope).zip(self.sources()) {
+            let begin = match source {
+                Source::Velocity => begin.velocity,
+                Source::NormalForce => begin.normal_force,
+                Source::ExternalForce => begin.external_force,
+                _ => continue,
+            };
+            *slope = (*value - begin) / dt;
+            *value = begin;
+        }
+        let is_finite = self.0.model.advance_ramp(&mut row[..columns], &slope[..columns], dt);
+        self.remember(&row, memory);
+        self.answer(&row, is_finite)
+    }
+
     /// Time derivatives of what the law remembers.
     pub(crate) fn rate<T: Evaluate>(
         self,

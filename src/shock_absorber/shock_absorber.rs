@@ -742,6 +742,18 @@ impl ShockAbsorber {
         energy / dt
     }
 
+    /// As [`ShockAbsorber::slide`], over a step in which the inputs have moved linearly to where they are.
+    fn slide_from(&mut self, begin: &Setting, dt: f64) -> f64 {
+        let setting = &self.setting;
+        let (before, after) = (begin.touches(&begin.motion()), setting.touches(&setting.motion()));
+        let mut energy = 0.0;
+        for (at, memory) in [&mut self.memory_1, &mut self.memory_2].into_iter().enumerate() {
+            let touches = [&before[at], &after[at]];
+            energy += setting.friction.advance_from(setting.contacts()[at], touches, memory, dt).energy;
+        }
+        energy / dt
+    }
+
     /// One internal step of damper and temperature at held inputs, while friction takes a power out of the motion.
     fn pump(&mut self, friction: f64, dt: f64) {
         let setting = &self.setting;
@@ -840,7 +852,7 @@ impl Model for ShockAbsorber {
         // The force that stops a mass belongs to the whole step.
         let stopping = self.setting.friction.moves_mass().then(|| {
             ramp::set_inputs(self, &begin, &slope, dt);
-            self.slide(dt)
+            self.slide_from(&begin.setting, dt)
         });
         let count = super::substeps(dt, self.setting.num.h_max);
         let h = dt / f64::from(count);

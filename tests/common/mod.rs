@@ -89,6 +89,18 @@ pub struct Sample {
 
 /// The belt benchmark of the thesis (Table 6.1) in co-simulation: the same exchange as any master makes.
 pub fn belt(friction: &mut Bench, h: f64, end: f64, exchange: Exchange) -> Vec<Sample> {
+    belt_of_master(friction, h, end, exchange, &[])
+}
+
+/// The same with a master that gives the slopes of these inputs, as far as it knows them at the beginning of a step: the
+/// acceleration of the block under the last friction force, and what its velocity does to the spring.
+pub fn belt_of_master(
+    friction: &mut Bench,
+    h: f64,
+    end: f64,
+    exchange: Exchange,
+    slopes: &[(&str, fn(&mut Bench) -> f64)],
+) -> Vec<Sample> {
     let mut rig = Bench::new("BeltRig", &[]);
     let needs_load = friction.has("external_force");
     let mut samples = Vec::new();
@@ -105,6 +117,10 @@ pub fn belt(friction: &mut Bench, h: f64, end: f64, exchange: Exchange) -> Vec<S
         }
         if exchange == Exchange::FeedThrough {
             force = friction.get("friction_force");
+        }
+        for (name, slope) in slopes {
+            let column = friction.column(name);
+            friction.instance.put_slope(column, slope(&mut rig));
         }
         friction.step(h);
         if exchange == Exchange::Sequential {

@@ -1,0 +1,308 @@
+//! What a law without memory needs in co-simulation: the mass of the body that the host moves.
+//!
+//! A host that integrates the body itself meets a force that is held over a step. A contact at rest then chatters, and
+//! so does a steep regularised law, unless the force is that of the end of the step.
+
+mod on_curve;
+mod phase;
+mod two_levels;
+
+use crate::model::{Fault, Model, real};
+use crate::number::Real;
+use crate::ramp;
+
+pub(crate) use on_curve::{Curve, EVENTS_ON_CURVE, Lift, OnCurve, memoryless};
+pub(crate) use phase::Phase;
+pub(crate) use two_levels::{EVENTS_OF_TWO_LEVELS, TwoLevels, two_levels};
+
+crate::choices! {
+    /// In which order the master exchanges values with the friction model.
+    pub enum Exchange {
+        /// The friction model steps first, and the host uses the force of that step (Gauss-Seidel).
+        Sequential,
+        /// All models step at once and exchange values afterwards, so the force acts one step later (Jacobi).
+        Parallel,
+    }
+}
+
+crate::part! {
+    /// Columns of a law that can move a body of known mass.
+    TimeStepping {
+        /// Effective mass of the host, if in doubt too small, to hold it in co-simulation; 0 = the printed law.
+        mass: tunable = real("kg", 0.0).at_least(0.0),
+        /// Order in which the master exchanges values; used with mass > 0.
+        exchange: fixed = Exchange::Sequential.start(),
+        /// Length of the last step; 0 before the first one.
+        step_size: state = real("s", 0.0).at_least(0.0).nominal(1e-3).shown_in("ms").discrete(),
+        /// Step for which a parallel exchange plans: the longest of late.
+        planning_step: state = real("s", 0.0).at_least(0.0).nominal(1e-3).shown_in("ms").discrete(),
+        /// Force planned for the coming step of a parallel exchange.
+        planned_force: state = real("N", 0.0).discrete(),
+        /// Velocity at the end of the last step.
+        end_velocity: state = real("m/s", 0.0).shown_in("mm/s").discrete(),
+        /// External force at the end of the last step.
+        end_external_force: state = real("N", 0.0).discrete(),
+        /// Change of the velocity over the last step if the master gave its slope, else 0.
+        velocity_change: state = real("m/s", 0.0).shown_in("mm/s").discrete(),
+        /// Change of the external force over the last step if the master gave its slope, else 0.
+        external_force_change: state = real("N", 0.0).discrete(),
+        /// Change of the normal force over the last step if the master gave its slope, else 0.
+        normal_force_change: state = real("N", 0.0).discrete(),
+        /// What the last event of Model Exchange has found the contact to do.
+        phase: state = Phase::Free.start(),
+    }
+}
+
+/// Part of the longest step that is remembered from one step to the next (chosen: half of it is left after 34 steps).
+const PLANNING_MEMORY: f64 = 0.98;
+
+/// The friction force over a step, and whether the body is at rest at its end.
+#[derive(Clone, Copy)]
+pub(crate) struct Outcome<T> {
+    pub force: T,
+    pub is_held: bool,
+}
+
+/// A law with its inputs.
+pub(crate) trait Contact<T: Real>: Copy {
+    /// The force of the law as it is printed.
+    fn printed(&self) -> T;
+    /// No force planned before may exceed this: the load may have fallen since.
+    fn largest(&self) -> T;
+    /// The force over a step of a body of that mass.
+    fn stepped(&self, mass: T, step_size: T) -> Outcome<T>;
+    /// 1 if the contact is stuck, else 0.
+    fn sticking(&self, steps: &TimeStepping<T>) -> T;
+}
+
+/// What a contact is given: at an instant, or on the mean over a step.
+#[derive(Clone, Copy)]
+pub(crate) struct Inputs<T> {
+    pub velocity: T,
+    pub external_force: T,
+    pub normal_force: T,
+}
+
+/// A law that can hold a body of known mass.
+pub(crate) trait Holding<T: Real>: Copy {
+    /// Its contact.
+    type Contact<'a>: Contact<T>
+    where
+        Self: 'a;
+    fn contact(&self) -> Self::Contact<'_>;
+    fn time_stepping(&self) -> &TimeStepping<T>;
+    fn time_stepping_mut(&mut self) -> &mut TimeStepping<T>;
+    fn inputs(&self) -> Inputs<T>;
+    /// The same law with other inputs.
+    fn given(self, inputs: Inputs<T>) -> Self;
+
+    /// The law as it was over the last step: by the velocity at its beginning, for a master's guess of the acceleration
+    /// already holds a friction force, and by the means of the forces, whose impulse the body feels. Where
+    /// other inputs have been set since, they are for the step to come.
+    fn over_last_step(self) -> Self {
+        let (inputs, steps) = (self.inputs(), self.time_stepping());
+        let is_at = |now: T, end: T, change: T| {
+            let rounding = 4.0 * f64::EPSILON * (end.abs() + change.abs()).value();
+            (now - end).abs().value() <= rounding
+        };
+        let are_old = is_at(inputs.velocity, steps.end_velocity, steps.velocity_change)
+            && is_at(inputs.external_force, steps.end_external_force, steps.external_force_change);
+        if !are_old {
+            return self;
+        }
+        let half = T::from(0.5);
+        let inputs = Inputs {
+            velocity: inputs.velocity - steps.velocity_change,
+            external_force: inputs.external_force - half * steps.external_force_change,
+            normal_force: inputs.normal_force - half * steps.normal_force_change,
+        };
+        self.given(inputs)
+    }
+}
+
+/// The friction force at a communication point.
+#[inline]
+pub(crate) fn force<T: Real>(law: &impl Holding<T>) -> T {
+    let steps = law.time_stepping();
+    if !steps.is_active() {
+        law.contact().printed()
+    } else if steps.is_parallel() {
+        steps.planned_force.limited(law.contact().largest())
+    } else {
+        law.over_last_step().contact().stepped(steps.mass, steps.step_size).force
+    }
+}
+
+/// 1 if the contact is stuck, else 0.
+#[inline]
+pub(crate) fn sticking<T: Real>(law: &impl Holding<T>) -> T {
+    let steps = law.time_stepping();
+    if steps.is_active() { law.over_last_step().contact().sticking(steps) } else { law.contact().sticking(steps) }
+}
+
+impl<T: Real> TimeStepping<T> {
+    /// A body can be held as soon as its mass and the step are known.
+    #[inline]
+    pub(crate) fn is_active(&self) -> bool {
+        self.mass.value() > 0.0 && self.step_size.value() > 0.0
+    }
+
+    /// What an event has found the contact to do.
+    #[inline]
+    pub(crate) fn phase(&self) -> Phase {
+        Phase::of(self.phase.value())
+    }
+
+    fn is_parallel(&self) -> bool {
+        Exchange::of(self.exchange.value()) == Exchange::Parallel
+    }
+}
+
+impl TimeStepping {
+    /// Without what it remembers: a mass that is given later finds no old plan.
+    #[inline]
+    pub(crate) fn forgotten(self) -> TimeStepping {
+        TimeStepping {
+            mass: self.mass,
+            exchange: self.exchange,
+            step_size: 0.0,
+            planning_step: 0.0,
+            planned_force: 0.0,
+            end_velocity: 0.0,
+            end_external_force: 0.0,
+            velocity_change: 0.0,
+            external_force_change: 0.0,
+            normal_force_change: 0.0,
+            phase: Phase::Free.number(),
+        }
+    }
+
+    /// Has it nothing to forget?
+    #[inline]
+    pub(crate) fn is_forgotten(&self) -> bool {
+        // A plan and changes of inputs come with a step.
+        self.step_size == 0.0 && self.phase == Phase::Free.number()
+    }
+
+    /// With mass the force is that of a whole step, which an importer that integrates the body itself does not make.
+    pub(crate) fn check_exchange(&self) -> Result<(), Fault> {
+        if self.mass > 0.0 {
+            let text = format_args!("mass = {}: must be 0 in Model Exchange, which holds no force", self.mass);
+            return Err(Fault::new(text));
+        }
+        Ok(())
+    }
+}
+
+/// A step as a law remembers it.
+pub(crate) struct Done {
+    /// Energy that the friction force took out of the motion.
+    pub energy: f64,
+    /// Is the contact stuck? Known with mass only.
+    pub is_held: bool,
+}
+
+/// Advances a law by `dt` with held inputs.
+#[inline]
+pub(crate) fn step(law: &mut impl Holding<f64>, dt: f64) -> Done {
+    step_from(law, law.inputs(), dt)
+}
+
+/// Advances a law by `dt`, over which its inputs have moved linearly from `begin` to where they are now.
+#[inline]
+fn step_from(law: &mut impl Holding<f64>, begin: Inputs<f64>, dt: f64) -> Done {
+    // A step goes by the velocity, whatever an event has found.
+    law.time_stepping_mut().phase = Phase::Free.number();
+    if law.time_stepping().mass == 0.0 {
+        let steps = law.time_stepping_mut();
+        *steps = steps.forgotten();
+        let power = law.contact().printed() * law.inputs().velocity;
+        return Done { energy: power * dt, is_held: false };
+    }
+    step_with_mass(law, begin, dt)
+}
+
+fn step_with_mass(law: &mut impl Holding<f64>, begin: Inputs<f64>, dt: f64) -> Done {
+    let (end, is_first) = (law.inputs(), law.time_stepping().step_size == 0.0);
+    let steps = law.time_stepping_mut();
+    steps.velocity_change = end.velocity - begin.velocity;
+    steps.external_force_change = end.external_force - begin.external_force;
+    steps.normal_force_change = end.normal_force - begin.normal_force;
+    (steps.end_velocity, steps.end_external_force) = (end.velocity, end.external_force);
+    steps.step_size = dt;
+    // A force that stops the body in a short step throws it back in a long one, and the next step is not known yet.
+    steps.planning_step = dt.max(PLANNING_MEMORY * steps.planning_step);
+    let (steps, over) = (*steps, law.over_last_step());
+    if !steps.is_parallel() {
+        let Outcome { force, is_held } = over.contact().stepped(steps.mass, dt);
+        return Done { energy: work(&over, force, dt), is_held };
+    }
+    // The host still applies the force of the last exchange; the next one is planned for where that takes the body.
+    let applied = if is_first { over.contact().printed() } else { steps.planned_force };
+    // The forces go on as they have moved so far.
+    let ahead = 0.5 * steps.planning_step / dt;
+    let coming = law.given(Inputs {
+        velocity: velocity_after(&over, applied, dt),
+        external_force: end.external_force + ahead * steps.external_force_change,
+        normal_force: (end.normal_force + ahead * steps.normal_force_change).max(0.0),
+    });
+    let Outcome { force, is_held } = coming.contact().stepped(steps.mass, steps.planning_step);
+    law.time_stepping_mut().planned_force = force;
+    Done { energy: work(&over, applied, dt), is_held }
+}
+
+fn velocity_after(law: &impl Holding<f64>, force: f64, dt: f64) -> f64 {
+    let Inputs { velocity, external_force, .. } = law.inputs();
+    velocity + dt * (external_force - force) / law.time_stepping().mass
+}
+
+/// Force times the mean velocity over the step.
+fn work(law: &impl Holding<f64>, force: f64, dt: f64) -> f64 {
+    force * 0.5 * (law.inputs().velocity + velocity_after(law, force, dt)) * dt
+}
+
+/// Advances a law by `dt` while its inputs move with `slope`, if it has a mass: the force belongs to the whole step.
+/// Without one its inputs are for others to move: `None`.
+pub(crate) fn step_ramp<M: Model + Holding<f64>>(law: &mut M, slope: &M, dt: f64) -> Option<Done> {
+    if law.time_stepping().mass == 0.0 {
+        return None;
+    }
+    let begin = *law;
+    ramp::set_inputs(law, &begin, slope, dt);
+    Some(step_from(law, begin.inputs(), dt))
+}
+
+/// Inside a law: where its inputs are, for [`Holding`].
+macro_rules! holding {
+    ($T:ident) => {
+        fn time_stepping(&self) -> &$crate::friction::time_stepping::TimeStepping<$T> {
+            &self.time_stepping
+        }
+
+        fn time_stepping_mut(&mut self) -> &mut $crate::friction::time_stepping::TimeStepping<$T> {
+            &mut self.time_stepping
+        }
+
+        #[inline]
+        fn inputs(&self) -> $crate::friction::time_stepping::Inputs<$T> {
+            $crate::friction::time_stepping::Inputs {
+                velocity: self.velocity,
+                external_force: self.external_force,
+                normal_force: self.normal_force,
+            }
+        }
+
+        #[inline]
+        fn given(self, inputs: $crate::friction::time_stepping::Inputs<$T>) -> Self {
+            let $crate::friction::time_stepping::Inputs { velocity, external_force, normal_force } = inputs;
+            Self { velocity, external_force, normal_force, ..self }
+        }
+    };
+}
+pub(crate) use holding;
+
+/// 1 or 0, as a Boolean column holds it.
+#[inline]
+fn truth<T: Real>(is_true: bool) -> T {
+    T::from(f64::from(u8::from(is_true)))
+}

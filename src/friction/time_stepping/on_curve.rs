@@ -1,0 +1,290 @@
+//! A contact whose force is a function of the velocity.
+
+use super::phase::{Band, NO_EVENT, Phase, Rest, resting};
+use super::{Contact, Outcome, TimeStepping, truth};
+use crate::friction::unloading;
+use crate::laws::end_velocity::{self, Landing};
+use crate::number::{Dual, Real};
+
+/// A law whose force is a function of the velocity, odd and without memory: what it supplies, all else is shared.
+pub(crate) trait Curve<T: Real> {
+    /// The friction force at a velocity; if the law is set-valued at rest, at any velocity but 0.
+    fn curve(&self, velocity: T) -> T;
+
+    /// The static level or, without stiction, the Coulomb level.
+    fn level(&self) -> T;
+
+    /// Speed up to which a regularised contact counts as sticking. `None`: the law is set-valued at rest and holds up to
+    /// its level.
+    fn band(&self) -> Option<T>;
+
+    /// Speeds, in rising order and 0 if there are fewer, at which the curve has a kink or a jump. Between them, outwards
+    /// from rest, it must be rising, or first concave and then convex.
+    fn kinks(&self) -> [T; 2] {
+        [T::zero(); 2]
+    }
+}
+
+/// The same law with its values as constants, in dual numbers: for the slope of its curve.
+pub(crate) trait Lift {
+    type Lifted: Curve<Dual>;
+    fn lifted(&self) -> Self::Lifted;
+}
+
+/// A contact with a curve at a communication point.
+pub(crate) struct OnCurve<'a, T, L> {
+    pub law: &'a L,
+    pub velocity: T,
+    pub normal_force: T,
+    pub external_force: T,
+    /// What the last event of Model Exchange has found.
+    pub phase: Phase,
+}
+
+impl<T: Copy, L> Clone for OnCurve<'_, T, L> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<T: Copy, L> Copy for OnCurve<'_, T, L> {}
+
+impl<T: Real, L: Curve<T> + Lift> OnCurve<'_, T, L> {
+    /// Is the velocity within the band of a regularised law?
+    fn is_within(&self, band: T) -> bool {
+        match self.phase {
+            Phase::Free => self.velocity.abs() < band,
+            phase => phase == Phase::Held,
+        }
+    }
+
+    /// Does a set-valued law rest?
+    #[inline]
+    fn rests(&self) -> bool {
+        self.law.band().is_none()
+            && match self.phase {
+                Phase::Free => self.velocity.value() == 0.0,
+                phase => phase == Phase::Held,
+            }
+    }
+
+    /// Does a set-valued law rest, and is the external force within its level?
+    fn is_held(&self) -> bool {
+        self.rests() && self.external_force.abs() <= self.law.level()
+    }
+
+    /// What the body meets first, in the direction `side` in which it is driven.
+    fn landing(&self, inertia: f64, side: f64) -> Landing {
+        let law = self.law.lifted();
+        let [velocity, load] = [side * self.velocity.value(), side * self.external_force.value()];
+        let residual = |w: f64| {
+            let force = law.curve(Dual { value: side * w, slope: 1.0 });
+            Dual { value: inertia * (w - velocity) + side * force.value - load, slope: inertia + force.slope }
+        };
+        let marks = self.marks().map(|mark| mark.value());
+        // Below the last mark the curve has the sign of the velocity: at the velocity the body would reach without it,
+        // it is not positive.
+        let end = (velocity + load / inertia).min(marks[4].min(-f64::MIN_POSITIVE).next_down());
+        end_velocity::first(residual, &marks, velocity, end)
+    }
+
+    /// Velocities of the kinks and of rest, in falling order.
+    fn marks(&self) -> [T; 5] {
+        let [near, far] = self.law.kinks();
+        [far, near, T::zero(), -near, -far]
+    }
+
+    /// One Newton correction from the velocity at the end of the step, which gives it its derivatives.
+    fn corrected(&self, velocity: f64, inertia: T) -> T {
+        let law = self.law.lifted();
+        let slope = inertia.value() + law.curve(Dual { value: velocity, slope: 1.0 }).slope;
+        let velocity = T::from(velocity);
+        let residual = inertia * (velocity - self.velocity) + self.law.curve(velocity) - self.external_force;
+        // Where two zeros meet there is no derivative.
+        if slope > f64::EPSILON * inertia.value() { velocity - residual / T::from(slope) } else { velocity }
+    }
+
+    /// The force that ends the step at that velocity.
+    fn force_to_reach(&self, velocity: T, inertia: T) -> T {
+        self.external_force + inertia * (self.velocity - velocity)
+    }
+}
+
+impl<T: Real, L: Curve<T> + Lift> Contact<T> for OnCurve<'_, T, L> {
+    #[inline]
+    fn printed(&self) -> T {
+        if self.rests() {
+            return resting(self.phase, self.external_force, self.law.level());
+        }
+        self.law.curve(match self.phase.direction() {
+            // Beyond rest the curve goes on as it has ended.
+            Some(direction) if self.law.band().is_none() && direction * self.velocity.value() <= 0.0 => {
+                T::from(direction * f64::MIN_POSITIVE)
+            }
+            _ => self.velocity,
+        })
+    }
+
+    fn largest(&self) -> T {
+        self.law.level() + self.law.curve(self.velocity).abs()
+    }
+
+    fn stepped(&self, mass: T, step_size: T) -> Outcome<T> {
+        let inertia = mass / step_size;
+        // The body accelerates against the force that its present velocity lacks or has too much.
+        let side = (self.printed() - self.external_force).sign().value();
+        if self.is_held() {
+            return Outcome { force: self.force_to_reach(T::zero(), inertia), is_held: true };
+        }
+        if side == 0.0 || !inertia.value().is_finite() {
+            return Outcome { force: self.printed(), is_held: false };
+        }
+        match self.landing(inertia.value(), side) {
+            Landing::Curve(velocity) => {
+                let velocity = self.corrected(side * velocity, inertia);
+                Outcome { force: self.law.curve(velocity), is_held: false }
+            }
+            Landing::Jump(mark) => {
+                let velocity = T::from(side) * self.marks()[mark];
+                Outcome { force: self.force_to_reach(velocity, inertia), is_held: velocity.value() == 0.0 }
+            }
+        }
+    }
+
+    #[inline]
+    fn sticking(&self, steps: &TimeStepping<T>) -> T {
+        truth(match self.law.band() {
+            Some(band) => self.is_within(band) && self.normal_force.value() > 0.0,
+            None if self.law.level().value() == 0.0 => false,
+            None if steps.is_active() => self.stepped(steps.mass, steps.step_size).is_held,
+            None => self.is_held(),
+        })
+    }
+}
+
+/// Event indicators of a law with a curve: of its phase, of its kinks, and of its load.
+pub(crate) const EVENTS_ON_CURVE: usize = 4;
+
+impl<L: Curve<f64>> OnCurve<'_, f64, L> {
+    fn rest(&self) -> Rest {
+        let OnCurve { phase, velocity, external_force, .. } = *self;
+        Rest { phase, velocity, external_force, level: self.law.level() }
+    }
+
+    fn around_rest(&self, width: f64) -> Band {
+        Band { phase: self.phase, velocity: self.velocity, width }
+    }
+
+    pub(crate) fn write_indicators(&self, indicators: &mut [f64]) {
+        let distance = |kink: f64| if kink > 0.0 { self.velocity.abs() / kink - 1.0 } else { NO_EVENT };
+        let [near, far] = self.law.kinks().map(distance);
+        let phase = match self.law.band() {
+            Some(width) => self.around_rest(width).indicator(),
+            None => self.rest().indicator(),
+        };
+        indicators.copy_from_slice(&[phase, near, far, unloading::load(self.normal_force)]);
+    }
+
+    /// At an event: what the contact does after it.
+    pub(crate) fn settled(&self) -> Phase {
+        self.law.band().map_or_else(|| self.rest().settled(), |width| self.around_rest(width).settled())
+    }
+}
+
+/// What all laws with a [`Curve`] share: outputs, step and energy. `memoryless!(Law)` gives the outputs,
+/// `memoryless!();` inside `impl Model` the step.
+macro_rules! memoryless {
+    ($Law:ident) => {
+        impl<T: Real> $crate::friction::time_stepping::Holding<T> for $Law<T> {
+            type Contact<'a>
+                = $crate::friction::time_stepping::OnCurve<'a, T, Self>
+            where
+                T: 'a;
+
+            #[inline]
+            fn contact(&self) -> $crate::friction::time_stepping::OnCurve<'_, T, Self> {
+                $crate::friction::time_stepping::OnCurve {
+                    law: self,
+                    velocity: self.velocity,
+                    normal_force: self.normal_force,
+                    external_force: self.external_force,
+                    phase: self.time_stepping.phase(),
+                }
+            }
+
+            $crate::friction::time_stepping::holding!(T);
+        }
+
+        impl<T: Real> $crate::friction::time_stepping::Lift for $Law<T> {
+            type Lifted = $Law<$crate::number::Dual>;
+
+            fn lifted(&self) -> Self::Lifted {
+                self.map(&|number| number.value().into())
+            }
+        }
+
+        impl<T: Real> $crate::model::Law for $Law<T> {
+            #[inline]
+            fn output(&mut self) {
+                let force = $crate::friction::time_stepping::force(self);
+                let sticking = $crate::friction::time_stepping::sticking(self);
+                self.friction_force = force;
+                self.dissipated_power = force * self.velocity;
+                self.sticking = sticking;
+            }
+
+            fn derivatives(&self, rate: &mut Self) {
+                rate.dissipated_energy = $crate::friction::time_stepping::force(self) * self.velocity;
+            }
+        }
+    };
+
+    () => {
+        const MODEL_EXCHANGE: bool = true;
+        const EVENT_INDICATORS: usize = $crate::friction::time_stepping::EVENTS_ON_CURVE;
+
+        fn step(&mut self, dt: f64) {
+            self.dissipated_energy += $crate::friction::time_stepping::step(self, dt).energy;
+        }
+
+        #[inline(always)]
+        fn step_and_output(&mut self, dt: f64) {
+            if self.time_stepping.mass == 0.0 {
+                // The force over the step is the force after it.
+                if !self.time_stepping.is_forgotten() {
+                    self.time_stepping = self.time_stepping.forgotten();
+                }
+                $crate::model::Law::output(self);
+                self.dissipated_energy += self.dissipated_power * dt;
+            } else {
+                self.step(dt);
+                $crate::model::Law::output(self);
+            }
+        }
+
+        fn kinks(&self) -> [f64; 2] {
+            $crate::friction::time_stepping::Curve::kinks(self)
+        }
+
+        fn step_ramp(&mut self, slope: &Self, dt: f64) {
+            match $crate::friction::time_stepping::step_ramp(self, slope, dt) {
+                Some(done) => self.dissipated_energy += done.energy,
+                None => $crate::ramp::advance(self, slope, dt),
+            }
+        }
+
+        fn check_exchange(&self) -> Result<(), $crate::model::Fault> {
+            self.time_stepping.check_exchange()
+        }
+
+        fn event_indicators(&self, indicators: &mut [f64]) {
+            $crate::friction::time_stepping::Holding::contact(self).write_indicators(indicators);
+        }
+
+        fn at_event(&mut self) {
+            let phase = $crate::friction::time_stepping::Holding::contact(self).settled();
+            self.time_stepping.phase = phase.number();
+        }
+    };
+}
+pub(crate) use memoryless;

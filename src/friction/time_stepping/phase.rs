@@ -1,0 +1,127 @@
+//! What a contact does between two events of Model Exchange, and when that ends.
+
+use crate::number::Real;
+
+crate::choices! {
+    /// What a contact does between two events of Model Exchange.
+    pub enum Phase {
+        /// What its velocity says: no event has settled it, as in co-simulation.
+        Free,
+        /// Held, or within the band around rest.
+        Held,
+        /// Slides with positive velocity.
+        Forward,
+        /// Slides with negative velocity.
+        Backward,
+    }
+}
+
+impl Phase {
+    pub(super) fn sliding(direction: f64) -> Phase {
+        if direction < 0.0 { Phase::Backward } else { Phase::Forward }
+    }
+
+    /// The direction in which it slides, if it is settled that it does.
+    pub(super) fn direction(self) -> Option<f64> {
+        match self {
+            Phase::Forward => Some(1.0),
+            Phase::Backward => Some(-1.0),
+            Phase::Free | Phase::Held => None,
+        }
+    }
+
+    /// As the column holds it.
+    pub(crate) fn number(self) -> f64 {
+        f64::from(self as i32 + 1)
+    }
+}
+
+/// A contact that is set-valued at rest, in Model Exchange. Between events it is held, or slides in one direction, whatever
+/// its velocity: what a solver tries on the way beyond the instant of rest goes by the same smooth law.
+pub(super) struct Rest {
+    pub phase: Phase,
+    pub velocity: f64,
+    pub external_force: f64,
+    pub level: f64,
+}
+
+/// The force at rest. What an event has found held stays so until the next one, which the external force brings about.
+#[inline]
+pub(super) fn resting<T: Real>(phase: Phase, external_force: T, level: T) -> T {
+    if phase == Phase::Held { external_force } else { external_force.limited(level) }
+}
+
+/// Speed above which a held body is moved by something else, such as a velocity that is given (chosen).
+const MOVED: f64 = 1e-6;
+
+/// Part of it by which a body that comes to rest must have passed the rest (chosen): no event lies at a zero.
+const PASSED: f64 = 1e-3;
+
+/// Part of the level by which the external force must exceed it, or be below it (chosen).
+pub(super) const REACHED: f64 = 1e-9;
+
+impl Rest {
+    /// What the level leaves for more force in a direction, in parts of the larger of the two.
+    pub(super) fn reserve(&self, force: f64) -> f64 {
+        let size = self.level.max(force.abs());
+        if size > 0.0 { (self.level - force) / size } else { 0.0 }
+    }
+
+    /// Positive until the phase has to change.
+    pub(super) fn indicator(&self) -> f64 {
+        let speed = self.velocity / MOVED;
+        match self.phase.direction() {
+            None => (self.reserve(self.external_force.abs()) + REACHED).min(1.0 - speed.abs()),
+            // What drives a body on starts it again by itself, unless its velocity is given.
+            Some(direction) => {
+                let (along, drive) = (direction * speed, REACHED - self.reserve(direction * self.external_force));
+                (along + PASSED).max(drive.min(along + 1.0))
+            }
+        }
+    }
+
+    /// At an event: what the contact does after it. The limits lie between those of the indicator, so that it is clearly
+    /// positive then.
+    pub(super) fn settled(&self) -> Phase {
+        let is_slow = self.velocity.abs() <= 0.5 * MOVED;
+        let has_come_to_rest = self.phase.direction().is_none_or(|direction| direction * self.velocity <= 0.0);
+        if !(is_slow && has_come_to_rest) {
+            Phase::sliding(self.velocity)
+        } else if self.reserve(self.external_force.abs()) > 0.5 * REACHED {
+            Phase::Held
+        } else if self.external_force == 0.0 {
+            Phase::sliding(self.velocity)
+        } else {
+            Phase::sliding(self.external_force)
+        }
+    }
+}
+
+/// Width of the hysteresis at the edges of a band, in parts of it (chosen).
+const EDGE: f64 = 1e-6;
+
+/// A contact with a band around rest, in Model Exchange.
+pub(super) struct Band {
+    pub phase: Phase,
+    pub velocity: f64,
+    pub width: f64,
+}
+
+impl Band {
+    /// Positive until the phase has to change.
+    pub(super) fn indicator(&self) -> f64 {
+        let speed = self.velocity / self.width;
+        match self.phase.direction() {
+            None => 1.0 + EDGE - speed.abs(),
+            Some(direction) => direction * speed - (1.0 - EDGE),
+        }
+    }
+
+    /// At an event: what the contact does after it.
+    pub(super) fn settled(&self) -> Phase {
+        if self.velocity.abs() <= self.width { Phase::Held } else { Phase::sliding(self.velocity) }
+    }
+}
+
+/// Event indicator of what does not happen.
+pub(super) const NO_EVENT: f64 = 1.0;

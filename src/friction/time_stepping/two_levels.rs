@@ -1,0 +1,182 @@
+//! A contact with a static and a kinetic level.
+
+use super::phase::{Band, NO_EVENT, Phase, REACHED, Rest, resting};
+use super::{Contact, Outcome, TimeStepping, truth};
+use crate::friction::unloading;
+use crate::laws::stopping::{force_to_stop, is_held};
+use crate::number::Real;
+
+/// A contact with two levels, f_C while sliding and f_s at rest, that remembers whether it is stuck.
+#[derive(Clone, Copy)]
+pub(crate) struct TwoLevels<T> {
+    pub velocity: T,
+    pub external_force: T,
+    /// Level while sliding, f_C.
+    pub kinetic: T,
+    /// Level at rest, f_s.
+    pub statical: T,
+    /// The body counts as at rest up to this speed (0: at rest exactly).
+    pub band: T,
+    /// Is the contact stuck since the last step?
+    pub stuck: bool,
+    /// What the last event of Model Exchange has found.
+    pub phase: Phase,
+}
+
+impl<T: Real> TwoLevels<T> {
+    fn is_at_rest(&self) -> bool {
+        self.velocity.abs() <= self.band
+    }
+
+    /// Does it rest, or is it within the band?
+    fn rests(&self) -> bool {
+        match self.phase {
+            Phase::Free => self.stuck || self.is_at_rest(),
+            phase => phase == Phase::Held,
+        }
+    }
+}
+
+/// Event indicators of a contact with two levels: of its phase, of what it holds within its band, and of its load.
+pub(crate) const EVENTS_OF_TWO_LEVELS: usize = 3;
+
+impl TwoLevels<f64> {
+    fn rest(&self) -> Rest {
+        let TwoLevels { phase, velocity, external_force, statical, .. } = *self;
+        Rest { phase, velocity, external_force, level: statical }
+    }
+
+    fn around_rest(&self) -> Band {
+        Band { phase: self.phase, velocity: self.velocity, width: self.band }
+    }
+
+    pub(crate) fn write_indicators(&self, indicators: &mut [f64]) {
+        let rest = self.rest();
+        let [phase, reserve] = match (self.band > 0.0, self.phase) {
+            (false, _) => [rest.indicator(), NO_EVENT],
+            (true, Phase::Held) => [self.around_rest().indicator(), rest.reserve(self.external_force.abs()) + REACHED],
+            (true, _) => [self.around_rest().indicator(), NO_EVENT],
+        };
+        indicators.copy_from_slice(&[phase, reserve, unloading::load(self.statical)]);
+    }
+
+    /// At an event: what the contact does after it.
+    pub(crate) fn settled(&self) -> Phase {
+        if self.band > 0.0 { self.around_rest().settled() } else { self.rest().settled() }
+    }
+}
+
+impl<T: Real> Contact<T> for TwoLevels<T> {
+    /// The law without memory: kinetic level outside the band; inside it the external force, up to the static level.
+    fn printed(&self) -> T {
+        if self.rests() {
+            let phase = if self.band.value() > 0.0 { Phase::Free } else { self.phase };
+            return resting(phase, self.external_force, self.statical);
+        }
+        self.kinetic * self.phase.direction().map_or(self.velocity.sign(), T::from)
+    }
+
+    fn largest(&self) -> T {
+        self.statical
+    }
+
+    fn stepped(&self, mass: T, step_size: T) -> Outcome<T> {
+        let TwoLevels { velocity, kinetic, statical, .. } = *self;
+        let stopping = force_to_stop(velocity, self.external_force, mass, step_size);
+        let is_held = is_held(stopping, velocity, self.stuck || self.is_at_rest(), kinetic, statical);
+        let force = match (is_held, self.is_at_rest()) {
+            (true, _) => stopping,
+            (false, true) => stopping.limited(statical),
+            (false, false) => stopping.limited(kinetic),
+        };
+        Outcome { force, is_held }
+    }
+
+    fn sticking(&self, steps: &TimeStepping<T>) -> T {
+        let sticking =
+            if steps.is_active() { self.stuck } else { self.rests() && self.external_force.abs() <= self.statical };
+        truth(sticking && self.statical.value() > 0.0)
+    }
+}
+
+/// What the laws with a [`TwoLevels`] contact share. The band is that of the law.
+macro_rules! two_levels {
+    ($Law:ident, |$law:ident| $band:expr) => {
+        impl<T: Real> $crate::friction::time_stepping::Holding<T> for $Law<T> {
+            type Contact<'a>
+                = $crate::friction::time_stepping::TwoLevels<T>
+            where
+                T: 'a;
+
+            fn contact(&self) -> $crate::friction::time_stepping::TwoLevels<T> {
+                let $law = self;
+                $crate::friction::time_stepping::TwoLevels {
+                    velocity: self.velocity,
+                    external_force: self.external_force,
+                    kinetic: self.mu_k * self.normal_force,
+                    statical: self.mu_s * self.normal_force,
+                    band: $band,
+                    stuck: self.stuck.value() != 0.0,
+                    phase: self.time_stepping.phase(),
+                }
+            }
+
+            $crate::friction::time_stepping::holding!(T);
+        }
+
+        impl<T: Real> $crate::model::Law for $Law<T> {
+            fn output(&mut self) {
+                self.friction_force = $crate::friction::time_stepping::force(self);
+                self.dissipated_power = self.friction_force * self.velocity;
+                self.sticking = $crate::friction::time_stepping::sticking(self);
+            }
+
+            fn derivatives(&self, rate: &mut Self) {
+                rate.dissipated_energy = $crate::friction::time_stepping::force(self) * self.velocity;
+            }
+        }
+
+        impl $Law {
+            fn remember(&mut self, done: $crate::friction::time_stepping::Done) {
+                self.dissipated_energy += done.energy;
+                self.stuck = f64::from(u8::from(done.is_held));
+            }
+        }
+    };
+
+    () => {
+        const MODEL_EXCHANGE: bool = true;
+        const EVENT_INDICATORS: usize = $crate::friction::time_stepping::EVENTS_OF_TWO_LEVELS;
+
+        fn check(&self) -> Result<(), $crate::model::Fault> {
+            $crate::friction::static_not_below_kinetic(self.mu_s, self.mu_k)
+        }
+
+        fn check_exchange(&self) -> Result<(), $crate::model::Fault> {
+            self.time_stepping.check_exchange()
+        }
+
+        fn event_indicators(&self, indicators: &mut [f64]) {
+            $crate::friction::time_stepping::Holding::contact(self).write_indicators(indicators);
+        }
+
+        fn at_event(&mut self) {
+            let contact = $crate::friction::time_stepping::Holding::contact(self);
+            self.time_stepping.phase = contact.settled().number();
+            self.stuck = 0.0;
+        }
+
+        fn step(&mut self, dt: f64) {
+            let done = $crate::friction::time_stepping::step(self, dt);
+            self.remember(done);
+        }
+
+        fn step_ramp(&mut self, slope: &Self, dt: f64) {
+            match $crate::friction::time_stepping::step_ramp(self, slope, dt) {
+                Some(done) => self.remember(done),
+                None => $crate::ramp::advance(self, slope, dt),
+            }
+        }
+    };
+}
+pub(crate) use two_levels;
