@@ -12,6 +12,8 @@ from math import atan2, hypot, pi, sqrt
 
 import numpy
 
+GRAVITY = 9.81  # m/s2
+
 # The benchmark of F. Novais, MSc thesis, University of Minho (2024), Table 6.1; SI units.
 BENCHMARK = {
     "mass": 1.0,
@@ -19,7 +21,7 @@ BENCHMARK = {
     "belt_velocity": 0.1,
     "mu_k": 0.1,
     "mu_s": 0.15,
-    "normal_force": 9.81,
+    "normal_force": GRAVITY,
 }
 
 
