@@ -30,6 +30,7 @@ class Cycle:
     """The periodic motion of the block on the belt; times in s, positions in m."""
 
     first_slip: float
+    first_maximum: float
     period: float
     x_min: float
     x_max: float
@@ -45,8 +46,10 @@ def stick_slip(mass, stiffness, belt_velocity, mu_k, mu_s, normal_force) -> Cycl
     d = (mu_s - mu_k) * normal_force / stiffness
     slip = 2.0 / w * (pi - atan2(d * w, belt_velocity))
     amplitude = hypot(d, belt_velocity / w)
+    first_slip = (centre + d) / belt_velocity
     return Cycle(
-        first_slip=(centre + d) / belt_velocity,
+        first_slip=first_slip,
+        first_maximum=first_slip + atan2(belt_velocity, d * w) / w,
         period=2.0 * d / belt_velocity + slip,
         x_min=centre - amplitude,
         x_max=centre + amplitude,
@@ -60,6 +63,7 @@ def without_stiction(mass, stiffness, belt_velocity, mu_k, normal_force) -> Cycl
     amplitude = belt_velocity / w
     return Cycle(
         first_slip=centre / belt_velocity,
+        first_maximum=centre / belt_velocity + 0.5 * pi / w,
         period=2.0 * pi / w,
         x_min=centre - amplitude,
         x_max=centre + amplitude,
@@ -99,6 +103,7 @@ def measure(time: numpy.ndarray, position: numpy.ndarray, sticking: numpy.ndarra
     slipping = numpy.flatnonzero(~sticking)
     return Cycle(
         first_slip=time[slipping[0]] if len(slipping) else numpy.nan,
+        first_maximum=instants[0] if len(instants) else numpy.nan,
         period=instants[-1] - instants[-2] if len(instants) > 1 else numpy.nan,
         x_min=position[time > instants[0]].min() if len(instants) else numpy.nan,
         x_max=heights[-1] if len(heights) else numpy.nan,

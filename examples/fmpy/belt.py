@@ -109,7 +109,7 @@ class Coupling:
 
     def record(self) -> list[float]:
         """The state of the rig, the force on which it takes its next step, and whether the contact sticks."""
-        make([self.recorded.get, self.sticking.get])
+        make(self.recorded.get, self.sticking.get)
         return [*self.recorded.values, self.force.values[0], self.sticking.values[0]]
 
     def run(self, exchange: str, steps: int, every: int) -> numpy.ndarray:
@@ -118,10 +118,12 @@ class Coupling:
         rows = numpy.empty((steps // every + 1, len(RECORDED) + 2))
         for at in range(steps):
             self.clock.time.value = at * step
-            make(calls)
-            if at % every == 0:
+            if at % every:
+                make(*calls, self.rig_step)
+            else:
+                make(*calls)
                 rows[at // every] = self.record()
-            make([self.rig_step])
+                make(self.rig_step)
         # After the last step there is a motion but no further force.
         if steps % every == 0:
             rows[-1] = self.record()

@@ -1,8 +1,7 @@
-"""FMI functions with their arguments prepared once, for loops of a million steps: 2 us per step instead of 14."""
+"""FMI functions with their arguments prepared once: a step of a loop takes a seventh of the time that fmpy's take."""
 
 import ctypes
-from collections.abc import Callable, Iterable
-from dataclasses import dataclass
+import functools
 
 from coupling import Fmu
 from fmpy.fmi1 import FMICallException
@@ -10,29 +9,23 @@ from fmpy.fmi1 import FMICallException
 # The largest status with which a run goes on: OK is 0, a warning 1.
 WARNING = 1
 
-
-@dataclass(frozen=True)
-class Call:
-    """A function of an FMU that needs no more arguments; returns its status."""
-
-    name: str
-    function: Callable[[], int]
+# A function of an FMU that needs no more arguments and returns its status.
+Call = functools.partial[int]
 
 
 def prepared(fmu: Fmu, name: str, *arguments) -> Call:
     """Binds arguments of C types, which are read at each call, to a function of an FMU."""
     function = ctypes.PyDLL(None, handle=fmu.slave.dll._handle)[name]
     function.restype = ctypes.c_int
-    component = ctypes.c_void_p(fmu.slave.component)
-    return Call(name, lambda: function(component, *arguments))
+    return functools.partial(function, ctypes.c_void_p(fmu.slave.component), *arguments)
 
 
-def make(calls: Iterable[Call]) -> None:
+def make(*calls: Call) -> None:
     """Makes calls one after the other; the first that fails ends the run."""
     for call in calls:
-        status = call.function()
+        status = call()
         if status > WARNING:
-            raise FMICallException(function=call.name, status=status)
+            raise FMICallException(function=call.func.__name__, status=status)
 
 
 class Reals:
