@@ -8,11 +8,15 @@ from x = 0 at rest on the belt. With kinetic level f_C and static level f_s, w =
 """
 
 from dataclasses import dataclass
-from math import atan2, hypot, pi, sqrt
+from math import atan2, hypot, isnan, pi, sqrt
 
 import numpy
 
 GRAVITY = 9.81  # m/s2
+
+# Two runs agree if their times differ by less. The coupling is of first order: a run is twice as far from a converged
+# one as from the run with half its step.
+AGREEMENT = 5e-3
 
 # The benchmark of F. Novais, MSc thesis, University of Minho (2024), Table 6.1; SI units.
 BENCHMARK = {
@@ -34,6 +38,12 @@ class Cycle:
     period: float
     x_min: float
     x_max: float
+
+
+def compared_time(cycle: Cycle, is_random: bool) -> float:
+    """What two runs of a law are compared by: the last period; if there is none, or if it scatters because the law is
+    random, the instant of the first maximum."""
+    return cycle.first_maximum if is_random or isnan(cycle.period) else cycle.period
 
 
 def stick_slip(mass, stiffness, belt_velocity, mu_k, mu_s, normal_force) -> Cycle:

@@ -12,6 +12,8 @@ with its weight. Models in the plane and in space slide along x. `--exchange` is
     sequential   the friction FMU steps first, the rig then steps with its force (Gauss-Seidel)
     feedthrough  the force is read as soon as the inputs are set, then both step
     parallel     both step, then exchange all values (Jacobi): what most masters do
+
+Each run is repeated with half the step, and said to be too coarse where that changes its period.
 """
 
 import argparse
@@ -22,7 +24,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy
-from analysis import GRAVITY, Cycle, measure
+from analysis import AGREEMENT, GRAVITY, Cycle, compared_time, measure
 from coupling import (
     FMUS,
     CouplingError,
@@ -157,6 +159,11 @@ def friction_values(friction_path: Path, mass: float, exchange: str, chosen: Map
     return values | dict(chosen)
 
 
+def is_random(model: str, fmu_dir: Path = FMUS) -> bool:
+    """Is the motion of a law a matter of chance, which a step of another length draws anew?"""
+    return "seed" in variables_of(friction_path_of(model, fmu_dir))
+
+
 def limit_of_step(
     model: str,
     fmu_dir: Path = FMUS,
@@ -232,11 +239,23 @@ def summary(cycle: Cycle) -> str:
     return f"first slip at {cycle.first_slip:.4f} s, then a period of {cycle.period:.4f} s"
 
 
-def report(run: BeltRun, step: float, limit: float) -> None:
+def cycle_of(run: BeltRun) -> Cycle:
+    """What is measured of a run."""
+    return measure(run.time, run.position, run.sticking)
+
+
+def report(options: argparse.Namespace, run: BeltRun) -> None:
     """Prints what was measured, and whether the step was short enough."""
-    print(f"{run.model}: {summary(measure(run.time, run.position, run.sticking))}")
-    if step > limit:
+    parameters, rig = dict(options.set), dict(options.rig)
+    print(f"{run.model}: {summary(cycle_of(run))}")
+    limit = limit_of_step(run.model, options.fmus, parameters, rig)
+    if options.step > limit:
         print(f"the law is steep: a block at rest chatters unless --step is below {limit:.1e} s")
+    half = 0.5 * options.step
+    finer = run_belt(options.fmus, run.model, half, options.time, options.exchange, parameters, rig, every=2)
+    times = [compared_time(cycle_of(one), is_random(run.model, options.fmus)) for one in (run, finer)]
+    if abs(times[0] / times[1] - 1.0) > AGREEMENT:
+        print(f"--step is too long for this law: half of it gives {times[1]:.4f} s instead of {times[0]:.4f} s")
 
 
 def program() -> None:
@@ -251,7 +270,7 @@ def program() -> None:
     for run in runs:
         files.append(Path(f"{options.out}.csv" if len(runs) == 1 else f"{options.out}_{run.model}.csv"))
         write_csv(files[-1], run.columns())
-        report(run, options.step, limit_of_step(run.model, options.fmus, parameters, rig))
+        report(options, run)
     files.append(Path(f"{options.out}.png"))
     if len(runs) == 1:
         draw_belt(runs[0], files[-1])

@@ -5,12 +5,9 @@ import time
 from dataclasses import dataclass
 from pathlib import Path
 
-from analysis import measure
-from belt import BeltRun, limit_of_step, run_belt
+from analysis import AGREEMENT, compared_time, measure
+from belt import BeltRun, is_random, limit_of_step, run_belt
 from coupling import FMUS, CouplingError, friction_path_of, variables_of
-
-# The coupling is of first order: a run is twice as far from a converged one as from the run with half its step.
-AGREEMENT = 5e-3
 
 # The first step is halved this often at most.
 LONGEST, HALVINGS = 1e-3, 8
@@ -36,15 +33,9 @@ class Converged:
         return self.value / self.finer - 1.0
 
 
-def is_random(model: str, fmu_dir: Path = FMUS) -> bool:
-    """Is the motion of a law a matter of chance, which a step of another length draws anew?"""
-    return "seed" in variables_of(friction_path_of(model, fmu_dir))
-
-
 def measured(run: BeltRun, random: bool) -> float:
-    """The last period; of a law of random bonds, whose periods scatter, the instant of the first maximum."""
-    cycle = measure(run.time, run.position, run.sticking)
-    value = cycle.first_maximum if random or math.isnan(cycle.period) else cycle.period
+    """What the run is compared by."""
+    value = compared_time(measure(run.time, run.position, run.sticking), random)
     if math.isnan(value):
         raise CouplingError(f"{run.model}: the block never turns back in {run.time[-1]:g} s, nothing can be compared")
     return value

@@ -6,9 +6,10 @@ motion, and a car on four posts with and without friction in its struts.
 import sys
 from pathlib import Path
 
+from analysis import AGREEMENT
 from belt import BeltRun
 from car_pictures import draw_four_post
-from convergence import AGREEMENT, converged
+from convergence import converged
 from coupling import FMUS, CouplingError, friction_path_of, laws_in, main
 from four_post import report, run_four_post
 from make_motion import MOTION

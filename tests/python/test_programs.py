@@ -70,6 +70,12 @@ def test_several_models_share_a_picture_and_have_a_table_each(tmp_path):
     assert is_drawn(tmp_path / "out" / "belt.png")
 
 
+def test_belt_says_that_a_step_is_too_long_for_a_law_that_trembles(tmp_path):
+    """At 1 ms the speeds at rest reach the Stribeck velocity; the block then slips early, and the period is short."""
+    done = start("belt.py", "--model", "FrictionalLag", "CoulombStiction", folder=tmp_path)
+    assert done.stdout.count("--step is too long for this law: half of it gives 5.7") == 1
+
+
 def test_replay_writes_table_and_picture(tmp_path):
     done = start("replay.py", "--model", "Dahl", "--hold", folder=tmp_path)
     assert done.returncode == 0, done.stderr
