@@ -88,8 +88,10 @@ def maxima(time: numpy.ndarray, position: numpy.ndarray) -> tuple[numpy.ndarray,
     """
     settled = position[int(numpy.argmax(position)) :]
     middle = 0.5 * (settled.min() + settled.max())
-    edges = numpy.flatnonzero(numpy.diff((position > middle).astype(int)))
-    begins, ends = edges[0::2] + 1, edges[1::2] + 1
+    crossings = numpy.diff((position > middle).astype(int))
+    begins, ends = numpy.flatnonzero(crossings > 0) + 1, numpy.flatnonzero(crossings < 0) + 1
+    # A record that begins above the middle has cut off its first excursion.
+    ends = ends[ends > begins[0]] if len(begins) else ends
     found = [_vertex(time, position, begin, end) for begin, end in zip(begins, ends, strict=False)]
     instants, heights = zip(*found, strict=True) if found else ((), ())
     return numpy.array(instants), numpy.array(heights)
