@@ -8,7 +8,7 @@ import numpy
 import pytest
 from analysis import AGREEMENT, Cycle, compared_time, measure
 from belt import BeltRun, run_belt
-from coupling import CouplingError, path_of, variables_of
+from coupling import CouplingError
 
 
 def test_the_step_is_halved_until_the_period_stays(monkeypatch):
@@ -69,8 +69,8 @@ def test_without_lag_the_law_is_the_one_of_the_static_curve():
     assert period == pytest.approx(belt_solutions.periods()["CoulombStiction"], rel=1e-3)
 
 
-def test_the_acceleration_is_connected_and_not_the_one_of_the_next_step():
-    """While the block slips down its acceleration falls below 0 once per cycle: the lower branch shows."""
+def test_the_acceleration_is_connected():
+    """Before the block comes to rest it slows down: the force is that of the lower branch, to the last digits."""
     run = run_belt(model="Wojewoda", step=1e-4, time=10.5)
     slow = (run.velocity < -1e-3) & (run.velocity > -2e-3)
     slows_down = slow & (run.acceleration > 0.1) & ~run.sticking
@@ -80,6 +80,5 @@ def test_the_acceleration_is_connected_and_not_the_one_of_the_next_step():
 
 
 def test_a_call_that_fails_ends_the_run_with_the_reason_of_the_model():
-    assert "velocity" in variables_of(path_of("Dahl"))
     with pytest.raises(CouplingError, match="fmi2"):
         run_belt(model="Dahl", rig={"block_velocity": 1e308, "stiffness": 1e300})
