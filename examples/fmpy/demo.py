@@ -28,12 +28,8 @@ FREQUENCY = 2.0
 
 def run_on_belt(models: list[str]) -> list[BeltRun]:
     """Runs the models and prints a line of the table for each."""
-    print(
-        f"Block on a moving belt, {TIME:g} s. Each law is compared with itself at half the step; a step is halved until"
-    )
-    print(
-        f"the last period changes by less than {AGREEMENT:.1%}: {2.0 * AGREEMENT:.0%} from a converged run at most.\n"
-    )
+    print(f"Block on a moving belt, {TIME:g} s; each law against itself. The step is halved until the last period")
+    print(f"changes by {AGREEMENT:.1%} at most: then it is within {2.0 * AGREEMENT:.0%} of that of a converged run.\n")
     print(f"{'model':19} {'step':>11} {'period':>10} {'at half step':>13} {'difference':>11} {'steps/s':>9}  remarks")
     runs = []
     for model in models:
