@@ -8,9 +8,15 @@ from x = 0 at rest on the belt. With kinetic level f_C and static level f_s, w =
 """
 
 from dataclasses import dataclass
-from math import atan2, hypot, pi, sqrt
+from math import atan2, hypot, isnan, pi, sqrt
 
 import numpy
+
+GRAVITY = 9.81  # m/s2
+
+# Two runs agree if their times differ by less. The coupling is of first order: a run is twice as far from a converged
+# one as from the run with half its step.
+AGREEMENT = 5e-3
 
 # The benchmark of F. Novais, MSc thesis, University of Minho (2024), Table 6.1; SI units.
 BENCHMARK = {
@@ -19,7 +25,7 @@ BENCHMARK = {
     "belt_velocity": 0.1,
     "mu_k": 0.1,
     "mu_s": 0.15,
-    "normal_force": 9.81,
+    "normal_force": GRAVITY,
 }
 
 
@@ -28,9 +34,16 @@ class Cycle:
     """The periodic motion of the block on the belt; times in s, positions in m."""
 
     first_slip: float
+    first_maximum: float
     period: float
     x_min: float
     x_max: float
+
+
+def compared_time(cycle: Cycle, is_random: bool) -> float:
+    """What two runs of a law are compared by: the last period; if there is none, or if it scatters because the law is
+    random, the instant of the first maximum."""
+    return cycle.first_maximum if is_random or isnan(cycle.period) else cycle.period
 
 
 def stick_slip(mass, stiffness, belt_velocity, mu_k, mu_s, normal_force) -> Cycle:
@@ -43,8 +56,10 @@ def stick_slip(mass, stiffness, belt_velocity, mu_k, mu_s, normal_force) -> Cycl
     d = (mu_s - mu_k) * normal_force / stiffness
     slip = 2.0 / w * (pi - atan2(d * w, belt_velocity))
     amplitude = hypot(d, belt_velocity / w)
+    first_slip = (centre + d) / belt_velocity
     return Cycle(
-        first_slip=(centre + d) / belt_velocity,
+        first_slip=first_slip,
+        first_maximum=first_slip + atan2(belt_velocity, d * w) / w,
         period=2.0 * d / belt_velocity + slip,
         x_min=centre - amplitude,
         x_max=centre + amplitude,
@@ -58,6 +73,7 @@ def without_stiction(mass, stiffness, belt_velocity, mu_k, normal_force) -> Cycl
     amplitude = belt_velocity / w
     return Cycle(
         first_slip=centre / belt_velocity,
+        first_maximum=centre / belt_velocity + 0.5 * pi / w,
         period=2.0 * pi / w,
         x_min=centre - amplitude,
         x_max=centre + amplitude,
@@ -72,8 +88,10 @@ def maxima(time: numpy.ndarray, position: numpy.ndarray) -> tuple[numpy.ndarray,
     """
     settled = position[int(numpy.argmax(position)) :]
     middle = 0.5 * (settled.min() + settled.max())
-    edges = numpy.flatnonzero(numpy.diff((position > middle).astype(int)))
-    begins, ends = edges[0::2] + 1, edges[1::2] + 1
+    crossings = numpy.diff((position > middle).astype(int))
+    begins, ends = numpy.flatnonzero(crossings > 0) + 1, numpy.flatnonzero(crossings < 0) + 1
+    # A record that begins above the middle has cut off its first excursion.
+    ends = ends[ends > begins[0]] if len(begins) else ends
     found = [_vertex(time, position, begin, end) for begin, end in zip(begins, ends, strict=False)]
     instants, heights = zip(*found, strict=True) if found else ((), ())
     return numpy.array(instants), numpy.array(heights)
@@ -97,6 +115,7 @@ def measure(time: numpy.ndarray, position: numpy.ndarray, sticking: numpy.ndarra
     slipping = numpy.flatnonzero(~sticking)
     return Cycle(
         first_slip=time[slipping[0]] if len(slipping) else numpy.nan,
+        first_maximum=instants[0] if len(instants) else numpy.nan,
         period=instants[-1] - instants[-2] if len(instants) > 1 else numpy.nan,
         x_min=position[time > instants[0]].min() if len(instants) else numpy.nan,
         x_max=heights[-1] if len(heights) else numpy.nan,

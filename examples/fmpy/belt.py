@@ -1,14 +1,19 @@
 #!/usr/bin/env python3
-"""Stick-slip of a block on a moving belt: the BeltRig FMU coupled with a friction FMU of your choice.
+"""Stick-slip of a block on a moving belt: the BeltRig FMU coupled with friction FMUs of your choice.
 
     python examples/fmpy/belt.py --model LuGre --set mu_s=0.2 --step 5e-4
+    python examples/fmpy/belt.py --model LuGre Dahl Liang --rig belt_velocity=0.05 --rig stiffness=4
 
-Writes <out>.csv and <out>.png. The parameters are those of the benchmark in F. Novais, MSc thesis, University of Minho
-(2024): m = 1 kg, k = 2 N/m, v_b = 0.1 m/s, mu_k = 0.1, mu_s = 0.15. `--exchange` is the order of the co-simulation:
+Writes <out>.csv and <out>.png; several models share the picture, and each has a table <out>_<model>.csv. The start
+values are those of the benchmark in F. Novais, MSc thesis, University of Minho (2024): m = 1 kg, k = 2 N/m,
+v_b = 0.1 m/s, mu_k = 0.1, mu_s = 0.15. Unless told otherwise the block starts at rest on the belt, and presses on it
+with its weight. Models in the plane and in space slide along x. `--exchange` is the order of the co-simulation:
 
     sequential   the friction FMU steps first, the rig then steps with its force (Gauss-Seidel)
     feedthrough  the force is read as soon as the inputs are set, then both step
     parallel     both step, then exchange all values (Jacobi): what most masters do
+
+Each run is repeated with half the step, and said to be too coarse where that changes its period.
 """
 
 import argparse
@@ -19,7 +24,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy
-from analysis import Cycle, measure
+from analysis import AGREEMENT, GRAVITY, Cycle, compared_time, measure
 from coupling import (
     FMUS,
     CouplingError,
@@ -27,26 +32,32 @@ from coupling import (
     command_line,
     friction_path_of,
     main,
+    numbers_of,
     open_fmu,
+    parameter,
     path_of,
     positive,
     variables_of,
     write_csv,
 )
-from pictures import draw_belt
+from pictures import draw_belt, draw_overlay
+from prepared import Clock, Flag, Reals, make
 
 EXCHANGES = ("sequential", "feedthrough", "parallel")
 
-# What is read from the rig at each communication point, in this order; the last two may be inputs of a friction model.
-RIG_OUTPUTS = ["position", "block_velocity", "velocity", "external_force"]
+# What is recorded of the rig at each communication point, in this order.
+RECORDED = ("position", "block_velocity", "velocity", "external_force", "der(block_velocity)")
+
+# Inputs of friction models, and the variable of the rig that is passed on to them. The belt does not accelerate.
+CONNECTIONS = {"velocity": "velocity", "external_force": "external_force", "acceleration": "der(block_velocity)"}
 
 
 @dataclass(frozen=True)
 class BeltRun:
-    """The computed motion: one entry of each array per communication point, in SI units.
+    """The computed motion: one entry of each array per recorded communication point, in SI units.
 
-    `friction_force` is the force on which the rig takes its next step. `velocity` is that of the block relative to the
-    belt, `block_velocity` the one relative to the ground.
+    `friction_force` is the force on which the rig takes its next step, `acceleration` the one with which it begins
+    that step. `velocity` is that of the block relative to the belt, `block_velocity` the one relative to the ground.
     """
 
     model: str
@@ -55,6 +66,7 @@ class BeltRun:
     block_velocity: numpy.ndarray
     velocity: numpy.ndarray
     external_force: numpy.ndarray
+    acceleration: numpy.ndarray
     friction_force: numpy.ndarray
     sticking: numpy.ndarray
 
@@ -65,6 +77,7 @@ class BeltRun:
             "position [m]": self.position,
             "block_velocity [m/s]": self.block_velocity,
             "velocity [m/s]": self.velocity,
+            "acceleration [m/s2]": self.acceleration,
             "external_force [N]": self.external_force,
             "friction_force [N]": self.friction_force,
             "sticking": self.sticking,
@@ -74,95 +87,103 @@ class BeltRun:
 class Coupling:
     """The rig and a friction FMU, connected by the names of their variables."""
 
-    def __init__(self, rig: Fmu, friction: Fmu):
-        self.rig, self.friction = rig.slave, friction.slave
-        shared = [name for name in RIG_OUTPUTS if name in friction.names("input")]
-        self.passed_on = [RIG_OUTPUTS.index(name) for name in shared]
-        self.rig_outputs = rig.references(*RIG_OUTPUTS)
-        self.rig_force = rig.references("friction_force")
-        self.friction_inputs = friction.references(*shared)
-        self.friction_force = friction.references("friction_force")
-        self.friction_sticking = friction.references("sticking")
+    def __init__(self, rig: Fmu, friction: Fmu, step: float):
+        self.clock = Clock(step)
+        inputs = dict(zip(friction.along_x(*CONNECTIONS), CONNECTIONS.values(), strict=True))
+        passed_on = {name: source for name, source in inputs.items() if name in friction.names("input")}
+        # What one FMU gives lies where the other one takes it from.
+        self.to_friction = Reals(friction, *passed_on)
+        self.from_rig = Reals(rig, *passed_on.values(), values=self.to_friction.values)
+        self.force = Reals(friction, *friction.along_x("friction_force"))
+        self.to_rig = Reals(rig, "friction_force", values=self.force.values)
+        self.recorded = Reals(rig, *RECORDED)
+        self.sticking = Flag(friction, "sticking")
+        self.friction_step, self.rig_step = self.clock.do_step(friction), self.clock.do_step(rig)
 
-    def look(self) -> list[float]:
-        """The outputs of the rig."""
-        return self.rig.getReal(self.rig_outputs)
+    def calls(self, exchange: str) -> list:
+        """What is called in each step, up to the step of the rig."""
+        inform, force = [self.from_rig.get, self.to_friction.set], [self.force.get, self.to_rig.set]
+        return {
+            "sequential": [*inform, self.friction_step, *force],
+            "feedthrough": [*inform, *force, self.friction_step],
+            "parallel": [*force, *inform, self.friction_step],
+        }[exchange]
 
-    def inform_friction(self, seen: list[float]) -> None:
-        """Sets the inputs of the friction FMU."""
-        self.friction.setReal(self.friction_inputs, [seen[at] for at in self.passed_on])
+    def record(self) -> list[float]:
+        """The state of the rig, the force on which it takes its next step, and whether the contact sticks."""
+        make(self.recorded.get, self.sticking.get)
+        return [*self.recorded.values, self.force.values[0], self.sticking.values[0]]
 
-    def force(self) -> list[float]:
-        """The output of the friction FMU."""
-        return self.friction.getReal(self.friction_force)
-
-    def sequential(self, seen: list[float], time: float, step: float) -> list[float]:
-        """One step in which the rig uses the force at the end of the friction FMU's step."""
-        self.inform_friction(seen)
-        self.friction.doStep(time, step)
-        force = self.force()
-        self.rig.setReal(self.rig_force, force)
-        self.rig.doStep(time, step)
-        return force
-
-    def feedthrough(self, seen: list[float], time: float, step: float) -> list[float]:
-        """One step in which the rig uses the force at its beginning."""
-        self.inform_friction(seen)
-        force = self.force()
-        self.rig.setReal(self.rig_force, force)
-        self.friction.doStep(time, step)
-        self.rig.doStep(time, step)
-        return force
-
-    def parallel(self, seen: list[float], time: float, step: float) -> list[float]:
-        """One step in which the rig uses the force that the friction FMU computed from values one step old."""
-        force = self.force()
-        self.inform_friction(seen)
-        self.rig.setReal(self.rig_force, force)
-        self.friction.doStep(time, step)
-        self.rig.doStep(time, step)
-        return force
-
-    def run(self, exchange: str, step: float, steps: int) -> tuple[numpy.ndarray, numpy.ndarray, numpy.ndarray]:
-        """Makes `steps` steps; returns the rig's outputs, the force and whether the contact sticks."""
-        advance = dict(zip(EXCHANGES, (self.sequential, self.feedthrough, self.parallel), strict=True))[exchange]
-        outputs = numpy.empty((steps + 1, len(RIG_OUTPUTS)))
-        forces = numpy.empty(steps + 1)
-        sticking = numpy.empty(steps + 1, dtype=bool)
+    def run(self, exchange: str, steps: int, every: int) -> numpy.ndarray:
+        """Makes `steps` steps; returns a row for each communication point whose number is divisible by `every`."""
+        calls, step = self.calls(exchange), self.clock.step.value
+        rows = numpy.empty((steps // every + 1, len(RECORDED) + 2))
         for at in range(steps):
-            seen = self.look()
-            outputs[at] = seen
-            forces[at] = advance(seen, at * step, step)[0]
-            sticking[at] = self.friction.getBoolean(self.friction_sticking)[0]
+            self.clock.time.value = at * step
+            if at % every:
+                make(*calls, self.rig_step)
+            else:
+                make(*calls)
+                rows[at // every] = self.record()
+                make(self.rig_step)
         # After the last step there is a motion but no further force.
-        outputs[steps], forces[steps], sticking[steps] = self.look(), forces[steps - 1], sticking[steps - 1]
-        return outputs, forces, sticking
+        if steps % every == 0:
+            rows[-1] = self.record()
+        return rows
 
 
-def time_stepping(friction_path: Path, rig_path: Path, exchange: str) -> dict[str, object]:
-    """What a law that holds a body at rest must be told: the mass of the body, and how values are exchanged."""
-    known = variables_of(friction_path)
-    values = {
-        "mass": variables_of(rig_path)["mass"].start,
-        "exchange": "Parallel" if exchange == "parallel" else "Sequential",
-    }
-    return values if "mass" in known else {}
+def connected(names: Mapping[str, object], inputs: list[str], source: str) -> None:
+    """Refuses start values that the first step would replace without a word."""
+    for name in names:
+        if name in inputs:
+            raise CouplingError(f"{name} comes from {source}: it cannot be set")
 
 
-def limit_of_step(model: str, fmu_dir: Path = FMUS, parameters: Mapping[str, object] | None = None) -> float:
+def rig_values(rig_path: Path, chosen: Mapping[str, object]) -> dict[str, float]:
+    """Start values of the rig; the block starts at rest on the belt unless `chosen` gives it another velocity."""
+    connected(chosen, ["friction_force"], "the friction model")
+    variables = variables_of(rig_path)
+    values = {name: float(variables[name].start) for name in ("mass", "stiffness", "belt_velocity", "position")}
+    values |= numbers_of(rig_path, chosen)
+    return {"block_velocity": values["belt_velocity"]} | values
+
+
+def friction_values(friction_path: Path, mass: float, exchange: str, chosen: Mapping[str, object]) -> dict[str, object]:
+    """Values of the law: the weight of the block, and what a law that holds a body at rest must be told, its mass and
+    how values are exchanged; `chosen` counts more.
+    """
+    connected(chosen, [*CONNECTIONS, "velocity_x"], "BeltRig")
+    values = {"normal_force": mass * GRAVITY}
+    if "mass" in variables_of(friction_path):
+        values |= {"mass": mass, "exchange": "Parallel" if exchange == "parallel" else "Sequential"}
+    return values | dict(chosen)
+
+
+def is_random(model: str, fmu_dir: Path = FMUS) -> bool:
+    """Is the motion of a law a matter of chance, which a step of another length draws anew?"""
+    return "seed" in variables_of(friction_path_of(model, fmu_dir))
+
+
+def limit_of_step(
+    model: str,
+    fmu_dir: Path = FMUS,
+    parameters: Mapping[str, object] | None = None,
+    rig: Mapping[str, object] | None = None,
+) -> float:
     """Largest communication step at which a block at rest on the belt does not chatter; infinite if any will do.
 
     A law that knows the mass looks ahead to the end of the step. Otherwise a force that is exchanged once per step is
     stable below 2 m / (df/dv), with the slope of the law at rest.
     """
-    rig_path, friction_path = path_of("BeltRig", fmu_dir), friction_path_of(model, fmu_dir)
-    chosen = time_stepping(friction_path, rig_path, "sequential") | dict(parameters or {})
+    friction_path = friction_path_of(model, fmu_dir)
+    mass = rig_values(path_of("BeltRig", fmu_dir), rig or {})["mass"]
+    chosen = friction_values(friction_path, mass, "sequential", parameters or {})
     if float(chosen.get("mass", 0.0)) > 0.0:
         return math.inf
     with open_fmu(friction_path, chosen) as friction:
-        force, velocity = friction.references("friction_force"), friction.references("velocity")
+        force, velocity = (friction.references(*friction.along_x(name)) for name in ("friction_force", "velocity"))
         slope = friction.slave.getDirectionalDerivative(force, velocity, [1.0])[0]
-    return 2.0 * float(variables_of(rig_path)["mass"].start) / slope if slope > 0.0 else math.inf
+    return 2.0 * mass / slope if slope > 0.0 else math.inf
 
 
 def run_belt(
@@ -172,21 +193,37 @@ def run_belt(
     time: float = 40.0,
     exchange: str = "sequential",
     parameters: Mapping[str, object] | None = None,
+    rig: Mapping[str, object] | None = None,
+    every: int = 1,
 ) -> BeltRun:
-    """Couples the BeltRig FMU with a friction FMU; `parameters` are those of the friction FMU."""
+    """Couples the BeltRig FMU with a friction FMU; `parameters` are those of the friction FMU, `rig` start values of
+    the rig. Every `every`-th communication point is recorded.
+    """
     steps = round(time / step)
     if steps < 1:
         raise CouplingError(f"time = {time} s: must be at least one step of {step} s")
     rig_path, friction_path = path_of("BeltRig", fmu_dir), friction_path_of(model, fmu_dir)
-    chosen = time_stepping(friction_path, rig_path, exchange) | dict(parameters or {})
-    with open_fmu(rig_path) as rig, open_fmu(friction_path, chosen) as friction:
-        outputs, forces, sticking = Coupling(rig, friction).run(exchange, step, steps)
-    return BeltRun(model, step * numpy.arange(steps + 1), *outputs.T, forces, sticking)
+    start = rig_values(rig_path, rig or {})
+    chosen = friction_values(friction_path, start["mass"], exchange, parameters or {})
+    with open_fmu(rig_path, start) as block, open_fmu(friction_path, chosen) as friction:
+        rows = Coupling(block, friction, step).run(exchange, steps, every)
+    position, block_velocity, velocity, external_force, acceleration, force, sticking = rows.T
+    times = step * every * numpy.arange(len(rows))
+    moving = position, block_velocity, velocity, external_force, acceleration
+    return BeltRun(model, times, *moving, force, sticking.astype(bool))
 
 
 def arguments() -> argparse.Namespace:
     """Reads the command line."""
-    parser = command_line(__doc__, model="CoulombStiction", out="out/belt")
+    parser = command_line(__doc__, model="CoulombStiction", out="out/belt", several=True)
+    parser.add_argument(
+        "--rig",
+        type=parameter,
+        action="append",
+        default=[],
+        metavar="NAME=VALUE",
+        help="mass, stiffness, belt_velocity, position or block_velocity of BeltRig; may be repeated",
+    )
     parser.add_argument("--step", type=positive, default=1e-3, help="communication step in s (default: 1e-3)")
     parser.add_argument("--time", type=positive, default=40.0, help="simulated time in s (default: 40)")
     parser.add_argument("--exchange", choices=EXCHANGES, default="sequential", help="default: sequential")
@@ -202,18 +239,44 @@ def summary(cycle: Cycle) -> str:
     return f"first slip at {cycle.first_slip:.4f} s, then a period of {cycle.period:.4f} s"
 
 
+def cycle_of(run: BeltRun) -> Cycle:
+    """What is measured of a run."""
+    return measure(run.time, run.position, run.sticking)
+
+
+def report(options: argparse.Namespace, run: BeltRun) -> None:
+    """Prints what was measured, and whether the step was short enough."""
+    parameters, rig = dict(options.set), dict(options.rig)
+    print(f"{run.model}: {summary(cycle_of(run))}")
+    limit = limit_of_step(run.model, options.fmus, parameters, rig)
+    if options.step > limit:
+        print(f"the law is steep: a block at rest chatters unless --step is below {limit:.1e} s")
+    half = 0.5 * options.step
+    finer = run_belt(options.fmus, run.model, half, options.time, options.exchange, parameters, rig, every=2)
+    times = [compared_time(cycle_of(one), is_random(run.model, options.fmus)) for one in (run, finer)]
+    if abs(times[0] / times[1] - 1.0) > AGREEMENT:
+        print(f"--step is too long for this law: half of it gives {times[1]:.4f} s instead of {times[0]:.4f} s")
+
+
 def program() -> None:
     """Runs what the command line asks for."""
     options = arguments()
-    run = run_belt(options.fmus, options.model, options.step, options.time, options.exchange, dict(options.set))
-    table, picture = Path(f"{options.out}.csv"), Path(f"{options.out}.png")
-    write_csv(table, run.columns())
-    draw_belt(run, picture)
-    print(f"{run.model}: {summary(measure(run.time, run.position, run.sticking))}")
-    limit = limit_of_step(options.model, options.fmus, dict(options.set))
-    if options.step > limit:
-        print(f"the law is steep: a block at rest chatters unless --step is below {limit:.1e} s")
-    print(f"{table}\n{picture}")
+    parameters, rig = dict(options.set), dict(options.rig)
+    models = list(dict.fromkeys(options.model))
+    runs = [
+        run_belt(options.fmus, model, options.step, options.time, options.exchange, parameters, rig) for model in models
+    ]
+    files = []
+    for run in runs:
+        files.append(Path(f"{options.out}.csv" if len(runs) == 1 else f"{options.out}_{run.model}.csv"))
+        write_csv(files[-1], run.columns())
+        report(options, run)
+    files.append(Path(f"{options.out}.png"))
+    if len(runs) == 1:
+        draw_belt(runs[0], files[-1])
+    else:
+        draw_overlay(runs, files[-1])
+    print(*files, sep="\n")
 
 
 if __name__ == "__main__":

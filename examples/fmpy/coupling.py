@@ -1,6 +1,7 @@
 """What the example programs share: open an FMU, address its variables by name, show what it has to say."""
 
 import argparse
+import difflib
 import math
 import shutil
 import sys
@@ -43,6 +44,11 @@ class Fmu:
         _refuse_unknown(self.description, names, "variable", list(variables))
         return [variables[name].valueReference for name in names]
 
+    def along_x(self, *names: str) -> list[str]:
+        """Names of the same quantities in a model in the plane or in space, whose vectors have a component along x."""
+        known = _by_name(self.description)
+        return [name if name in known else f"{name}_x" for name in names]
+
 
 def path_of(model: str, folder: Path = FMUS) -> Path:
     """The file of a model's FMU."""
@@ -50,6 +56,7 @@ def path_of(model: str, folder: Path = FMUS) -> Path:
     if not path.is_file():
         present = models_in(folder)
         hint = f"there are {', '.join(present)}" if present else "there is none: run `python3 tasks.py pack`"
+        hint += _meant(model, present)
         raise CouplingError(f"no FMU of the model '{model}' in {folder}: {hint}")
     return path
 
@@ -60,15 +67,20 @@ def models_in(folder: Path = FMUS) -> list[str]:
 
 
 def friction_models_in(folder: Path = FMUS) -> list[str]:
-    """Names of the models that give a friction force for a sliding velocity."""
+    """Names of the models that give a friction force for a sliding velocity along a line."""
     return [model for model in models_in(folder) if _is_friction_model(path_of(model, folder))]
+
+
+def laws_in(folder: Path = FMUS) -> list[str]:
+    """Names of all friction models, also of those in the plane and in space."""
+    return [model for model in models_in(folder) if _is_law(path_of(model, folder))]
 
 
 def friction_path_of(model: str, folder: Path = FMUS) -> Path:
     """The file of a friction model's FMU."""
     path = path_of(model, folder)
-    if not _is_friction_model(path):
-        raise CouplingError(f"{model} is no friction model; there are {', '.join(friction_models_in(folder))}")
+    if not _is_law(path):
+        raise CouplingError(f"{model} is no friction model; there are {', '.join(laws_in(folder))}")
     return path
 
 
@@ -149,17 +161,29 @@ def _by_name(description: ModelDescription) -> dict[str, ScalarVariable]:
     return {variable.name: variable for variable in description.modelVariables}
 
 
-def _is_friction_model(path: Path) -> bool:
+def _is_friction_model(path: Path, axis: str = "") -> bool:
     causality = {name: variable.causality for name, variable in variables_of(path).items()}
     # A contact whose law is chosen is a part of the shock absorber.
     is_law = "friction.model" not in causality
-    return is_law and causality.get("velocity") == "input" and causality.get("friction_force") == "output"
+    return is_law and causality.get(f"velocity{axis}") == "input" and causality.get(f"friction_force{axis}") == "output"
+
+
+def _is_law(path: Path) -> bool:
+    return _is_friction_model(path) or _is_friction_model(path, "_x")
 
 
 def _refuse_unknown(description: ModelDescription, names: object, kind: str, known: list[str]) -> None:
     for name in names:
         if name not in known:
-            raise CouplingError(f"{description.modelName} has no {kind} '{name}'; it has {', '.join(known)}")
+            text = f"{description.modelName} has no {kind} '{name}'; it has {', '.join(known)}"
+            raise CouplingError(text + _meant(name, known))
+
+
+def _meant(name: str, known: list[str]) -> str:
+    """The names that are nearest to one that is not known."""
+    folded = {one.lower(): one for one in known}
+    near = [folded[one] for one in difflib.get_close_matches(name.lower(), folded)]
+    return f". Did you mean {' or '.join(near)}?" if near else ""
 
 
 # Instance name and text of the latest message of any FMU.
@@ -192,10 +216,15 @@ def _callbacks() -> fmi2CallbackFunctions:
 _CALLBACKS = _callbacks()
 
 
-def command_line(about: str, model: str, out: str, of: str = "the friction model") -> argparse.ArgumentParser:
+def command_line(
+    about: str, model: str, out: str, of: str = "the friction model", several: bool = False
+) -> argparse.ArgumentParser:
     """The options that all programs have; `of` says what the parameters belong to."""
     parser = argparse.ArgumentParser(description=about, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--model", default=model, help=f"friction model (default: {model})")
+    if several:
+        parser.add_argument("--model", nargs="+", default=[model], help=f"friction models (default: {model})")
+    else:
+        parser.add_argument("--model", default=model, help=f"friction model (default: {model})")
     parser.add_argument(
         "--set",
         type=parameter,

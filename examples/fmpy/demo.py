@@ -4,13 +4,13 @@ motion, and a car on four posts with and without friction in its struts.
 """
 
 import sys
-import time
 from pathlib import Path
 
-from analysis import BENCHMARK, Cycle, measure, stick_slip, without_stiction
-from belt import BeltRun, limit_of_step, run_belt
+from analysis import AGREEMENT
+from belt import BeltRun
 from car_pictures import draw_four_post
-from coupling import FMUS, CouplingError, friction_models_in, friction_path_of, main, variables_of
+from convergence import converged
+from coupling import FMUS, CouplingError, friction_path_of, laws_in, main
 from four_post import report, run_four_post
 from make_motion import MOTION
 from pictures import draw_belt, draw_comparison, draw_replay
@@ -18,7 +18,6 @@ from replay import read_motion, replay
 from vehicle import Choice, Run, friction, label_of
 
 OUT = Path("out")
-STEPS = (1e-3, 5e-4, 2e-4, 1e-4, 5e-5, 2e-5, 1e-5)
 TIME = 40.0
 REPLAYED = "LuGre"
 
@@ -27,40 +26,20 @@ LEVELS = (0.0, 50.0)
 FREQUENCY = 2.0
 
 
-def closed_form(model: str) -> tuple[str, Cycle]:
-    """The exact cycle that a model should come close to: the one of Coulomb friction with or without stiction."""
-    if "mu_s" in variables_of(friction_path_of(model)):
-        return "with stiction", stick_slip(**BENCHMARK)
-    return "without stiction", without_stiction(**{name: BENCHMARK[name] for name in BENCHMARK if name != "mu_s"})
-
-
-def step_for(model: str) -> float:
-    """The longest step that is well below the one at which a block at rest would chatter."""
-    return next(step for step in STEPS if step <= 0.5 * limit_of_step(model))
-
-
-def timed_run(model: str, step: float) -> tuple[BeltRun, float]:
-    """A run on the belt, and the steps per second of wall time; reading and extracting the FMUs included."""
-    begin = time.perf_counter()
-    run = run_belt(model=model, step=step, time=TIME)
-    return run, (len(run.time) - 1) / (time.perf_counter() - begin)
-
-
 def run_on_belt(models: list[str]) -> list[BeltRun]:
     """Runs the models and prints a line of the table for each."""
-    print(f"Block on a moving belt, {TIME:g} s, against the closed form of Coulomb friction:\n")
-    print(f"{'model':19} {'step':>7} {'period':>10}   {'closed form':26} {'deviation':>9} {'steps/s':>9}")
+    print(f"Block on a moving belt, {TIME:g} s; each law against itself. The step is halved until the last period")
+    print(f"changes by {AGREEMENT:.1%} at most: then it is within {2.0 * AGREEMENT:.0%} of that of a converged run.\n")
+    print(f"{'model':19} {'step':>11} {'period':>10} {'at half step':>13} {'difference':>11} {'steps/s':>9}  remarks")
     runs = []
     for model in models:
-        step = step_for(model)
-        run, speed = timed_run(model, step)
-        name, exact = closed_form(model)
-        period = measure(run.time, run.position, run.sticking).period
-        deviation = period / exact.period - 1.0
-        left = f"{model:19} {1e3 * step:4g} ms {period:8.4f} s"
-        print(f"{left}   {exact.period:.4f} s {name:17} {deviation:+9.2%} {speed:9.0f}", flush=True)
-        draw_belt(run, OUT / "belt" / f"{model}.png")
-        runs.append(run)
+        found = converged(model, TIME)
+        times = f"{1e3 * found.step:8.4g} ms {found.value:8.4f} s {found.finer:11.4f} s"
+        remarks = "; ".join(found.remarks)
+        line = f"{model:19} {times} {found.difference:+11.3%} {found.speed:9.0f}  {remarks}"
+        print(line.rstrip(), flush=True)
+        draw_belt(found.run, OUT / "belt" / f"{model}.png")
+        runs.append(found.run)
     return runs
 
 
@@ -74,7 +53,7 @@ def run_posts() -> list[Run]:
 
 def program() -> None:
     """Runs all models and prints where the results are."""
-    models = friction_models_in(FMUS)
+    models = laws_in(FMUS)
     if not models:
         raise CouplingError(f"no friction FMU in {FMUS}: run `python3 tasks.py pack`")
     runs = run_on_belt(models)

@@ -72,6 +72,30 @@ def draw_belt(run, path: Path) -> None:
     save(figure, path)
 
 
+def draw_overlay(runs, path: Path) -> None:
+    """Several friction models in the same axes: position, relative velocity, acceleration and friction force."""
+    figure = Figure(figsize=(12, 9), layout="constrained")
+    figure.suptitle("Block on a moving belt")
+    rows = figure.subplots(4, 1)
+    quantities = {
+        "position [m]": "position",
+        "velocity relative\nto the belt [m/s]": "velocity",
+        "acceleration [m/s2]": "acceleration",
+        "friction force [N]": "friction_force",
+    }
+    for axes, (up, name) in zip(rows, quantities.items(), strict=True):
+        labelled(axes, "time [s]" if axes is rows[-1] else "", up)
+        # The ten colours repeat; from the eleventh model on the lines are dashed, then dotted.
+        for at, run in enumerate(runs):
+            style = ("-", "--", ":", "-.")[at // 10 % 4]
+            axes.plot(run.time, getattr(run, name), color=f"C{at % 10}", linestyle=style, linewidth=1.1)
+    over_time(runs[0].time, *rows)
+    for line, run in zip(rows[0].get_lines(), runs, strict=True):
+        line.set_label(run.model)
+    figure.legend(handles=rows[0].get_lines(), loc="outside lower center", ncols=min(len(runs), 6), frameon=False)
+    save(figure, path)
+
+
 def draw_replay(result, path: Path) -> None:
     """The recorded inputs, and the friction force over time, velocity and displacement."""
     motion = result.motion

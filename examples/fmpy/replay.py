@@ -93,8 +93,8 @@ def _numbers(path: Path, number: int, line: list[str], places: list[int]) -> lis
 def drive(friction: Fmu, motion: Motion, interpolate: bool) -> tuple[numpy.ndarray, numpy.ndarray]:
     """Steps the FMU from sample to sample; returns friction force and dissipated energy at the samples."""
     slave = friction.slave
-    inputs = friction.references("velocity", "normal_force")
-    outputs = friction.references("friction_force", "dissipated_energy")
+    inputs = friction.references(*friction.along_x("velocity", "normal_force"))
+    outputs = friction.references(*friction.along_x("friction_force", "dissipated_energy"))
     samples = numpy.column_stack((motion.velocity, motion.normal_force))
     steps = numpy.diff(motion.time)
     slopes = (numpy.diff(samples, axis=0) / steps[:, None]).tolist()

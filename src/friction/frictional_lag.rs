@@ -63,6 +63,10 @@ crate::model! {
     /// error of w is at most |d2v/dt2| (tau_L / 31)^2 / 8, and for a held velocity its change over one step in
     /// addition.
     ///
+    /// A host that integrates the body itself never meets v = 0 exactly: the force alternates, and the body trembles
+    /// with up to f_s h / m, which has to stay well below v_S, or the level at rest is not the static one. Of a block of
+    /// 1 kg on a belt the period of stick-slip is short by 0.2 % at h = 31 us, by 4 % at 125 us and by 39 % at 1 ms.
+    ///
     /// Before the first step, and again after the contact was released, w is the velocity with which the contact
     /// begins. The dissipated energy is a closed form where w and the inputs are constant, and else a quadrature with a
     /// relative error below 1e-10. `sticking` says that the velocity is exactly zero.

@@ -46,7 +46,9 @@ crate::model! {
     /// says that the velocity is exactly zero.
     ///
     /// A host that integrates the body itself never meets v = 0 exactly, so at rest the force alternates at any
-    /// communication step h, and the body trembles with up to f_s h / m.
+    /// communication step h, and the body trembles with up to f_s h / m. If the acceleration is what the last force
+    /// gave, both curves alternate wherever neither is consistent with the sign that it causes: the body feels their
+    /// mean, at any step, and begins to slide at (f_s + f_l0) / 2.
     ///
     /// # Errors
     /// Refused: a parameter outside its bound; `mu_s` < `mu_k`; `mu_stop` > `mu_s`.

@@ -62,6 +62,10 @@ crate::model! {
     /// step at once and exchange afterwards, it chatters at every step, since nothing damps the stiffness: take the
     /// friction first.
     ///
+    /// Sliding needs a shorter step: at breakaway an acceleration that is what the last force gave puts the contact on
+    /// the lower curve for a step now and then, which throws the body off by 2 (f_s - f_C) h / m. Of a block of 1 kg on
+    /// a belt of 0.1 m/s the period of stick-slip is short by 0.6 % at 16 us, by 2 % at 31 us and by 37 % at 1 ms.
+    ///
     /// # Errors
     /// Refused: a parameter outside its bound; `mu_s` < `mu_k`; `mu_s` > 2 `mu_k`, for then the lower curve would push.
     ///

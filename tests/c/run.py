@@ -213,7 +213,16 @@ def test_programs(compiler, results, linkage, sanitized):
         built = program(EXAMPLES / "c", "belt.c")
         runs(built, prints=["LuGre on the belt", "identical to the last bit", "refused, as it should be: mu_k = -0.1"])
         runs(built, "CoulombStiction", prints=["identical to the last bit"])
+        # f_s / k / v_b = 14.715 s with 2 kg, and a slip of the closed form with w = 1 / s.
+        runs(built, "CoulombStiction", "step=1e-3", "rig.mass=2", prints=["maximum at t =  14.916"])
+        # A law in space, with the closed form of a band that captures; one that asks for the acceleration.
+        runs(built, "Liang", "step=1e-3", prints=["maximum at t =   7.64"])
+        runs(built, "NonReversible", "step=1e-3", prints=["maximum at t =   6.0"])
         refuses(built, "NoSuchLaw", complains="NoSuchLaw")
+        refuses(built, "LuGre", "rig.mas=2", complains="mas")
+        refuses(built, "LuGre", "mu_s=-1", complains="mu_s = -1")
+        refuses(built, "LuGre", "mu_s", complains="'mu_s' is not of the form name=value")
+        refuses(built, "LuGre", "step=0", complains="step = 0: must be > 0")
 
     def fmu_master():
         runs(program(EXAMPLES / "c", "fmu_master.c"), prints=["slips 5 times, first at 7.35"])

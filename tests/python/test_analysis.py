@@ -11,6 +11,7 @@ def test_stick_slip_has_the_published_numbers():
     cycle = stick_slip(**BENCHMARK)
     assert cycle.period == pytest.approx(7.52342224657, abs=1e-11)
     assert cycle.first_slip == pytest.approx(7.3575, abs=1e-13)
+    assert cycle.first_maximum == pytest.approx(7.555990388745, abs=1e-12)
     assert cycle.x_max == pytest.approx(0.745740205493, abs=1e-12)
     assert cycle.x_min == pytest.approx(0.235259794507, abs=1e-12)
 
@@ -19,6 +20,7 @@ def test_without_stiction_has_the_published_numbers():
     cycle = without_stiction(**COULOMB)
     assert cycle.period == pytest.approx(4.44288293816, abs=1e-11)
     assert cycle.first_slip == pytest.approx(4.905, abs=1e-13)
+    assert cycle.first_maximum == pytest.approx(4.905 + 4.44288293816 / 4.0, abs=1e-11)
     assert cycle.x_min == pytest.approx(0.419789321881, abs=1e-12)
     assert cycle.x_max == pytest.approx(0.561210678119, abs=1e-12)
 
@@ -50,7 +52,14 @@ def test_a_maximum_that_the_record_cuts_off_is_left_out():
     assert len(instants) == 1
 
 
+def test_a_record_that_begins_above_the_middle_has_cut_off_its_first_maximum():
+    time = numpy.arange(0.0, 10.0, 0.01)
+    instants, heights = maxima(time, numpy.cos(2.0 * time))
+    assert instants == pytest.approx(numpy.pi * numpy.array([1.0, 2.0]), abs=1e-6)
+    assert heights == pytest.approx(1.0, abs=1e-8)
+
+
 def test_a_block_that_never_slips_has_no_cycle():
     time = numpy.linspace(0.0, 5.0, 100)
     cycle = measure(time, 0.1 * time, numpy.ones(100, dtype=bool))
-    assert numpy.isnan([cycle.first_slip, cycle.period, cycle.x_max, cycle.x_min]).all()
+    assert numpy.isnan([cycle.first_slip, cycle.first_maximum, cycle.period, cycle.x_max, cycle.x_min]).all()

@@ -1,12 +1,14 @@
-"""The Python examples in the pages of docs/: they run, and print what the page says."""
+"""The Python examples in README.md and in the pages of docs/: they run, and print what the page says."""
 
 import itertools
 import re
 from dataclasses import dataclass
 from pathlib import Path
 
+import numpy
 import pytest
 from coupling import PROJECT
+from scipy.integrate import solve_ivp
 
 BLOCK = re.compile(r"^```(?P<language>\w*)\n(?P<text>.*?)^```$", re.MULTILINE | re.DOTALL)
 
@@ -32,15 +34,19 @@ def examples(page: str) -> list[Example]:
     return found
 
 
-PAGES = [page for page in sorted((PROJECT / "docs").glob("*.md")) if examples(page.read_text(encoding="utf-8"))]
+README = PROJECT / "README.md"
+DOCS = sorted((PROJECT / "docs").glob("*.md"))
+PAGES = [page for page in (README, *DOCS) if examples(page.read_text(encoding="utf-8"))]
 
 
-def test_some_page_has_examples():
-    assert PAGES
+def test_some_pages_have_examples():
+    assert README in PAGES
+    assert set(PAGES) & set(DOCS)
 
 
 @pytest.mark.parametrize("page", PAGES, ids=lambda page: page.stem)
-def test_examples_of_a_page_run_one_after_the_other(page: Path, capsys):
+def test_examples_of_a_page_run_one_after_the_other(page: Path, capsys, monkeypatch):
+    monkeypatch.chdir(PROJECT)
     names = {}
     for example in examples(page.read_text(encoding="utf-8")):
         # Empty lines before it, so that a traceback names the line of the page.
@@ -49,6 +55,30 @@ def test_examples_of_a_page_run_one_after_the_other(page: Path, capsys):
 
 
 def test_pictures_and_neighbours_of_a_page_exist():
-    for page in (PROJECT / "docs").glob("*.md"):
+    for page in (README, *DOCS):
         for target in re.findall(r"\]\(([^)#:]+)[)#]", page.read_text(encoding="utf-8")):
             assert (page.parent / target).exists(), f"{page.name}: {target}"
+
+
+def test_the_loop_of_the_readme_is_that_of_the_equations_of_lugre():
+    """dz/dt = v - sigma_0 |v| z / g(v) and its work, integrated by Radau to 1e-9."""
+    level, excess, scale = 0.12 * 20.0, 0.03 * 20.0, 1e-3
+    sigma_0, sigma_1, sigma_2 = 1e5, 1e5**0.5, 0.1
+
+    def velocity(t):
+        return 0.01 * numpy.sin(2.0 * numpy.pi * t)
+
+    def force(t, state, rate):
+        return sigma_0 * state[0] + sigma_1 * rate + sigma_2 * velocity(t)
+
+    def rates(t, state):
+        v = velocity(t)
+        rate = v - sigma_0 * abs(v) / (level + excess * numpy.exp(-((v / scale) ** 2))) * state[0]
+        return [rate, force(t, state, rate) * v]
+
+    samples = numpy.linspace(0.0, 1.0, 1001)
+    solved = solve_ivp(rates, (0.0, 1.0), [0.0, 0.0], "Radau", samples, rtol=1e-9, atol=1e-14)
+    forces = [force(t, state, rates(t, state)[0]) for t, state in zip(solved.t, solved.y.T, strict=True)]
+    printed = examples(README.read_text(encoding="utf-8"))[0].printed
+    numbers = [float(number) for number in re.findall(r"-?\d+\.\d+", printed)]
+    assert numbers == pytest.approx([min(forces), max(forces), solved.y[1, -1], solved.y[1, -1]], rel=5e-3)

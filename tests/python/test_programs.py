@@ -4,9 +4,10 @@ import csv
 import subprocess
 import sys
 
+import belt_solutions
 import numpy
 import pytest
-from coupling import PROJECT
+from coupling import FMUS, PROJECT, laws_in
 from matplotlib.image import imread
 
 
@@ -32,7 +33,8 @@ def test_belt_writes_table_and_picture(tmp_path):
         heading = file.readline().strip().split(",")
         table = numpy.loadtxt(file, delimiter=",")
     assert heading[:2] == ["time [s]", "position [m]"]
-    assert table.shape == (10_001, 7)
+    assert table.shape == (10_001, 8)
+    assert heading[4] == "acceleration [m/s2]"
     assert table[-1, 0] == 10.0
     assert is_drawn(tmp_path / "a" / "b.c.png")
 
@@ -45,6 +47,33 @@ def test_belt_says_that_a_step_is_too_long_for_a_steep_law(tmp_path):
     assert "chatters" not in done.stdout
     done = start(*steep, folder=tmp_path)
     assert "chatters" not in done.stdout, "with its mass the law looks ahead"
+
+
+def test_several_models_share_a_picture_and_have_a_table_each(tmp_path):
+    """By Newton's law the acceleration of 2 kg is that of the forces; the block starts at rest on the belt, and slips
+    where its spring pulls with the static level of its weight."""
+    options = ["--model", "CoulombStiction", "Liang", "LuGrePlanar", "--time", "12"]
+    rig = ["--rig", "mass=2", "--rig", "belt_velocity=0.2", "--rig", "position=0.1"]
+    done = start("belt.py", *options, *rig, folder=tmp_path)
+    assert done.returncode == 0, done.stderr
+    for model in options[1:4]:
+        heading, table = table_of(tmp_path / "out" / f"belt_{model}.csv")
+        column = dict(zip([name.split()[0] for name in heading], table.T, strict=True))
+        newton = (column["external_force"] - column["friction_force"]) / 2.0
+        assert column["acceleration"] == pytest.approx(newton, abs=1e-8)
+        assert (column["position"][0], column["block_velocity"][0]) == (0.1, 0.2)
+        assert column["block_velocity"] - column["velocity"] == pytest.approx(0.2, abs=1e-9)
+        # From x = 0.1 m at 0.2 m/s to f_s / k = 0.15 * 2 kg * 9.81 m/s2 / 2 N/m.
+        if model == "CoulombStiction":
+            slip = column["time"][column["sticking"] == 0.0][0]
+            assert slip == pytest.approx((1.4715 - 0.1) / 0.2, abs=2e-3)
+    assert is_drawn(tmp_path / "out" / "belt.png")
+
+
+def test_belt_says_that_a_step_is_too_long_for_a_law_that_trembles(tmp_path):
+    """At 1 ms the speeds at rest reach the Stribeck velocity; the block then slips early, and the period is short."""
+    done = start("belt.py", "--model", "FrictionalLag", "CoulombStiction", folder=tmp_path)
+    assert done.stdout.count("--step is too long for this law: half of it gives 5.7") == 1
 
 
 def test_replay_writes_table_and_picture(tmp_path):
@@ -60,9 +89,14 @@ def test_demo_shows_all_models(tmp_path):
     assert done.returncode == 0, done.stderr
     lines = [line.split() for line in done.stdout.splitlines()]
     table = {line[0]: line for line in lines if len(line) > 8 and line[2] == "ms"}
-    assert set(table) >= {"BrownMcPhee", "CoulombStiction", "Dahl", "Karnopp", "LuGre"}
-    assert float(table["CoulombStiction"][-2].rstrip("%")) == pytest.approx(0.0, abs=0.1)
-    assert float(table["Dahl"][-2].rstrip("%")) == pytest.approx(0.0, abs=0.1)
+    assert set(table) == set(laws_in(FMUS))
+    for line in table.values():
+        period, finer = float(line[3]), float(line[5])
+        assert period == pytest.approx(finer, rel=5e-3)
+        assert float(line[7].rstrip("%")) == pytest.approx(100.0 * (period / finer - 1.0), abs=2e-3)
+    for model, expected in belt_solutions.periods().items():
+        assert float(table[model][3]) == pytest.approx(expected, rel=1e-2), model
+        assert float(table[model][5]) == pytest.approx(expected, rel=1e-2), model
     for model in table:
         assert is_drawn(tmp_path / "out" / "belt" / f"{model}.png")
     assert is_drawn(tmp_path / "out" / "comparison.png")
@@ -128,6 +162,21 @@ def test_lane_change_writes_tables_and_pictures(tmp_path):
         ("belt.py", ["--set", "mu=1"], "error: CoulombStiction has no parameter 'mu'; it has mu_k, mu_s"),
         ("belt.py", ["--set", "mu_s"], "argument --set: 'mu_s' is not of the form name=value"),
         ("belt.py", ["--set", "mu_s=0.05"], "mu_s = 0.05"),
+        ("belt.py", ["--set", "mu_S=0.2"], "Did you mean mu_s"),
+        (
+            "belt.py",
+            ["--set", "normal_force=-1"],
+            "error: CoulombStiction: fmi2SetReal: normal_force = -1: must be >= 0",
+        ),
+        ("belt.py", ["--set", "velocity=1"], "error: velocity comes from BeltRig: it cannot be set"),
+        ("belt.py", ["--model", "LuGre", "Liang", "--set", "stribeck_velocity=1"], "error: Liang has no parameter"),
+        ("belt.py", ["--model", "LuGrePlanr"], "Did you mean LuGrePlanar"),
+        ("belt.py", ["--rig", "mas=2"], "error: BeltRig has no parameter 'mas'; it has mass, stiffness, belt_velocity"),
+        ("belt.py", ["--rig", "mas=2"], "Did you mean mass?"),
+        ("belt.py", ["--rig", "mass=-2"], "error: BeltRig: fmi2SetReal: mass = -2: must be > 0 and finite"),
+        ("belt.py", ["--rig", "mass=heavy"], "error: mass = 'heavy': must be a number (Real)"),
+        ("belt.py", ["--rig", "friction_force=1"], "error: friction_force comes from the friction model"),
+        ("belt.py", ["--rig", "mass"], "argument --rig: 'mass' is not of the form name=value"),
         ("belt.py", ["--step", "0"], "argument --step: '0' must be > 0 and finite"),
         ("belt.py", ["--step", "fast"], "argument --step: 'fast' is not a number"),
         ("belt.py", ["--fmus", "nowhere"], "there is none: run `python3 tasks.py pack`"),

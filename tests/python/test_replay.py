@@ -62,6 +62,15 @@ def test_the_dissipated_energy_is_the_area_of_the_loop():
     assert result.dissipated_energy[-1] == pytest.approx(area, rel=2e-3)
 
 
+@pytest.mark.parametrize(("law", "plane"), [("LuGre", "LuGrePlanar"), ("ElastoPlastic", "ElastoPlasticPlanar")])
+def test_a_law_in_the_plane_is_driven_along_x(law, plane):
+    """There it is the law of the line: same force, same energy."""
+    motion = stroke(501)
+    line, along_x = (replay(path_of(model), motion) for model in (law, plane))
+    assert along_x.friction_force == pytest.approx(line.friction_force, abs=1e-9)
+    assert along_x.dissipated_energy[-1] == pytest.approx(line.dissipated_energy[-1], rel=1e-6)
+
+
 def test_a_recording_need_not_start_at_zero():
     motion = stroke(101)
     later = Motion(motion.time + 1234.5, motion.position, motion.velocity, motion.normal_force)

@@ -1,0 +1,84 @@
+"""How the demo finds the step of a law: when it stops halving, what it compares, and what it cannot compare."""
+
+import math
+
+import belt_solutions
+import convergence
+import numpy
+import pytest
+from analysis import AGREEMENT, Cycle, compared_time, measure
+from belt import BeltRun, run_belt
+from coupling import CouplingError
+
+
+def test_the_step_is_halved_until_the_period_stays(monkeypatch):
+    """A period with an error of 40 h: at 0.25 ms half of it is 0.5 % of 1 s, but for that of the finer run."""
+
+    def run(_fmus, model, step, duration, every):
+        assert every == max(1, round(1e-3 / step))
+        time = numpy.linspace(0.0, duration, 4001)
+        position = numpy.cos(2.0 * numpy.pi * time / (1.0 + 40.0 * step))
+        return BeltRun(model, time, position, *[time] * 5, time > 0.0)
+
+    monkeypatch.setattr(convergence, "run_belt", run)
+    found = convergence.converged("Dahl", 4.0)
+    assert found.step == 2.5e-4
+    assert found.value == pytest.approx(1.01, abs=1e-4)
+    assert found.difference == pytest.approx(1.01 / 1.005 - 1.0, abs=1e-5)
+    assert "1 ms would give 1.0400 s" in found.remarks
+
+
+def test_a_law_that_does_not_settle_is_refused(monkeypatch):
+    def run(_fmus, model, step, duration, **_):
+        time = numpy.linspace(0.0, duration, 4001)
+        return BeltRun(model, time, numpy.cos(2.0 * numpy.pi * time * step**0.1), *[time] * 5, time > 0.0)
+
+    monkeypatch.setattr(convergence, "run_belt", run)
+    with pytest.raises(CouplingError, match=r"Dahl: still -6.70% from 7.8125e-06 s to 3.90625e-06 s, not converged"):
+        convergence.converged("Dahl", 12.0)
+
+
+def test_a_block_that_never_turns_back_cannot_be_compared():
+    with pytest.raises(CouplingError, match="CoulombStiction: the block never turns back in 5 s"):
+        convergence.converged("CoulombStiction", 5.0)
+
+
+def test_what_is_random_is_compared_by_its_first_maximum():
+    cycle = Cycle(first_slip=7.0, first_maximum=7.5, period=4.5, x_min=0.2, x_max=0.7)
+    assert (compared_time(cycle, False), compared_time(cycle, True)) == (4.5, 7.5)
+    once = Cycle(first_slip=7.0, first_maximum=7.5, period=math.nan, x_min=math.nan, x_max=0.7)
+    assert compared_time(once, False) == 7.5
+
+
+def test_random_bonds_have_the_same_first_maximum_at_each_step_and_not_the_same_periods():
+    cycles = []
+    for step in (1e-3, 2.5e-4):
+        run = run_belt(model="Bristle", step=step, every=round(1e-3 / step))
+        cycles.append(measure(run.time, run.position, run.sticking))
+    assert cycles[0].first_maximum == pytest.approx(cycles[1].first_maximum, rel=1e-3)
+    assert abs(cycles[0].period / cycles[1].period - 1.0) > AGREEMENT
+
+
+def test_the_delay_differential_equation_is_solved_well():
+    assert belt_solutions.frictional_lag(step=5e-5) == pytest.approx(belt_solutions.frictional_lag(), rel=1e-6)
+
+
+def test_without_lag_the_law_is_the_one_of_the_static_curve():
+    """A lag of one step against the fall of the level within 1 um/s: Coulomb friction with stiction."""
+    period = belt_solutions.frictional_lag(time_lag=1e-4, stribeck_velocity=1e-6)
+    assert period == pytest.approx(belt_solutions.periods()["CoulombStiction"], rel=1e-3)
+
+
+def test_the_acceleration_is_connected():
+    """Before the block comes to rest it slows down: the force is that of the lower branch, to the last digits."""
+    run = run_belt(model="Wojewoda", step=1e-4, time=10.5)
+    slow = (run.velocity < -1e-3) & (run.velocity > -2e-3)
+    slows_down = slow & (run.acceleration > 0.1) & ~run.sticking
+    assert slows_down.any()
+    fading = numpy.exp(-500.0 * -run.velocity[slows_down])
+    assert -run.friction_force[slows_down] == pytest.approx(0.981 - 0.4905 * fading, abs=1e-9)
+
+
+def test_a_call_that_fails_ends_the_run_with_the_reason_of_the_model():
+    with pytest.raises(CouplingError, match="fmi2"):
+        run_belt(model="Dahl", rig={"block_velocity": 1e308, "stiffness": 1e300})
