@@ -105,8 +105,9 @@ fn assert_passive(model: &str, values: &[(&str, f64)], speed: f64) {
     }
 }
 
-/// Inputs that move linearly: a dense sequence of short held steps is the other road.
-fn assert_ramp(model: &str, values: &[(&str, f64)], tolerance: f64) {
+/// Inputs that move linearly, in so many steps: a dense sequence of short held steps is the other road. Its load stays
+/// behind by half a short step: raised at once, it would bond what slides.
+fn assert_ramp(model: &str, values: &[(&str, f64)], steps: u32, tolerance: f64) {
     let mut ramp = Bench::new(model, values);
     let axis = if ramp.has("velocity") { "" } else { "_x" };
     let [velocity, force] = ["velocity", "friction_force"].map(|name| format!("{name}{axis}"));
@@ -115,9 +116,11 @@ fn assert_ramp(model: &str, values: &[(&str, f64)], tolerance: f64) {
     let mut dense = Bench::new(model, values);
     dense.instance.restore(&ramp.instance.save());
     let (moving, load) = (ramp.column(&velocity), ramp.column("normal_force"));
-    ramp.instance.put_slope(moving, 0.5);
-    ramp.instance.put_slope(load, 100.0);
-    ramp.step(0.02);
+    for _ in 0..steps {
+        ramp.instance.put_slope(moving, 0.5);
+        ramp.instance.put_slope(load, 100.0);
+        ramp.step(0.02 / f64::from(steps));
+    }
     let n = 300_000;
     for k in 0..n {
         let time = 0.02 * (f64::from(k) + 0.5) / f64::from(n);
@@ -126,7 +129,6 @@ fn assert_ramp(model: &str, values: &[(&str, f64)], tolerance: f64) {
         dense.step(0.02 / f64::from(n));
     }
     dense.set(&velocity, 8e-3);
-    dense.set("normal_force", 9.81 + 2.0);
     for name in [&*force, "dissipated_energy"] {
         let (a, b) = (ramp.get(name), dense.get(name));
         assert!((a / b - 1.0).abs() < tolerance, "{model} {name}: {a} against {b}");
@@ -231,8 +233,8 @@ fn maxwell_slip_with_equal_levels_is_passive() {
 
 #[test]
 fn maxwell_slip_with_ramped_inputs() {
-    assert_ramp("MaxwellSlip", &[], 1e-6);
-    assert_ramp("MaxwellSlip", &[("sigma_1", SIGMA_1), ("viscous_coefficient", SIGMA_2)], 1e-6);
+    assert_ramp("MaxwellSlip", &[], 500, 1e-6);
+    assert_ramp("MaxwellSlip", &[("sigma_1", SIGMA_1), ("viscous_coefficient", SIGMA_2)], 500, 1e-6);
 }
 
 /// The benchmark against the equations integrated together by Euler's method, with and without damping.
@@ -344,8 +346,8 @@ fn leuven_is_active_above_the_stated_bound() {
 
 #[test]
 fn leuven_with_ramped_inputs() {
-    assert_ramp("Leuven", &[], 1e-6);
-    assert_ramp("Leuven", &[("approach_exponent", 2.0)], 1e-6);
+    assert_ramp("Leuven", &[], 500, 1e-6);
+    assert_ramp("Leuven", &[("approach_exponent", 2.0)], 500, 1e-6);
 }
 
 /// The benchmark against the equations with the deflections z and zeta_i, integrated together by Euler's method.
@@ -460,7 +462,7 @@ fn gonthier_gives_back_no_more_than_the_stated_bound() {
 
 #[test]
 fn gonthier_with_ramped_inputs() {
-    assert_ramp("Gonthier", &[], 1e-6);
+    assert_ramp("Gonthier", &[], 1, 1e-6);
 }
 
 /// The benchmark against the equations integrated together by Euler's method.
@@ -736,7 +738,7 @@ fn planar_laws_are_isotropic() {
 #[test]
 fn laws_in_a_plane_with_ramped_inputs() {
     for model in ["Liang", "LuGrePlanar", "ElastoPlasticPlanar"] {
-        assert_ramp(model, &[("velocity_y", 3e-4)], 1e-5);
+        assert_ramp(model, &[("velocity_y", 3e-4)], if model == "Liang" { 100 } else { 1 }, 1e-5);
     }
 }
 

@@ -65,9 +65,114 @@ impl<T: Real> Division<T> {
     }
 }
 
+/// Velocity and load that move linearly over a step.
+#[derive(Clone, Copy)]
+pub(crate) struct Ramp {
+    /// Value at the beginning and slope.
+    pub(crate) velocity: [f64; 2],
+    /// Value at the beginning and slope.
+    pub(crate) normal_force: [f64; 2],
+    /// Time that the step takes.
+    pub(crate) duration: f64,
+}
+
+/// Equal parts of a step with moving inputs (chosen).
+const PARTS: u32 = 4;
+
+/// Levels of (|v| / v_S)^delta at which a step with moving inputs is cut, because the Stribeck level bends there (chosen).
+const BENDS: [f64; 7] = [1.0 / 16.0, 0.25, 9.0 / 16.0, 1.0, 2.25, 4.0, 9.0];
+
+/// Instants at which a step is cut, in rising order.
+pub(crate) struct Cuts {
+    times: [f64; PARTS as usize + 1 + 2 * BENDS.len()],
+    count: usize,
+}
+
+impl Cuts {
+    fn add(&mut self, time: f64) {
+        self.times[self.count] = time;
+        self.count += 1;
+    }
+
+    /// In rising order, without pieces that are nothing but rounding.
+    fn sort(&mut self, duration: f64) {
+        self.times[..self.count].sort_unstable_by(f64::total_cmp);
+        let (count, mut last) = (self.count, 0.0);
+        self.count = 0;
+        for at in 0..count {
+            let time = self.times[at];
+            if time - last > 1e-9 * duration {
+                self.add(time);
+                last = time;
+            } else if time == duration && self.count > 0 {
+                self.times[self.count - 1] = time;
+            }
+        }
+    }
+
+    /// Beginnings and ends of the pieces.
+    pub(crate) fn pieces(&self) -> impl Iterator<Item = [f64; 2]> {
+        let begins = std::iter::once(&0.0).chain(&self.times);
+        begins.zip(&self.times[..self.count]).map(|(begin, end)| [*begin, *end]).filter(|[begin, end]| begin < end)
+    }
+}
+
+impl Ramp {
+    pub(crate) fn velocity_at(&self, time: f64) -> f64 {
+        self.velocity[0] + self.velocity[1] * time
+    }
+
+    pub(crate) fn normal_force_at(&self, time: f64) -> f64 {
+        // By rounding, a load that vanishes at the end may end below 0.
+        (self.normal_force[0] + self.normal_force[1] * time).max(0.0)
+    }
+
+    /// Integral of the square of the velocity.
+    pub(crate) fn squares(&self, [from, to]: [f64; 2]) -> f64 {
+        let [a, b] = [from, to].map(|time| self.velocity_at(time));
+        (a * a + a * b + b * b) / 3.0 * (to - from)
+    }
+
+    /// Cuts the step where the motion turns back, where the level bends, and into equal parts.
+    pub(crate) fn cuts(&self, stribeck_velocity: f64, exponent: f64) -> Cuts {
+        let mut cuts = Cuts { times: [0.0; PARTS as usize + 1 + 2 * BENDS.len()], count: 0 };
+        (1..=PARTS).for_each(|part| cuts.add(self.duration * (f64::from(part) / f64::from(PARTS))));
+        let reach = |velocity: f64| (velocity - self.velocity[0]) / self.velocity[1];
+        let mut bend = |velocity: f64| {
+            let time = reach(velocity);
+            if time > 0.0 && time < self.duration {
+                cuts.add(time);
+            }
+        };
+        bend(0.0);
+        let fastest = self.velocity[0].abs().max(self.velocity_at(self.duration).abs());
+        for speed in BENDS.map(|power| stribeck_velocity * power.powf(1.0 / exponent)) {
+            if speed >= fastest {
+                break;
+            }
+            bend(speed);
+            bend(-speed);
+        }
+        cuts.sort(self.duration);
+        cuts
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_ramp_is_cut_where_it_turns_and_where_the_level_bends() {
+        let ramp = Ramp { velocity: [-1e-3, 1.0], normal_force: [1.0, 0.0], duration: 4e-3 };
+        let pieces: Vec<[f64; 2]> = ramp.cuts(1e-3, 2.0).pieces().collect();
+        assert!(pieces.windows(2).all(|pair| pair[0][1] == pair[1][0]));
+        assert_eq!((pieces[0][0], pieces[pieces.len() - 1][1]), (0.0, 4e-3));
+        // At -0.75, -0.5, -0.25, 0, 0.25, 0.5, 0.75, 1, 1.5 and 2 mm/s; the quarters are at 0, 1 and 2 mm/s.
+        assert_eq!(pieces.len(), 11, "{pieces:?}");
+        let still = Ramp { velocity: [0.0, 0.0], ..ramp };
+        assert_eq!(still.cuts(1e-3, 2.0).pieces().count(), 4);
+    }
 
     #[test]
     fn shares_add_up_to_one() {

@@ -1,5 +1,5 @@
 use crate::friction::ELASTIC_SHARE;
-use crate::friction::elements::{self, Division, ElementDistribution, Share};
+use crate::friction::elements::{self, Division, ElementDistribution, Ramp, Share};
 use crate::laws::{approach, stribeck};
 use crate::model::{Fault, Law, Model, Preset, boolean, integer, real};
 use crate::number::Real;
@@ -64,6 +64,11 @@ crate::model! {
     /// in closed form, otherwise by quadrature of time over force to 1e-13; each slip is located inside the step. So
     /// the result does not depend on how an interval is divided. `sticking` says that more than 1 % (chosen) of the
     /// motion still goes into the bristles.
+    ///
+    /// With linearly moving inputs the step is of second order, in 4 to 19 pieces (chosen): it is cut where v changes sign
+    /// and where the level bends, and in each piece level and strengths count as linear. F_h follows a moving level as
+    /// closely as the bristles do. An element that slips while the load rises stays at its strength, unless that outruns
+    /// it.
     ///
     /// # Errors
     /// Refused: a parameter outside its bound; `mu_s` < `mu_k`; `hysteresis_strength` < 1, because elements that are
@@ -166,6 +171,29 @@ impl<T: Real> Leuven<T> {
         self.element[..self.count()].iter().fold(T::zero(), |sum, element| sum + element.force)
     }
 
+    /// F_h as it goes on while the load rises: elements that slip follow their strength, unless it outruns them.
+    fn moving_hysteresis(&self) -> T {
+        let strength = self.strength();
+        let rate = self.deflection_rate(self.level());
+        if strength.tendency() <= 0.0 || rate.value() == 0.0 {
+            return self.hysteresis();
+        }
+        let division = Division::new(self.distribution, self.element[..self.count()].iter().map(|e| e.share));
+        // Nothing but what it changes by.
+        let motion = self.bristle_deflection - T::from(self.bristle_deflection.value());
+        self.element[..self.count()].iter().enumerate().fold(T::zero(), |sum, (index, element)| {
+            let share = division.of(index, &element.share);
+            let slipping = rate.sign() * share.strength_share * strength;
+            let sticking = element.force + share.stiffness_share * self.sigma_0 * motion;
+            let is_slower = (rate.sign() * slipping).tendency() <= (rate.sign() * sticking).tendency();
+            sum + match element.force.value() == slipping.value() {
+                true if is_slower => slipping,
+                true => sticking,
+                false => element.force,
+            }
+        })
+    }
+
     /// Is F_h at that level, as far as a sum of forces of both signs can tell?
     fn is_at(&self, level: T) -> bool {
         let forces = self.element[..self.count()].iter().map(|element| element.force.value().abs());
@@ -175,27 +203,33 @@ impl<T: Real> Leuven<T> {
 
     /// dz/dt.
     fn deflection_rate(&self, level: T) -> T {
+        self.rate_under(level, self.hysteresis())
+    }
+
+    /// dz/dt under that F_h.
+    fn rate_under(&self, level: T, hysteresis: T) -> T {
         if level.value() == 0.0 || self.is_at(level) {
             return T::zero();
         }
-        let r = self.velocity.sign() * self.hysteresis() / level;
+        let r = self.velocity.sign() * hysteresis / level;
         let power = if self.approach_exponent.is(1.0) { r.abs() } else { r.abs().powf(self.approach_exponent) };
         // A level far below the force must not make the rate infinite.
         self.velocity * (T::from(1.0) - r.sign() * power.limited(T::from(1e100)))
     }
 
-    fn force(&self, deflection_rate: T) -> T {
+    fn force(&self, hysteresis: T, deflection_rate: T) -> T {
         if self.normal_force.value() == 0.0 {
             return T::zero();
         }
-        self.hysteresis() + self.sigma_1 * deflection_rate + self.viscous_coefficient * self.velocity
+        hysteresis + self.sigma_1 * deflection_rate + self.viscous_coefficient * self.velocity
     }
 }
 
 impl<T: Real> Law for Leuven<T> {
     fn output(&mut self) {
-        let rate = self.deflection_rate(self.level());
-        self.friction_force = self.force(rate);
+        let hysteresis = self.moving_hysteresis();
+        let rate = self.rate_under(self.level(), hysteresis);
+        self.friction_force = self.force(hysteresis, rate);
         self.dissipated_power = self.friction_force * self.velocity;
         let [rate, velocity] = [rate.value(), self.velocity.value()];
         let elastic = velocity == 0.0 || rate * velocity.sign() > ELASTIC_SHARE * velocity.abs();
@@ -204,10 +238,15 @@ impl<T: Real> Law for Leuven<T> {
 }
 
 impl Leuven {
-    /// k_i and W_i.
+    fn division(&self) -> Division<f64> {
+        Division::new(self.distribution, self.element[..self.count()].iter().map(|e| e.share))
+    }
+
+    /// k_i and W_i / (w f_s).
+    #[inline]
     fn spring(&self, division: &Division<f64>, index: usize) -> (f64, f64) {
         let share = division.of(index, &self.element[index].share);
-        (share.stiffness_share * self.sigma_0, share.strength_share * self.strength())
+        (share.stiffness_share * self.sigma_0, share.strength_share)
     }
 
     fn release(&mut self) {
@@ -217,14 +256,28 @@ impl Leuven {
         }
     }
 
-    /// One piece of a step, at most until an element begins to slip. Advances the deflection and returns the distance
-    /// travelled and the work of F_h.
-    fn piece(&mut self, division: &Division<f64>, level: f64, distance: f64) -> (f64, f64) {
+    /// Moves over a distance at one level. Advances the deflection and returns the work of F_h.
+    fn advance(&mut self, limits: &mut Limits, level: f64, distance: f64) -> f64 {
+        let (mut left, mut work) = (distance, 0.0);
+        // Each piece but the last ends with an element that begins to slip, and in one direction each does so once.
+        for _ in 0..=self.count() {
+            let (done, area) = self.piece(limits, level, left);
+            work += area;
+            left -= done;
+            if left <= 0.0 {
+                break;
+            }
+        }
+        work
+    }
+
+    /// One piece of a step, at most until an element begins to slip. Returns the distance travelled and the work of F_h.
+    fn piece(&mut self, limits: &mut Limits, level: f64, distance: f64) -> (f64, f64) {
         let direction = self.velocity.sign();
         let force = direction * self.hysteresis();
         // The deflection grows up to the level, or falls to it from above.
         let outward = if force <= level { direction } else { -direction };
-        let (stiffness, room) = self.yielding(division, outward);
+        let (stiffness, room) = self.yielding(limits, outward);
         if stiffness == 0.0 || self.is_at(level) {
             return (distance, force * distance);
         }
@@ -234,43 +287,249 @@ impl Leuven {
         let travelled = approach::advance(force / level, slip, distance / unit, self.approach_exponent);
         // Exactly up to the slip, so that rounding does not leave the element short of it.
         let change = if travelled.arrived { room } else { travelled.change.abs() * unit };
-        self.deflect(division, outward, change, room);
+        self.deflect(limits, outward, change, room);
         let done = if travelled.arrived { travelled.distance * unit } else { distance };
         (done, travelled.area * unit * level)
     }
 
     /// Stiffness of the elements that follow a motion in that direction, and the deflection at which the next one
     /// slips.
-    fn yielding(&self, division: &Division<f64>, direction: f64) -> (f64, f64) {
+    fn yielding(&self, limits: &Limits, direction: f64) -> (f64, f64) {
         let (mut sum, mut room) = (0.0, f64::INFINITY);
         for index in 0..self.count() {
-            let (stiffness, strength) = self.spring(division, index);
-            let left = strength - direction * self.element[index].force;
-            if left > 0.0 {
+            let (stiffness, share) = self.spring(limits.division, index);
+            if let Some(own) = limits.room(index, stiffness, share, direction * self.element[index].force) {
                 sum += stiffness;
-                room = room.min(left / stiffness);
+                room = room.min(own);
             }
         }
         (sum, room)
     }
 
-    fn deflect(&mut self, division: &Division<f64>, direction: f64, change: f64, room: f64) {
+    fn deflect(&mut self, limits: &mut Limits, direction: f64, change: f64, room: f64) {
         self.bristle_deflection += direction * change;
+        let before = *limits;
+        limits.line = (before.line - before.fall * change).max(before.floor);
         for index in 0..self.count() {
-            let (stiffness, strength) = self.spring(division, index);
+            let (stiffness, share) = self.spring(limits.division, index);
             let force = &mut self.element[index].force;
-            let left = strength - direction * *force;
-            if left > 0.0 {
-                let slips = change >= room && left / stiffness <= room || stiffness * change >= left;
-                *force = if slips { direction * strength } else { *force + direction * stiffness * change };
+            if let Some(own) = before.room(index, stiffness, share, direction * *force) {
+                let slips = change >= room && own <= room || change >= own;
+                *force += direction * stiffness * change;
+                if slips {
+                    *force = direction * share * limits.at(index);
+                }
             }
+        }
+    }
+}
+
+/// What the elements can carry, in shares of w f_s.
+#[derive(Clone, Copy)]
+struct Limits<'a> {
+    division: &'a Division<f64>,
+    /// w f_s as far as the elements meet it; it falls with the deflection where the load falls, down to a floor.
+    line: f64,
+    fall: f64,
+    floor: f64,
+    /// Elements that slip along their rising strength, and w f_s in the middle of the piece, where they are held.
+    slipping: Marks,
+    held: f64,
+}
+
+impl<'a> Limits<'a> {
+    /// Of a load that is held.
+    fn held(division: &'a Division<f64>, strength: f64) -> Limits<'a> {
+        Limits { division, line: strength, fall: 0.0, floor: strength, slipping: Marks::default(), held: strength }
+    }
+
+    fn at(&self, index: usize) -> f64 {
+        if self.slipping.has(index) { self.held } else { self.line }
+    }
+
+    /// The deflection at which an element slips, with that force in the direction of the deflection; none if it does
+    /// not follow.
+    #[inline]
+    fn room(&self, index: usize, stiffness: f64, share: f64, force: f64) -> Option<f64> {
+        if self.slipping.has(index) {
+            let left = share * self.held - force;
+            return (left > 0.0).then(|| left / stiffness);
+        }
+        let left = share * self.line - force;
+        if self.fall == 0.0 {
+            return (left > 0.0).then(|| left / stiffness);
+        }
+        let above_floor = share * self.floor - force;
+        (left > 0.0).then(|| f64::max(left / (stiffness + share * self.fall), above_floor / stiffness))
+    }
+}
+
+/// A mark on each of some elements.
+#[derive(Clone, Copy, Default)]
+struct Marks([u64; elements::MOST.div_ceil(64)]);
+
+impl Marks {
+    #[inline]
+    fn has(&self, index: usize) -> bool {
+        self.0[index / 64] >> (index % 64) & 1 == 1
+    }
+
+    fn set(&mut self, index: usize) {
+        self.0[index / 64] |= 1 << (index % 64);
+    }
+}
+
+/// An element this close to its strength, in shares of what it can move over a piece of a ramp, counts as slipping
+/// (chosen).
+const NEAR: f64 = 1e-3;
+
+/// Both ends of a piece of a ramp, and its middle, at which the inputs are.
+struct Stretch {
+    /// w f_s at both ends.
+    strength: [f64; 2],
+    /// |s| at both ends.
+    level: [f64; 2],
+    /// |v| at the end.
+    speed: f64,
+    duration: f64,
+}
+
+impl Stretch {
+    /// Slope of w f_s.
+    fn rise(&self) -> f64 {
+        (self.strength[1] - self.strength[0]) / self.duration
+    }
+
+    /// K |v| / |s| times the duration, at the end and near the level, where the law is n times as fast.
+    fn distance(&self, stiffness: f64, exponent: f64) -> f64 {
+        exponent * stiffness * self.speed * self.duration / self.level[1]
+    }
+}
+
+/// 1 / x - 1 / (e^x - 1): how far behind its moving level, in shares of the change, an exponential approach stays that
+/// has taken x.
+fn lag(x: f64) -> f64 {
+    if x < 1e-3 { 0.5 - x / 12.0 } else { 1.0 / x - 1.0 / x.exp_m1() }
+}
+
+impl Leuven {
+    /// Advances over a piece of a ramp in which the velocity keeps its sign, and level and strengths count as linear.
+    ///
+    /// The approach to the level is that of held inputs, at the level which an exponential approach to the moving one
+    /// would have to see to end where it ends. Elements that slip along a rising strength are lifted half a piece
+    /// before and after.
+    fn follow(&mut self, ramp: &Ramp, [from, to]: [f64; 2], division: &Division<f64>) {
+        let Some(stretch) = self.enter(ramp, [from, to]) else { return };
+        let (direction, distance) = (self.velocity.sign(), self.velocity.abs() * stretch.duration);
+        let before = self.bristle_deflection;
+        let force = direction * self.hysteresis();
+        let (level, begin) = (self.level(), stretch.level[0]);
+        let rate = self.rate_at(force / if begin > 0.0 { begin } else { level });
+        let outward = if rate == 0.0 { direction } else { direction * rate.sign() };
+        let mut limits = self.limits(&stretch, division, rate.abs(), outward);
+        let drive =
+            outward * direction * self.drive(&limits, &stretch, |limits, index, _, _| limits.slipping.has(index));
+        let x = stretch.distance(self.yielding(&limits, outward).0, self.approach_exponent);
+        let [begin, end] = stretch.level;
+        let aim = end - (end - begin - drive * stretch.duration) * lag(x);
+        let seen = aim - 0.5 * drive * stretch.duration;
+        let work = self.advance(&mut limits, seen.max(0.25 * level), distance);
+        self.lift(&limits, &stretch, outward);
+        self.settle(division, &stretch, aim);
+        self.dissipated_energy += work
+            + self.sigma_1 * self.velocity * (self.bristle_deflection - before)
+            + self.viscous_coefficient * ramp.squares([from, to]);
+    }
+
+    /// Moves the inputs to the middle of a piece and says what there is at its ends; none if there is nothing to follow.
+    fn enter(&mut self, ramp: &Ramp, [from, to]: [f64; 2]) -> Option<Stretch> {
+        let [begin, end, middle] = [from, to, 0.5 * (from + to)].map(|time| {
+            (self.velocity, self.normal_force) = (ramp.velocity_at(time), ramp.normal_force_at(time));
+            (self.strength(), self.level())
+        });
+        if middle.1 == 0.0 {
+            self.release();
+            if self.normal_force > 0.0 {
+                self.dissipated_energy += self.viscous_coefficient * ramp.squares([from, to]);
+            }
+            return None;
+        }
+        let speed = ramp.velocity_at(to).abs();
+        let stretch = Stretch { strength: [begin.0, end.0], level: [begin.1, end.1], speed, duration: to - from };
+        (self.velocity != 0.0).then_some(stretch)
+    }
+
+    /// |dz/dt| with the sign of a deflection in the direction of the motion, for r = F_h / |s|.
+    fn rate_at(&self, r: f64) -> f64 {
+        self.velocity.abs() * (1.0 - r.sign() * r.abs().powf(self.approach_exponent))
+    }
+
+    /// Limits over a piece of a ramp, at that speed of deflection. Lifts the elements that slip to the middle.
+    fn limits<'a>(&mut self, stretch: &Stretch, division: &'a Division<f64>, rate: f64, outward: f64) -> Limits<'a> {
+        let [begin, end] = stretch.strength;
+        let mut limits = Limits { held: 0.5 * (begin + end), ..Limits::held(division, end) };
+        if stretch.rise() < 0.0 && rate > 0.0 {
+            (limits.line, limits.fall) = (begin, -stretch.rise() / rate);
+        }
+        for index in (0..self.count()).filter(|_| stretch.rise() > 0.0 && rate > 0.0) {
+            let (stiffness, share) = self.spring(division, index);
+            let force = &mut self.element[index].force;
+            let motion = stiffness * rate * stretch.duration;
+            let gap = share * begin - outward * *force;
+            if gap.abs() <= NEAR * motion && motion >= share * (end - begin) {
+                limits.slipping.set(index);
+                *force = outward * share * limits.held;
+            }
+        }
+        limits
+    }
+
+    /// Slope of the forces of some elements that follow their strength.
+    fn drive(&self, limits: &Limits, stretch: &Stretch, follows: impl Fn(&Limits, usize, f64, f64) -> bool) -> f64 {
+        let elements = (0..self.count()).filter_map(|index| {
+            let (_, share) = self.spring(limits.division, index);
+            follows(limits, index, share, self.element[index].force).then_some(share)
+        });
+        elements.sum::<f64>() * stretch.rise()
+    }
+
+    /// Lifts the elements that still slip from the middle to the end.
+    fn lift(&mut self, limits: &Limits, stretch: &Stretch, outward: f64) {
+        for index in (0..self.count()).filter(|index| limits.slipping.has(*index)) {
+            let (_, share) = self.spring(limits.division, index);
+            let force = &mut self.element[index].force;
+            if outward * *force == share * limits.held {
+                *force = outward * share * stretch.strength[1];
+            }
+        }
+    }
+
+    /// Where elements have begun to slip, the others end by more behind the level than was aimed at: moves them there,
+    /// as far as the approach has come.
+    fn settle(&mut self, division: &Division<f64>, stretch: &Stretch, aim: f64) {
+        let (direction, [begin, end]) = (self.velocity.sign(), stretch.level);
+        let outward = if direction * self.hysteresis() <= end { direction } else { -direction };
+        let mut limits = Limits::held(division, stretch.strength[1]);
+        let (stiffness, _) = self.yielding(&limits, outward);
+        let x = stretch.distance(stiffness, self.approach_exponent);
+        if x > 0.0 {
+            let is_at_limit = |limits: &Limits, _, share, force: f64| outward * force >= share * limits.line;
+            let drive = outward * direction * self.drive(&limits, stretch, is_at_limit).max(0.0);
+            let missing = end - (end - begin - drive * stretch.duration) * lag(x) - aim;
+            let change = -direction * missing * (-x).exp_m1() / stiffness;
+            let (_, room) = self.yielding(&limits, change.sign());
+            self.deflect(&mut limits, change.sign(), change.abs().min(room), room);
         }
     }
 }
 
 impl Model for Leuven {
     const PRESETS: &'static [Preset] = &[
-        Preset { name: "thesis", source: "Novais (2024), Tables 6.1 and 7.1: the start values", values: &[] },
+        Preset {
+            name: "four_elements",
+            source: "Example: levels and stiffness of Novais (2024), Tables 6.1 and 7.1; the rest chosen: the start values",
+            values: &[],
+        },
         Preset {
             name: "smooth",
             source: "Example of a smooth virgin curve: 64 elements with evenly spread displacements up to slip",
@@ -296,17 +555,7 @@ impl Model for Leuven {
         if level == 0.0 {
             self.release();
         } else if distance > 0.0 {
-            let division = Division::new(self.distribution, self.element[..self.count()].iter().map(|e| e.share));
-            let mut left = distance;
-            // Each piece but the last ends with an element that begins to slip, and in one direction each does so once.
-            for _ in 0..=self.count() {
-                let (done, area) = self.piece(&division, level, left);
-                work += area;
-                left -= done;
-                if left <= 0.0 {
-                    break;
-                }
-            }
+            work = self.advance(&mut Limits::held(&self.division(), self.strength()), level, distance);
         }
         if self.normal_force > 0.0 {
             let change = if level == 0.0 { 0.0 } else { self.bristle_deflection - before };
@@ -316,15 +565,28 @@ impl Model for Leuven {
         }
     }
 
+    fn step_ramp(&mut self, slope: &Self, dt: f64) {
+        let ramp = Ramp {
+            velocity: [self.velocity, slope.velocity],
+            normal_force: [self.normal_force, slope.normal_force],
+            duration: dt,
+        };
+        let division = self.division();
+        for piece in ramp.cuts(self.stribeck_velocity, self.stribeck_exponent).pieces() {
+            self.follow(&ramp, piece, &division);
+        }
+        (self.velocity, self.normal_force) = (ramp.velocity_at(dt), ramp.normal_force_at(dt));
+    }
+
     fn rate(&self, rate: &mut Self) {
         let level = self.level();
         rate.bristle_deflection = self.deflection_rate(level);
-        rate.dissipated_energy = self.force(rate.bristle_deflection) * self.velocity;
-        let division = Division::new(self.distribution, self.element[..self.count()].iter().map(|e| e.share));
+        rate.dissipated_energy = self.force(self.hysteresis(), rate.bristle_deflection) * self.velocity;
+        let (division, strength) = (self.division(), self.strength());
         let direction = rate.bristle_deflection.sign();
         for index in 0..self.count() {
-            let (stiffness, strength) = self.spring(&division, index);
-            if direction * self.element[index].force < strength {
+            let (stiffness, share) = self.spring(&division, index);
+            if direction * self.element[index].force < share * strength {
                 rate.element[index].force = stiffness * rate.bristle_deflection;
             }
         }

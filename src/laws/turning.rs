@@ -14,7 +14,7 @@ pub struct Turn {
 }
 
 /// A distance below this is short enough for Simpson's rule (chosen).
-const SHORT: f64 = 1e-3;
+const SHORT: f64 = 1e-5;
 
 /// Follows `d(phi)/d(q) = w / Q - sin(phi)` from the angle with that sine and cosine over the distance Q, while the
 /// leader turns by the angle w at constant speed. Exact: t = tan(phi / 2) obeys a Riccati equation with constant
@@ -81,6 +81,7 @@ mod tests {
             (0.0, 0.3, 2.0),
             (2.9, 2.0, 0.3),
             (-2.0, 1e-4, -0.8),
+            (-2.0, 1e-6, -0.3),
             (0.4, 1.0, 1.0),
             (0.0, 3.0, 0.0),
         ] {
