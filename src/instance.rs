@@ -21,7 +21,8 @@ pub struct Instance {
     /// Do the outputs lag behind the other columns?
     stale: bool,
     time: f64,
-    // Room to work in, so that no call allocates.
+    // Room to work in, so that no call allocates, and rows of many elements do not fill the stack of a host.
+    room: Box<[f64]>,
     rate: Box<[f64]>,
     duals: Box<[Dual]>,
     rate_duals: Box<[Dual]>,
@@ -69,6 +70,7 @@ impl Instance {
             unchecked: true,
             stale: true,
             time: 0.0,
+            room: memory::filled(0.0, columns)?,
             rate: memory::filled(0.0, columns)?,
             duals: memory::filled(Dual::default(), columns)?,
             rate_duals: memory::filled(Dual::default(), columns)?,
@@ -205,7 +207,7 @@ impl Instance {
 
     #[inline]
     fn compute_outputs(&mut self) -> Result<(), Fault> {
-        if !self.model.output(&mut self.row) {
+        if !self.model.try_output(&mut self.row, &mut self.room) {
             return Err(self.not_finite(format_args!("the outputs")));
         }
         self.stale = false;
@@ -269,7 +271,7 @@ impl Instance {
         if self.unchecked || self.has_slopes || !(dt > 0.0 && self.time + dt < f64::INFINITY) {
             return self.step_with_care(dt);
         }
-        if !self.model.advance(&mut self.row, dt) {
+        if !self.model.try_advance(&mut self.row, &mut self.room, dt) {
             return Err(self.step_not_finite(dt));
         }
         self.stale = false;
@@ -289,9 +291,9 @@ impl Instance {
         self.check()?;
         let finite = if self.slopes_are_new {
             self.check_ramps(dt)?;
-            self.model.advance_ramp(&mut self.row, &self.slope, dt)
+            self.model.try_advance_ramp(&mut self.row, &mut self.room, &self.slope, dt)
         } else {
-            self.model.advance(&mut self.row, dt)
+            self.model.try_advance(&mut self.row, &mut self.room, dt)
         };
         if !finite {
             return Err(self.step_not_finite(dt));
@@ -375,7 +377,7 @@ impl Instance {
     /// Changes what changes at an event only. True if a continuous state was among it.
     pub fn at_event(&mut self) -> Result<bool, Fault> {
         self.rate.copy_from_slice(&self.row);
-        if !self.model.at_event(&mut self.row) {
+        if !self.model.try_at_event(&mut self.row, &mut self.room) {
             return Err(self.not_finite(format_args!("the states after an event")));
         }
         self.stale = true;
