@@ -53,7 +53,7 @@ fn sources(root: &Path) -> Result<Vec<PathBuf>> {
     for folder in ["src/c_api", "src/fmi2"] {
         for file in text::rust_files(&root.join(folder))? {
             let source = fs::read_to_string(&file).with_context(|| format!("cannot read {}", file.display()))?;
-            if source.contains("extern \"C\" fn") {
+            if ["C", "C-unwind"].iter().any(|abi| source.contains(&format!("extern \"{abi}\" fn"))) {
                 sources.push(file);
             }
         }
