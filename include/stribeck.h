@@ -354,6 +354,14 @@ stribeck_status stribeck_save(stribeck_model *model, void *buffer, size_t size);
  */
 stribeck_status stribeck_restore(stribeck_model *model, const void *buffer, size_t size);
 
+/**
+ * What should be known of the present values, which were taken though they make no sense, such as an input that was left
+ * open and stands at 0; an empty text if there is nothing. To be asked whenever it matters, best after the first step:
+ * the library does not tell it by itself. The text lives until the next call of this function on the handle. For NULL it
+ * says that the handle is NULL.
+ */
+const char *stribeck_warning(stribeck_model *model);
+
 /** Enters event mode, in which inputs may jump. */
 fmi2Status fmi2EnterEventMode(fmi2Component c);
 

@@ -1,7 +1,6 @@
 //! What a caller should know of values that were taken.
 
 use std::borrow::Cow;
-use std::ffi::CStr;
 
 use libc::c_char;
 
@@ -35,6 +34,7 @@ pub unsafe extern "C" fn stribeck_warning(model: *mut stribeck_model) -> *const 
 
 #[cfg(test)]
 mod tests {
+    use std::ffi::CStr;
     use std::ptr::null_mut;
 
     use super::*;

@@ -195,11 +195,11 @@ pub(super) struct Line {
 }
 
 impl Line {
-    pub fn new(text: fmt::Arguments) -> Line {
-        let mut line = Line { bytes: [0; 512], length: 0 };
+    pub const EMPTY: Line = Line { bytes: [0; 512], length: 0 };
+
+    pub fn write(&mut self, text: fmt::Arguments) {
         // An error says that the text is cut, which is what it is for.
-        let _ = write!(line, "{}", Doubled(text));
-        line
+        let _ = write!(self, "{}", Doubled(text));
     }
 
     /// The text, up to the first zero.

@@ -50,18 +50,17 @@ pub unsafe extern "C-unwind" fn fmi2Instantiate(
     // SAFETY: the caller promises NULL or zero-terminated texts.
     let (name, guid) = unsafe { (door::text(instanceName), door::text(fmuGUID)) };
     let name = name.unwrap_or_default();
-    match make(name, fmuType, guid, callbacks, loggingOn != fmi2False) {
-        Ok(c) => c,
-        Err(why) => {
-            // The logger may throw: there is nothing to clean up, see `Log`.
-            // SAFETY: the importer's callbacks.
-            unsafe { log::send(&callbacks, name, fmi2Status::fmi2Error, &log::ERROR, why.text()) };
-            null_mut()
-        }
+    let mut why = Line::EMPTY;
+    let c = make(name, fmuType, guid, callbacks, loggingOn != fmi2False, &mut why);
+    if c.is_null() {
+        // The logger may throw: there is nothing to clean up, see `Log`.
+        // SAFETY: the importer's callbacks.
+        unsafe { log::send(&callbacks, name, fmi2Status::fmi2Error, &log::ERROR, why.text()) };
     }
+    c
 }
 
-/// Makes an instance, or says why not.
+/// Makes an instance; NULL if it cannot, and `line` says why.
 #[inline(never)]
 fn make(
     name: &CStr,
@@ -69,13 +68,15 @@ fn make(
     guid: Option<&CStr>,
     callbacks: fmi2CallbackFunctions,
     debug: bool,
-) -> Result<fmi2Component, Line> {
-    let refused = |why: String| Line::new(format_args!("fmi2Instantiate: {why}"));
-    match catch_unwind(AssertUnwindSafe(|| instantiate(name, kind, guid, callbacks, debug))) {
-        Ok(Ok(slave)) => Ok(Box::into_raw(slave).cast()),
-        Ok(Err(why)) => Err(refused(why)),
-        Err(panic) => Err(refused(crate::panics::text(&*panic))),
-    }
+    line: &mut Line,
+) -> fmi2Component {
+    let why = match catch_unwind(AssertUnwindSafe(|| instantiate(name, kind, guid, callbacks, debug))) {
+        Ok(Ok(slave)) => return Box::into_raw(slave).cast(),
+        Ok(Err(why)) => why,
+        Err(panic) => crate::panics::text(&*panic),
+    };
+    line.write(format_args!("fmi2Instantiate: {why}"));
+    null_mut()
 }
 
 fn instantiate(
