@@ -2,6 +2,7 @@
 
 use std::fmt;
 
+use crate::consistency::Consistency;
 use crate::memory::{self, OutOfMemory};
 use crate::model::{Brief, Fault, ModelType, Role, Variable};
 use crate::number::Dual;
@@ -34,6 +35,8 @@ pub struct Instance {
     latest: Box<[f64]>,
     latest_is_known: bool,
     is_between_events: bool,
+    /// Of a model with a length and its derivative, until a state is restored: who restores may repeat steps.
+    consistency: Option<Consistency>,
 }
 
 /// Everything of an [`Instance`] that changes while it lives.
@@ -79,6 +82,7 @@ impl Instance {
             latest_is_known: false,
             jumping,
             is_between_events: false,
+            consistency: None,
         };
         instance.reset();
         Ok(instance)
@@ -94,6 +98,7 @@ impl Instance {
         self.unchecked = true;
         self.stale = true;
         self.is_between_events = false;
+        self.consistency = Consistency::of(self.model);
         self.time = 0.0;
     }
 
@@ -271,12 +276,26 @@ impl Instance {
         if self.unchecked || self.has_slopes || !(dt > 0.0 && self.time + dt < f64::INFINITY) {
             return self.step_with_care(dt);
         }
+        self.observe(dt);
         if !self.model.try_advance(&mut self.row, &mut self.room, dt) {
             return Err(self.step_not_finite(dt));
         }
         self.stale = false;
         self.time += dt;
         Ok(())
+    }
+
+    #[inline(always)]
+    fn observe(&mut self, dt: f64) {
+        if let Some(consistency) = &mut self.consistency {
+            consistency.observe(&self.row, dt);
+        }
+    }
+
+    /// What the user should know of values that were taken though they make no sense.
+    pub fn warning(&self) -> Option<Fault> {
+        let of_steps = || self.consistency.as_ref().and_then(Consistency::warning);
+        self.model.warning(&self.row).or_else(of_steps)
     }
 
     #[inline(never)]
@@ -289,6 +308,7 @@ impl Instance {
             return Err(Fault::new(format_args!("a step of {dt} s from {time} s: the time must stay finite")));
         }
         self.check()?;
+        self.observe(dt);
         let finite = if self.slopes_are_new {
             self.check_ramps(dt)?;
             self.model.try_advance_ramp(&mut self.row, &mut self.room, &self.slope, dt)
@@ -459,6 +479,7 @@ impl Instance {
         self.has_slopes = true;
         self.unchecked = true;
         self.is_between_events = false;
+        self.consistency = None;
         self.stale = snapshot.stale;
         self.time = snapshot.time;
     }

@@ -18,8 +18,7 @@ use crate::memory::{self, OUT_OF_MEMORY};
 pub unsafe extern "C" fn stribeck_warning(model: *mut stribeck_model) -> *const c_char {
     let mut text: *const c_char = c"the handle is NULL".as_ptr();
     let body = |model: &mut stribeck_model| {
-        let instance = &model.instance;
-        model.warning = match instance.model().warning(instance.row()) {
+        model.warning = match model.instance.warning() {
             None => Cow::Borrowed(c""),
             Some(warning) => memory::c_text(&warning.0).map_or(Cow::Borrowed(OUT_OF_MEMORY), Cow::Owned),
         };

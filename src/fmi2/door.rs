@@ -110,7 +110,7 @@ impl Slave {
     #[cold]
     #[inline(never)]
     fn warn(&mut self) {
-        if let Some(warning) = self.instance.model().warning(self.instance.row()) {
+        if let Some(warning) = self.instance.warning() {
             self.log.warn(&warning.0);
         }
     }
