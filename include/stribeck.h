@@ -136,7 +136,7 @@ typedef struct {
   stribeck_kind kind;
   /** Start value. */
   double start;
-  /** Smallest value admitted, `-DBL_MAX` if there is none; a smallest value of 0 may itself be refused (stiffness). */
+  /** Smallest value admitted, `-DBL_MAX` if there is none; 1e-300 where a value must be > 0 (stiffness). */
   double min;
   /** Largest value admitted, `DBL_MAX` if there is none. */
   double max;

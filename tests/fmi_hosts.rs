@@ -306,6 +306,34 @@ fn a_wrong_step_is_refused_by_a_rough_clock_too() {
     }
 }
 
+/// A host that answers each evaluation of its integrator with a step, 21 times in each of its own steps, at times of its
+/// own count: every step returns fmi2OK, and the log says once what is wrong. A host that steps once is told nothing.
+#[test]
+fn a_strut_that_is_stepped_too_often_is_told_of() {
+    for often in [1, 21] {
+        let importer = Importer::ready("ShockAbsorber");
+        let mut steps = 0;
+        for k in 0..1000 {
+            let angle = 10.0 * 1e-3 * f64::from(k);
+            assert_eq!(importer.set("length", 0.1775 + 0.02 * angle.sin()), fmi2OK);
+            assert_eq!(importer.set("velocity", 0.2 * angle.cos()), fmi2OK);
+            for _ in 0..often {
+                assert_eq!(importer.step(f64::from(steps) * 1e-3, 1e-3), fmi2OK);
+                steps += 1;
+            }
+        }
+        let heard = std::mem::take(&mut *importer.heard.lock().expect("one thread"));
+        if often == 1 {
+            assert!(heard.is_empty(), "{heard:?}");
+        } else {
+            assert!(!heard.is_empty() && heard.len() < 6, "{heard:?}");
+            let (status, category, text) = &heard[heard.len() - 1];
+            assert_eq!((*status, &**category), (fmi2Warning, "logStatusWarning"));
+            assert!(text.contains("21.0 times that of length"), "{text}");
+        }
+    }
+}
+
 /// `loggingOn` switches debug logging: why a call has failed is no such thing. What a solver's trials meet is.
 #[test]
 fn reasons_are_heard_where_logging_is_off() {

@@ -105,7 +105,7 @@ pub struct stribeck_variable {
     pub kind: stribeck_kind,
     /// Start value.
     pub start: f64,
-    /// Smallest value admitted, `-DBL_MAX` if there is none; a smallest value of 0 may itself be refused (stiffness).
+    /// Smallest value admitted, `-DBL_MAX` if there is none; 1e-300 where a value must be > 0 (stiffness).
     pub min: f64,
     /// Largest value admitted, `DBL_MAX` if there is none.
     pub max: f64,

@@ -35,7 +35,7 @@ pub const CATEGORIES: [Category; 4] = [WARNING, DISCARD, ERROR, ALL];
 /// A message is kept first, and told when nothing else is left to do in a call. The logger of a C++ host may throw: no
 /// function that it then leaves may have anything to clean up, because that would be done by the unwinder of this
 /// library, and unwinders of two libraries need not understand each other. For the same reason the text belongs to the
-/// log and is freed later.
+/// log, which frees it later if it must.
 pub(super) struct Log {
     callbacks: fmi2CallbackFunctions,
     instance_name: CString,
@@ -130,6 +130,7 @@ impl Log {
         let text = self.message.as_deref().unwrap_or(OUT_OF_MEMORY);
         // SAFETY: the callbacks are those of the importer.
         unsafe { send(&self.callbacks, &self.instance_name, status, category, text) };
+        self.message = None;
     }
 }
 
