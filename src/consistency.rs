@@ -4,7 +4,6 @@
 //! own count advances what a model remembers many times too far, and no communication point tells: only that the length
 //! does not follow from the velocity. Where a model has both as inputs, the ways that they make are compared.
 
-use crate::memory;
 use crate::model::{Fault, Kind, ModelType, Role};
 
 /// A way in one direction counts from this number of steps on (chosen): a velocity that rings from step to step, as that
@@ -31,10 +30,18 @@ struct Stroke {
 pub(crate) struct Consistency {
     length: usize,
     velocity: usize,
+    so_far: SoFar,
+}
+
+/// What was seen in a run.
+#[derive(Clone, Copy, Default)]
+struct SoFar {
     stroke: Stroke,
     by_length: f64,
     by_velocity: f64,
     largest: f64,
+    /// Is nothing known any more?
+    is_given_up: bool,
 }
 
 impl Consistency {
@@ -47,14 +54,42 @@ impl Consistency {
             model.find(name).filter(is_input)
         };
         let (length, velocity) = (input("length")?, input("velocity")?);
-        let stroke = Stroke::default();
-        Some(Consistency { length, velocity, stroke, by_length: 0.0, by_velocity: 0.0, largest: 0.0 })
+        Some(Consistency { length, velocity, so_far: SoFar::default() })
+    }
+
+    /// A run begins.
+    pub fn begin(&mut self) {
+        self.so_far = SoFar::default();
+    }
+
+    /// A state is restored: who does so may repeat steps, and has a way back.
+    pub fn give_up(&mut self) {
+        self.so_far.is_given_up = true;
+    }
+
+    /// What the host should know.
+    pub fn warning(&self) -> Option<Fault> {
+        let (by_length, by_velocity) = self.so_far.ways();
+        let ratio = by_length / by_velocity;
+        let is_wrong = by_velocity > SIGNIFICANT * self.so_far.largest && WRONG[0] < ratio && ratio < WRONG[1];
+        (is_wrong && !self.so_far.is_given_up).then(|| {
+            Fault::new(format_args!(
+                "the steps so far, with velocity, make a way {:.1} times that of length: is each step made once, and \
+                 is velocity the time derivative of length?",
+                1.0 / ratio
+            ))
+        })
     }
 
     /// Takes part in a step of `dt` from that row on.
     #[inline]
     pub fn observe(&mut self, row: &[f64], dt: f64) {
-        let (length, way) = (row[self.length], row[self.velocity] * dt);
+        self.so_far.add(row[self.length], row[self.velocity] * dt);
+    }
+}
+
+impl SoFar {
+    fn add(&mut self, length: f64, way: f64) {
         let moved = length - self.stroke.end;
         let turns = way * self.stroke.by_velocity < 0.0;
         // Backwards by more than a step makes: the host has put the length somewhere else.
@@ -80,20 +115,6 @@ impl Consistency {
 
     fn close(&mut self) {
         (self.by_length, self.by_velocity) = self.ways();
-    }
-
-    /// What the host should know.
-    pub fn warning(&self) -> Option<Fault> {
-        let (by_length, by_velocity) = self.ways();
-        let ratio = by_length / by_velocity;
-        let is_wrong = by_velocity > SIGNIFICANT * self.largest && WRONG[0] < ratio && ratio < WRONG[1];
-        is_wrong.then(|| {
-            Fault(memory::text(format_args!(
-                "the steps so far, with velocity, make a way {:.1} times that of length: is each step made once, and \
-                 is velocity the time derivative of length?",
-                1.0 / ratio
-            )))
-        })
     }
 }
 

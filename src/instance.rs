@@ -35,8 +35,8 @@ pub struct Instance {
     latest: Box<[f64]>,
     latest_is_known: bool,
     is_between_events: bool,
-    /// Of a model with a length and its derivative, until a state is restored: who restores may repeat steps.
-    consistency: Option<Consistency>,
+    /// Of a model with a length and its derivative.
+    consistency: Option<Box<Consistency>>,
 }
 
 /// Everything of an [`Instance`] that changes while it lives.
@@ -82,7 +82,7 @@ impl Instance {
             latest_is_known: false,
             jumping,
             is_between_events: false,
-            consistency: None,
+            consistency: Consistency::of(model).map(memory::boxed).transpose()?,
         };
         instance.reset();
         Ok(instance)
@@ -98,7 +98,9 @@ impl Instance {
         self.unchecked = true;
         self.stale = true;
         self.is_between_events = false;
-        self.consistency = Consistency::of(self.model);
+        if let Some(consistency) = &mut self.consistency {
+            consistency.begin();
+        }
         self.time = 0.0;
     }
 
@@ -294,7 +296,7 @@ impl Instance {
 
     /// What the user should know of values that were taken though they make no sense.
     pub fn warning(&self) -> Option<Fault> {
-        let of_steps = || self.consistency.as_ref().and_then(Consistency::warning);
+        let of_steps = || self.consistency.as_ref()?.warning();
         self.model.warning(&self.row).or_else(of_steps)
     }
 
@@ -479,7 +481,9 @@ impl Instance {
         self.has_slopes = true;
         self.unchecked = true;
         self.is_between_events = false;
-        self.consistency = None;
+        if let Some(consistency) = &mut self.consistency {
+            consistency.give_up();
+        }
         self.stale = snapshot.stale;
         self.time = snapshot.time;
     }
