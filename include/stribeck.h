@@ -140,7 +140,7 @@ typedef struct {
   stribeck_kind kind;
   /** Start value. */
   double start;
-  /** Smallest value admitted, `-DBL_MAX` if there is none; a smallest value of 0 may itself be refused (stiffness). */
+  /** Smallest value admitted, `-DBL_MAX` if there is none; 1e-300 where a value must be > 0 (stiffness). */
   double min;
   /** Largest value admitted, `DBL_MAX` if there is none. */
   double max;
@@ -358,6 +358,14 @@ stribeck_status stribeck_save(stribeck_model *model, void *buffer, size_t size);
  */
 stribeck_status stribeck_restore(stribeck_model *model, const void *buffer, size_t size);
 
+/**
+ * What should be known of the present values, which were taken though they make no sense, such as an input that was left
+ * open and stands at 0; an empty text if there is nothing. To be asked whenever it matters, best after the first step:
+ * the library does not tell it by itself. The text lives until the next call of this function on the handle. For NULL it
+ * says that the handle is NULL.
+ */
+const char *stribeck_warning(stribeck_model *model);
+
 /** Enters event mode, in which inputs may jump. */
 fmi2Status fmi2EnterEventMode(fmi2Component c);
 
@@ -424,7 +432,11 @@ fmi2Component fmi2Instantiate(fmi2String instanceName,
 /** Frees an instance. NULL is ignored. */
 void fmi2FreeInstance(fmi2Component c);
 
-/** Switches log categories (`logStatusDiscard`, `logStatusError`, `logAll`); all of them if `nCategories` is 0. */
+/**
+ * Switches log categories (`logStatusWarning`, `logStatusDiscard`, `logStatusError`, `logAll`); all of them if
+ * `nCategories` is 0. Before, an importer hears of errors, refused values and warnings even if `loggingOn` of
+ * fmi2Instantiate was false; of what a solver's trials meet only if it was true.
+ */
 fmi2Status fmi2SetDebugLogging(fmi2Component c,
                                fmi2Boolean loggingOn,
                                size_t nCategories,
@@ -845,7 +857,7 @@ typedef enum stribeck_threlfall_variant {
 } stribeck_threlfall_variant;
 
 /** Guid of Coulomb for fmi2Instantiate. */
-#define STRIBECK_COULOMB_GUID "{0dd73aab-6318-a97e-4a98-b2ae200224d4}"
+#define STRIBECK_COULOMB_GUID "{fb659324-e0c3-ce41-2146-55895ceafc3a}"
 
 /** Coulomb: Coulomb friction. Columns of "Coulomb". */
 typedef enum stribeck_coulomb_variable {
@@ -892,7 +904,7 @@ typedef enum stribeck_coulomb_variable {
 } stribeck_coulomb_variable;
 
 /** Guid of CoulombStiction for fmi2Instantiate. */
-#define STRIBECK_COULOMB_STICTION_GUID "{758ac78e-56e1-60b6-313f-9ac7f3e51891}"
+#define STRIBECK_COULOMB_STICTION_GUID "{e7ea788d-a8a2-b9d8-d81b-ef6808efd35b}"
 
 /** CoulombStiction: Coulomb friction with stiction. Columns of "CoulombStiction". */
 typedef enum stribeck_coulomb_stiction_variable {
@@ -944,7 +956,7 @@ typedef enum stribeck_coulomb_stiction_variable {
 } stribeck_coulomb_stiction_variable;
 
 /** Guid of CoulombViscous for fmi2Instantiate. */
-#define STRIBECK_COULOMB_VISCOUS_GUID "{f8eb09ce-b33e-cd9c-9eef-f35602b85017}"
+#define STRIBECK_COULOMB_VISCOUS_GUID "{0bbd722f-8a86-a8de-7812-3ff399de0f6b}"
 
 /** CoulombViscous: Coulomb friction with a viscous part. Columns of "CoulombViscous". */
 typedef enum stribeck_coulomb_viscous_variable {
@@ -997,7 +1009,7 @@ typedef enum stribeck_coulomb_viscous_variable {
 } stribeck_coulomb_viscous_variable;
 
 /** Guid of Stribeck for fmi2Instantiate. */
-#define STRIBECK_STRIBECK_GUID "{d3ee4510-0a45-729a-8ea6-5e8f89cfd1db}"
+#define STRIBECK_STRIBECK_GUID "{eb97d980-f77d-c639-424c-3089c71f9761}"
 
 /** Stribeck: Friction that falls with speed from the static to the kinetic level (Stribeck). Columns of "Stribeck". */
 typedef enum stribeck_stribeck_variable {
@@ -1057,7 +1069,7 @@ typedef enum stribeck_stribeck_variable {
 } stribeck_stribeck_variable;
 
 /** Guid of Bernard for fmi2Instantiate. */
-#define STRIBECK_BERNARD_GUID "{6ee438c1-b043-793b-dd85-47f810e0a6c0}"
+#define STRIBECK_BERNARD_GUID "{ad321a7e-30f1-7624-e7ce-84f40be6c004}"
 
 /** Bernard: Coulomb friction with a linear transition, by its slope (Bernard). Columns of "Bernard". */
 typedef enum stribeck_bernard_variable {
@@ -1106,7 +1118,7 @@ typedef enum stribeck_bernard_variable {
 } stribeck_bernard_variable;
 
 /** Guid of Threlfall for fmi2Instantiate. */
-#define STRIBECK_THRELFALL_GUID "{0046f53a-140d-412c-02ea-86765209dd05}"
+#define STRIBECK_THRELFALL_GUID "{bb5eaf15-59a3-4c5f-f682-f2ef590cb821}"
 
 /** Threlfall: Coulomb friction with an exponential transition (Threlfall). Columns of "Threlfall". */
 typedef enum stribeck_threlfall_variable {
@@ -1157,7 +1169,7 @@ typedef enum stribeck_threlfall_variable {
 } stribeck_threlfall_variable;
 
 /** Guid of ThrelfallModified for fmi2Instantiate. */
-#define STRIBECK_THRELFALL_MODIFIED_GUID "{6fd9d2b4-fece-4d8d-c750-769546e57a08}"
+#define STRIBECK_THRELFALL_MODIFIED_GUID "{a96bd702-4087-5c50-234b-746c6ca4b0a2}"
 
 /** ThrelfallModified: Coulomb friction with an exponential transition that ends at the Coulomb level (modified Threlfall). Columns of "ThrelfallModified". */
 typedef enum stribeck_threlfall_modified_variable {
@@ -1206,7 +1218,7 @@ typedef enum stribeck_threlfall_modified_variable {
 } stribeck_threlfall_modified_variable;
 
 /** Guid of RooneyDeravi for fmi2Instantiate. */
-#define STRIBECK_ROONEY_DERAVI_GUID "{a6694f74-edf9-eba7-124c-b436025f60d1}"
+#define STRIBECK_ROONEY_DERAVI_GUID "{312c97b3-41fd-9812-535e-d4e2a41a60df}"
 
 /** RooneyDeravi: Coulomb friction with a transition band (Rooney and Deravi). Columns of "RooneyDeravi". */
 typedef enum stribeck_rooney_deravi_variable {
@@ -1257,7 +1269,7 @@ typedef enum stribeck_rooney_deravi_variable {
 } stribeck_rooney_deravi_variable;
 
 /** Guid of Ambrosio for fmi2Instantiate. */
-#define STRIBECK_AMBROSIO_GUID "{239785d7-c1cf-c79f-8010-381a21b9e07f}"
+#define STRIBECK_AMBROSIO_GUID "{380c02af-5fa2-ec06-debd-6a22b6758231}"
 
 /** Ambrosio: Coulomb friction that is ramped in with speed (Ambrosio). Columns of "Ambrosio". */
 typedef enum stribeck_ambrosio_variable {
@@ -1308,7 +1320,7 @@ typedef enum stribeck_ambrosio_variable {
 } stribeck_ambrosio_variable;
 
 /** Guid of Karnopp for fmi2Instantiate. */
-#define STRIBECK_KARNOPP_GUID "{56eb0852-8baf-f60f-607e-60a32578e6c4}"
+#define STRIBECK_KARNOPP_GUID "{3fcf125c-2e96-4200-2f4a-838dee1b75b4}"
 
 /** Karnopp: Coulomb friction with a band of stiction (Karnopp). Columns of "Karnopp". */
 typedef enum stribeck_karnopp_variable {
@@ -1362,7 +1374,7 @@ typedef enum stribeck_karnopp_variable {
 } stribeck_karnopp_variable;
 
 /** Guid of BengisuAkay for fmi2Instantiate. */
-#define STRIBECK_BENGISU_AKAY_GUID "{6cd005e9-c2e9-099c-a2e0-ca81036db39f}"
+#define STRIBECK_BENGISU_AKAY_GUID "{933f8650-6996-37d5-6b60-4c96817b09f9}"
 
 /** BengisuAkay: Continuous friction law with a stiction peak (Bengisu and Akay). Columns of "BengisuAkay". */
 typedef enum stribeck_bengisu_akay_variable {
@@ -1420,7 +1432,7 @@ typedef enum stribeck_bengisu_akay_variable {
 } stribeck_bengisu_akay_variable;
 
 /** Guid of Hollars for fmi2Instantiate. */
-#define STRIBECK_HOLLARS_GUID "{164a6953-e934-75eb-3ab9-c187adeeac4b}"
+#define STRIBECK_HOLLARS_GUID "{4be45cc6-1b25-660f-95ce-4b4b73d4e5a9}"
 
 /** Hollars: Continuous friction law with a stiction peak, without exponentials (Hollars). Columns of "Hollars". */
 typedef enum stribeck_hollars_variable {
@@ -1473,7 +1485,7 @@ typedef enum stribeck_hollars_variable {
 } stribeck_hollars_variable;
 
 /** Guid of Andersson for fmi2Instantiate. */
-#define STRIBECK_ANDERSSON_GUID "{4c6cbd81-924d-5229-544f-bf68ced54c6d}"
+#define STRIBECK_ANDERSSON_GUID "{aaa59c49-c4a3-caca-c14d-1657cd5d389f}"
 
 /** Andersson: Smooth friction law with the Stribeck curve (Andersson). Columns of "Andersson". */
 typedef enum stribeck_andersson_variable {
@@ -1531,7 +1543,7 @@ typedef enum stribeck_andersson_variable {
 } stribeck_andersson_variable;
 
 /** Guid of Awrejcewicz for fmi2Instantiate. */
-#define STRIBECK_AWREJCEWICZ_GUID "{039c8d60-efda-c34c-8467-938a2a1f54b1}"
+#define STRIBECK_AWREJCEWICZ_GUID "{127b1472-946c-3c46-544d-028ac13fa185}"
 
 /** Awrejcewicz: Continuous friction law that holds a load at rest (Awrejcewicz, Grzelczyk and Pyryev). Columns of "Awrejcewicz". */
 typedef enum stribeck_awrejcewicz_variable {
@@ -1585,7 +1597,7 @@ typedef enum stribeck_awrejcewicz_variable {
 } stribeck_awrejcewicz_variable;
 
 /** Guid of Specker for fmi2Instantiate. */
-#define STRIBECK_SPECKER_GUID "{a064d60f-5a53-766a-100a-89d2df67ed06}"
+#define STRIBECK_SPECKER_GUID "{3a3f8b54-d507-acbd-3715-98ad17a4d9e0}"
 
 /** Specker: Smooth friction law that passes through the static level (Specker). Columns of "Specker". */
 typedef enum stribeck_specker_variable {
@@ -1640,7 +1652,7 @@ typedef enum stribeck_specker_variable {
 } stribeck_specker_variable;
 
 /** Guid of LinearStiction for fmi2Instantiate. */
-#define STRIBECK_LINEAR_STICTION_GUID "{a3fab339-5708-ca68-f01f-c09f33a5fb20}"
+#define STRIBECK_LINEAR_STICTION_GUID "{beca64fd-e257-4943-d87f-1927eb1e9a96}"
 
 /** LinearStiction: Friction law with stiction made of three straight lines. Columns of "LinearStiction". */
 typedef enum stribeck_linear_stiction_variable {
@@ -1693,7 +1705,7 @@ typedef enum stribeck_linear_stiction_variable {
 } stribeck_linear_stiction_variable;
 
 /** Guid of BrownMcPhee for fmi2Instantiate. */
-#define STRIBECK_BROWN_MCPHEE_GUID "{fe7b8324-80ba-bec3-c460-1ccb1ef296bf}"
+#define STRIBECK_BROWN_MCPHEE_GUID "{16bacc67-02e5-d93a-7a84-c8b5ef878061}"
 
 /** BrownMcPhee: Smooth friction law with a stiction peak (Brown and McPhee). Columns of "BrownMcPhee". */
 typedef enum stribeck_brown_mcphee_variable {
@@ -1748,7 +1760,7 @@ typedef enum stribeck_brown_mcphee_variable {
 } stribeck_brown_mcphee_variable;
 
 /** Guid of Dahl for fmi2Instantiate. */
-#define STRIBECK_DAHL_GUID "{e3e650b7-fcbf-9583-1c45-84fde468a35b}"
+#define STRIBECK_DAHL_GUID "{81261687-8d7f-44de-0214-fbf63612f2b5}"
 
 /** Dahl: Pre-sliding displacement with hysteresis (Dahl). Columns of "Dahl". */
 typedef enum stribeck_dahl_variable {
@@ -1775,7 +1787,7 @@ typedef enum stribeck_dahl_variable {
 } stribeck_dahl_variable;
 
 /** Guid of LuGre for fmi2Instantiate. */
-#define STRIBECK_LUGRE_GUID "{af112de0-26b8-a853-1bc1-bbead92ee68b}"
+#define STRIBECK_LUGRE_GUID "{bdfcf639-f9dc-473e-ecbe-a3a094ef8c0d}"
 
 /** LuGre: Bristle friction with Stribeck effect (LuGre). Columns of "LuGre". */
 typedef enum stribeck_lugre_variable {
@@ -1813,7 +1825,7 @@ typedef enum stribeck_lugre_variable {
 } stribeck_lugre_variable;
 
 /** Guid of FrictionalLag for fmi2Instantiate. */
-#define STRIBECK_FRICTIONAL_LAG_GUID "{fa15950a-96e8-9419-4d8d-294e152b8779}"
+#define STRIBECK_FRICTIONAL_LAG_GUID "{ebbe0a4c-aecb-84a6-d133-567793ad148d}"
 
 /** FrictionalLag: Stribeck friction that lags behind the velocity (Hess and Soom). Columns of "FrictionalLag". */
 typedef enum stribeck_frictional_lag_variable {
@@ -2236,7 +2248,7 @@ typedef enum stribeck_frictional_lag_variable {
 } stribeck_frictional_lag_variable;
 
 /** Guid of Armstrong for fmi2Instantiate. */
-#define STRIBECK_ARMSTRONG_GUID "{23394dee-158d-3dcb-de9d-2589f2cf6c26}"
+#define STRIBECK_ARMSTRONG_GUID "{ea672f5d-c0f7-68db-9ad2-d2faba962336}"
 
 /** Armstrong: Stick, slip, lag and rising static friction with seven parameters (Armstrong-Helouvry). Columns of "Armstrong". */
 typedef enum stribeck_armstrong_variable {
@@ -2667,7 +2679,7 @@ typedef enum stribeck_armstrong_variable {
 } stribeck_armstrong_variable;
 
 /** Guid of NonReversible for fmi2Instantiate. */
-#define STRIBECK_NON_REVERSIBLE_GUID "{04925d4d-be28-ecef-420a-714c9624990f}"
+#define STRIBECK_NON_REVERSIBLE_GUID "{b79145f5-aaf6-b9d9-9423-2c0345808397}"
 
 /** NonReversible: Different friction while speeding up and slowing down (reconstructed). Columns of "NonReversible". */
 typedef enum stribeck_non_reversible_variable {
@@ -2701,7 +2713,7 @@ typedef enum stribeck_non_reversible_variable {
 } stribeck_non_reversible_variable;
 
 /** Guid of Wojewoda for fmi2Instantiate. */
-#define STRIBECK_WOJEWODA_GUID "{247eea3f-f4ab-7bdd-5a43-8c7afbc60e72}"
+#define STRIBECK_WOJEWODA_GUID "{1d2ec7b4-a425-5b16-68c9-aeb950488dd2}"
 
 /** Wojewoda: Hysteretic friction: stuck spring, two branches of sliding (reconstructed after Wojewoda). Columns of "Wojewoda". */
 typedef enum stribeck_wojewoda_variable {
@@ -2736,7 +2748,7 @@ typedef enum stribeck_wojewoda_variable {
 } stribeck_wojewoda_variable;
 
 /** Guid of BlimanSorine for fmi2Instantiate. */
-#define STRIBECK_BLIMAN_SORINE_GUID "{7c9bf12c-d3bf-238a-add8-64d929b0cec9}"
+#define STRIBECK_BLIMAN_SORINE_GUID "{a4b1ca64-2232-a844-5ba0-2d47690d27a9}"
 
 /** BlimanSorine: Pre-sliding displacement and breakaway peak in the sliding distance (Bliman-Sorine). Columns of "BlimanSorine". */
 typedef enum stribeck_bliman_sorine_variable {
@@ -2772,7 +2784,7 @@ typedef enum stribeck_bliman_sorine_variable {
 } stribeck_bliman_sorine_variable;
 
 /** Guid of ResetIntegrator for fmi2Instantiate. */
-#define STRIBECK_RESET_INTEGRATOR_GUID "{f1fe37fd-a425-bd9c-5248-98a2cca18c72}"
+#define STRIBECK_RESET_INTEGRATOR_GUID "{53556615-5df0-cdd0-3b63-a07e8c5e5848}"
 
 /** ResetIntegrator: Bond that breaks at the static level (reset integrator). Columns of "ResetIntegrator". */
 typedef enum stribeck_reset_integrator_variable {
@@ -2803,7 +2815,7 @@ typedef enum stribeck_reset_integrator_variable {
 } stribeck_reset_integrator_variable;
 
 /** Guid of Dankowicz for fmi2Instantiate. */
-#define STRIBECK_DANKOWICZ_GUID "{c0758147-6961-93c3-4287-664588f30fcd}"
+#define STRIBECK_DANKOWICZ_GUID "{28f989d4-5f89-d379-8a3d-488097594365}"
 
 /** Dankowicz: Pre-sliding displacement of sheared asperities (Dankowicz, reconstructed). Columns of "Dankowicz". */
 typedef enum stribeck_dankowicz_variable {
@@ -2829,7 +2841,7 @@ typedef enum stribeck_dankowicz_variable {
 } stribeck_dankowicz_variable;
 
 /** Guid of ElastoPlastic for fmi2Instantiate. */
-#define STRIBECK_ELASTO_PLASTIC_GUID "{e77f0a90-5307-525e-c162-e940d5990709}"
+#define STRIBECK_ELASTO_PLASTIC_GUID "{333ed675-96b8-6542-43ed-0bb0a226d423}"
 
 /** ElastoPlastic: Bristle friction without drift below breakaway (elasto-plastic). Columns of "ElastoPlastic". */
 typedef enum stribeck_elasto_plastic_variable {
@@ -2872,7 +2884,7 @@ typedef enum stribeck_elasto_plastic_variable {
 } stribeck_elasto_plastic_variable;
 
 /** Guid of Bristle for fmi2Instantiate. */
-#define STRIBECK_BRISTLE_GUID "{dd244833-9aa2-fca8-d005-d275c968e3c3}"
+#define STRIBECK_BRISTLE_GUID "{aca1929e-345e-f19d-f265-d4d06626ce0b}"
 
 /** Bristle: Bonds that snap and form again at random (bristle model). Columns of "Bristle". */
 typedef enum stribeck_bristle_variable {
@@ -3159,7 +3171,7 @@ typedef enum stribeck_bristle_variable {
 } stribeck_bristle_variable;
 
 /** Guid of SpeckerDynamic for fmi2Instantiate. */
-#define STRIBECK_SPECKER_DYNAMIC_GUID "{37a7ea98-32dc-8c46-3045-5cfdffa7982e}"
+#define STRIBECK_SPECKER_DYNAMIC_GUID "{86b330c2-8260-a4e9-0f47-98493ba7f49a}"
 
 /** SpeckerDynamic: Smooth friction law with a velocity-dependent lag (Specker, reconstructed). Columns of "SpeckerDynamic". */
 typedef enum stribeck_specker_dynamic_variable {
@@ -3194,7 +3206,7 @@ typedef enum stribeck_specker_dynamic_variable {
 } stribeck_specker_dynamic_variable;
 
 /** Guid of MaxwellSlip for fmi2Instantiate. */
-#define STRIBECK_MAXWELL_SLIP_GUID "{eeb296d3-65c7-bc01-3bf6-edeea209db25}"
+#define STRIBECK_MAXWELL_SLIP_GUID "{06d91600-861e-4789-9c59-176b6834c9cb}"
 
 /** MaxwellSlip: Elements that stick or slip, with hysteresis of pre-sliding (generalised Maxwell-slip, GMS). Columns of "MaxwellSlip". */
 typedef enum stribeck_maxwell_slip_variable {
@@ -3747,7 +3759,7 @@ typedef enum stribeck_maxwell_slip_variable {
 } stribeck_maxwell_slip_variable;
 
 /** Guid of Leuven for fmi2Instantiate. */
-#define STRIBECK_LEUVEN_GUID "{54c3bb5a-48a1-b5d4-8f75-301b3b80f73e}"
+#define STRIBECK_LEUVEN_GUID "{5eb02a12-d916-797f-9640-ff7071270152}"
 
 /** Leuven: Bristle friction with hysteresis of pre-sliding (Leuven, in the form of Lampaert). Columns of "Leuven". */
 typedef enum stribeck_leuven_variable {
@@ -4176,7 +4188,7 @@ typedef enum stribeck_leuven_variable {
 } stribeck_leuven_variable;
 
 /** Guid of Gonthier for fmi2Instantiate. */
-#define STRIBECK_GONTHIER_GUID "{46df8ecb-fc85-e063-e708-bbc9072b91ff}"
+#define STRIBECK_GONTHIER_GUID "{42fa2fc2-775c-cded-96c6-6470d75d4139}"
 
 /** Gonthier: Bristle friction with dwell time (Gonthier). Columns of "Gonthier". */
 typedef enum stribeck_gonthier_variable {
@@ -4216,7 +4228,7 @@ typedef enum stribeck_gonthier_variable {
 } stribeck_gonthier_variable;
 
 /** Guid of Liang for fmi2Instantiate. */
-#define STRIBECK_LIANG_GUID "{e5bce071-03e5-7a29-9672-554d88ab3787}"
+#define STRIBECK_LIANG_GUID "{a8a88c6c-69e0-5d83-f43c-264b3bc7ce95}"
 
 /** Liang: Bristle friction in space (Liang). Columns of "Liang". */
 typedef enum stribeck_liang_variable {
@@ -4267,7 +4279,7 @@ typedef enum stribeck_liang_variable {
 } stribeck_liang_variable;
 
 /** Guid of LuGrePlanar for fmi2Instantiate. */
-#define STRIBECK_LUGRE_PLANAR_GUID "{ce0301fc-7ba4-c267-ed8f-dc2d18cf9c76}"
+#define STRIBECK_LUGRE_PLANAR_GUID "{665ef91d-b628-8f64-4c98-d8d6b5ac8ad4}"
 
 /** LuGrePlanar: Bristle friction with Stribeck effect in a plane (LuGre). Columns of "LuGrePlanar". */
 typedef enum stribeck_lugre_planar_variable {
@@ -4311,7 +4323,7 @@ typedef enum stribeck_lugre_planar_variable {
 } stribeck_lugre_planar_variable;
 
 /** Guid of ElastoPlasticPlanar for fmi2Instantiate. */
-#define STRIBECK_ELASTO_PLASTIC_PLANAR_GUID "{dead8a31-bbec-ef09-a520-7925e5a6d89c}"
+#define STRIBECK_ELASTO_PLASTIC_PLANAR_GUID "{e9f5ed33-430e-0fb4-5efd-07a8506903de}"
 
 /** ElastoPlasticPlanar: Bristle friction without drift below breakaway, in a plane (elasto-plastic). Columns of "ElastoPlasticPlanar". */
 typedef enum stribeck_elasto_plastic_planar_variable {
@@ -4358,7 +4370,7 @@ typedef enum stribeck_elasto_plastic_planar_variable {
 } stribeck_elasto_plastic_planar_variable;
 
 /** Guid of ShockAbsorber for fmi2Instantiate. */
-#define STRIBECK_SHOCK_ABSORBER_GUID "{18641639-cf51-92aa-884e-f3b81ffdec65}"
+#define STRIBECK_SHOCK_ABSORBER_GUID "{1cd4cd99-1a47-0435-d619-c6d4ca055e73}"
 
 /** ShockAbsorber: Telescopic shock absorber with friction from its side load. Columns of "ShockAbsorber". */
 typedef enum stribeck_shock_absorber_variable {
@@ -5696,7 +5708,7 @@ typedef enum stribeck_shock_absorber_variable {
 } stribeck_shock_absorber_variable;
 
 /** Guid of TelescopicJoint for fmi2Instantiate. */
-#define STRIBECK_TELESCOPIC_JOINT_GUID "{28586ee4-f1a7-177a-25dd-f13ed0d2c71c}"
+#define STRIBECK_TELESCOPIC_JOINT_GUID "{2f8d9de5-6e9b-7810-ca8e-d72e365f8a12}"
 
 /** TelescopicJoint: Contact forces of a telescopic joint, from its side load. Columns of "TelescopicJoint". */
 typedef enum stribeck_telescopic_joint_variable {
@@ -5739,7 +5751,7 @@ typedef enum stribeck_telescopic_joint_variable {
 } stribeck_telescopic_joint_variable;
 
 /** Guid of GuideContact for fmi2Instantiate. */
-#define STRIBECK_GUIDE_CONTACT_GUID "{c16d505d-3fd1-c930-caf9-c3727f472b4d}"
+#define STRIBECK_GUIDE_CONTACT_GUID "{e08b5900-651f-0052-945d-a8f3457e725b}"
 
 /** GuideContact: Friction of a rod in its guide, by any law of the catalogue. Columns of "GuideContact". */
 typedef enum stribeck_guide_contact_variable {
@@ -6552,7 +6564,7 @@ typedef enum stribeck_guide_contact_variable {
 } stribeck_guide_contact_variable;
 
 /** Guid of CoilSpring for fmi2Instantiate. */
-#define STRIBECK_COIL_SPRING_GUID "{66aff11f-c4c8-eddf-40a3-d3d66052303d}"
+#define STRIBECK_COIL_SPRING_GUID "{003cff59-4dba-3226-27db-832507bd979f}"
 
 /** CoilSpring: Coil spring with preload, linear or from a table. Columns of "CoilSpring". */
 typedef enum stribeck_coil_spring_variable {
@@ -6635,7 +6647,7 @@ typedef enum stribeck_coil_spring_variable {
 } stribeck_coil_spring_variable;
 
 /** Guid of GasSpring for fmi2Instantiate. */
-#define STRIBECK_GAS_SPRING_GUID "{9a2ec73e-821f-e788-b582-18f8726069b6}"
+#define STRIBECK_GAS_SPRING_GUID "{600bb709-07c3-9d50-5c31-a25dd319a7a2}"
 
 /** GasSpring: Gas force on the rod of a shock absorber. Columns of "GasSpring". */
 typedef enum stribeck_gas_spring_variable {
@@ -6658,7 +6670,7 @@ typedef enum stribeck_gas_spring_variable {
 } stribeck_gas_spring_variable;
 
 /** Guid of EndStops for fmi2Instantiate. */
-#define STRIBECK_END_STOPS_GUID "{24831216-2ce1-c01d-6201-15270ebb9c7a}"
+#define STRIBECK_END_STOPS_GUID "{1379edd1-5fc2-762a-6077-4a306d1a4200}"
 
 /** EndStops: Bump stop and rebound stop of a shock absorber. Columns of "EndStops". */
 typedef enum stribeck_end_stops_variable {
@@ -6700,7 +6712,7 @@ typedef enum stribeck_end_stops_variable {
 } stribeck_end_stops_variable;
 
 /** Guid of HydraulicDamper for fmi2Instantiate. */
-#define STRIBECK_HYDRAULIC_DAMPER_GUID "{3ce16c4c-fd56-f10f-6e0f-05151e4836da}"
+#define STRIBECK_HYDRAULIC_DAMPER_GUID "{dc5adbdb-7702-ccad-58a8-99d008014b2a}"
 
 /** HydraulicDamper: Hydraulic damper, linear, degressive or from a table. Columns of "HydraulicDamper". */
 typedef enum stribeck_hydraulic_damper_variable {
@@ -6818,7 +6830,7 @@ typedef enum stribeck_hydraulic_damper_variable {
 } stribeck_hydraulic_damper_variable;
 
 /** Guid of DamperTemperature for fmi2Instantiate. */
-#define STRIBECK_DAMPER_TEMPERATURE_GUID "{47c4cbdf-3256-dfa2-ddbe-641f99e1b710}"
+#define STRIBECK_DAMPER_TEMPERATURE_GUID "{be8ff44f-855a-7bb4-4485-7b515e7fbd22}"
 
 /** DamperTemperature: Temperature of a damper, and what it does to its force. Columns of "DamperTemperature". */
 typedef enum stribeck_damper_temperature_variable {
@@ -6844,7 +6856,7 @@ typedef enum stribeck_damper_temperature_variable {
 } stribeck_damper_temperature_variable;
 
 /** Guid of BeltRig for fmi2Instantiate. */
-#define STRIBECK_BELT_RIG_GUID "{5291947b-91f9-8e77-e603-77d90456119a}"
+#define STRIBECK_BELT_RIG_GUID "{8afd28c8-91fa-cade-2d68-b28fdb2690f2}"
 
 /** BeltRig: Block on a moving belt, held by a spring. Columns of "BeltRig". */
 typedef enum stribeck_belt_rig_variable {
@@ -6867,7 +6879,7 @@ typedef enum stribeck_belt_rig_variable {
 } stribeck_belt_rig_variable;
 
 /** Guid of QuarterCar for fmi2Instantiate. */
-#define STRIBECK_QUARTER_CAR_GUID "{76644b05-60d1-b4ce-d315-bb92657f5ae7}"
+#define STRIBECK_QUARTER_CAR_GUID "{23e3aa46-e0a4-32f5-d7aa-582b2d5849d3}"
 
 /** QuarterCar: Quarter car: body, wheel and tyre, driven by the force of a strut. Columns of "QuarterCar". */
 typedef enum stribeck_quarter_car_variable {
@@ -6909,7 +6921,7 @@ typedef enum stribeck_quarter_car_variable {
 } stribeck_quarter_car_variable;
 
 /** Guid of FourPostCar for fmi2Instantiate. */
-#define STRIBECK_FOUR_POST_CAR_GUID "{1a1e0513-be14-b194-d17b-2bdb4e5e7dd9}"
+#define STRIBECK_FOUR_POST_CAR_GUID "{abce49bb-587d-13bb-7750-5282709d5eef}"
 
 /** FourPostCar: Car on four posts, driven by the forces of four struts. Columns of "FourPostCar". */
 typedef enum stribeck_four_post_car_variable {
@@ -7032,7 +7044,7 @@ typedef enum stribeck_four_post_car_variable {
 } stribeck_four_post_car_variable;
 
 /** Guid of DoubleTrackCar for fmi2Instantiate. */
-#define STRIBECK_DOUBLE_TRACK_CAR_GUID "{9c9380a9-6026-e6e7-3d19-81a628ce5898}"
+#define STRIBECK_DOUBLE_TRACK_CAR_GUID "{f2f80c84-2a09-d80f-5af4-53182eb5c19a}"
 
 /** DoubleTrackCar: Car on two tracks that is steered at constant speed, with tyres after the Magic Formula. Columns of "DoubleTrackCar". */
 typedef enum stribeck_double_track_car_variable {
@@ -7436,7 +7448,7 @@ typedef enum stribeck_double_track_car_variable {
 } stribeck_double_track_car_variable;
 
 /** Guid of Posts for fmi2Instantiate. */
-#define STRIBECK_POSTS_GUID "{c728d747-3fba-b8f7-8c6b-2793c8a4af6d}"
+#define STRIBECK_POSTS_GUID "{9cf74dd5-8d05-60ef-a610-a20f57e55eed}"
 
 /** Posts: Four posts that shake a car. Columns of "Posts". */
 typedef enum stribeck_posts_variable {

@@ -81,7 +81,7 @@ const fn variable(mut hash: Fnv, variable: &Variable) -> Fnv {
         hash = byte(hash, 1);
     }
     let Variable { start, bound, nominal, .. } = *variable;
-    number(number(number(number(byte(hash, bound.is_open() as u8), start), bound.min()), bound.max()), nominal)
+    number(number(number(number(hash, start), bound.min()), bound.max()), nominal)
 }
 
 const fn role(role: Role) -> u8 {

@@ -2,6 +2,7 @@
 
 use std::fmt;
 
+use crate::consistency::Consistency;
 use crate::memory::{self, OutOfMemory};
 use crate::model::{Brief, Fault, ModelType, Role, Variable};
 use crate::number::Dual;
@@ -21,7 +22,8 @@ pub struct Instance {
     /// Do the outputs lag behind the other columns?
     stale: bool,
     time: f64,
-    // Room to work in, so that no call allocates.
+    // Room to work in, so that no call allocates, and rows of many elements do not fill the stack of a host.
+    room: Box<[f64]>,
     rate: Box<[f64]>,
     duals: Box<[Dual]>,
     rate_duals: Box<[Dual]>,
@@ -33,6 +35,8 @@ pub struct Instance {
     latest: Box<[f64]>,
     latest_is_known: bool,
     is_between_events: bool,
+    /// Of a model with a length and its derivative.
+    consistency: Option<Box<Consistency>>,
 }
 
 /// Everything of an [`Instance`] that changes while it lives.
@@ -69,6 +73,7 @@ impl Instance {
             unchecked: true,
             stale: true,
             time: 0.0,
+            room: memory::filled(0.0, columns)?,
             rate: memory::filled(0.0, columns)?,
             duals: memory::filled(Dual::default(), columns)?,
             rate_duals: memory::filled(Dual::default(), columns)?,
@@ -77,6 +82,7 @@ impl Instance {
             latest_is_known: false,
             jumping,
             is_between_events: false,
+            consistency: Consistency::of(model).map(memory::boxed).transpose()?,
         };
         instance.reset();
         Ok(instance)
@@ -92,6 +98,9 @@ impl Instance {
         self.unchecked = true;
         self.stale = true;
         self.is_between_events = false;
+        if let Some(consistency) = &mut self.consistency {
+            consistency.begin();
+        }
         self.time = 0.0;
     }
 
@@ -205,7 +214,7 @@ impl Instance {
 
     #[inline]
     fn compute_outputs(&mut self) -> Result<(), Fault> {
-        if !self.model.output(&mut self.row) {
+        if !self.model.try_output(&mut self.row, &mut self.room) {
             return Err(self.not_finite(format_args!("the outputs")));
         }
         self.stale = false;
@@ -269,12 +278,26 @@ impl Instance {
         if self.unchecked || self.has_slopes || !(dt > 0.0 && self.time + dt < f64::INFINITY) {
             return self.step_with_care(dt);
         }
-        if !self.model.advance(&mut self.row, dt) {
+        self.observe(dt);
+        if !self.model.try_advance(&mut self.row, &mut self.room, dt) {
             return Err(self.step_not_finite(dt));
         }
         self.stale = false;
         self.time += dt;
         Ok(())
+    }
+
+    #[inline(always)]
+    fn observe(&mut self, dt: f64) {
+        if let Some(consistency) = &mut self.consistency {
+            consistency.observe(&self.row, dt);
+        }
+    }
+
+    /// What the user should know of values that were taken though they make no sense.
+    pub fn warning(&self) -> Option<Fault> {
+        let of_steps = || self.consistency.as_ref()?.warning();
+        self.model.warning(&self.row).or_else(of_steps)
     }
 
     #[inline(never)]
@@ -287,11 +310,12 @@ impl Instance {
             return Err(Fault::new(format_args!("a step of {dt} s from {time} s: the time must stay finite")));
         }
         self.check()?;
+        self.observe(dt);
         let finite = if self.slopes_are_new {
             self.check_ramps(dt)?;
-            self.model.advance_ramp(&mut self.row, &self.slope, dt)
+            self.model.try_advance_ramp(&mut self.row, &mut self.room, &self.slope, dt)
         } else {
-            self.model.advance(&mut self.row, dt)
+            self.model.try_advance(&mut self.row, &mut self.room, dt)
         };
         if !finite {
             return Err(self.step_not_finite(dt));
@@ -375,7 +399,7 @@ impl Instance {
     /// Changes what changes at an event only. True if a continuous state was among it.
     pub fn at_event(&mut self) -> Result<bool, Fault> {
         self.rate.copy_from_slice(&self.row);
-        if !self.model.at_event(&mut self.row) {
+        if !self.model.try_at_event(&mut self.row, &mut self.room) {
             return Err(self.not_finite(format_args!("the states after an event")));
         }
         self.stale = true;
@@ -457,6 +481,9 @@ impl Instance {
         self.has_slopes = true;
         self.unchecked = true;
         self.is_between_events = false;
+        if let Some(consistency) = &mut self.consistency {
+            consistency.give_up();
+        }
         self.stale = snapshot.stale;
         self.time = snapshot.time;
     }

@@ -9,6 +9,7 @@
 
 pub mod c_api;
 pub mod catalogue;
+mod consistency;
 mod float_mode;
 pub mod fmi2;
 pub mod friction;

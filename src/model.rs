@@ -107,15 +107,20 @@ pub struct Item {
 /// The values a column admits. NaN and infinities are never admitted.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bound {
-    // A closed interval: an open lower end is stored as the next number above it.
+    // Both ends are admitted.
     low: f64,
     high: f64,
-    open: bool,
 }
 
 impl Bound {
+    /// The smallest number that is admitted where a value must be > 0, as a stiffness must (chosen). It is a bound like
+    /// others because FMI's `min` and `max` are admitted themselves: a description cannot say that 0 is not. It is
+    /// short to read, far below all that has a meaning, and has a finite reciprocal, which the very smallest numbers
+    /// do not have.
+    pub const SMALLEST_POSITIVE: f64 = 1e-300;
+
     /// Every finite number.
-    pub const ANY: Bound = Bound { low: f64::MIN, high: f64::MAX, open: false };
+    pub const ANY: Bound = Bound { low: f64::MIN, high: f64::MAX };
 
     /// Does the bound admit `value`?
     #[inline]
@@ -130,7 +135,7 @@ impl Bound {
 
     /// Lower end; `f64::MIN` if there is none.
     pub const fn min(&self) -> f64 {
-        if self.open { self.low.next_down() } else { self.low }
+        self.low
     }
 
     /// Upper end; `f64::MAX` if there is none.
@@ -140,8 +145,7 @@ impl Bound {
 
     /// Admits what either of the two admits, and all between.
     pub(crate) const fn or(self, other: Bound) -> Bound {
-        let lower = if other.low < self.low { other } else { self };
-        Bound { low: lower.low, open: lower.open, high: self.high.max(other.high) }
+        Bound { low: self.low.min(other.low), high: self.high.max(other.high) }
     }
 
     /// The same up to `high`.
@@ -149,16 +153,16 @@ impl Bound {
         Bound { high: self.high.min(high), ..self }
     }
 
-    /// Is the lower end itself refused, as 0 is for a stiffness?
-    pub const fn is_open(&self) -> bool {
-        self.open
+    /// Must values be > 0, as that of a stiffness?
+    pub const fn is_positive(&self) -> bool {
+        self.low == Bound::SMALLEST_POSITIVE
     }
 }
 
 impl fmt::Display for Bound {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        let relation = if self.open { ">" } else { ">=" };
-        let (low, high) = (Brief(self.min()), Brief(self.high));
+        let (relation, low) = if self.is_positive() { (">", 0.0) } else { (">=", self.low) };
+        let (low, high) = (Brief(low), Brief(self.high));
         match (self.low > f64::MIN, self.high < f64::MAX) {
             (false, false) => write!(f, "a finite number"),
             (true, false) => write!(f, "{relation} {low} and finite"),
@@ -282,17 +286,15 @@ impl Column {
         Column { kind, start, bound, nominal: 1.0, display: None, jumps, reinit: false, has_derivatives: true }
     }
 
-    /// Admits values > 0 only.
+    /// Admits values > 0 only, from [`Bound::SMALLEST_POSITIVE`] on.
     pub const fn positive(mut self) -> Column {
-        self.bound.low = (0.0f64).next_up();
-        self.bound.open = true;
+        self.bound.low = Bound::SMALLEST_POSITIVE;
         self
     }
 
     /// Admits values >= `min` only.
     pub const fn at_least(mut self, min: f64) -> Column {
         self.bound.low = min;
-        self.bound.open = false;
         self
     }
 
@@ -358,19 +360,19 @@ pub const fn real(unit: &str, start: f64) -> Column {
 
 /// A whole number within the range of FMI's 32-bit integers.
 pub const fn integer(start: i32) -> Column {
-    let bound = Bound { low: i32::MIN as f64, high: i32::MAX as f64, open: false };
+    let bound = Bound { low: i32::MIN as f64, high: i32::MAX as f64 };
     Column::new(Kind::Integer, start as f64, bound)
 }
 
 /// True or false.
 pub const fn boolean(start: bool) -> Column {
-    let bound = Bound { low: 0.0, high: 1.0, open: false };
+    let bound = Bound { low: 0.0, high: 1.0 };
     Column::new(Kind::Boolean, start as u8 as f64, bound)
 }
 
 /// One of the choices of an enumeration made with [`choices!`](crate::choices!), by its number.
 pub const fn choice(items: &'static Enumeration, start: i32) -> Column {
-    let bound = Bound { low: 1.0, high: items.items.len() as f64, open: false };
+    let bound = Bound { low: 1.0, high: items.items.len() as f64 };
     Column::new(Kind::Enumeration(items), start as f64, bound)
 }
 
@@ -445,6 +447,9 @@ impl Variable {
             Kind::Boolean => Fault::new(format_args!("{path} = {shown}: must be 0 or 1")),
             Kind::Integer | Kind::Enumeration(_) if bound.admits(value) => {
                 Fault::new(format_args!("{path} = {shown}: must be a whole number"))
+            }
+            _ if bound.is_positive() && value > 0.0 && value < bound.min() => {
+                Fault::new(format_args!("{path} = {shown}: must be >= {}", Brief(bound.min())))
             }
             _ => Fault::new(format_args!("{path} = {shown}: must be {bound}")),
         }
@@ -660,15 +665,15 @@ pub struct ModelType {
     check: fn(&[f64]) -> Result<(), Fault>,
     check_motion: fn(&[f64]) -> Result<(), Fault>,
     warning: fn(&[f64]) -> Option<Fault>,
-    advance: fn(&mut [f64], f64) -> bool,
-    advance_ramp: fn(&mut [f64], &[f64], f64) -> bool,
-    output: fn(&mut [f64]) -> bool,
+    advance: fn(&mut [f64], Room, f64) -> bool,
+    advance_ramp: fn(&mut [f64], Room, &[f64], f64) -> bool,
+    output: fn(&mut [f64], Room) -> bool,
     output_dual: fn(&mut [Dual]),
     rate: fn(&[f64], &mut [f64]),
     rate_dual: fn(&[Dual], &mut [Dual]),
     check_exchange: fn(&[f64]) -> Result<(), Fault>,
     indicate: fn(&[f64], &mut [f64]),
-    at_event: fn(&mut [f64]) -> bool,
+    at_event: fn(&mut [f64], Room) -> bool,
 }
 
 impl ModelType {
@@ -691,17 +696,17 @@ impl ModelType {
             check: |row| view::<M, f64>(row).check(),
             check_motion: |row| view::<M, f64>(row).check_motion(),
             warning: |row| view::<M, f64>(row).warning(),
-            advance: |row, dt| commit::<M>(row, first_result(M::TABLE), |model| model.step_and_output(dt)),
-            advance_ramp: |row, slope, dt| {
-                let slope = *view::<M, f64>(slope);
+            advance: |row, room, dt| commit::<M>(row, room, first_result(M::TABLE), |model| model.step_and_output(dt)),
+            advance_ramp: |row, room, slope, dt| {
+                let slope = view::<M, f64>(slope);
                 let advance = |model: &mut M| {
-                    model.step_ramp(&slope, dt);
+                    model.step_ramp(slope, dt);
                     model.output();
                 };
                 // The inputs have moved too.
-                commit::<M>(row, 0, advance)
+                commit::<M>(row, room, 0, advance)
             },
-            output: |row| commit::<M>(row, first_result(M::TABLE), M::output),
+            output: |row, room| commit::<M>(row, room, first_result(M::TABLE), M::output),
             output_dual: |row| view_mut::<M::Dual, Dual>(row).output(),
             rate: |row, rate| {
                 rate.fill(0.0);
@@ -713,7 +718,7 @@ impl ModelType {
             },
             check_exchange: |row| view::<M, f64>(row).check_exchange(),
             indicate: |row, indicators| view::<M, f64>(row).event_indicators(indicators),
-            at_event: |row| commit::<M>(row, 0, M::at_event),
+            at_event: |row, room| commit::<M>(row, room, 0, M::at_event),
         }
     }
 
@@ -750,22 +755,39 @@ impl ModelType {
         (self.check_motion)(row)
     }
 
-    /// Advances by `dt` with held inputs and computes the outputs. False, and the row unchanged, if a result is not
-    /// finite.
+    /// Advances by `dt` with held inputs and computes the outputs. False if a result is not finite; the row is not to be
+    /// used then.
     #[inline]
     pub fn advance(&self, row: &mut [f64], dt: f64) -> bool {
-        (self.advance)(row, dt)
+        (self.advance)(row, &mut [], dt)
+    }
+
+    /// As [`ModelType::advance`], but the row is as it was if a result is not finite, or if the model panics.
+    #[inline(always)]
+    pub(crate) fn try_advance(&self, row: &mut [f64], room: Room, dt: f64) -> bool {
+        (self.advance)(row, room, dt)
     }
 
     /// As [`ModelType::advance`], with inputs that move linearly.
     pub fn advance_ramp(&self, row: &mut [f64], slope: &[f64], dt: f64) -> bool {
-        (self.advance_ramp)(row, slope, dt)
+        (self.advance_ramp)(row, &mut [], slope, dt)
     }
 
-    /// Computes the outputs. False, and the row unchanged, if one is not finite.
+    /// As [`ModelType::try_advance`], with inputs that move linearly.
+    pub(crate) fn try_advance_ramp(&self, row: &mut [f64], room: Room, slope: &[f64], dt: f64) -> bool {
+        (self.advance_ramp)(row, room, slope, dt)
+    }
+
+    /// Computes the outputs. False if one is not finite; the row is not to be used then.
     #[inline]
     pub fn output(&self, row: &mut [f64]) -> bool {
-        (self.output)(row)
+        (self.output)(row, &mut [])
+    }
+
+    /// As [`ModelType::output`], but the row is as it was if a result is not finite, or if the model panics.
+    #[inline(always)]
+    pub(crate) fn try_output(&self, row: &mut [f64], room: Room) -> bool {
+        (self.output)(row, room)
     }
 
     /// Computes the outputs with their derivatives in the direction that the other columns carry.
@@ -799,9 +821,14 @@ impl ModelType {
         (self.indicate)(row, indicators);
     }
 
-    /// Changes what changes at an event only. False, and the row unchanged, if a result is not finite.
+    /// Changes what changes at an event only. False if a result is not finite; the row is not to be used then.
     pub fn at_event(&self, row: &mut [f64]) -> bool {
-        (self.at_event)(row)
+        (self.at_event)(row, &mut [])
+    }
+
+    /// As [`ModelType::at_event`], but the row is as it was if a result is not finite, or if the model panics.
+    pub(crate) fn try_at_event(&self, row: &mut [f64], room: Room) -> bool {
+        (self.at_event)(row, room)
     }
 }
 
@@ -826,23 +853,32 @@ const fn first_result(table: &[Variable]) -> usize {
     first
 }
 
-/// Works on the row and keeps the work only if every number from column `first` on is finite; otherwise, and if the work
-/// panics, the row is as it was. Nothing before that column may be changed by the work.
+/// Room for a copy of a row, or none: a row of many elements is too long for the stack of a host.
+pub(crate) type Room<'a> = &'a mut [f64];
+
+/// Works on the row and says whether every number from column `first` on is finite. Otherwise, and if the work panics,
+/// the row is as it was, if there is room for a copy. Nothing before that column may be changed by the work.
 #[inline(always)]
-fn commit<M: Model>(row: &mut [f64], first: usize, work: impl FnOnce(&mut M)) -> bool {
-    let row = view_mut::<M, f64>(row);
-    let mut guard = RollBack { before: *row, row, keep: false };
+fn commit<M: Model>(row: &mut [f64], room: Room, first: usize, work: impl FnOnce(&mut M)) -> bool {
+    let row = row_of_mut(view_mut::<M, f64>(row));
+    let has_room = room.len() == M::TABLE.len();
+    if has_room {
+        room[first..M::TABLE.len()].copy_from_slice(&row[first..]);
+    }
+    let mut guard = RollBack::<M> { row: view_mut(row), room, first, keep: !has_room };
     work(guard.row);
     // x 0 is 0 for every finite x, and NaN for the others.
-    guard.keep = row_of(guard.row)[first..].iter().fold(0.0, |sum, value| sum + value * 0.0) == 0.0;
-    guard.keep
+    let is_finite = row_of(guard.row)[first..].iter().fold(0.0, |sum, value| sum + value * 0.0) == 0.0;
+    guard.keep |= is_finite;
+    is_finite
 }
 
 /// Puts a row back unless it is told to keep it. The work is done in place, and not on a copy that is written back,
 /// because processors stall where a vector copy reads what was just written number by number.
 struct RollBack<'a, M: Model> {
     row: &'a mut M,
-    before: M,
+    room: Room<'a>,
+    first: usize,
     keep: bool,
 }
 
@@ -850,7 +886,7 @@ impl<M: Model> Drop for RollBack<'_, M> {
     #[inline(always)]
     fn drop(&mut self) {
         if !self.keep {
-            *self.row = self.before;
+            row_of_mut(self.row)[self.first..].copy_from_slice(&self.room[self.first..]);
         }
     }
 }

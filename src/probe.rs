@@ -1,6 +1,6 @@
 //! A model of the tests: it has what no shipped model has yet, and it can panic.
 
-use crate::model::{Law, Model, ModelType, boolean, integer, real};
+use crate::model::{Fault, Law, Model, ModelType, boolean, integer, real};
 use crate::number::Real;
 
 crate::choices! {
@@ -64,6 +64,10 @@ impl<T: Real> Law for Probe<T> {
 }
 
 impl Model for Probe {
+    fn warning(&self) -> Option<Fault> {
+        (self.rate < 0.0).then(|| Fault::new(format_args!("rate = {}: the probe counts up", self.rate)))
+    }
+
     fn step(&mut self, dt: f64) {
         match Behaviour::of(self.behaviour) {
             Behaviour::Integrate => self.integral += self.rate * dt,

@@ -112,7 +112,7 @@ def open_fmu(path: Path, parameters: Mapping[str, object] | None = None) -> Iter
             unzipDirectory=str(folder),
             instanceName=description.modelName,
         )
-        # Without loggingOn an FMU is silent about its errors.
+        # Without loggingOn many FMUs are silent about their errors; those of this project are not.
         slave.instantiate(callbacks=_CALLBACKS, loggingOn=True)
         try:
             _initialise(slave, description, values)

@@ -47,15 +47,19 @@ pub fn text(root: &Path) -> Result<String> {
 }
 
 /// The files that declare something for C. The others hold nothing for it, and those that only list modules would make
-/// cbindgen read these twice.
+/// cbindgen read these twice; one that declares something itself brings its modules along.
 fn sources(root: &Path) -> Result<Vec<PathBuf>> {
     let mut sources = Vec::new();
     for folder in ["src/c_api", "src/fmi2"] {
+        let first = sources.len();
         for file in text::rust_files(&root.join(folder))? {
             let source = fs::read_to_string(&file).with_context(|| format!("cannot read {}", file.display()))?;
-            if source.contains("extern \"C\" fn") {
+            if ["C", "C-unwind"].iter().any(|abi| source.contains(&format!("extern \"{abi}\" fn"))) {
                 sources.push(file);
             }
+        }
+        if let Some(leading) = sources[first..].iter().find(|file| file.ends_with("mod.rs")).cloned() {
+            sources.splice(first.., [leading]);
         }
     }
     Ok(sources)

@@ -26,8 +26,8 @@ pub fn limits(variable: &Variable) -> (Option<f64>, Option<f64>) {
 /// The bound in words, such as `> 0` or `>= 0, <= 1`; empty if there is none.
 pub fn bound(variable: &Variable) -> String {
     let (min, max) = limits(variable);
-    let above = if variable.bound.is_open() { ">" } else { ">=" };
-    let ends = [min.map(|min| format!("{above} {}", number(min))), max.map(|max| format!("<= {}", number(max)))];
+    let above = |min| if variable.bound.is_positive() { "> 0".to_owned() } else { format!(">= {}", number(min)) };
+    let ends = [min.map(above), max.map(|max| format!("<= {}", number(max)))];
     ends.into_iter().flatten().collect::<Vec<_>>().join(", ")
 }
 

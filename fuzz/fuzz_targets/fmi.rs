@@ -305,7 +305,7 @@ impl World {
         &mut self,
         who: usize,
         call: Call,
-        function: unsafe extern "C" fn(fmi2Component) -> fmi2Status,
+        function: unsafe extern "C-unwind" fn(fmi2Component) -> fmi2Status,
         effect: Effect,
     ) {
         // SAFETY: a live instance.
@@ -346,7 +346,8 @@ impl World {
     }
 
     fn log(&mut self, who: usize, on: bool, categories: &[u8]) {
-        const CATEGORIES: [&CStr; 5] = [c"logStatusDiscard", c"logStatusError", c"logAll", c"100%s", c""];
+        const CATEGORIES: [&CStr; 6] =
+            [c"logStatusWarning", c"logStatusDiscard", c"logStatusError", c"logAll", c"100%s", c""];
         let texts: Vec<_> =
             categories.iter().map(|which| CATEGORIES[usize::from(*which) % CATEGORIES.len()].as_ptr()).collect();
         // SAFETY: a live instance and as many texts as is said.
@@ -559,7 +560,7 @@ impl World {
     /// The arrays of Model Exchange.
     fn get_array(&mut self, who: usize, which: u8, more: i8) {
         let states = self.states(who).len();
-        let (call, wanted, get): (_, _, unsafe extern "C" fn(fmi2Component, *mut f64, usize) -> fmi2Status) =
+        let (call, wanted, get): (_, _, unsafe extern "C-unwind" fn(fmi2Component, *mut f64, usize) -> fmi2Status) =
             match which % 4 {
                 0 => (Call::GetDerivatives, states, fmi2GetDerivatives),
                 1 => (Call::GetEventIndicators, self.slaves[who].model.event_indicators, fmi2GetEventIndicators),

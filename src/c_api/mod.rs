@@ -24,6 +24,9 @@ use crate::memory::{self, OUT_OF_MEMORY, OutOfMemory};
 use crate::model::{Fault, Kind, ModelType, Role};
 use crate::serial;
 
+mod warning;
+pub use warning::stribeck_warning;
+
 /// Result of a call.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -102,7 +105,7 @@ pub struct stribeck_variable {
     pub kind: stribeck_kind,
     /// Start value.
     pub start: f64,
-    /// Smallest value admitted, `-DBL_MAX` if there is none; a smallest value of 0 may itself be refused (stiffness).
+    /// Smallest value admitted, `-DBL_MAX` if there is none; 1e-300 where a value must be > 0 (stiffness).
     pub min: f64,
     /// Largest value admitted, `DBL_MAX` if there is none.
     pub max: f64,
@@ -114,6 +117,7 @@ pub struct stribeck_model {
     texts: Vec<[CString; 3]>,
     presets: Vec<[CString; 2]>,
     error: Cow<'static, CStr>,
+    warning: Cow<'static, CStr>,
 }
 
 /// Why a call was refused: the status for the program, the text for the human.
@@ -289,7 +293,9 @@ fn make(model: &'static ModelType) -> Result<Box<stribeck_model>, OutOfMemory> {
     })?;
     let presets =
         memory::each(model.presets, |preset| Ok([memory::c_text(preset.name)?, memory::c_text(preset.source)?]))?;
-    memory::boxed(stribeck_model { instance: Instance::try_new(model)?, texts, presets, error: Cow::Borrowed(c"") })
+    let nothing = Cow::Borrowed(c"");
+    let (error, warning) = (nothing.clone(), nothing);
+    memory::boxed(stribeck_model { instance: Instance::try_new(model)?, texts, presets, error, warning })
 }
 
 /// Frees a model. NULL is ignored.

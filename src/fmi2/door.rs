@@ -5,7 +5,7 @@ use std::fmt;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use super::lifecycle::{Call, Purpose, State};
-use super::log::Log;
+use super::log::{Log, Reason};
 use super::types::{fmi2Component, fmi2Status};
 use crate::catalogue;
 use crate::float_mode::DefaultMode;
@@ -27,6 +27,8 @@ pub(super) struct Slave {
     pub experiment: Experiment,
     /// Has the end of the initialization changed states, and fmi2NewDiscreteStates not told of it yet?
     pub has_jumped: bool,
+    /// Number of steps of the run.
+    steps: u64,
     pub log: Log,
 }
 
@@ -63,6 +65,7 @@ impl Slave {
             state: State::Instantiated,
             experiment: Experiment::NONE,
             has_jumped: false,
+            steps: 0,
             log,
         }
     }
@@ -88,10 +91,34 @@ impl Slave {
         }
     }
 
+    /// A run begins.
+    pub fn begin(&mut self) {
+        self.steps = 0;
+    }
+
+    /// Counts a step, and asks the model now and then whether it knows of values that make no sense: after the steps
+    /// 1, 2, 4, 8 and so on. The first is not enough, for some hosts set inputs late, and some faults show in time; every
+    /// one would cost time.
+    #[inline(always)]
+    pub fn count_step(&mut self) {
+        self.steps += 1;
+        if self.steps.is_power_of_two() {
+            self.warn();
+        }
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn warn(&mut self) {
+        if let Some(warning) = self.instance.warning() {
+            self.log.warn(&warning.0);
+        }
+    }
+
     /// Results that would not be finite: a solver may try a smaller step, or other inputs. Elsewhere the run is over.
     pub fn out_of_domain(&self, fault: Fault) -> Refusal {
         match self.state {
-            State::EventMode | State::ContinuousTimeMode => Refusal::Discard(fault.0),
+            State::EventMode | State::ContinuousTimeMode => Refusal::Trial(fault.0),
             _ => Refusal::Error(fault.0),
         }
     }
@@ -101,6 +128,8 @@ impl Slave {
 pub(super) enum Refusal {
     /// The value cannot be taken; another one can be tried.
     Discard(String),
+    /// As `Discard`, in the ordinary course of a run: a solver tries, or an importer asks for what there is not.
+    Trial(String),
     /// The call is wrong.
     Error(String),
 }
@@ -137,12 +166,26 @@ pub(super) fn refuse<T>(text: impl fmt::Display) -> Result<T, Refusal> {
 /// Runs `body` on the instance behind `c` if the call is allowed in its state, and turns the outcome into a status. A
 /// refused call is logged; after an error only reset, free and restore lead on, as the standard has it.
 ///
+/// The logger is called when all else is done: if it throws, the exception passes to the host as if the function of this
+/// library had thrown it, and the instance is as the status would have said. See [`Log`] for what that asks of this
+/// function and of those that call it: nothing in them may need to be dropped.
+///
 /// # Safety
 /// `c` must be NULL or an instance made by `fmi2Instantiate` and not yet freed, not in use by another thread.
 #[inline(always)]
 pub(super) unsafe fn enter(c: fmi2Component, call: Call, body: impl FnOnce(&mut Slave) -> Outcome) -> fmi2Status {
     // SAFETY: the caller's promise.
     let Some(slave) = (unsafe { slave(c) }) else { return fmi2Status::fmi2Error };
+    let status = guarded(slave, call, body);
+    if slave.log.is_waiting() {
+        slave.log.tell();
+    }
+    status
+}
+
+/// What [`enter`] does before anything is told.
+#[inline(never)]
+fn guarded(slave: &mut Slave, call: Call, body: impl FnOnce(&mut Slave) -> Outcome) -> fmi2Status {
     if !call.is_allowed(slave.state) || !call.is_for(slave.purpose) {
         return refused(slave, call, not_allowed(slave, call));
     }
@@ -219,15 +262,16 @@ fn is_null(name: &str) -> Refusal {
 #[cold]
 #[inline(never)]
 fn refused(slave: &mut Slave, call: Call, refusal: Refusal) -> fmi2Status {
-    let (status, text) = match refusal {
-        Refusal::Discard(text) => (fmi2Status::fmi2Discard, text),
-        Refusal::Error(text) => (fmi2Status::fmi2Error, text),
+    let (reason, text) = match refusal {
+        Refusal::Discard(text) => (Reason::Discard, text),
+        Refusal::Trial(text) => (Reason::Trial, text),
+        Refusal::Error(text) => (Reason::Error, text),
     };
-    if status == fmi2Status::fmi2Error {
+    if reason == Reason::Error {
         slave.state = State::Error;
     }
-    slave.log.report(status, format_args!("fmi2{call:?}: {text}"));
-    status
+    slave.log.keep(reason, format_args!("fmi2{call:?}: {text}"));
+    if reason == Reason::Error { fmi2Status::fmi2Error } else { fmi2Status::fmi2Discard }
 }
 
 /// The `n` elements at `pointer`. FMI leaves the pointer undefined for n = 0.

@@ -14,7 +14,7 @@ fn check_length(given: usize, wanted: usize, what: &str) -> Outcome {
 /// # Safety
 /// `c` as for every call on an instance.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmi2EnterEventMode(c: fmi2Component) -> fmi2Status {
+pub unsafe extern "C-unwind" fn fmi2EnterEventMode(c: fmi2Component) -> fmi2Status {
     let body = |slave: &mut Slave| {
         slave.instance.enter_event();
         slave.state = State::EventMode;
@@ -29,7 +29,7 @@ pub unsafe extern "C" fn fmi2EnterEventMode(c: fmi2Component) -> fmi2Status {
 /// # Safety
 /// `c` as for every call on an instance; `eventInfo` must be NULL or writable.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmi2NewDiscreteStates(c: fmi2Component, eventInfo: *mut fmi2EventInfo) -> fmi2Status {
+pub unsafe extern "C-unwind" fn fmi2NewDiscreteStates(c: fmi2Component, eventInfo: *mut fmi2EventInfo) -> fmi2Status {
     let body = |slave: &mut Slave| {
         // SAFETY: the caller promises NULL or a writable struct.
         let Some(info) = (unsafe { eventInfo.as_mut() }) else { return refuse("eventInfo is NULL") };
@@ -54,7 +54,7 @@ pub unsafe extern "C" fn fmi2NewDiscreteStates(c: fmi2Component, eventInfo: *mut
 /// # Safety
 /// `c` as for every call on an instance.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmi2EnterContinuousTimeMode(c: fmi2Component) -> fmi2Status {
+pub unsafe extern "C-unwind" fn fmi2EnterContinuousTimeMode(c: fmi2Component) -> fmi2Status {
     let body = |slave: &mut Slave| {
         slave.check()?;
         slave.instance.leave_event()?;
@@ -70,7 +70,7 @@ pub unsafe extern "C" fn fmi2EnterContinuousTimeMode(c: fmi2Component) -> fmi2St
 /// # Safety
 /// `c` as for every call on an instance; `enterEventMode` and `terminateSimulation` must be NULL or writable.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmi2CompletedIntegratorStep(
+pub unsafe extern "C-unwind" fn fmi2CompletedIntegratorStep(
     c: fmi2Component,
     _noSetFMUStatePriorToCurrentPoint: fmi2Boolean,
     enterEventMode: *mut fmi2Boolean,
@@ -83,6 +83,7 @@ pub unsafe extern "C" fn fmi2CompletedIntegratorStep(
         // Results that would not be finite have no status here: the solver hears of them when it reads them.
         let wants_event = slave.instance.wants_event().unwrap_or(false);
         (*event, *end) = (fmi2Boolean::from(wants_event), fmi2False);
+        slave.count_step();
         Ok(())
     };
     // SAFETY: the caller's promise about `c`.
@@ -94,7 +95,7 @@ pub unsafe extern "C" fn fmi2CompletedIntegratorStep(
 /// # Safety
 /// `c` as for every call on an instance.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmi2SetTime(c: fmi2Component, time: fmi2Real) -> fmi2Status {
+pub unsafe extern "C-unwind" fn fmi2SetTime(c: fmi2Component, time: fmi2Real) -> fmi2Status {
     let body = |slave: &mut Slave| {
         if !time.is_finite() {
             return refuse(format_args!("time = {time}: must be finite"));
@@ -111,7 +112,7 @@ pub unsafe extern "C" fn fmi2SetTime(c: fmi2Component, time: fmi2Real) -> fmi2St
 /// # Safety
 /// `c` as for every call on an instance; `x` must have `nx` elements.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmi2SetContinuousStates(c: fmi2Component, x: *const fmi2Real, nx: usize) -> fmi2Status {
+pub unsafe extern "C-unwind" fn fmi2SetContinuousStates(c: fmi2Component, x: *const fmi2Real, nx: usize) -> fmi2Status {
     let body = |slave: &mut Slave| {
         check_length(nx, slave.instance.continuous_states().len(), "states")?;
         // SAFETY: the caller promises `nx` elements.
@@ -132,7 +133,11 @@ pub unsafe extern "C" fn fmi2SetContinuousStates(c: fmi2Component, x: *const fmi
 /// # Safety
 /// `c` as for every call on an instance; `derivatives` must have `nx` elements.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmi2GetDerivatives(c: fmi2Component, derivatives: *mut fmi2Real, nx: usize) -> fmi2Status {
+pub unsafe extern "C-unwind" fn fmi2GetDerivatives(
+    c: fmi2Component,
+    derivatives: *mut fmi2Real,
+    nx: usize,
+) -> fmi2Status {
     let body = |slave: &mut Slave| {
         check_length(nx, slave.instance.continuous_states().len(), "derivatives")?;
         // SAFETY: the caller promises `nx` elements.
@@ -154,7 +159,7 @@ pub unsafe extern "C" fn fmi2GetDerivatives(c: fmi2Component, derivatives: *mut 
 /// # Safety
 /// `c` as for every call on an instance; `eventIndicators` must have `ni` elements.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmi2GetEventIndicators(
+pub unsafe extern "C-unwind" fn fmi2GetEventIndicators(
     c: fmi2Component,
     eventIndicators: *mut fmi2Real,
     ni: usize,
@@ -174,7 +179,7 @@ pub unsafe extern "C" fn fmi2GetEventIndicators(
 /// # Safety
 /// `c` as for every call on an instance; `x` must have `nx` elements.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmi2GetContinuousStates(c: fmi2Component, x: *mut fmi2Real, nx: usize) -> fmi2Status {
+pub unsafe extern "C-unwind" fn fmi2GetContinuousStates(c: fmi2Component, x: *mut fmi2Real, nx: usize) -> fmi2Status {
     let body = |slave: &mut Slave| {
         check_length(nx, slave.instance.continuous_states().len(), "states")?;
         // SAFETY: the caller promises `nx` elements.
@@ -193,7 +198,7 @@ pub unsafe extern "C" fn fmi2GetContinuousStates(c: fmi2Component, x: *mut fmi2R
 /// # Safety
 /// `c` as for every call on an instance; `x_nominal` must have `nx` elements.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmi2GetNominalsOfContinuousStates(
+pub unsafe extern "C-unwind" fn fmi2GetNominalsOfContinuousStates(
     c: fmi2Component,
     x_nominal: *mut fmi2Real,
     nx: usize,

@@ -1,7 +1,7 @@
 //! Messages to the importer, by category.
 
 use std::ffi::{CStr, CString, c_void};
-use std::fmt;
+use std::fmt::{self, Write};
 
 use super::types::{fmi2CallbackFunctions, fmi2Status};
 use crate::memory::{self, OUT_OF_MEMORY, OutOfMemory};
@@ -14,6 +14,11 @@ pub struct Category {
     pub description: &'static str,
 }
 
+/// Values that make no sense, and are taken.
+pub const WARNING: Category = Category {
+    name: c"logStatusWarning",
+    description: "What was taken, though it makes no sense, such as an input that was left open.",
+};
 /// Refused values.
 pub const DISCARD: Category =
     Category { name: c"logStatusDiscard", description: "Values that were refused, with the limit they break." };
@@ -23,65 +28,195 @@ pub const ERROR: Category = Category { name: c"logStatusError", description: "Ca
 pub const ALL: Category = Category { name: c"logAll", description: "All messages." };
 
 /// Every category of this library.
-pub const CATEGORIES: [Category; 3] = [DISCARD, ERROR, ALL];
+pub const CATEGORIES: [Category; 4] = [WARNING, DISCARD, ERROR, ALL];
 
 /// The importer's logger, and what it wants to hear.
+///
+/// A message is kept first, and told when nothing else is left to do in a call. The logger of a C++ host may throw: no
+/// function that it then leaves may have anything to clean up, because that would be done by the unwinder of this
+/// library, and unwinders of two libraries need not understand each other. For the same reason the text belongs to the
+/// log, which frees it later if it must.
 pub(super) struct Log {
     callbacks: fmi2CallbackFunctions,
     instance_name: CString,
-    pub discard: bool,
-    pub error: bool,
+    hears: Hears,
+    /// `None` where there was no memory for it.
+    message: Option<CString>,
+    waiting: Option<Reason>,
+    told: Told,
+}
+
+/// What the importer wants to hear.
+///
+/// `loggingOn` switches debug logging, and the reason of a failure is none: many importers leave it off, and their users
+/// would see no reason at all. As in the Reference-FMUs errors are told all the same, and here what a user has set wrongly
+/// or left open. Only fmi2SetDebugLogging switches that off.
+#[derive(Clone, Copy)]
+struct Hears {
+    warning: bool,
+    discard: bool,
+    /// Answers to a solver's trials and to questions, which are discarded in the ordinary course of a run.
+    trial: bool,
+    error: bool,
 }
 
 // The environment pointer is only handed back to the importer, which must accept calls from any thread it uses.
 impl Log {
-    pub fn new(callbacks: fmi2CallbackFunctions, instance_name: &CStr, enabled: bool) -> Result<Log, OutOfMemory> {
-        let instance_name = memory::c_copy(instance_name)?;
-        Ok(Log { callbacks, instance_name, discard: enabled, error: enabled })
+    pub fn new(callbacks: fmi2CallbackFunctions, instance_name: &CStr, debug: bool) -> Result<Log, OutOfMemory> {
+        Ok(Log {
+            callbacks,
+            instance_name: memory::c_copy(instance_name)?,
+            hears: Hears { warning: true, discard: true, trial: debug, error: true },
+            message: None,
+            waiting: None,
+            told: Told::default(),
+        })
     }
 
     /// Switches the named category; `None` if there is none of that name.
     pub fn switch(&mut self, category: &CStr, enabled: bool) -> Option<()> {
-        if category == DISCARD.name {
-            self.discard = enabled;
+        let hears = &mut self.hears;
+        if category == WARNING.name {
+            hears.warning = enabled;
+        } else if category == DISCARD.name {
+            (hears.discard, hears.trial) = (enabled, enabled);
         } else if category == ERROR.name {
-            self.error = enabled;
+            hears.error = enabled;
         } else if category == ALL.name {
-            (self.discard, self.error) = (enabled, enabled);
+            *hears = Hears { warning: enabled, discard: enabled, trial: enabled, error: enabled };
         } else {
             return None;
         }
         Some(())
     }
 
-    /// Tells the importer why a call returned `status`, if it wants to hear of it.
-    pub fn report(&self, status: fmi2Status, text: fmt::Arguments) {
-        let (enabled, category) = match status {
-            fmi2Status::fmi2Discard => (self.discard, &DISCARD),
-            _ => (self.error, &ERROR),
+    /// Keeps a message, to be told by [`Log::tell`], if the importer wants to hear of it.
+    pub fn keep(&mut self, reason: Reason, text: fmt::Arguments) {
+        let is_heard = match reason {
+            Reason::Warning => self.hears.warning,
+            Reason::Discard => self.hears.discard,
+            Reason::Trial => self.hears.trial,
+            Reason::Error => self.hears.error,
         };
-        if enabled {
-            send(&self.callbacks, &self.instance_name, status, category, text);
+        if is_heard && self.callbacks.logger.is_some() {
+            self.message = memory::c_text(&memory::text(Doubled(text))).ok();
+            self.waiting = Some(reason);
         }
+    }
+
+    /// Keeps a warning, once.
+    pub fn warn(&mut self, text: &str) {
+        if self.hears.warning && self.told.is_new(text) {
+            self.keep(Reason::Warning, format_args!("{text}"));
+        }
+    }
+
+    /// Is there a message to be told?
+    #[inline(always)]
+    pub fn is_waiting(&self) -> bool {
+        self.waiting.is_some()
+    }
+
+    /// Tells the importer the message that was kept. It may throw.
+    #[cold]
+    #[inline(never)]
+    pub fn tell(&mut self) {
+        let (status, category) = match self.waiting.take() {
+            None => return,
+            Some(Reason::Warning) => (fmi2Status::fmi2Warning, &WARNING),
+            Some(Reason::Discard | Reason::Trial) => (fmi2Status::fmi2Discard, &DISCARD),
+            Some(Reason::Error) => (fmi2Status::fmi2Error, &ERROR),
+        };
+        let text = self.message.as_deref().unwrap_or(OUT_OF_MEMORY);
+        // SAFETY: the callbacks are those of the importer.
+        unsafe { send(&self.callbacks, &self.instance_name, status, category, text) };
+        self.message = None;
     }
 }
 
-/// Calls the importer's logger, if there is one.
-pub(super) fn send(
+/// Why the importer hears of a call.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Reason {
+    /// Done, but it makes no sense.
+    Warning,
+    /// A value was refused.
+    Discard,
+    /// A solver's trial, or a question, was answered with no.
+    Trial,
+    /// A call was refused.
+    Error,
+}
+
+/// Warnings that were told: an instance tells none twice, and no more than these.
+#[derive(Default)]
+struct Told {
+    marks: [u64; 16],
+    count: usize,
+}
+
+impl Told {
+    fn is_new(&mut self, text: &str) -> bool {
+        // FNV-1a, 64 bits.
+        let mark = text
+            .bytes()
+            .fold(0xcbf2_9ce4_8422_2325_u64, |mark, byte| (mark ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3));
+        let Some((told, rest)) = self.marks.split_at_mut_checked(self.count) else { return false };
+        let Some(place) = rest.first_mut().filter(|_| !told.contains(&mark)) else { return false };
+        *place = mark;
+        self.count += 1;
+        true
+    }
+}
+
+/// Calls the importer's logger, if there is one. It may throw.
+///
+/// # Safety
+/// The callbacks must be those of an importer.
+pub(super) unsafe fn send(
     callbacks: &fmi2CallbackFunctions,
     instance_name: &CStr,
     status: fmi2Status,
     category: &Category,
-    text: fmt::Arguments,
+    text: &CStr,
 ) {
     let Some(logger) = callbacks.logger else { return };
-    let text = memory::c_text(&memory::text(Doubled(text)));
-    let text = text.as_deref().unwrap_or(OUT_OF_MEMORY);
     let environment: *mut c_void = callbacks.componentEnvironment;
     // SAFETY: the importer passed this function for this purpose. The message is the format "%s" with one argument, so
     // that no character of the text can be taken for a format; all texts are zero-terminated and outlive the call.
     unsafe {
         logger(environment, instance_name.as_ptr(), status, category.name.as_ptr(), c"%s".as_ptr(), text.as_ptr());
+    }
+}
+
+/// A message that is told where there is no instance to keep it: of a fixed length, so that there is nothing to free.
+/// What is longer is cut.
+pub(super) struct Line {
+    bytes: [u8; 512],
+    length: usize,
+}
+
+impl Line {
+    pub const EMPTY: Line = Line { bytes: [0; 512], length: 0 };
+
+    pub fn write(&mut self, text: fmt::Arguments) {
+        // An error says that the text is cut, which is what it is for.
+        let _ = write!(self, "{}", Doubled(text));
+    }
+
+    /// The text, up to the first zero.
+    pub fn text(&self) -> &CStr {
+        CStr::from_bytes_until_nul(&self.bytes).unwrap_or_default()
+    }
+}
+
+impl Write for Line {
+    fn write_str(&mut self, more: &str) -> fmt::Result {
+        // A zero remains at the end, and no character is cut in two.
+        let room = self.bytes.len() - 1 - self.length;
+        let fits = (0..=more.len().min(room)).rev().find(|end| more.is_char_boundary(*end)).unwrap_or_default();
+        self.bytes[self.length..self.length + fits].copy_from_slice(&more.as_bytes()[..fits]);
+        self.length += fits;
+        if fits == more.len() { Ok(()) } else { Err(fmt::Error) }
     }
 }
 

@@ -6,7 +6,7 @@ use std::ptr::null_mut;
 
 use super::door::{self, Experiment, Slave, array, enter, refuse};
 use super::lifecycle::{Call, Purpose, State};
-use super::log::{self, Log};
+use super::log::{self, Line, Log};
 use super::types::*;
 use crate::catalogue;
 use crate::instance::Instance;
@@ -15,13 +15,13 @@ use crate::model::ModelType;
 
 /// The platform of the types: "default".
 #[unsafe(no_mangle)]
-pub extern "C" fn fmi2GetTypesPlatform() -> fmi2String {
+pub extern "C-unwind" fn fmi2GetTypesPlatform() -> fmi2String {
     c"default".as_ptr()
 }
 
 /// The version of the interface: "2.0".
 #[unsafe(no_mangle)]
-pub extern "C" fn fmi2GetVersion() -> fmi2String {
+pub extern "C-unwind" fn fmi2GetVersion() -> fmi2String {
     c"2.0".as_ptr()
 }
 
@@ -35,7 +35,7 @@ pub extern "C" fn fmi2GetVersion() -> fmi2String {
 /// # Safety
 /// Texts must be NULL or zero-terminated; `callbacks` must be NULL or point to a valid struct.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmi2Instantiate(
+pub unsafe extern "C-unwind" fn fmi2Instantiate(
     instanceName: fmi2String,
     fmuType: fmi2Type,
     fmuGUID: fmi2String,
@@ -49,17 +49,34 @@ pub unsafe extern "C" fn fmi2Instantiate(
     let Some(callbacks) = (unsafe { callbacks.as_ref() }).copied() else { return null_mut() };
     // SAFETY: the caller promises NULL or zero-terminated texts.
     let (name, guid) = unsafe { (door::text(instanceName), door::text(fmuGUID)) };
-    let made = catch_unwind(AssertUnwindSafe(|| {
-        let name = name.unwrap_or_default();
-        instantiate(name, fmuType, guid, callbacks, loggingOn != fmi2False).map_err(|why| {
-            let why = format_args!("fmi2Instantiate: {why}");
-            log::send(&callbacks, name, fmi2Status::fmi2Error, &log::ERROR, why);
-        })
-    }));
-    match made {
-        Ok(Ok(slave)) => Box::into_raw(slave).cast(),
-        _ => null_mut(),
+    let name = name.unwrap_or_default();
+    let mut why = Line::EMPTY;
+    let c = make(name, fmuType, guid, callbacks, loggingOn != fmi2False, &mut why);
+    if c.is_null() {
+        // The logger may throw: there is nothing to clean up, see `Log`.
+        // SAFETY: the importer's callbacks.
+        unsafe { log::send(&callbacks, name, fmi2Status::fmi2Error, &log::ERROR, why.text()) };
     }
+    c
+}
+
+/// Makes an instance; NULL if it cannot, and `line` says why.
+#[inline(never)]
+fn make(
+    name: &CStr,
+    kind: fmi2Type,
+    guid: Option<&CStr>,
+    callbacks: fmi2CallbackFunctions,
+    debug: bool,
+    line: &mut Line,
+) -> fmi2Component {
+    let why = match catch_unwind(AssertUnwindSafe(|| instantiate(name, kind, guid, callbacks, debug))) {
+        Ok(Ok(slave)) => return Box::into_raw(slave).cast(),
+        Ok(Err(why)) => why,
+        Err(panic) => crate::panics::text(&*panic),
+    };
+    line.write(format_args!("fmi2Instantiate: {why}"));
+    null_mut()
 }
 
 fn instantiate(
@@ -67,7 +84,7 @@ fn instantiate(
     kind: fmi2Type,
     guid: Option<&CStr>,
     callbacks: fmi2CallbackFunctions,
-    logging: bool,
+    debug: bool,
 ) -> Result<Box<Slave>, String> {
     if name.to_bytes().trim_ascii().is_empty() {
         return Err(memory::text("instanceName is NULL or blank"));
@@ -81,7 +98,7 @@ fn instantiate(
         ))
     })?;
     let purpose = purpose(kind, model)?;
-    let make = || memory::boxed(Slave::new(Instance::try_new(model)?, purpose, Log::new(callbacks, name, logging)?));
+    let make = || memory::boxed(Slave::new(Instance::try_new(model)?, purpose, Log::new(callbacks, name, debug)?));
     make().map_err(memory::text)
 }
 
@@ -104,17 +121,19 @@ fn purpose(kind: fmi2Type, model: &ModelType) -> Result<Purpose, String> {
 /// # Safety
 /// `c` must be NULL or an instance that is not used afterwards.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmi2FreeInstance(c: fmi2Component) {
+pub unsafe extern "C-unwind" fn fmi2FreeInstance(c: fmi2Component) {
     // SAFETY: the caller's promise. Freeing runs no code of a model, so there is no panic to catch.
     drop(unsafe { door::take(c) });
 }
 
-/// Switches log categories (`logStatusDiscard`, `logStatusError`, `logAll`); all of them if `nCategories` is 0.
+/// Switches log categories (`logStatusWarning`, `logStatusDiscard`, `logStatusError`, `logAll`); all of them if
+/// `nCategories` is 0. Before, an importer hears of errors, refused values and warnings even if `loggingOn` of
+/// fmi2Instantiate was false; of what a solver's trials meet only if it was true.
 ///
 /// # Safety
 /// `c` as for every call on an instance; `categories` must hold `nCategories` zero-terminated texts.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmi2SetDebugLogging(
+pub unsafe extern "C-unwind" fn fmi2SetDebugLogging(
     c: fmi2Component,
     loggingOn: fmi2Boolean,
     nCategories: usize,
@@ -123,7 +142,7 @@ pub unsafe extern "C" fn fmi2SetDebugLogging(
     let body = |slave: &mut Slave| {
         let enabled = loggingOn != fmi2False;
         if nCategories == 0 {
-            (slave.log.discard, slave.log.error) = (enabled, enabled);
+            slave.log.switch(log::ALL.name, enabled);
         }
         // SAFETY: the caller promises `nCategories` pointers.
         for category in unsafe { array(categories, nCategories, "categories") }? {
@@ -145,7 +164,7 @@ pub unsafe extern "C" fn fmi2SetDebugLogging(
 /// # Safety
 /// `c` as for every call on an instance.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmi2SetupExperiment(
+pub unsafe extern "C-unwind" fn fmi2SetupExperiment(
     c: fmi2Component,
     toleranceDefined: fmi2Boolean,
     tolerance: fmi2Real,
@@ -177,7 +196,7 @@ pub unsafe extern "C" fn fmi2SetupExperiment(
 /// # Safety
 /// `c` as for every call on an instance.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmi2EnterInitializationMode(c: fmi2Component) -> fmi2Status {
+pub unsafe extern "C-unwind" fn fmi2EnterInitializationMode(c: fmi2Component) -> fmi2Status {
     let body = |slave: &mut Slave| {
         if !slave.experiment.is_set_up {
             return refuse("fmi2SetupExperiment must be called before");
@@ -195,10 +214,11 @@ pub unsafe extern "C" fn fmi2EnterInitializationMode(c: fmi2Component) -> fmi2St
 /// # Safety
 /// `c` as for every call on an instance.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmi2ExitInitializationMode(c: fmi2Component) -> fmi2Status {
+pub unsafe extern "C-unwind" fn fmi2ExitInitializationMode(c: fmi2Component) -> fmi2Status {
     let body = |slave: &mut Slave| {
         slave.check()?;
         slave.instance.refresh()?;
+        slave.begin();
         slave.state = match slave.purpose {
             Purpose::CoSimulation => State::StepComplete,
             Purpose::ModelExchange => {
@@ -217,7 +237,7 @@ pub unsafe extern "C" fn fmi2ExitInitializationMode(c: fmi2Component) -> fmi2Sta
 /// # Safety
 /// `c` as for every call on an instance.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmi2Terminate(c: fmi2Component) -> fmi2Status {
+pub unsafe extern "C-unwind" fn fmi2Terminate(c: fmi2Component) -> fmi2Status {
     let body = |slave: &mut Slave| {
         slave.state = State::Terminated;
         Ok(())
@@ -231,7 +251,7 @@ pub unsafe extern "C" fn fmi2Terminate(c: fmi2Component) -> fmi2Status {
 /// # Safety
 /// `c` as for every call on an instance.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmi2Reset(c: fmi2Component) -> fmi2Status {
+pub unsafe extern "C-unwind" fn fmi2Reset(c: fmi2Component) -> fmi2Status {
     let body = |slave: &mut Slave| {
         slave.instance.reset();
         slave.experiment = Experiment::NONE;

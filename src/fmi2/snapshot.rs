@@ -95,7 +95,7 @@ unsafe fn saved_mut<'a>(slave: &Slave, state: fmi2FMUstate) -> Result<&'a mut Sa
 /// # Safety
 /// `c` as for every call on an instance; `FMUstate` must be NULL or point to NULL or to a state of this library.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmi2GetFMUstate(c: fmi2Component, FMUstate: *mut fmi2FMUstate) -> fmi2Status {
+pub unsafe extern "C-unwind" fn fmi2GetFMUstate(c: fmi2Component, FMUstate: *mut fmi2FMUstate) -> fmi2Status {
     let body = |slave: &mut Slave| {
         // SAFETY: the caller promises NULL or a writable pointer.
         let Some(place) = (unsafe { FMUstate.as_mut() }) else { return refuse("FMUstate is NULL") };
@@ -117,7 +117,7 @@ pub unsafe extern "C" fn fmi2GetFMUstate(c: fmi2Component, FMUstate: *mut fmi2FM
 /// # Safety
 /// `c` as for every call on an instance; `FMUstate` must be NULL or a state of this library.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmi2SetFMUstate(c: fmi2Component, FMUstate: fmi2FMUstate) -> fmi2Status {
+pub unsafe extern "C-unwind" fn fmi2SetFMUstate(c: fmi2Component, FMUstate: fmi2FMUstate) -> fmi2Status {
     let body = |slave: &mut Slave| {
         // SAFETY: the caller's promise.
         let saved = unsafe { saved(slave, FMUstate) }?;
@@ -146,7 +146,7 @@ pub unsafe extern "C" fn fmi2SetFMUstate(c: fmi2Component, FMUstate: fmi2FMUstat
 /// # Safety
 /// `c` as for every call on an instance; `FMUstate` must be NULL or point to NULL or to a state of this library.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmi2FreeFMUstate(c: fmi2Component, FMUstate: *mut fmi2FMUstate) -> fmi2Status {
+pub unsafe extern "C-unwind" fn fmi2FreeFMUstate(c: fmi2Component, FMUstate: *mut fmi2FMUstate) -> fmi2Status {
     let body = |slave: &mut Slave| {
         // SAFETY: the caller promises NULL or a writable pointer.
         let Some(place) = (unsafe { FMUstate.as_mut() }) else { return Ok(()) };
@@ -166,7 +166,7 @@ pub unsafe extern "C" fn fmi2FreeFMUstate(c: fmi2Component, FMUstate: *mut fmi2F
 /// # Safety
 /// `c` as for every call on an instance; `FMUstate` must be NULL or a state of this library; `size` NULL or writable.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmi2SerializedFMUstateSize(
+pub unsafe extern "C-unwind" fn fmi2SerializedFMUstateSize(
     c: fmi2Component,
     FMUstate: fmi2FMUstate,
     size: *mut usize,
@@ -188,7 +188,7 @@ pub unsafe extern "C" fn fmi2SerializedFMUstateSize(
 /// `c` as for every call on an instance; `FMUstate` must be NULL or a state of this library; `serializedState` must have
 /// `size` bytes.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmi2SerializeFMUstate(
+pub unsafe extern "C-unwind" fn fmi2SerializeFMUstate(
     c: fmi2Component,
     FMUstate: fmi2FMUstate,
     serializedState: *mut fmi2Byte,
@@ -214,7 +214,7 @@ pub unsafe extern "C" fn fmi2SerializeFMUstate(
 /// # Safety
 /// `c` as for every call on an instance; `serializedState` must have `size` bytes; `FMUstate` as for fmi2GetFMUstate.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmi2DeSerializeFMUstate(
+pub unsafe extern "C-unwind" fn fmi2DeSerializeFMUstate(
     c: fmi2Component,
     serializedState: *const fmi2Byte,
     size: usize,

@@ -3,18 +3,24 @@
 use super::door::{Outcome, Refusal, Slave, enter, refuse};
 use super::lifecycle::Call;
 use super::types::*;
+use crate::memory;
 
-/// Slack for communication points and the stop time, relative to the time: masters accumulate h, compute i h, or count
+/// Slack for communication points and the stop time (chosen, in s): masters accumulate h, compute i h, or count
 /// nanoseconds.
 const TIME_SLACK: f64 = 1e-9;
 
-/// But never more than this part of the step (chosen), or a step would pass unnoticed, apart from rounding.
-const STEP_SLACK: f64 = 0.01;
+/// Slack relative to the time: masters keep it in single precision, and two such times are off by half a digit each.
+/// However far that clock drifts, each step begins where the last one ended by the same clock.
+const RELATIVE_SLACK: f64 = f32::EPSILON as f64;
+
+/// But never more than this part of the step (chosen), apart from rounding: a step that is repeated or left out is wrong
+/// by a whole one.
+const STEP_SLACK: f64 = 0.4;
 
 fn slack(t: f64, time: f64, h: f64) -> f64 {
     let largest = t.abs().max(time.abs());
     let rounding = 4.0 * f64::EPSILON * largest;
-    rounding + (TIME_SLACK * largest.max(1.0)).min(STEP_SLACK * h)
+    rounding + (TIME_SLACK + RELATIVE_SLACK * largest).min(STEP_SLACK * h)
 }
 
 /// Advances the instance by `communicationStepSize` > 0. Inputs are held, or move with the slopes of
@@ -23,7 +29,7 @@ fn slack(t: f64, time: f64, h: f64) -> f64 {
 /// # Safety
 /// `c` as for every call on an instance.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmi2DoStep(
+pub unsafe extern "C-unwind" fn fmi2DoStep(
     c: fmi2Component,
     currentCommunicationPoint: fmi2Real,
     communicationStepSize: fmi2Real,
@@ -35,6 +41,7 @@ pub unsafe extern "C" fn fmi2DoStep(
         slave.instance.step(h)?;
         // The master's clock is the clock.
         slave.instance.set_time(t + h);
+        slave.count_step();
         Ok(())
     };
     // SAFETY: the caller's promise about `c`.
@@ -73,7 +80,7 @@ fn check_unusual_step(slave: &Slave, t: f64, h: f64) -> Outcome {
 /// # Safety
 /// `c` as for every call on an instance.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmi2CancelStep(c: fmi2Component) -> fmi2Status {
+pub unsafe extern "C-unwind" fn fmi2CancelStep(c: fmi2Component) -> fmi2Status {
     // SAFETY: the caller's promise about `c`.
     unsafe { enter(c, Call::CancelStep, |_| Ok(())) }
 }
@@ -95,9 +102,8 @@ unsafe fn status<T>(
         match answer(slave) {
             Some(found) => *value = found,
             None => {
-                return Err(Refusal::discard(format_args!(
-                    "status kind {kind} has no such value: steps are synchronous"
-                )));
+                let text = format_args!("status kind {kind} has no such value: steps are synchronous");
+                return Err(Refusal::Trial(memory::text(text)));
             }
         }
         Ok(())
@@ -111,7 +117,11 @@ unsafe fn status<T>(
 /// # Safety
 /// `c` as for every call on an instance; `value` must be NULL or writable.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmi2GetStatus(c: fmi2Component, s: fmi2StatusKind, value: *mut fmi2Status) -> fmi2Status {
+pub unsafe extern "C-unwind" fn fmi2GetStatus(
+    c: fmi2Component,
+    s: fmi2StatusKind,
+    value: *mut fmi2Status,
+) -> fmi2Status {
     // SAFETY: the caller's promises.
     unsafe { status(c, Call::GetStatus, s, value, |_| None) }
 }
@@ -121,7 +131,11 @@ pub unsafe extern "C" fn fmi2GetStatus(c: fmi2Component, s: fmi2StatusKind, valu
 /// # Safety
 /// As for fmi2GetStatus.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmi2GetRealStatus(c: fmi2Component, s: fmi2StatusKind, value: *mut fmi2Real) -> fmi2Status {
+pub unsafe extern "C-unwind" fn fmi2GetRealStatus(
+    c: fmi2Component,
+    s: fmi2StatusKind,
+    value: *mut fmi2Real,
+) -> fmi2Status {
     let time = |slave: &Slave| (s == fmi2LastSuccessfulTime).then(|| slave.instance.time());
     // SAFETY: the caller's promises.
     unsafe { status(c, Call::GetRealStatus, s, value, time) }
@@ -132,7 +146,7 @@ pub unsafe extern "C" fn fmi2GetRealStatus(c: fmi2Component, s: fmi2StatusKind, 
 /// # Safety
 /// As for fmi2GetStatus.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmi2GetIntegerStatus(
+pub unsafe extern "C-unwind" fn fmi2GetIntegerStatus(
     c: fmi2Component,
     s: fmi2StatusKind,
     value: *mut fmi2Integer,
@@ -146,7 +160,7 @@ pub unsafe extern "C" fn fmi2GetIntegerStatus(
 /// # Safety
 /// As for fmi2GetStatus.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmi2GetBooleanStatus(
+pub unsafe extern "C-unwind" fn fmi2GetBooleanStatus(
     c: fmi2Component,
     s: fmi2StatusKind,
     value: *mut fmi2Boolean,
@@ -160,7 +174,7 @@ pub unsafe extern "C" fn fmi2GetBooleanStatus(
 /// # Safety
 /// As for fmi2GetStatus.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmi2GetStringStatus(
+pub unsafe extern "C-unwind" fn fmi2GetStringStatus(
     c: fmi2Component,
     s: fmi2StatusKind,
     value: *mut fmi2String,

@@ -1,8 +1,9 @@
 //! What needs the probe: base types, enumerations, parts, panics. The rest is tested from outside in `tests/fmi.rs`.
 
-use std::ffi::CString;
+use std::ffi::{CStr, CString, c_void};
 use std::process::Command;
 use std::ptr::{null, null_mut};
+use std::sync::Mutex;
 
 use super::lifecycle::STATES;
 use super::setup::*;
@@ -21,18 +22,15 @@ const CALLBACKS: fmi2CallbackFunctions = fmi2CallbackFunctions {
 
 /// An instance of the probe, ready to step.
 fn probe() -> fmi2Component {
+    probe_with(&CALLBACKS, fmi2True)
+}
+
+fn probe_with(callbacks: &fmi2CallbackFunctions, debug: fmi2Boolean) -> fmi2Component {
     let guid = CString::new(catalogue::by_name("Probe").expect("the probe").guid()).expect("no zero byte");
     // SAFETY: valid texts and callbacks; the instance is used by one test only.
     unsafe {
-        let c = fmi2Instantiate(
-            c"probe".as_ptr(),
-            fmi2CoSimulation,
-            guid.as_ptr(),
-            null(),
-            &CALLBACKS,
-            fmi2False,
-            fmi2True,
-        );
+        let c =
+            fmi2Instantiate(c"probe".as_ptr(), fmi2CoSimulation, guid.as_ptr(), null(), callbacks, fmi2False, debug);
         assert!(!c.is_null());
         assert_eq!(fmi2SetupExperiment(c, fmi2False, 0.0, 0.0, fmi2False, 0.0), fmi2Status::fmi2OK);
         assert_eq!(fmi2EnterInitializationMode(c), fmi2Status::fmi2OK);
@@ -101,6 +99,71 @@ fn a_step_that_would_overflow_is_an_error_and_changes_nothing() {
         assert_eq!(get_real(c, "doubled"), 4.0);
         assert_eq!(step(c, 0.5), fmi2Status::fmi2Error, "after an error only reset, free and restore lead on");
         assert_eq!(fmi2Reset(c), fmi2Status::fmi2OK);
+        fmi2FreeInstance(c);
+    }
+}
+
+/// What the logger of the probe heard: the status, and where the text begins that it names.
+static TOLD: Mutex<Vec<(fmi2Status, String, String)>> = Mutex::new(Vec::new());
+
+/// Rust cannot define variadic functions; see `tests/common/importer.rs`.
+unsafe extern "C" fn listen(
+    _environment: *mut c_void,
+    _name: fmi2String,
+    status: fmi2Status,
+    category: fmi2String,
+    _message: fmi2String,
+    argument: fmi2String,
+) {
+    // SAFETY: texts of the library.
+    let text = |text| unsafe { CStr::from_ptr(text) }.to_string_lossy().into_owned();
+    TOLD.lock().expect("one test").push((status, text(category), text(argument)));
+}
+
+/// Values that make no sense are taken: the step returns fmi2OK, and the logger hears why, once for each text, after the
+/// steps 1, 2, 4 and so on, also where logging is off.
+#[test]
+fn a_warning_is_told_once() {
+    type Fixed = unsafe extern "C" fn(*mut c_void, fmi2String, fmi2Status, fmi2String, fmi2String, fmi2String);
+    // SAFETY: see `listen`.
+    let logger = unsafe { std::mem::transmute::<Fixed, fmi2CallbackLogger>(listen) };
+    let c = probe_with(&fmi2CallbackFunctions { logger, ..CALLBACKS }, fmi2False);
+    let told = || std::mem::take(&mut *TOLD.lock().expect("one test"));
+    let set = |rate: f64| {
+        // SAFETY: one reference, one value.
+        assert_eq!(unsafe { fmi2SetReal(c, &column("rate"), 1, &rate) }, fmi2Status::fmi2OK);
+    };
+    let mut k = 0;
+    let mut steps = |count: i32| {
+        for _ in 0..count {
+            assert_eq!(step(c, 0.5 * f64::from(k)), fmi2Status::fmi2OK);
+            k += 1;
+        }
+    };
+    steps(3);
+    assert!(told().is_empty());
+    set(-7.0);
+    steps(1);
+    let why = "rate = -7: the probe counts up".to_owned();
+    assert_eq!(told(), [(fmi2Status::fmi2Warning, "logStatusWarning".to_owned(), why)]);
+    steps(12);
+    assert!(told().is_empty(), "once");
+    set(-8.0);
+    steps(15);
+    assert!(told().is_empty(), "not before step 32");
+    steps(1);
+    assert_eq!(told().len(), 1, "another text");
+    set(-7.0);
+    steps(96);
+    assert!(told().is_empty(), "told before");
+    for rate in 10..40 {
+        set(f64::from(-rate));
+        steps(128 << (rate - 10).min(6));
+    }
+    assert!(told().len() <= 14, "no more than 16");
+    // SAFETY: an instance of this test, freed once.
+    unsafe {
+        assert_eq!(fmi2SetDebugLogging(c, fmi2False, 1, &c"logStatusWarning".as_ptr()), fmi2Status::fmi2OK);
         fmi2FreeInstance(c);
     }
 }

@@ -68,7 +68,7 @@ pub const fmi2Terminated: fmi2StatusKind = 3;
 
 /// Receives a message. `message` is a printf format; this library passes "%s" and the text.
 pub type fmi2CallbackLogger = Option<
-    unsafe extern "C" fn(
+    unsafe extern "C-unwind" fn(
         componentEnvironment: fmi2ComponentEnvironment,
         instanceName: fmi2String,
         status: fmi2Status,

@@ -241,7 +241,7 @@ unsafe fn write_at_once(slave: &mut Slave, vr: *const fmi2ValueReference, n: usi
 /// # Safety
 /// `c` as for every call on an instance; `vr` and `value` must have `nvr` elements.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmi2GetReal(
+pub unsafe extern "C-unwind" fn fmi2GetReal(
     c: fmi2Component,
     vr: *const fmi2ValueReference,
     nvr: usize,
@@ -263,7 +263,7 @@ pub unsafe extern "C" fn fmi2GetReal(
 /// # Safety
 /// As for fmi2GetReal.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmi2GetInteger(
+pub unsafe extern "C-unwind" fn fmi2GetInteger(
     c: fmi2Component,
     vr: *const fmi2ValueReference,
     nvr: usize,
@@ -278,7 +278,7 @@ pub unsafe extern "C" fn fmi2GetInteger(
 /// # Safety
 /// As for fmi2GetReal.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmi2GetBoolean(
+pub unsafe extern "C-unwind" fn fmi2GetBoolean(
     c: fmi2Component,
     vr: *const fmi2ValueReference,
     nvr: usize,
@@ -293,7 +293,7 @@ pub unsafe extern "C" fn fmi2GetBoolean(
 /// # Safety
 /// As for fmi2GetReal.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmi2GetString(
+pub unsafe extern "C-unwind" fn fmi2GetString(
     c: fmi2Component,
     vr: *const fmi2ValueReference,
     nvr: usize,
@@ -308,7 +308,7 @@ pub unsafe extern "C" fn fmi2GetString(
 /// # Safety
 /// `c` as for every call on an instance; `vr` and `value` must have `nvr` elements.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmi2SetReal(
+pub unsafe extern "C-unwind" fn fmi2SetReal(
     c: fmi2Component,
     vr: *const fmi2ValueReference,
     nvr: usize,
@@ -330,7 +330,7 @@ pub unsafe extern "C" fn fmi2SetReal(
 /// # Safety
 /// As for fmi2SetReal.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmi2SetInteger(
+pub unsafe extern "C-unwind" fn fmi2SetInteger(
     c: fmi2Component,
     vr: *const fmi2ValueReference,
     nvr: usize,
@@ -345,7 +345,7 @@ pub unsafe extern "C" fn fmi2SetInteger(
 /// # Safety
 /// As for fmi2SetReal.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmi2SetBoolean(
+pub unsafe extern "C-unwind" fn fmi2SetBoolean(
     c: fmi2Component,
     vr: *const fmi2ValueReference,
     nvr: usize,
@@ -360,7 +360,7 @@ pub unsafe extern "C" fn fmi2SetBoolean(
 /// # Safety
 /// As for fmi2SetReal.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmi2SetString(
+pub unsafe extern "C-unwind" fn fmi2SetString(
     c: fmi2Component,
     vr: *const fmi2ValueReference,
     nvr: usize,
@@ -383,7 +383,7 @@ fn no_strings(vr: *const fmi2ValueReference, n: usize) -> Outcome {
 /// # Safety
 /// `c` as for every call on an instance; `vr`, `order` and `value` must have `nvr` elements.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmi2SetRealInputDerivatives(
+pub unsafe extern "C-unwind" fn fmi2SetRealInputDerivatives(
     c: fmi2Component,
     vr: *const fmi2ValueReference,
     nvr: usize,
@@ -423,7 +423,7 @@ pub unsafe extern "C" fn fmi2SetRealInputDerivatives(
 /// # Safety
 /// `c` as for every call on an instance; `vr`, `order` and `value` must have `nvr` elements.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmi2GetRealOutputDerivatives(
+pub unsafe extern "C-unwind" fn fmi2GetRealOutputDerivatives(
     c: fmi2Component,
     vr: *const fmi2ValueReference,
     nvr: usize,
@@ -465,7 +465,7 @@ pub unsafe extern "C" fn fmi2GetRealOutputDerivatives(
 /// # Safety
 /// `c` as for every call on an instance; the arrays must have `nUnknown` and `nKnown` elements.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn fmi2GetDirectionalDerivative(
+pub unsafe extern "C-unwind" fn fmi2GetDirectionalDerivative(
     c: fmi2Component,
     vUnknown_ref: *const fmi2ValueReference,
     nUnknown: usize,

@@ -22,45 +22,69 @@ const HOPELESS: f64 = 10.0;
 
 /// Advances the `N` states of `model` by `dt` while its inputs are held.
 pub(crate) fn held<M: Model, const N: usize>(model: &mut M, dt: f64) {
-    let mut slope = *model;
-    row_of_mut(&mut slope).fill(0.0);
-    advance::<M, N>(model, &slope, dt);
+    advance_by::<M, N>(model, None, dt);
 }
 
 /// Advances the `N` states of `model` by `dt` while its inputs move with `slope`. What would take too many pieces
 /// becomes NaN, which the caller refuses.
 pub(crate) fn advance<M: Model, const N: usize>(model: &mut M, slope: &M, dt: f64) {
+    advance_by::<M, N>(model, Some(slope), dt);
+}
+
+/// A model on its way through a step, with room for its rates: a car's row is long, and the stack of a host may be small.
+struct Motion<'a, M, const N: usize> {
+    model: &'a mut M,
+    begin: M,
+    rate: M,
+    /// That of the inputs, if they move.
+    slope: Option<&'a M>,
+    columns: [usize; N],
+}
+
+impl<M: Model, const N: usize> Motion<'_, M, N> {
+    /// Moves the model to a time after the beginning of the step, and gives it these states.
+    fn put(&mut self, time: f64, at: [f64; N]) {
+        if let Some(slope) = self.slope {
+            set_inputs(self.model, &self.begin, slope, time);
+        }
+        for (column, value) in self.columns.iter().zip(at) {
+            row_of_mut(self.model)[*column] = value;
+        }
+    }
+
+    fn rates(&mut self, time: f64, at: [f64; N]) -> [f64; N] {
+        self.put(time, at);
+        self.model.rate(&mut self.rate);
+        self.columns.map(|column| row_of(&self.rate)[column])
+    }
+}
+
+fn advance_by<M: Model, const N: usize>(model: &mut M, slope: Option<&M>, dt: f64) {
     let columns = states::<M, N>();
-    let begin = *model;
-    let moved = |time: f64, at: [f64; N]| {
-        let mut model = begin;
-        set_inputs(&mut model, &begin, slope, time);
-        put(&mut model, &columns, at);
-        model
-    };
+    let mut motion = Motion { begin: *model, rate: *model, model, slope, columns };
     let (mut time, mut piece) = (0.0, dt);
-    let mut at = columns.map(|column| row_of(&begin)[column]);
-    let mut branches = begin.branches();
+    let mut at = columns.map(|column| row_of(&motion.begin)[column]);
+    let mut branches = motion.begin.branches();
     let most = const { MOST_PIECES_TIMES_STATES / N as u32 };
     let mut last_look = 0.0;
     for count in 1..=most {
         // A rest that is hardly longer than the piece is made in one.
         let end = if time + 1.01 * piece >= dt { dt } else { time + piece };
         let length = end - time;
-        let (next, error) = dormand_prince(|since, at| rates(&moved(time + since, at), &columns), at, length);
+        let (next, error) = dormand_prince(|since, at| motion.rates(time + since, at), at, length);
         let error = largest::<M, N>(&columns, next, error) / TOLERANCE;
         // The estimate is of fifth order; safety factor and limits as usual in step-size control.
         let factor = 0.9 * error.powf(-0.2);
         piece = length * if factor.is_nan() { 0.2 } else { factor.clamp(0.2, 5.0) };
         if error <= 1.0 {
-            let after = moved(end, next);
-            if after.branches() != branches && length > CHANGE {
+            motion.put(end, next);
+            let after = motion.model.branches();
+            if after != branches && length > CHANGE {
                 piece = 0.25 * length;
                 continue;
             }
-            (time, at, branches) = (end, next, after.branches());
+            (time, at, branches) = (end, next, after);
             if time >= dt {
-                *model = after;
                 return;
             }
         }
@@ -75,7 +99,7 @@ pub(crate) fn advance<M: Model, const N: usize>(model: &mut M, slope: &M, dt: f6
             last_look = time;
         }
     }
-    *model = moved(dt, [f64::NAN; N]);
+    motion.put(dt, [f64::NAN; N]);
 }
 
 /// Columns of the states.
@@ -84,18 +108,6 @@ fn states<M: Columns, const N: usize>() -> [usize; N] {
     let columns = std::array::from_fn(|_| states.next().unwrap_or(usize::MAX));
     debug_assert!(states.next().is_none() && columns.last() < Some(&usize::MAX), "not {N} states");
     columns
-}
-
-fn put<M: Columns, const N: usize>(model: &mut M, columns: &[usize; N], at: [f64; N]) {
-    for (column, value) in columns.iter().zip(at) {
-        row_of_mut(model)[*column] = value;
-    }
-}
-
-fn rates<M: Model, const N: usize>(model: &M, columns: &[usize; N]) -> [f64; N] {
-    let mut rate = *model;
-    model.rate(&mut rate);
-    columns.map(|column| row_of(&rate)[column])
 }
 
 /// The largest error of a state, relative to the larger of its value and its nominal value.

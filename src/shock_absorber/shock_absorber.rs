@@ -476,6 +476,8 @@ crate::model! {
     /// hold a load at rest unless `friction.mass` and `external_force` are given; LuGre and the other bristle laws do.
     /// In Model Exchange `Coulomb`, `CoulombStiction`, `CoulombViscous`, `Stribeck` and `Karnopp` want `external_force`, and
     /// bristles that carry too much as the load falls slip down with a time constant of 1 ms: at a reversal the force lags.
+    /// A host that steps at each evaluation of its integrator, several times in each of its steps, is warned: the way that
+    /// `velocity` makes in the steps is then more than twice that of `length`.
     ///
     /// # Source
     /// Novais, "A critical analysis on friction force models in dynamical systems", MSc thesis, University of Minho

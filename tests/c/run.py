@@ -238,6 +238,7 @@ def test_programs(compiler, results, linkage, sanitized):
         refuses(built, built.parent / "no" / "such" / "folder.csv", complains="cannot write")
 
     results.check(f"api_test ({label})", lambda: runs(program(TESTS, "api_test.c"), prints=[" 0 failed"]))
+    results.check(f"throws ({label})", lambda: runs(program(TESTS, "throws.cpp"), prints=[" 0 failed"]))
     results.check(f"belt ({label})", belt)
     results.check(f"fmu_master ({label})", fmu_master)
     results.check(f"hysteresis ({label})", hysteresis)

@@ -1,6 +1,8 @@
 //! What several test programs share: a model driven by the names of its variables, and the belt benchmark.
 #![allow(dead_code, reason = "each test program uses a part of it")]
 
+pub mod importer;
+
 use std::ptr::null_mut;
 
 use stribeck::catalogue;

@@ -300,6 +300,20 @@ def test_parameters_that_do_not_fit_together_are_refused():
         pass
 
 
+@pytest.mark.parametrize(
+    ("name", "value", "reason"),
+    [("mu_k", -1.0, "mu_k = -1: must be > 0 and finite"), ("mu_s", 0.05, "mu_s = 0.05: must be >= mu_k = 0.1")],
+)
+def test_the_reason_is_told_where_logging_is_off(name, value, reason):
+    """In a process of its own, with fmpy as it is by default: loggingOn is false, messages are printed."""
+    program = (
+        f"from fmpy import simulate_fmu; simulate_fmu({str(path_of('LuGre'))!r}, start_values={{{name!r}: {value}}})"
+    )
+    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, timeout=120)
+    assert done.returncode != 0
+    assert reason in done.stdout
+
+
 def test_unknown_names_are_answered_with_the_known_ones():
     with pytest.raises(CouplingError, match="no FMU of the model 'Lugre' .* there are .*LuGre"):
         path_of("Lugre")

@@ -1,0 +1,63 @@
+//! What a caller should know of values that were taken.
+
+use std::borrow::Cow;
+
+use libc::c_char;
+
+use super::{STRIBECK_OK, enter, stribeck_model};
+use crate::memory::{self, OUT_OF_MEMORY};
+
+/// What should be known of the present values, which were taken though they make no sense, such as an input that was left
+/// open and stands at 0; an empty text if there is nothing. To be asked whenever it matters, best after the first step:
+/// the library does not tell it by itself. The text lives until the next call of this function on the handle. For NULL it
+/// says that the handle is NULL.
+///
+/// # Safety
+/// As the module says of handles.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stribeck_warning(model: *mut stribeck_model) -> *const c_char {
+    let mut text: *const c_char = c"the handle is NULL".as_ptr();
+    let body = |model: &mut stribeck_model| {
+        model.warning = match model.instance.warning() {
+            None => Cow::Borrowed(c""),
+            Some(warning) => memory::c_text(&warning.0).map_or(Cow::Borrowed(OUT_OF_MEMORY), Cow::Owned),
+        };
+        text = model.warning.as_ptr();
+        Ok(())
+    };
+    // SAFETY: the caller's promise.
+    let status = unsafe { enter(model, body) };
+    // A model that panics has said why, for stribeck_last_error.
+    if status == STRIBECK_OK || model.is_null() { text } else { c"".as_ptr() }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::ffi::CStr;
+    use std::ptr::null_mut;
+
+    use super::*;
+    use crate::c_api::*;
+
+    fn text<'a>(model: *mut stribeck_model) -> &'a CStr {
+        // SAFETY: NULL or a live handle; each text is compared before the next call.
+        unsafe { CStr::from_ptr(stribeck_warning(model)) }
+    }
+
+    #[test]
+    fn a_warning_is_that_of_the_present_values() {
+        let mut model = null_mut();
+        // SAFETY: a handle of this test, freed once.
+        unsafe {
+            assert_eq!(stribeck_create(c"Probe".as_ptr(), &mut model), STRIBECK_OK);
+            assert_eq!(text(model), c"");
+            assert_eq!(stribeck_set_by_name(model, c"rate".as_ptr(), -7.0), STRIBECK_OK);
+            assert_eq!(text(model), c"rate = -7: the probe counts up");
+            assert_eq!(stribeck_step(model, 0.5), STRIBECK_OK, "the value is taken");
+            assert_eq!(stribeck_set_by_name(model, c"rate".as_ptr(), 1.0), STRIBECK_OK);
+            assert_eq!(text(model), c"");
+            assert_eq!(text(null_mut()), c"the handle is NULL");
+            stribeck_free(model);
+        }
+    }
+}
