@@ -4150,7 +4150,7 @@ typedef enum stribeck_elasto_plastic_planar_variable {
 } stribeck_elasto_plastic_planar_variable;
 
 /** Guid of ShockAbsorber for fmi2Instantiate. */
-#define STRIBECK_SHOCK_ABSORBER_GUID "{18641639-cf51-92aa-884e-f3b81ffdec65}"
+#define STRIBECK_SHOCK_ABSORBER_GUID "{6fb4b8ca-422f-1eb2-9e2e-54a9875f8e65}"
 
 /** ShockAbsorber: Telescopic shock absorber with friction from its side load. Columns of "ShockAbsorber". */
 typedef enum stribeck_shock_absorber_variable {
@@ -4431,1060 +4431,1095 @@ typedef enum stribeck_shock_absorber_variable {
   STRIBECK_SHOCK_ABSORBER_FRICTION_VISCOUS_EXPONENT = 125,
   /** fixed [stribeck_stribeck_curve]: How the level falls with speed. (default Gaussian) */
   STRIBECK_SHOCK_ABSORBER_FRICTION_CURVE = 126,
+  /** tunable [N.s/m]: Viscous friction coefficient. (>= 0, default 0) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_STRIBECK_VISCOUS_COEFFICIENT = 127,
   /** tunable [N.s2/m2]: Quadratic friction coefficient; used by PoppStelter. (>= 0, default 0) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_QUADRATIC_COEFFICIENT = 127,
-  /** tunable [s/m]: Slope of the force at rest, relative to the level there. (> 0, default 10000) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_TRANSITION_SLOPE = 128,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_QUADRATIC_COEFFICIENT = 128,
+  /** tunable [s/m]: Slope of the force at rest, relative to the level there. (> 0, default 2000) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_TRANSITION_SLOPE = 129,
   /** fixed [stribeck_threlfall_variant]: Variant of the law. (default Printed) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_THRELFALL_VARIANT = 129,
-  /** tunable [m/s]: Velocity at which the regularised band around rest ends (default chosen). (>= 0, default 0.001) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_TRANSITION_VELOCITY = 130,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_THRELFALL_VARIANT = 130,
+  /** tunable [m/s]: Velocity at which the regularised band around rest ends (default chosen). (> 0, default 0.001) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_TRANSITION_VELOCITY = 131,
   /** fixed [stribeck_rooney_deravi_variant]: Variant of the law. (default Linear) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_ROONEYDERAVI_VARIANT = 131,
-  /** tunable [m/s]: Velocity at which the kinetic level is reached. (> 0, default 0.0015) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_SLIDING_VELOCITY = 132,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ROONEYDERAVI_VARIANT = 132,
+  /** tunable [m/s]: Velocity at which the regularised band around rest ends (default chosen). (>= 0, default 0.0001) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_AMBROSIO_TRANSITION_VELOCITY = 133,
+  /** tunable [m/s]: Velocity at which the kinetic level is reached. (> 0, default 0.001) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_SLIDING_VELOCITY = 134,
   /** fixed [stribeck_bengisu_akay_variant]: Variant of the law. (default Thesis) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_BENGISUAKAY_VARIANT = 133,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_BENGISUAKAY_VARIANT = 135,
+  /** tunable [s/m]: Slope of the force at rest, relative to the level there. (> 0, default 5000) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_BENGISUAKAY_TRANSITION_SLOPE = 136,
+  /** tunable [s/m]: Rate at which the excess of static over kinetic friction decays with speed (default chosen).
+   *  (> 0, default 500) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_STICTION_DECAY = 137,
+  /** tunable [s/m]: Viscous coefficient of friction, per normal force. (>= 0, default 0) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_MU_V = 138,
+  /** tunable [s/m]: Slope of the force at rest, relative to the level there. (> 0, default 10000) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ANDERSSON_TRANSITION_SLOPE = 139,
+  /** tunable [N.s/m]: Viscous friction coefficient. (>= 0, default 0) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ANDERSSON_VISCOUS_COEFFICIENT = 140,
   /** tunable [s/m]: Rate at which the excess of static over kinetic friction decays with speed (default chosen).
    *  (> 0, default 1000) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_STICTION_DECAY = 134,
-  /** tunable [s/m]: Viscous coefficient of friction, per normal force. (>= 0, default 0) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_MU_V = 135,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_AWREJCEWICZ_STICTION_DECAY = 141,
+  /** tunable [m/s]: Velocity at which the regularised band around rest ends (default chosen). (> 0, default 0.00025) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_SPECKER_TRANSITION_VELOCITY = 142,
   /** tunable [m/s]: Velocity at which the static level is reached (default chosen). (> 0, default 0.0005) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_PEAK_VELOCITY = 136,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_PEAK_VELOCITY = 143,
+  /** tunable [N.s/m]: Viscous friction coefficient. (>= 0, default 0) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_SPECKER_VISCOUS_COEFFICIENT = 144,
+  /** tunable [m/s]: Velocity at which the kinetic level is reached. (> 0, default 0.0015) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_LINEARSTICTION_SLIDING_VELOCITY = 145,
+  /** tunable [N.s/m]: Viscous friction coefficient. (>= 0, default 0) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_BROWNMCPHEE_VISCOUS_COEFFICIENT = 146,
   /** tunable [N]: Normal force at which the viscous part is fully active (default chosen). (> 0, default 1) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_TRANSITION_NORMAL_FORCE = 137,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_TRANSITION_NORMAL_FORCE = 147,
   /** tunable [1]: Exponent of the transition to sliding; below 1 brittle, from 1 on ductile. (>= 0, default 1) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_ALPHA = 138,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ALPHA = 148,
+  /** tunable [N.s/m]: Viscous friction coefficient. (>= 0, default 0) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_FRICTIONALLAG_VISCOUS_COEFFICIENT = 149,
   /** fixed [s]: Time by which the level of friction lags behind the velocity (default chosen). (>= 0, default 0.005) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_TIME_LAG = 139,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_TIME_LAG = 150,
   /** fixed [stribeck_frictional_lag_variant]: Variant of the law. (default Delay) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_FRICTIONALLAG_VARIANT = 140,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_FRICTIONALLAG_VARIANT = 151,
+  /** tunable [N.s/m]: Viscous friction coefficient. (>= 0, default 0) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ARMSTRONG_VISCOUS_COEFFICIENT = 152,
   /** tunable [s]: Dwell time after which half of the rise of the static friction has come (default chosen).
    *  (>= 0, default 2) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_GAMMA = 141,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_GAMMA = 153,
   /** tunable [1]: Coefficient of friction that a contact reaches when it comes to rest; not more than mu_s (default chosen).
    *  (>= 0, default 0) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_MU_STOP = 142,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_MU_STOP = 154,
   /** tunable [s/m]: Steepness of the curve while speeding up (default chosen). (> 0, default 500) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_ACCELERATION_DECAY = 143,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ACCELERATION_DECAY = 155,
   /** tunable [s/m]: Steepness of the curve while slowing down (default chosen). (> 0, default 500) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_DECELERATION_DECAY = 144,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_DECELERATION_DECAY = 156,
   /** tunable [s/m]: Steepness of the curves for speeding up and slowing down (default chosen). (> 0, default 500) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_BRANCH_DECAY = 145,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_BRANCH_DECAY = 157,
   /** fixed [stribeck_bliman_sorine_order]: Variant of the law. (default Second) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_BLIMANSORINE_VARIANT = 146,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_BLIMANSORINE_VARIANT = 158,
   /** tunable [1]: Level of the slow relaxation, as a coefficient of friction; second order (default calibrated).
    *  (>= 0, default 0.2732050807568877) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_MU_2 = 147,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_MU_2 = 159,
   /** tunable [1]: Length of the fast relaxation as a part of that of the slow one; second order (default chosen).
    *  (> 0, <= 1, default 0.5) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_ETA = 148,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ETA = 160,
   /** tunable [m]: Sliding distance in which the slow relaxation settles to 1/e (default calibrated).
    *  (> 0, default 4.642141842225068e-5) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_EPS_F = 149,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_EPS_F = 161,
   /** tunable [m]: Shear deflection of the asperities in steady sliding (default f_C / sigma_0 of the thesis).
    *  (> 0, default 9.81e-6) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_DELTA_T = 150,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_DELTA_T = 162,
   /** tunable [1]: Part of the deflection of steady sliding up to which the contact is purely elastic.
    *  (> 0, <= 1, default 0.7) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_BREAKAWAY_RATIO = 151,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_BREAKAWAY_RATIO = 163,
   /** tunable [Integer]: Exponent of the transition from elastic deflection to sliding; odd. (>= 1, <= 9, default 1) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_PLASTIC_EXPONENT = 152,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_PLASTIC_EXPONENT = 164,
   /** tunable [m]: Strain at which a bristle snaps (default f_s / sigma_0 of the thesis). (> 0, default 1.4715e-5) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_DELTA = 153,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_DELTA = 165,
   /** fixed [Integer]: Number of bristles (default chosen). (>= 1, <= 64, default 25) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_BRISTLE_COUNT = 154,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_BRISTLE_COUNT = 166,
   /** fixed [Integer]: Seed of the random numbers. (>= 0, default 0) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_SEED = 155,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_SEED = 167,
   /** fixed [stribeck_initial_bonds]: State of the bristles when the motion starts. (default Bonded) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_INITIAL_BONDS = 156,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_INITIAL_BONDS = 168,
+  /** tunable [m/s]: Velocity at which the regularised band around rest ends (default chosen). (> 0, default 0.00025) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_SPECKERDYNAMIC_TRANSITION_VELOCITY = 169,
+  /** tunable [N.s/m]: Viscous friction coefficient. (>= 0, default 0) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_SPECKERDYNAMIC_VISCOUS_COEFFICIENT = 170,
   /** tunable [s]: Time constant of the force while sliding (default chosen). (> 0, default 0.001) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_SLIP_TIME = 157,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_SLIP_TIME = 171,
+  /** tunable [N.s/m]: Damping of the bristles. (>= 0, default 0) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_MAXWELLSLIP_SIGMA_1 = 172,
+  /** tunable [N.s/m]: Viscous friction coefficient. (>= 0, default 0) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_MAXWELLSLIP_VISCOUS_COEFFICIENT = 173,
   /** tunable [N/s]: Rate at which the slipping elements together approach their level (default chosen).
    *  (> 0, default 1000) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_ATTRACTION = 158,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ATTRACTION = 174,
   /** fixed [stribeck_element_distribution]: Where the shares of the elements come from. (default Explicit) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_DISTRIBUTION = 159,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_DISTRIBUTION = 175,
   /** fixed [Integer]: Number of elements in use (default chosen). (>= 1, <= 16, default 4) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_COUNT = 160,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_COUNT = 176,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.5) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_1_STIFFNESS_SHARE = 161,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_1_STIFFNESS_SHARE = 177,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_1_STRENGTH_SHARE = 162,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_1_STRENGTH_SHARE = 178,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.25) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_2_STIFFNESS_SHARE = 163,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_2_STIFFNESS_SHARE = 179,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.2) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_2_STRENGTH_SHARE = 164,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_2_STRENGTH_SHARE = 180,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.15) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_3_STIFFNESS_SHARE = 165,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_3_STIFFNESS_SHARE = 181,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.3) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_3_STRENGTH_SHARE = 166,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_3_STRENGTH_SHARE = 182,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_4_STIFFNESS_SHARE = 167,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_4_STIFFNESS_SHARE = 183,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.4) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_4_STRENGTH_SHARE = 168,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_4_STRENGTH_SHARE = 184,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_5_STIFFNESS_SHARE = 169,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_5_STIFFNESS_SHARE = 185,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_5_STRENGTH_SHARE = 170,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_5_STRENGTH_SHARE = 186,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_6_STIFFNESS_SHARE = 171,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_6_STIFFNESS_SHARE = 187,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_6_STRENGTH_SHARE = 172,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_6_STRENGTH_SHARE = 188,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_7_STIFFNESS_SHARE = 173,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_7_STIFFNESS_SHARE = 189,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_7_STRENGTH_SHARE = 174,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_7_STRENGTH_SHARE = 190,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_8_STIFFNESS_SHARE = 175,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_8_STIFFNESS_SHARE = 191,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_8_STRENGTH_SHARE = 176,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_8_STRENGTH_SHARE = 192,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_9_STIFFNESS_SHARE = 177,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_9_STIFFNESS_SHARE = 193,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_9_STRENGTH_SHARE = 178,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_9_STRENGTH_SHARE = 194,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_10_STIFFNESS_SHARE = 179,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_10_STIFFNESS_SHARE = 195,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_10_STRENGTH_SHARE = 180,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_10_STRENGTH_SHARE = 196,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_11_STIFFNESS_SHARE = 181,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_11_STIFFNESS_SHARE = 197,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_11_STRENGTH_SHARE = 182,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_11_STRENGTH_SHARE = 198,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_12_STIFFNESS_SHARE = 183,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_12_STIFFNESS_SHARE = 199,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_12_STRENGTH_SHARE = 184,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_12_STRENGTH_SHARE = 200,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_13_STIFFNESS_SHARE = 185,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_13_STIFFNESS_SHARE = 201,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_13_STRENGTH_SHARE = 186,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_13_STRENGTH_SHARE = 202,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_14_STIFFNESS_SHARE = 187,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_14_STIFFNESS_SHARE = 203,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_14_STRENGTH_SHARE = 188,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_14_STRENGTH_SHARE = 204,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_15_STIFFNESS_SHARE = 189,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_15_STIFFNESS_SHARE = 205,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_15_STRENGTH_SHARE = 190,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_15_STRENGTH_SHARE = 206,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_16_STIFFNESS_SHARE = 191,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_16_STIFFNESS_SHARE = 207,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_16_STRENGTH_SHARE = 192,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_16_STRENGTH_SHARE = 208,
   /** tunable [1]: Exponent of the approach to the steady level (default chosen). (>= 0.1, default 1) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_APPROACH_EXPONENT = 193,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_APPROACH_EXPONENT = 209,
   /** tunable [1]: Strength of all elements together, as a multiple of the static level; not less than 1 (default chosen).
    *  (> 0, default 1.2) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_HYSTERESIS_STRENGTH = 194,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_HYSTERESIS_STRENGTH = 210,
+  /** tunable [m/s]: Velocity at which the regularised band around rest ends (default chosen). (> 0, default 1e-5) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_GONTHIER_TRANSITION_VELOCITY = 211,
   /** tunable [s]: Time constant with which the static level rises at rest. (> 0, default 2) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_DWELL_TIME_CONSTANT = 195,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_DWELL_TIME_CONSTANT = 212,
   /** tunable [1]: Static coefficient of friction; not less than mu_k (default chosen). (>= 0, default 0.15) */
-  STRIBECK_SHOCK_ABSORBER_C1_MU_S = 196,
+  STRIBECK_SHOCK_ABSORBER_C1_MU_S = 213,
   /** tunable [1]: Kinetic coefficient of friction (default chosen). (>= 0, default 0.1) */
-  STRIBECK_SHOCK_ABSORBER_C1_MU_K = 197,
+  STRIBECK_SHOCK_ABSORBER_C1_MU_K = 214,
   /** tunable [N]: Breakaway force without normal force, as of a seal; not less than preload_k (default chosen).
    *  (>= 0, default 10) */
-  STRIBECK_SHOCK_ABSORBER_C1_PRELOAD_S = 198,
+  STRIBECK_SHOCK_ABSORBER_C1_PRELOAD_S = 215,
   /** tunable [N]: Sliding friction force without normal force, as of a seal (default chosen). (>= 0, default 8) */
-  STRIBECK_SHOCK_ABSORBER_C1_PRELOAD_K = 199,
+  STRIBECK_SHOCK_ABSORBER_C1_PRELOAD_K = 216,
   /** tunable [1]: Static coefficient of friction; not less than mu_k (default chosen). (>= 0, default 0.1) */
-  STRIBECK_SHOCK_ABSORBER_C2_MU_S = 200,
+  STRIBECK_SHOCK_ABSORBER_C2_MU_S = 217,
   /** tunable [1]: Kinetic coefficient of friction (default chosen). (>= 0, default 0.08) */
-  STRIBECK_SHOCK_ABSORBER_C2_MU_K = 201,
+  STRIBECK_SHOCK_ABSORBER_C2_MU_K = 218,
   /** tunable [N]: Breakaway force without normal force, as of a seal; not less than preload_k (default chosen).
    *  (>= 0, default 8) */
-  STRIBECK_SHOCK_ABSORBER_C2_PRELOAD_S = 202,
+  STRIBECK_SHOCK_ABSORBER_C2_PRELOAD_S = 219,
   /** tunable [N]: Sliding friction force without normal force, as of a seal (default chosen). (>= 0, default 6) */
-  STRIBECK_SHOCK_ABSORBER_C2_PRELOAD_K = 203,
+  STRIBECK_SHOCK_ABSORBER_C2_PRELOAD_K = 220,
   /** fixed [stribeck_side_mode]: Side loads that act on the joint. (default Sum) */
-  STRIBECK_SHOCK_ABSORBER_SIDE_MODE = 204,
+  STRIBECK_SHOCK_ABSORBER_SIDE_MODE = 221,
   /** fixed [stribeck_side_convention]: Meaning of the four side-load inputs. (default WrenchOnRod) */
-  STRIBECK_SHOCK_ABSORBER_SIDE_CONVENTION = 205,
+  STRIBECK_SHOCK_ABSORBER_SIDE_CONVENTION = 222,
   /** tunable [m]: Offset of the spring's line of action along m (default chosen). (default 0.003) */
-  STRIBECK_SHOCK_ABSORBER_SIDE_OFFSET_M = 206,
+  STRIBECK_SHOCK_ABSORBER_SIDE_OFFSET_M = 223,
   /** tunable [m]: Offset of the spring's line of action along n. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_SIDE_OFFSET_N = 207,
+  STRIBECK_SHOCK_ABSORBER_SIDE_OFFSET_N = 224,
   /** tunable [1]: Side force of the spring along m, relative to its axial force; it acts at the upper eye.
    *  (default 0) */
-  STRIBECK_SHOCK_ABSORBER_SIDE_FORCE_RATIO = 208,
+  STRIBECK_SHOCK_ABSORBER_SIDE_FORCE_RATIO = 225,
   /** fixed [stribeck_normal_sum]: How the load of the joint becomes the load of its contacts. (default TwoPoint) */
-  STRIBECK_SHOCK_ABSORBER_SIDE_NORMAL_SUM = 209,
+  STRIBECK_SHOCK_ABSORBER_SIDE_NORMAL_SUM = 226,
   /** tunable [1]: Factor on the contact forces for the distribution of pressure; 4 / pi for a cosine over half the rim.
    *  (>= 0, default 1) */
-  STRIBECK_SHOCK_ABSORBER_SIDE_C_GEO = 210,
+  STRIBECK_SHOCK_ABSORBER_SIDE_C_GEO = 227,
   /** fixed [Boolean]: Does the temperature change, and with it the damper force? (default false) */
-  STRIBECK_SHOCK_ABSORBER_THERMAL_ENABLED = 211,
+  STRIBECK_SHOCK_ABSORBER_THERMAL_ENABLED = 228,
   /** tunable [1/K]: Relative loss of damper force per kelvin (default chosen). (>= 0, default 0.003) */
-  STRIBECK_SHOCK_ABSORBER_THERMAL_BETA = 212,
+  STRIBECK_SHOCK_ABSORBER_THERMAL_BETA = 229,
   /** fixed [K]: Temperature at which the damper's characteristic was measured (default chosen).
    *  (> 0, default 293.15) */
-  STRIBECK_SHOCK_ABSORBER_THERMAL_TEMPERATURE_REF = 213,
+  STRIBECK_SHOCK_ABSORBER_THERMAL_TEMPERATURE_REF = 230,
   /** fixed [J/K]: Heat capacity of the damper (default chosen: 0.6 kg of aluminium and oil). (> 0, default 600) */
-  STRIBECK_SHOCK_ABSORBER_THERMAL_CAPACITY = 214,
+  STRIBECK_SHOCK_ABSORBER_THERMAL_CAPACITY = 231,
   /** tunable [W/K]: Heat flow to the surroundings per kelvin (default chosen). (>= 0, default 1.5) */
-  STRIBECK_SHOCK_ABSORBER_THERMAL_CONDUCTANCE = 215,
+  STRIBECK_SHOCK_ABSORBER_THERMAL_CONDUCTANCE = 232,
   /** fixed [m]: Length of the strut where the input length is 0. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_ADAPTER_LENGTH_OFFSET = 216,
+  STRIBECK_SHOCK_ABSORBER_ADAPTER_LENGTH_OFFSET = 233,
   /** fixed [1]: Length of the strut per input length; -MR for wheel travel, -0.001 for millimetres of compression.
    *  (default 1) */
-  STRIBECK_SHOCK_ABSORBER_ADAPTER_LENGTH_GAIN = 217,
+  STRIBECK_SHOCK_ABSORBER_ADAPTER_LENGTH_GAIN = 234,
   /** fixed [1]: Factor on force_travel, for the host's unit of force. (default 1) */
-  STRIBECK_SHOCK_ABSORBER_ADAPTER_FORCE_GAIN = 218,
+  STRIBECK_SHOCK_ABSORBER_ADAPTER_FORCE_GAIN = 235,
   /** fixed [s]: Largest internal step (default chosen). (> 0, default 0.0001) */
-  STRIBECK_SHOCK_ABSORBER_NUM_H_MAX = 219,
+  STRIBECK_SHOCK_ABSORBER_NUM_H_MAX = 236,
   /** fixed [stribeck_input_mode]: How the inputs move within a step. (default Hold) */
-  STRIBECK_SHOCK_ABSORBER_NUM_INPUT_MODE = 220,
+  STRIBECK_SHOCK_ABSORBER_NUM_INPUT_MODE = 237,
   /** tunable [kg]: Mass that the strut carries or moves, whichever is smaller; for the advice step_limit only.
    *  (> 0, default 16.4) */
-  STRIBECK_SHOCK_ABSORBER_NUM_MASS_REF = 221,
+  STRIBECK_SHOCK_ABSORBER_NUM_MASS_REF = 238,
   /** fixed [stribeck_friction_start]: What the friction law remembers at the start. (default Steady) */
-  STRIBECK_SHOCK_ABSORBER_INIT_FRICTION_STATE = 222,
+  STRIBECK_SHOCK_ABSORBER_INIT_FRICTION_STATE = 239,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_1 = 223,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_1 = 240,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_2 = 224,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_2 = 241,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_3 = 225,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_3 = 242,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_4 = 226,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_4 = 243,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_5 = 227,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_5 = 244,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_6 = 228,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_6 = 245,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_7 = 229,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_7 = 246,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_8 = 230,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_8 = 247,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_9 = 231,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_9 = 248,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_10 = 232,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_10 = 249,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_11 = 233,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_11 = 250,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_12 = 234,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_12 = 251,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_13 = 235,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_13 = 252,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_14 = 236,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_14 = 253,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_15 = 237,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_15 = 254,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_16 = 238,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_16 = 255,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_17 = 239,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_17 = 256,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_18 = 240,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_18 = 257,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_19 = 241,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_19 = 258,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_20 = 242,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_20 = 259,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_21 = 243,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_21 = 260,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_22 = 244,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_22 = 261,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_23 = 245,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_23 = 262,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_24 = 246,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_24 = 263,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_25 = 247,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_25 = 264,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_26 = 248,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_26 = 265,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_27 = 249,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_27 = 266,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_28 = 250,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_28 = 267,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_29 = 251,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_29 = 268,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_30 = 252,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_30 = 269,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_31 = 253,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_31 = 270,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_32 = 254,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_32 = 271,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_33 = 255,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_33 = 272,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_34 = 256,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_34 = 273,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_35 = 257,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_35 = 274,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_36 = 258,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_36 = 275,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_37 = 259,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_37 = 276,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_38 = 260,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_38 = 277,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_39 = 261,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_39 = 278,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_40 = 262,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_40 = 279,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_41 = 263,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_41 = 280,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_42 = 264,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_42 = 281,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_43 = 265,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_43 = 282,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_44 = 266,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_44 = 283,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_45 = 267,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_45 = 284,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_46 = 268,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_46 = 285,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_47 = 269,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_47 = 286,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_48 = 270,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_48 = 287,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_49 = 271,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_49 = 288,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_50 = 272,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_50 = 289,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_51 = 273,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_51 = 290,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_52 = 274,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_52 = 291,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_53 = 275,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_53 = 292,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_54 = 276,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_54 = 293,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_55 = 277,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_55 = 294,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_56 = 278,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_56 = 295,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_57 = 279,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_57 = 296,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_58 = 280,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_58 = 297,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_59 = 281,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_59 = 298,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_60 = 282,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_60 = 299,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_61 = 283,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_61 = 300,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_62 = 284,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_62 = 301,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_63 = 285,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_63 = 302,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_64 = 286,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_64 = 303,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_65 = 287,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_65 = 304,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_66 = 288,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_66 = 305,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_67 = 289,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_67 = 306,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_68 = 290,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_68 = 307,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_69 = 291,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_69 = 308,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_70 = 292,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_70 = 309,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_71 = 293,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_71 = 310,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_72 = 294,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_72 = 311,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_73 = 295,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_73 = 312,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_74 = 296,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_74 = 313,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_75 = 297,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_75 = 314,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_76 = 298,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_76 = 315,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_77 = 299,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_77 = 316,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_78 = 300,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_78 = 317,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_79 = 301,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_79 = 318,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_80 = 302,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_80 = 319,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_81 = 303,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_81 = 320,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_82 = 304,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_82 = 321,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_83 = 305,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_83 = 322,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_84 = 306,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_84 = 323,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_85 = 307,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_85 = 324,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_86 = 308,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_86 = 325,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_87 = 309,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_87 = 326,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_88 = 310,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_88 = 327,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_89 = 311,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_89 = 328,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_90 = 312,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_90 = 329,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_91 = 313,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_91 = 330,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_92 = 314,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_92 = 331,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_93 = 315,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_93 = 332,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_94 = 316,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_94 = 333,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_95 = 317,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_95 = 334,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_96 = 318,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_96 = 335,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_97 = 319,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_97 = 336,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_98 = 320,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_98 = 337,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_99 = 321,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_99 = 338,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_100 = 322,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_100 = 339,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_101 = 323,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_101 = 340,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_102 = 324,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_102 = 341,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_103 = 325,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_103 = 342,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_104 = 326,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_104 = 343,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_105 = 327,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_105 = 344,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_106 = 328,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_106 = 345,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_107 = 329,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_107 = 346,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_108 = 330,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_108 = 347,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_109 = 331,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_109 = 348,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_110 = 332,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_110 = 349,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_111 = 333,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_111 = 350,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_112 = 334,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_112 = 351,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_113 = 335,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_113 = 352,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_114 = 336,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_114 = 353,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_115 = 337,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_115 = 354,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_116 = 338,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_116 = 355,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_117 = 339,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_117 = 356,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_118 = 340,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_118 = 357,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_119 = 341,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_119 = 358,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_120 = 342,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_120 = 359,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_121 = 343,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_121 = 360,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_122 = 344,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_122 = 361,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_123 = 345,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_123 = 362,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_124 = 346,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_124 = 363,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_125 = 347,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_125 = 364,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_126 = 348,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_126 = 365,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_127 = 349,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_127 = 366,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_128 = 350,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_128 = 367,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_129 = 351,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_129 = 368,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_130 = 352,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_130 = 369,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_131 = 353,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_131 = 370,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_132 = 354,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_132 = 371,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_133 = 355,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_133 = 372,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_134 = 356,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_134 = 373,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_135 = 357,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_135 = 374,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_136 = 358,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_136 = 375,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_137 = 359,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_137 = 376,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_138 = 360,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_138 = 377,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_139 = 361,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_139 = 378,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_140 = 362,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_140 = 379,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_141 = 363,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_141 = 380,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_142 = 364,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_142 = 381,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_143 = 365,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_143 = 382,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_144 = 366,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_144 = 383,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_145 = 367,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_145 = 384,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_146 = 368,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_146 = 385,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_147 = 369,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_147 = 386,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_148 = 370,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_148 = 387,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_149 = 371,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_149 = 388,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_150 = 372,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_150 = 389,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_151 = 373,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_151 = 390,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_152 = 374,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_152 = 391,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_153 = 375,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_153 = 392,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_154 = 376,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_154 = 393,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_155 = 377,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_155 = 394,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_156 = 378,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_156 = 395,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_157 = 379,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_157 = 396,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_158 = 380,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_158 = 397,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_159 = 381,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_159 = 398,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_160 = 382,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_160 = 399,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_161 = 383,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_161 = 400,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_162 = 384,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_162 = 401,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_163 = 385,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_163 = 402,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_164 = 386,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_164 = 403,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_165 = 387,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_165 = 404,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_166 = 388,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_166 = 405,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_167 = 389,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_167 = 406,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_168 = 390,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_168 = 407,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_169 = 391,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_169 = 408,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_170 = 392,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_170 = 409,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_171 = 393,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_171 = 410,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_172 = 394,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_172 = 411,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_173 = 395,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_173 = 412,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_174 = 396,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_174 = 413,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_175 = 397,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_175 = 414,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_176 = 398,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_176 = 415,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_177 = 399,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_177 = 416,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_178 = 400,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_178 = 417,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_179 = 401,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_179 = 418,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_180 = 402,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_180 = 419,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_181 = 403,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_181 = 420,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_182 = 404,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_182 = 421,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_183 = 405,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_183 = 422,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_184 = 406,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_184 = 423,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_185 = 407,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_185 = 424,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_186 = 408,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_186 = 425,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_187 = 409,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_187 = 426,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_188 = 410,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_188 = 427,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_189 = 411,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_189 = 428,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_190 = 412,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_190 = 429,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_191 = 413,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_191 = 430,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_192 = 414,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_192 = 431,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_193 = 415,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_193 = 432,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_194 = 416,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_194 = 433,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_195 = 417,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_195 = 434,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_196 = 418,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_196 = 435,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_197 = 419,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_197 = 436,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_1 = 420,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_1 = 437,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_2 = 421,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_2 = 438,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_3 = 422,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_3 = 439,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_4 = 423,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_4 = 440,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_5 = 424,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_5 = 441,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_6 = 425,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_6 = 442,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_7 = 426,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_7 = 443,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_8 = 427,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_8 = 444,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_9 = 428,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_9 = 445,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_10 = 429,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_10 = 446,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_11 = 430,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_11 = 447,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_12 = 431,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_12 = 448,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_13 = 432,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_13 = 449,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_14 = 433,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_14 = 450,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_15 = 434,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_15 = 451,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_16 = 435,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_16 = 452,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_17 = 436,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_17 = 453,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_18 = 437,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_18 = 454,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_19 = 438,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_19 = 455,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_20 = 439,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_20 = 456,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_21 = 440,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_21 = 457,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_22 = 441,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_22 = 458,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_23 = 442,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_23 = 459,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_24 = 443,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_24 = 460,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_25 = 444,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_25 = 461,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_26 = 445,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_26 = 462,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_27 = 446,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_27 = 463,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_28 = 447,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_28 = 464,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_29 = 448,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_29 = 465,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_30 = 449,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_30 = 466,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_31 = 450,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_31 = 467,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_32 = 451,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_32 = 468,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_33 = 452,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_33 = 469,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_34 = 453,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_34 = 470,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_35 = 454,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_35 = 471,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_36 = 455,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_36 = 472,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_37 = 456,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_37 = 473,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_38 = 457,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_38 = 474,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_39 = 458,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_39 = 475,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_40 = 459,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_40 = 476,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_41 = 460,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_41 = 477,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_42 = 461,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_42 = 478,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_43 = 462,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_43 = 479,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_44 = 463,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_44 = 480,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_45 = 464,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_45 = 481,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_46 = 465,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_46 = 482,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_47 = 466,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_47 = 483,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_48 = 467,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_48 = 484,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_49 = 468,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_49 = 485,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_50 = 469,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_50 = 486,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_51 = 470,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_51 = 487,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_52 = 471,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_52 = 488,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_53 = 472,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_53 = 489,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_54 = 473,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_54 = 490,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_55 = 474,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_55 = 491,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_56 = 475,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_56 = 492,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_57 = 476,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_57 = 493,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_58 = 477,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_58 = 494,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_59 = 478,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_59 = 495,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_60 = 479,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_60 = 496,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_61 = 480,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_61 = 497,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_62 = 481,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_62 = 498,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_63 = 482,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_63 = 499,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_64 = 483,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_64 = 500,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_65 = 484,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_65 = 501,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_66 = 485,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_66 = 502,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_67 = 486,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_67 = 503,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_68 = 487,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_68 = 504,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_69 = 488,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_69 = 505,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_70 = 489,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_70 = 506,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_71 = 490,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_71 = 507,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_72 = 491,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_72 = 508,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_73 = 492,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_73 = 509,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_74 = 493,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_74 = 510,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_75 = 494,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_75 = 511,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_76 = 495,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_76 = 512,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_77 = 496,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_77 = 513,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_78 = 497,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_78 = 514,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_79 = 498,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_79 = 515,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_80 = 499,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_80 = 516,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_81 = 500,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_81 = 517,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_82 = 501,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_82 = 518,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_83 = 502,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_83 = 519,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_84 = 503,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_84 = 520,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_85 = 504,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_85 = 521,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_86 = 505,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_86 = 522,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_87 = 506,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_87 = 523,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_88 = 507,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_88 = 524,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_89 = 508,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_89 = 525,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_90 = 509,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_90 = 526,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_91 = 510,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_91 = 527,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_92 = 511,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_92 = 528,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_93 = 512,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_93 = 529,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_94 = 513,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_94 = 530,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_95 = 514,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_95 = 531,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_96 = 515,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_96 = 532,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_97 = 516,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_97 = 533,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_98 = 517,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_98 = 534,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_99 = 518,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_99 = 535,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_100 = 519,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_100 = 536,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_101 = 520,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_101 = 537,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_102 = 521,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_102 = 538,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_103 = 522,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_103 = 539,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_104 = 523,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_104 = 540,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_105 = 524,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_105 = 541,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_106 = 525,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_106 = 542,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_107 = 526,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_107 = 543,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_108 = 527,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_108 = 544,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_109 = 528,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_109 = 545,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_110 = 529,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_110 = 546,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_111 = 530,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_111 = 547,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_112 = 531,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_112 = 548,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_113 = 532,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_113 = 549,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_114 = 533,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_114 = 550,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_115 = 534,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_115 = 551,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_116 = 535,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_116 = 552,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_117 = 536,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_117 = 553,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_118 = 537,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_118 = 554,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_119 = 538,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_119 = 555,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_120 = 539,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_120 = 556,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_121 = 540,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_121 = 557,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_122 = 541,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_122 = 558,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_123 = 542,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_123 = 559,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_124 = 543,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_124 = 560,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_125 = 544,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_125 = 561,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_126 = 545,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_126 = 562,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_127 = 546,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_127 = 563,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_128 = 547,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_128 = 564,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_129 = 548,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_129 = 565,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_130 = 549,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_130 = 566,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_131 = 550,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_131 = 567,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_132 = 551,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_132 = 568,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_133 = 552,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_133 = 569,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_134 = 553,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_134 = 570,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_135 = 554,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_135 = 571,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_136 = 555,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_136 = 572,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_137 = 556,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_137 = 573,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_138 = 557,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_138 = 574,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_139 = 558,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_139 = 575,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_140 = 559,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_140 = 576,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_141 = 560,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_141 = 577,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_142 = 561,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_142 = 578,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_143 = 562,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_143 = 579,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_144 = 563,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_144 = 580,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_145 = 564,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_145 = 581,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_146 = 565,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_146 = 582,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_147 = 566,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_147 = 583,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_148 = 567,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_148 = 584,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_149 = 568,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_149 = 585,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_150 = 569,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_150 = 586,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_151 = 570,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_151 = 587,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_152 = 571,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_152 = 588,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_153 = 572,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_153 = 589,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_154 = 573,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_154 = 590,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_155 = 574,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_155 = 591,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_156 = 575,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_156 = 592,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_157 = 576,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_157 = 593,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_158 = 577,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_158 = 594,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_159 = 578,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_159 = 595,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_160 = 579,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_160 = 596,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_161 = 580,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_161 = 597,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_162 = 581,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_162 = 598,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_163 = 582,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_163 = 599,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_164 = 583,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_164 = 600,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_165 = 584,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_165 = 601,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_166 = 585,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_166 = 602,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_167 = 586,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_167 = 603,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_168 = 587,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_168 = 604,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_169 = 588,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_169 = 605,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_170 = 589,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_170 = 606,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_171 = 590,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_171 = 607,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_172 = 591,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_172 = 608,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_173 = 592,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_173 = 609,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_174 = 593,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_174 = 610,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_175 = 594,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_175 = 611,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_176 = 595,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_176 = 612,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_177 = 596,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_177 = 613,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_178 = 597,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_178 = 614,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_179 = 598,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_179 = 615,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_180 = 599,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_180 = 616,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_181 = 600,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_181 = 617,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_182 = 601,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_182 = 618,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_183 = 602,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_183 = 619,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_184 = 603,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_184 = 620,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_185 = 604,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_185 = 621,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_186 = 605,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_186 = 622,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_187 = 606,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_187 = 623,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_188 = 607,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_188 = 624,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_189 = 608,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_189 = 625,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_190 = 609,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_190 = 626,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_191 = 610,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_191 = 627,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_192 = 611,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_192 = 628,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_193 = 612,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_193 = 629,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_194 = 613,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_194 = 630,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_195 = 614,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_195 = 631,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_196 = 615,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_196 = 632,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_197 = 616,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_197 = 633,
   /** state [m/s]: Velocity of the damper's piston behind its series stiffness; that of the strut if there is none.
    *  (default 0) */
-  STRIBECK_SHOCK_ABSORBER_PISTON_VELOCITY = 617,
+  STRIBECK_SHOCK_ABSORBER_PISTON_VELOCITY = 634,
   /** state [Boolean]: Has the run begun? (default false) */
-  STRIBECK_SHOCK_ABSORBER_STARTED = 618,
+  STRIBECK_SHOCK_ABSORBER_STARTED = 635,
   /** state [s]: Last communication step; 0 before the first. (>= 0, default 0) */
-  STRIBECK_SHOCK_ABSORBER_STEP_SIZE = 619,
+  STRIBECK_SHOCK_ABSORBER_STEP_SIZE = 636,
   /** state, out [K]: Temperature of the damper. (> 0, default 293.15) */
-  STRIBECK_SHOCK_ABSORBER_TEMPERATURE = 620,
+  STRIBECK_SHOCK_ABSORBER_TEMPERATURE = 637,
   /** state, out [J]: Energy taken out of the motion by friction and damper since the start. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_DISSIPATED_ENERGY = 621,
+  STRIBECK_SHOCK_ABSORBER_DISSIPATED_ENERGY = 638,
   /** out [N]: Force of the strut; positive pushes the eyes apart. */
-  STRIBECK_SHOCK_ABSORBER_FORCE = 622,
+  STRIBECK_SHOCK_ABSORBER_FORCE = 639,
   /** out [N]: The same with the other sign: positive pulls the eyes together. */
-  STRIBECK_SHOCK_ABSORBER_FORCE_TENSION = 623,
+  STRIBECK_SHOCK_ABSORBER_FORCE_TENSION = 640,
   /** out [N]: Part of the spring. */
-  STRIBECK_SHOCK_ABSORBER_FORCE_SPRING = 624,
+  STRIBECK_SHOCK_ABSORBER_FORCE_SPRING = 641,
   /** out [N]: Part of the gas. */
-  STRIBECK_SHOCK_ABSORBER_FORCE_GAS = 625,
+  STRIBECK_SHOCK_ABSORBER_FORCE_GAS = 642,
   /** out [N]: Part of the bump stop. */
-  STRIBECK_SHOCK_ABSORBER_FORCE_BUMP = 626,
+  STRIBECK_SHOCK_ABSORBER_FORCE_BUMP = 643,
   /** out [N]: Part of the rebound stop. */
-  STRIBECK_SHOCK_ABSORBER_FORCE_REBOUND = 627,
+  STRIBECK_SHOCK_ABSORBER_FORCE_REBOUND = 644,
   /** out [N]: Part of the damper. */
-  STRIBECK_SHOCK_ABSORBER_FORCE_DAMPER = 628,
+  STRIBECK_SHOCK_ABSORBER_FORCE_DAMPER = 645,
   /** out [N]: Part of the friction. */
-  STRIBECK_SHOCK_ABSORBER_FORCE_FRICTION = 629,
+  STRIBECK_SHOCK_ABSORBER_FORCE_FRICTION = 646,
   /** out [N]: Force on the travel of the host, by virtual work: see adapter. */
-  STRIBECK_SHOCK_ABSORBER_FORCE_TRAVEL = 630,
+  STRIBECK_SHOCK_ABSORBER_FORCE_TRAVEL = 647,
   /** out [N]: Axial friction at the rod guide; has the sign of the velocity when sliding. */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_1 = 631,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_1 = 648,
   /** out [N]: Axial friction at the piston; has the sign of the velocity when sliding. */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_2 = 632,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_2 = 649,
   /** out [N]: Normal force at the rod guide. */
-  STRIBECK_SHOCK_ABSORBER_NORMAL_1 = 633,
+  STRIBECK_SHOCK_ABSORBER_NORMAL_1 = 650,
   /** out [N]: Normal force at the piston. */
-  STRIBECK_SHOCK_ABSORBER_NORMAL_2 = 634,
+  STRIBECK_SHOCK_ABSORBER_NORMAL_2 = 651,
   /** out [N.m]: Friction torque about the axis, on the tube; has the sign of the spin rate when sliding. */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_TORQUE = 635,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_TORQUE = 652,
   /** out [m]: Compression from full extension. */
-  STRIBECK_SHOCK_ABSORBER_COMPRESSION = 636,
+  STRIBECK_SHOCK_ABSORBER_COMPRESSION = 653,
   /** out [m]: Distance from piston to rod guide. */
-  STRIBECK_SHOCK_ABSORBER_OVERLAP = 637,
+  STRIBECK_SHOCK_ABSORBER_OVERLAP = 654,
   /** out [N/m]: Derivative of the force with respect to the length of the strut. */
-  STRIBECK_SHOCK_ABSORBER_DFORCE_DLENGTH = 638,
+  STRIBECK_SHOCK_ABSORBER_DFORCE_DLENGTH = 655,
   /** out [N.s/m]: Derivative of the force after a step with respect to the velocity of the strut. */
-  STRIBECK_SHOCK_ABSORBER_DFORCE_DVELOCITY = 639,
+  STRIBECK_SHOCK_ABSORBER_DFORCE_DVELOCITY = 656,
   /** out [s]: Largest communication step that is stable for num.mass_ref; advice to the master. */
-  STRIBECK_SHOCK_ABSORBER_STEP_LIMIT = 640,
+  STRIBECK_SHOCK_ABSORBER_STEP_LIMIT = 657,
   /** out [W]: Power taken out of the motion by friction and damper. */
-  STRIBECK_SHOCK_ABSORBER_DISSIPATED_POWER = 641,
+  STRIBECK_SHOCK_ABSORBER_DISSIPATED_POWER = 658,
   /** out [Boolean]: Do the contacts stick? */
-  STRIBECK_SHOCK_ABSORBER_STICKING = 642,
+  STRIBECK_SHOCK_ABSORBER_STICKING = 659,
   /** out [Boolean]: Is the bump stop touched? */
-  STRIBECK_SHOCK_ABSORBER_BUMP_ACTIVE = 643,
+  STRIBECK_SHOCK_ABSORBER_BUMP_ACTIVE = 660,
   /** out [Boolean]: Is the overlap so short that the contact forces are regularised? */
-  STRIBECK_SHOCK_ABSORBER_OVERLAP_LOW = 644,
+  STRIBECK_SHOCK_ABSORBER_OVERLAP_LOW = 661,
 } stribeck_shock_absorber_variable;
 
 /** Guid of TelescopicJoint for fmi2Instantiate. */
@@ -5531,7 +5566,7 @@ typedef enum stribeck_telescopic_joint_variable {
 } stribeck_telescopic_joint_variable;
 
 /** Guid of GuideContact for fmi2Instantiate. */
-#define STRIBECK_GUIDE_CONTACT_GUID "{c16d505d-3fd1-c930-caf9-c3727f472b4d}"
+#define STRIBECK_GUIDE_CONTACT_GUID "{6aa26ef5-bf00-3c77-266b-16cf261ef4dd}"
 
 /** GuideContact: Friction of a rod in its guide, by any law of the catalogue. Columns of "GuideContact". */
 typedef enum stribeck_guide_contact_variable {
@@ -5590,757 +5625,792 @@ typedef enum stribeck_guide_contact_variable {
   STRIBECK_GUIDE_CONTACT_FRICTION_VISCOUS_EXPONENT = 23,
   /** fixed [stribeck_stribeck_curve]: How the level falls with speed. (default Gaussian) */
   STRIBECK_GUIDE_CONTACT_FRICTION_CURVE = 24,
+  /** tunable [N.s/m]: Viscous friction coefficient. (>= 0, default 0) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_STRIBECK_VISCOUS_COEFFICIENT = 25,
   /** tunable [N.s2/m2]: Quadratic friction coefficient; used by PoppStelter. (>= 0, default 0) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_QUADRATIC_COEFFICIENT = 25,
-  /** tunable [s/m]: Slope of the force at rest, relative to the level there. (> 0, default 10000) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_TRANSITION_SLOPE = 26,
+  STRIBECK_GUIDE_CONTACT_FRICTION_QUADRATIC_COEFFICIENT = 26,
+  /** tunable [s/m]: Slope of the force at rest, relative to the level there. (> 0, default 2000) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_TRANSITION_SLOPE = 27,
   /** fixed [stribeck_threlfall_variant]: Variant of the law. (default Printed) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_THRELFALL_VARIANT = 27,
-  /** tunable [m/s]: Velocity at which the regularised band around rest ends (default chosen). (>= 0, default 0.001) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_TRANSITION_VELOCITY = 28,
+  STRIBECK_GUIDE_CONTACT_FRICTION_THRELFALL_VARIANT = 28,
+  /** tunable [m/s]: Velocity at which the regularised band around rest ends (default chosen). (> 0, default 0.001) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_TRANSITION_VELOCITY = 29,
   /** fixed [stribeck_rooney_deravi_variant]: Variant of the law. (default Linear) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_ROONEYDERAVI_VARIANT = 29,
-  /** tunable [m/s]: Velocity at which the kinetic level is reached. (> 0, default 0.0015) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_SLIDING_VELOCITY = 30,
+  STRIBECK_GUIDE_CONTACT_FRICTION_ROONEYDERAVI_VARIANT = 30,
+  /** tunable [m/s]: Velocity at which the regularised band around rest ends (default chosen). (>= 0, default 0.0001) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_AMBROSIO_TRANSITION_VELOCITY = 31,
+  /** tunable [m/s]: Velocity at which the kinetic level is reached. (> 0, default 0.001) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_SLIDING_VELOCITY = 32,
   /** fixed [stribeck_bengisu_akay_variant]: Variant of the law. (default Thesis) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_BENGISUAKAY_VARIANT = 31,
+  STRIBECK_GUIDE_CONTACT_FRICTION_BENGISUAKAY_VARIANT = 33,
+  /** tunable [s/m]: Slope of the force at rest, relative to the level there. (> 0, default 5000) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_BENGISUAKAY_TRANSITION_SLOPE = 34,
+  /** tunable [s/m]: Rate at which the excess of static over kinetic friction decays with speed (default chosen).
+   *  (> 0, default 500) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_STICTION_DECAY = 35,
+  /** tunable [s/m]: Viscous coefficient of friction, per normal force. (>= 0, default 0) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_MU_V = 36,
+  /** tunable [s/m]: Slope of the force at rest, relative to the level there. (> 0, default 10000) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_ANDERSSON_TRANSITION_SLOPE = 37,
+  /** tunable [N.s/m]: Viscous friction coefficient. (>= 0, default 0) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_ANDERSSON_VISCOUS_COEFFICIENT = 38,
   /** tunable [s/m]: Rate at which the excess of static over kinetic friction decays with speed (default chosen).
    *  (> 0, default 1000) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_STICTION_DECAY = 32,
-  /** tunable [s/m]: Viscous coefficient of friction, per normal force. (>= 0, default 0) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_MU_V = 33,
+  STRIBECK_GUIDE_CONTACT_FRICTION_AWREJCEWICZ_STICTION_DECAY = 39,
+  /** tunable [m/s]: Velocity at which the regularised band around rest ends (default chosen). (> 0, default 0.00025) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_SPECKER_TRANSITION_VELOCITY = 40,
   /** tunable [m/s]: Velocity at which the static level is reached (default chosen). (> 0, default 0.0005) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_PEAK_VELOCITY = 34,
+  STRIBECK_GUIDE_CONTACT_FRICTION_PEAK_VELOCITY = 41,
+  /** tunable [N.s/m]: Viscous friction coefficient. (>= 0, default 0) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_SPECKER_VISCOUS_COEFFICIENT = 42,
+  /** tunable [m/s]: Velocity at which the kinetic level is reached. (> 0, default 0.0015) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_LINEARSTICTION_SLIDING_VELOCITY = 43,
+  /** tunable [N.s/m]: Viscous friction coefficient. (>= 0, default 0) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_BROWNMCPHEE_VISCOUS_COEFFICIENT = 44,
   /** tunable [N]: Normal force at which the viscous part is fully active (default chosen). (> 0, default 1) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_TRANSITION_NORMAL_FORCE = 35,
+  STRIBECK_GUIDE_CONTACT_FRICTION_TRANSITION_NORMAL_FORCE = 45,
   /** tunable [1]: Exponent of the transition to sliding; below 1 brittle, from 1 on ductile. (>= 0, default 1) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_ALPHA = 36,
+  STRIBECK_GUIDE_CONTACT_FRICTION_ALPHA = 46,
+  /** tunable [N.s/m]: Viscous friction coefficient. (>= 0, default 0) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_FRICTIONALLAG_VISCOUS_COEFFICIENT = 47,
   /** fixed [s]: Time by which the level of friction lags behind the velocity (default chosen). (>= 0, default 0.005) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_TIME_LAG = 37,
+  STRIBECK_GUIDE_CONTACT_FRICTION_TIME_LAG = 48,
   /** fixed [stribeck_frictional_lag_variant]: Variant of the law. (default Delay) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_FRICTIONALLAG_VARIANT = 38,
+  STRIBECK_GUIDE_CONTACT_FRICTION_FRICTIONALLAG_VARIANT = 49,
+  /** tunable [N.s/m]: Viscous friction coefficient. (>= 0, default 0) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_ARMSTRONG_VISCOUS_COEFFICIENT = 50,
   /** tunable [s]: Dwell time after which half of the rise of the static friction has come (default chosen).
    *  (>= 0, default 2) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_GAMMA = 39,
+  STRIBECK_GUIDE_CONTACT_FRICTION_GAMMA = 51,
   /** tunable [1]: Coefficient of friction that a contact reaches when it comes to rest; not more than mu_s (default chosen).
    *  (>= 0, default 0) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_MU_STOP = 40,
+  STRIBECK_GUIDE_CONTACT_FRICTION_MU_STOP = 52,
   /** tunable [s/m]: Steepness of the curve while speeding up (default chosen). (> 0, default 500) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_ACCELERATION_DECAY = 41,
+  STRIBECK_GUIDE_CONTACT_FRICTION_ACCELERATION_DECAY = 53,
   /** tunable [s/m]: Steepness of the curve while slowing down (default chosen). (> 0, default 500) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_DECELERATION_DECAY = 42,
+  STRIBECK_GUIDE_CONTACT_FRICTION_DECELERATION_DECAY = 54,
   /** tunable [s/m]: Steepness of the curves for speeding up and slowing down (default chosen). (> 0, default 500) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_BRANCH_DECAY = 43,
+  STRIBECK_GUIDE_CONTACT_FRICTION_BRANCH_DECAY = 55,
   /** fixed [stribeck_bliman_sorine_order]: Variant of the law. (default Second) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_BLIMANSORINE_VARIANT = 44,
+  STRIBECK_GUIDE_CONTACT_FRICTION_BLIMANSORINE_VARIANT = 56,
   /** tunable [1]: Level of the slow relaxation, as a coefficient of friction; second order (default calibrated).
    *  (>= 0, default 0.2732050807568877) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_MU_2 = 45,
+  STRIBECK_GUIDE_CONTACT_FRICTION_MU_2 = 57,
   /** tunable [1]: Length of the fast relaxation as a part of that of the slow one; second order (default chosen).
    *  (> 0, <= 1, default 0.5) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_ETA = 46,
+  STRIBECK_GUIDE_CONTACT_FRICTION_ETA = 58,
   /** tunable [m]: Sliding distance in which the slow relaxation settles to 1/e (default calibrated).
    *  (> 0, default 4.642141842225068e-5) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_EPS_F = 47,
+  STRIBECK_GUIDE_CONTACT_FRICTION_EPS_F = 59,
   /** tunable [m]: Shear deflection of the asperities in steady sliding (default f_C / sigma_0 of the thesis).
    *  (> 0, default 9.81e-6) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_DELTA_T = 48,
+  STRIBECK_GUIDE_CONTACT_FRICTION_DELTA_T = 60,
   /** tunable [1]: Part of the deflection of steady sliding up to which the contact is purely elastic.
    *  (> 0, <= 1, default 0.7) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_BREAKAWAY_RATIO = 49,
+  STRIBECK_GUIDE_CONTACT_FRICTION_BREAKAWAY_RATIO = 61,
   /** tunable [Integer]: Exponent of the transition from elastic deflection to sliding; odd. (>= 1, <= 9, default 1) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_PLASTIC_EXPONENT = 50,
+  STRIBECK_GUIDE_CONTACT_FRICTION_PLASTIC_EXPONENT = 62,
   /** tunable [m]: Strain at which a bristle snaps (default f_s / sigma_0 of the thesis). (> 0, default 1.4715e-5) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_DELTA = 51,
+  STRIBECK_GUIDE_CONTACT_FRICTION_DELTA = 63,
   /** fixed [Integer]: Number of bristles (default chosen). (>= 1, <= 64, default 25) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_BRISTLE_COUNT = 52,
+  STRIBECK_GUIDE_CONTACT_FRICTION_BRISTLE_COUNT = 64,
   /** fixed [Integer]: Seed of the random numbers. (>= 0, default 0) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_SEED = 53,
+  STRIBECK_GUIDE_CONTACT_FRICTION_SEED = 65,
   /** fixed [stribeck_initial_bonds]: State of the bristles when the motion starts. (default Bonded) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_INITIAL_BONDS = 54,
+  STRIBECK_GUIDE_CONTACT_FRICTION_INITIAL_BONDS = 66,
+  /** tunable [m/s]: Velocity at which the regularised band around rest ends (default chosen). (> 0, default 0.00025) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_SPECKERDYNAMIC_TRANSITION_VELOCITY = 67,
+  /** tunable [N.s/m]: Viscous friction coefficient. (>= 0, default 0) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_SPECKERDYNAMIC_VISCOUS_COEFFICIENT = 68,
   /** tunable [s]: Time constant of the force while sliding (default chosen). (> 0, default 0.001) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_SLIP_TIME = 55,
+  STRIBECK_GUIDE_CONTACT_FRICTION_SLIP_TIME = 69,
+  /** tunable [N.s/m]: Damping of the bristles. (>= 0, default 0) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_MAXWELLSLIP_SIGMA_1 = 70,
+  /** tunable [N.s/m]: Viscous friction coefficient. (>= 0, default 0) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_MAXWELLSLIP_VISCOUS_COEFFICIENT = 71,
   /** tunable [N/s]: Rate at which the slipping elements together approach their level (default chosen).
    *  (> 0, default 1000) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_ATTRACTION = 56,
+  STRIBECK_GUIDE_CONTACT_FRICTION_ATTRACTION = 72,
   /** fixed [stribeck_element_distribution]: Where the shares of the elements come from. (default Explicit) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_DISTRIBUTION = 57,
+  STRIBECK_GUIDE_CONTACT_FRICTION_DISTRIBUTION = 73,
   /** fixed [Integer]: Number of elements in use (default chosen). (>= 1, <= 16, default 4) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_COUNT = 58,
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_COUNT = 74,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.5) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_1_STIFFNESS_SHARE = 59,
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_1_STIFFNESS_SHARE = 75,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_1_STRENGTH_SHARE = 60,
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_1_STRENGTH_SHARE = 76,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.25) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_2_STIFFNESS_SHARE = 61,
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_2_STIFFNESS_SHARE = 77,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.2) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_2_STRENGTH_SHARE = 62,
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_2_STRENGTH_SHARE = 78,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.15) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_3_STIFFNESS_SHARE = 63,
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_3_STIFFNESS_SHARE = 79,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.3) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_3_STRENGTH_SHARE = 64,
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_3_STRENGTH_SHARE = 80,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_4_STIFFNESS_SHARE = 65,
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_4_STIFFNESS_SHARE = 81,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.4) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_4_STRENGTH_SHARE = 66,
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_4_STRENGTH_SHARE = 82,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_5_STIFFNESS_SHARE = 67,
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_5_STIFFNESS_SHARE = 83,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_5_STRENGTH_SHARE = 68,
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_5_STRENGTH_SHARE = 84,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_6_STIFFNESS_SHARE = 69,
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_6_STIFFNESS_SHARE = 85,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_6_STRENGTH_SHARE = 70,
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_6_STRENGTH_SHARE = 86,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_7_STIFFNESS_SHARE = 71,
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_7_STIFFNESS_SHARE = 87,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_7_STRENGTH_SHARE = 72,
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_7_STRENGTH_SHARE = 88,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_8_STIFFNESS_SHARE = 73,
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_8_STIFFNESS_SHARE = 89,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_8_STRENGTH_SHARE = 74,
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_8_STRENGTH_SHARE = 90,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_9_STIFFNESS_SHARE = 75,
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_9_STIFFNESS_SHARE = 91,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_9_STRENGTH_SHARE = 76,
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_9_STRENGTH_SHARE = 92,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_10_STIFFNESS_SHARE = 77,
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_10_STIFFNESS_SHARE = 93,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_10_STRENGTH_SHARE = 78,
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_10_STRENGTH_SHARE = 94,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_11_STIFFNESS_SHARE = 79,
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_11_STIFFNESS_SHARE = 95,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_11_STRENGTH_SHARE = 80,
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_11_STRENGTH_SHARE = 96,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_12_STIFFNESS_SHARE = 81,
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_12_STIFFNESS_SHARE = 97,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_12_STRENGTH_SHARE = 82,
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_12_STRENGTH_SHARE = 98,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_13_STIFFNESS_SHARE = 83,
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_13_STIFFNESS_SHARE = 99,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_13_STRENGTH_SHARE = 84,
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_13_STRENGTH_SHARE = 100,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_14_STIFFNESS_SHARE = 85,
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_14_STIFFNESS_SHARE = 101,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_14_STRENGTH_SHARE = 86,
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_14_STRENGTH_SHARE = 102,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_15_STIFFNESS_SHARE = 87,
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_15_STIFFNESS_SHARE = 103,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_15_STRENGTH_SHARE = 88,
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_15_STRENGTH_SHARE = 104,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_16_STIFFNESS_SHARE = 89,
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_16_STIFFNESS_SHARE = 105,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_16_STRENGTH_SHARE = 90,
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_16_STRENGTH_SHARE = 106,
   /** tunable [1]: Exponent of the approach to the steady level (default chosen). (>= 0.1, default 1) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_APPROACH_EXPONENT = 91,
+  STRIBECK_GUIDE_CONTACT_FRICTION_APPROACH_EXPONENT = 107,
   /** tunable [1]: Strength of all elements together, as a multiple of the static level; not less than 1 (default chosen).
    *  (> 0, default 1.2) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_HYSTERESIS_STRENGTH = 92,
+  STRIBECK_GUIDE_CONTACT_FRICTION_HYSTERESIS_STRENGTH = 108,
+  /** tunable [m/s]: Velocity at which the regularised band around rest ends (default chosen). (> 0, default 1e-5) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_GONTHIER_TRANSITION_VELOCITY = 109,
   /** tunable [s]: Time constant with which the static level rises at rest. (> 0, default 2) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_DWELL_TIME_CONSTANT = 93,
+  STRIBECK_GUIDE_CONTACT_FRICTION_DWELL_TIME_CONSTANT = 110,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_1 = 94,
+  STRIBECK_GUIDE_CONTACT_MEMORY_1 = 111,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_2 = 95,
+  STRIBECK_GUIDE_CONTACT_MEMORY_2 = 112,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_3 = 96,
+  STRIBECK_GUIDE_CONTACT_MEMORY_3 = 113,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_4 = 97,
+  STRIBECK_GUIDE_CONTACT_MEMORY_4 = 114,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_5 = 98,
+  STRIBECK_GUIDE_CONTACT_MEMORY_5 = 115,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_6 = 99,
+  STRIBECK_GUIDE_CONTACT_MEMORY_6 = 116,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_7 = 100,
+  STRIBECK_GUIDE_CONTACT_MEMORY_7 = 117,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_8 = 101,
+  STRIBECK_GUIDE_CONTACT_MEMORY_8 = 118,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_9 = 102,
+  STRIBECK_GUIDE_CONTACT_MEMORY_9 = 119,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_10 = 103,
+  STRIBECK_GUIDE_CONTACT_MEMORY_10 = 120,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_11 = 104,
+  STRIBECK_GUIDE_CONTACT_MEMORY_11 = 121,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_12 = 105,
+  STRIBECK_GUIDE_CONTACT_MEMORY_12 = 122,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_13 = 106,
+  STRIBECK_GUIDE_CONTACT_MEMORY_13 = 123,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_14 = 107,
+  STRIBECK_GUIDE_CONTACT_MEMORY_14 = 124,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_15 = 108,
+  STRIBECK_GUIDE_CONTACT_MEMORY_15 = 125,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_16 = 109,
+  STRIBECK_GUIDE_CONTACT_MEMORY_16 = 126,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_17 = 110,
+  STRIBECK_GUIDE_CONTACT_MEMORY_17 = 127,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_18 = 111,
+  STRIBECK_GUIDE_CONTACT_MEMORY_18 = 128,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_19 = 112,
+  STRIBECK_GUIDE_CONTACT_MEMORY_19 = 129,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_20 = 113,
+  STRIBECK_GUIDE_CONTACT_MEMORY_20 = 130,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_21 = 114,
+  STRIBECK_GUIDE_CONTACT_MEMORY_21 = 131,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_22 = 115,
+  STRIBECK_GUIDE_CONTACT_MEMORY_22 = 132,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_23 = 116,
+  STRIBECK_GUIDE_CONTACT_MEMORY_23 = 133,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_24 = 117,
+  STRIBECK_GUIDE_CONTACT_MEMORY_24 = 134,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_25 = 118,
+  STRIBECK_GUIDE_CONTACT_MEMORY_25 = 135,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_26 = 119,
+  STRIBECK_GUIDE_CONTACT_MEMORY_26 = 136,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_27 = 120,
+  STRIBECK_GUIDE_CONTACT_MEMORY_27 = 137,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_28 = 121,
+  STRIBECK_GUIDE_CONTACT_MEMORY_28 = 138,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_29 = 122,
+  STRIBECK_GUIDE_CONTACT_MEMORY_29 = 139,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_30 = 123,
+  STRIBECK_GUIDE_CONTACT_MEMORY_30 = 140,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_31 = 124,
+  STRIBECK_GUIDE_CONTACT_MEMORY_31 = 141,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_32 = 125,
+  STRIBECK_GUIDE_CONTACT_MEMORY_32 = 142,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_33 = 126,
+  STRIBECK_GUIDE_CONTACT_MEMORY_33 = 143,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_34 = 127,
+  STRIBECK_GUIDE_CONTACT_MEMORY_34 = 144,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_35 = 128,
+  STRIBECK_GUIDE_CONTACT_MEMORY_35 = 145,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_36 = 129,
+  STRIBECK_GUIDE_CONTACT_MEMORY_36 = 146,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_37 = 130,
+  STRIBECK_GUIDE_CONTACT_MEMORY_37 = 147,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_38 = 131,
+  STRIBECK_GUIDE_CONTACT_MEMORY_38 = 148,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_39 = 132,
+  STRIBECK_GUIDE_CONTACT_MEMORY_39 = 149,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_40 = 133,
+  STRIBECK_GUIDE_CONTACT_MEMORY_40 = 150,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_41 = 134,
+  STRIBECK_GUIDE_CONTACT_MEMORY_41 = 151,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_42 = 135,
+  STRIBECK_GUIDE_CONTACT_MEMORY_42 = 152,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_43 = 136,
+  STRIBECK_GUIDE_CONTACT_MEMORY_43 = 153,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_44 = 137,
+  STRIBECK_GUIDE_CONTACT_MEMORY_44 = 154,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_45 = 138,
+  STRIBECK_GUIDE_CONTACT_MEMORY_45 = 155,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_46 = 139,
+  STRIBECK_GUIDE_CONTACT_MEMORY_46 = 156,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_47 = 140,
+  STRIBECK_GUIDE_CONTACT_MEMORY_47 = 157,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_48 = 141,
+  STRIBECK_GUIDE_CONTACT_MEMORY_48 = 158,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_49 = 142,
+  STRIBECK_GUIDE_CONTACT_MEMORY_49 = 159,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_50 = 143,
+  STRIBECK_GUIDE_CONTACT_MEMORY_50 = 160,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_51 = 144,
+  STRIBECK_GUIDE_CONTACT_MEMORY_51 = 161,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_52 = 145,
+  STRIBECK_GUIDE_CONTACT_MEMORY_52 = 162,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_53 = 146,
+  STRIBECK_GUIDE_CONTACT_MEMORY_53 = 163,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_54 = 147,
+  STRIBECK_GUIDE_CONTACT_MEMORY_54 = 164,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_55 = 148,
+  STRIBECK_GUIDE_CONTACT_MEMORY_55 = 165,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_56 = 149,
+  STRIBECK_GUIDE_CONTACT_MEMORY_56 = 166,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_57 = 150,
+  STRIBECK_GUIDE_CONTACT_MEMORY_57 = 167,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_58 = 151,
+  STRIBECK_GUIDE_CONTACT_MEMORY_58 = 168,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_59 = 152,
+  STRIBECK_GUIDE_CONTACT_MEMORY_59 = 169,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_60 = 153,
+  STRIBECK_GUIDE_CONTACT_MEMORY_60 = 170,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_61 = 154,
+  STRIBECK_GUIDE_CONTACT_MEMORY_61 = 171,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_62 = 155,
+  STRIBECK_GUIDE_CONTACT_MEMORY_62 = 172,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_63 = 156,
+  STRIBECK_GUIDE_CONTACT_MEMORY_63 = 173,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_64 = 157,
+  STRIBECK_GUIDE_CONTACT_MEMORY_64 = 174,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_65 = 158,
+  STRIBECK_GUIDE_CONTACT_MEMORY_65 = 175,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_66 = 159,
+  STRIBECK_GUIDE_CONTACT_MEMORY_66 = 176,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_67 = 160,
+  STRIBECK_GUIDE_CONTACT_MEMORY_67 = 177,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_68 = 161,
+  STRIBECK_GUIDE_CONTACT_MEMORY_68 = 178,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_69 = 162,
+  STRIBECK_GUIDE_CONTACT_MEMORY_69 = 179,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_70 = 163,
+  STRIBECK_GUIDE_CONTACT_MEMORY_70 = 180,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_71 = 164,
+  STRIBECK_GUIDE_CONTACT_MEMORY_71 = 181,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_72 = 165,
+  STRIBECK_GUIDE_CONTACT_MEMORY_72 = 182,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_73 = 166,
+  STRIBECK_GUIDE_CONTACT_MEMORY_73 = 183,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_74 = 167,
+  STRIBECK_GUIDE_CONTACT_MEMORY_74 = 184,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_75 = 168,
+  STRIBECK_GUIDE_CONTACT_MEMORY_75 = 185,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_76 = 169,
+  STRIBECK_GUIDE_CONTACT_MEMORY_76 = 186,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_77 = 170,
+  STRIBECK_GUIDE_CONTACT_MEMORY_77 = 187,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_78 = 171,
+  STRIBECK_GUIDE_CONTACT_MEMORY_78 = 188,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_79 = 172,
+  STRIBECK_GUIDE_CONTACT_MEMORY_79 = 189,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_80 = 173,
+  STRIBECK_GUIDE_CONTACT_MEMORY_80 = 190,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_81 = 174,
+  STRIBECK_GUIDE_CONTACT_MEMORY_81 = 191,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_82 = 175,
+  STRIBECK_GUIDE_CONTACT_MEMORY_82 = 192,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_83 = 176,
+  STRIBECK_GUIDE_CONTACT_MEMORY_83 = 193,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_84 = 177,
+  STRIBECK_GUIDE_CONTACT_MEMORY_84 = 194,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_85 = 178,
+  STRIBECK_GUIDE_CONTACT_MEMORY_85 = 195,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_86 = 179,
+  STRIBECK_GUIDE_CONTACT_MEMORY_86 = 196,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_87 = 180,
+  STRIBECK_GUIDE_CONTACT_MEMORY_87 = 197,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_88 = 181,
+  STRIBECK_GUIDE_CONTACT_MEMORY_88 = 198,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_89 = 182,
+  STRIBECK_GUIDE_CONTACT_MEMORY_89 = 199,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_90 = 183,
+  STRIBECK_GUIDE_CONTACT_MEMORY_90 = 200,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_91 = 184,
+  STRIBECK_GUIDE_CONTACT_MEMORY_91 = 201,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_92 = 185,
+  STRIBECK_GUIDE_CONTACT_MEMORY_92 = 202,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_93 = 186,
+  STRIBECK_GUIDE_CONTACT_MEMORY_93 = 203,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_94 = 187,
+  STRIBECK_GUIDE_CONTACT_MEMORY_94 = 204,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_95 = 188,
+  STRIBECK_GUIDE_CONTACT_MEMORY_95 = 205,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_96 = 189,
+  STRIBECK_GUIDE_CONTACT_MEMORY_96 = 206,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_97 = 190,
+  STRIBECK_GUIDE_CONTACT_MEMORY_97 = 207,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_98 = 191,
+  STRIBECK_GUIDE_CONTACT_MEMORY_98 = 208,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_99 = 192,
+  STRIBECK_GUIDE_CONTACT_MEMORY_99 = 209,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_100 = 193,
+  STRIBECK_GUIDE_CONTACT_MEMORY_100 = 210,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_101 = 194,
+  STRIBECK_GUIDE_CONTACT_MEMORY_101 = 211,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_102 = 195,
+  STRIBECK_GUIDE_CONTACT_MEMORY_102 = 212,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_103 = 196,
+  STRIBECK_GUIDE_CONTACT_MEMORY_103 = 213,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_104 = 197,
+  STRIBECK_GUIDE_CONTACT_MEMORY_104 = 214,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_105 = 198,
+  STRIBECK_GUIDE_CONTACT_MEMORY_105 = 215,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_106 = 199,
+  STRIBECK_GUIDE_CONTACT_MEMORY_106 = 216,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_107 = 200,
+  STRIBECK_GUIDE_CONTACT_MEMORY_107 = 217,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_108 = 201,
+  STRIBECK_GUIDE_CONTACT_MEMORY_108 = 218,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_109 = 202,
+  STRIBECK_GUIDE_CONTACT_MEMORY_109 = 219,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_110 = 203,
+  STRIBECK_GUIDE_CONTACT_MEMORY_110 = 220,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_111 = 204,
+  STRIBECK_GUIDE_CONTACT_MEMORY_111 = 221,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_112 = 205,
+  STRIBECK_GUIDE_CONTACT_MEMORY_112 = 222,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_113 = 206,
+  STRIBECK_GUIDE_CONTACT_MEMORY_113 = 223,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_114 = 207,
+  STRIBECK_GUIDE_CONTACT_MEMORY_114 = 224,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_115 = 208,
+  STRIBECK_GUIDE_CONTACT_MEMORY_115 = 225,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_116 = 209,
+  STRIBECK_GUIDE_CONTACT_MEMORY_116 = 226,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_117 = 210,
+  STRIBECK_GUIDE_CONTACT_MEMORY_117 = 227,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_118 = 211,
+  STRIBECK_GUIDE_CONTACT_MEMORY_118 = 228,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_119 = 212,
+  STRIBECK_GUIDE_CONTACT_MEMORY_119 = 229,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_120 = 213,
+  STRIBECK_GUIDE_CONTACT_MEMORY_120 = 230,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_121 = 214,
+  STRIBECK_GUIDE_CONTACT_MEMORY_121 = 231,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_122 = 215,
+  STRIBECK_GUIDE_CONTACT_MEMORY_122 = 232,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_123 = 216,
+  STRIBECK_GUIDE_CONTACT_MEMORY_123 = 233,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_124 = 217,
+  STRIBECK_GUIDE_CONTACT_MEMORY_124 = 234,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_125 = 218,
+  STRIBECK_GUIDE_CONTACT_MEMORY_125 = 235,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_126 = 219,
+  STRIBECK_GUIDE_CONTACT_MEMORY_126 = 236,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_127 = 220,
+  STRIBECK_GUIDE_CONTACT_MEMORY_127 = 237,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_128 = 221,
+  STRIBECK_GUIDE_CONTACT_MEMORY_128 = 238,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_129 = 222,
+  STRIBECK_GUIDE_CONTACT_MEMORY_129 = 239,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_130 = 223,
+  STRIBECK_GUIDE_CONTACT_MEMORY_130 = 240,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_131 = 224,
+  STRIBECK_GUIDE_CONTACT_MEMORY_131 = 241,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_132 = 225,
+  STRIBECK_GUIDE_CONTACT_MEMORY_132 = 242,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_133 = 226,
+  STRIBECK_GUIDE_CONTACT_MEMORY_133 = 243,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_134 = 227,
+  STRIBECK_GUIDE_CONTACT_MEMORY_134 = 244,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_135 = 228,
+  STRIBECK_GUIDE_CONTACT_MEMORY_135 = 245,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_136 = 229,
+  STRIBECK_GUIDE_CONTACT_MEMORY_136 = 246,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_137 = 230,
+  STRIBECK_GUIDE_CONTACT_MEMORY_137 = 247,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_138 = 231,
+  STRIBECK_GUIDE_CONTACT_MEMORY_138 = 248,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_139 = 232,
+  STRIBECK_GUIDE_CONTACT_MEMORY_139 = 249,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_140 = 233,
+  STRIBECK_GUIDE_CONTACT_MEMORY_140 = 250,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_141 = 234,
+  STRIBECK_GUIDE_CONTACT_MEMORY_141 = 251,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_142 = 235,
+  STRIBECK_GUIDE_CONTACT_MEMORY_142 = 252,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_143 = 236,
+  STRIBECK_GUIDE_CONTACT_MEMORY_143 = 253,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_144 = 237,
+  STRIBECK_GUIDE_CONTACT_MEMORY_144 = 254,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_145 = 238,
+  STRIBECK_GUIDE_CONTACT_MEMORY_145 = 255,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_146 = 239,
+  STRIBECK_GUIDE_CONTACT_MEMORY_146 = 256,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_147 = 240,
+  STRIBECK_GUIDE_CONTACT_MEMORY_147 = 257,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_148 = 241,
+  STRIBECK_GUIDE_CONTACT_MEMORY_148 = 258,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_149 = 242,
+  STRIBECK_GUIDE_CONTACT_MEMORY_149 = 259,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_150 = 243,
+  STRIBECK_GUIDE_CONTACT_MEMORY_150 = 260,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_151 = 244,
+  STRIBECK_GUIDE_CONTACT_MEMORY_151 = 261,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_152 = 245,
+  STRIBECK_GUIDE_CONTACT_MEMORY_152 = 262,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_153 = 246,
+  STRIBECK_GUIDE_CONTACT_MEMORY_153 = 263,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_154 = 247,
+  STRIBECK_GUIDE_CONTACT_MEMORY_154 = 264,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_155 = 248,
+  STRIBECK_GUIDE_CONTACT_MEMORY_155 = 265,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_156 = 249,
+  STRIBECK_GUIDE_CONTACT_MEMORY_156 = 266,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_157 = 250,
+  STRIBECK_GUIDE_CONTACT_MEMORY_157 = 267,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_158 = 251,
+  STRIBECK_GUIDE_CONTACT_MEMORY_158 = 268,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_159 = 252,
+  STRIBECK_GUIDE_CONTACT_MEMORY_159 = 269,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_160 = 253,
+  STRIBECK_GUIDE_CONTACT_MEMORY_160 = 270,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_161 = 254,
+  STRIBECK_GUIDE_CONTACT_MEMORY_161 = 271,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_162 = 255,
+  STRIBECK_GUIDE_CONTACT_MEMORY_162 = 272,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_163 = 256,
+  STRIBECK_GUIDE_CONTACT_MEMORY_163 = 273,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_164 = 257,
+  STRIBECK_GUIDE_CONTACT_MEMORY_164 = 274,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_165 = 258,
+  STRIBECK_GUIDE_CONTACT_MEMORY_165 = 275,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_166 = 259,
+  STRIBECK_GUIDE_CONTACT_MEMORY_166 = 276,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_167 = 260,
+  STRIBECK_GUIDE_CONTACT_MEMORY_167 = 277,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_168 = 261,
+  STRIBECK_GUIDE_CONTACT_MEMORY_168 = 278,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_169 = 262,
+  STRIBECK_GUIDE_CONTACT_MEMORY_169 = 279,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_170 = 263,
+  STRIBECK_GUIDE_CONTACT_MEMORY_170 = 280,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_171 = 264,
+  STRIBECK_GUIDE_CONTACT_MEMORY_171 = 281,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_172 = 265,
+  STRIBECK_GUIDE_CONTACT_MEMORY_172 = 282,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_173 = 266,
+  STRIBECK_GUIDE_CONTACT_MEMORY_173 = 283,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_174 = 267,
+  STRIBECK_GUIDE_CONTACT_MEMORY_174 = 284,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_175 = 268,
+  STRIBECK_GUIDE_CONTACT_MEMORY_175 = 285,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_176 = 269,
+  STRIBECK_GUIDE_CONTACT_MEMORY_176 = 286,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_177 = 270,
+  STRIBECK_GUIDE_CONTACT_MEMORY_177 = 287,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_178 = 271,
+  STRIBECK_GUIDE_CONTACT_MEMORY_178 = 288,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_179 = 272,
+  STRIBECK_GUIDE_CONTACT_MEMORY_179 = 289,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_180 = 273,
+  STRIBECK_GUIDE_CONTACT_MEMORY_180 = 290,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_181 = 274,
+  STRIBECK_GUIDE_CONTACT_MEMORY_181 = 291,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_182 = 275,
+  STRIBECK_GUIDE_CONTACT_MEMORY_182 = 292,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_183 = 276,
+  STRIBECK_GUIDE_CONTACT_MEMORY_183 = 293,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_184 = 277,
+  STRIBECK_GUIDE_CONTACT_MEMORY_184 = 294,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_185 = 278,
+  STRIBECK_GUIDE_CONTACT_MEMORY_185 = 295,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_186 = 279,
+  STRIBECK_GUIDE_CONTACT_MEMORY_186 = 296,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_187 = 280,
+  STRIBECK_GUIDE_CONTACT_MEMORY_187 = 297,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_188 = 281,
+  STRIBECK_GUIDE_CONTACT_MEMORY_188 = 298,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_189 = 282,
+  STRIBECK_GUIDE_CONTACT_MEMORY_189 = 299,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_190 = 283,
+  STRIBECK_GUIDE_CONTACT_MEMORY_190 = 300,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_191 = 284,
+  STRIBECK_GUIDE_CONTACT_MEMORY_191 = 301,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_192 = 285,
+  STRIBECK_GUIDE_CONTACT_MEMORY_192 = 302,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_193 = 286,
+  STRIBECK_GUIDE_CONTACT_MEMORY_193 = 303,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_194 = 287,
+  STRIBECK_GUIDE_CONTACT_MEMORY_194 = 304,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_195 = 288,
+  STRIBECK_GUIDE_CONTACT_MEMORY_195 = 305,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_196 = 289,
+  STRIBECK_GUIDE_CONTACT_MEMORY_196 = 306,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_197 = 290,
+  STRIBECK_GUIDE_CONTACT_MEMORY_197 = 307,
   /** state [Boolean]: Has the run begun? (default false) */
-  STRIBECK_GUIDE_CONTACT_STARTED = 291,
+  STRIBECK_GUIDE_CONTACT_STARTED = 308,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
-  STRIBECK_GUIDE_CONTACT_DISSIPATED_ENERGY = 292,
+  STRIBECK_GUIDE_CONTACT_DISSIPATED_ENERGY = 309,
   /** out [N]: Axial friction force; has the sign of the velocity when sliding. */
-  STRIBECK_GUIDE_CONTACT_FRICTION_FORCE = 293,
+  STRIBECK_GUIDE_CONTACT_FRICTION_FORCE = 310,
   /** out [N.m]: Friction torque about the axis; has the sign of the spin rate when sliding. */
-  STRIBECK_GUIDE_CONTACT_FRICTION_TORQUE = 294,
+  STRIBECK_GUIDE_CONTACT_FRICTION_TORQUE = 311,
   /** out [W]: Power taken out of the motion. */
-  STRIBECK_GUIDE_CONTACT_DISSIPATED_POWER = 295,
+  STRIBECK_GUIDE_CONTACT_DISSIPATED_POWER = 312,
   /** out [Boolean]: Is the contact sticking? */
-  STRIBECK_GUIDE_CONTACT_STICKING = 296,
+  STRIBECK_GUIDE_CONTACT_STICKING = 313,
 } stribeck_guide_contact_variable;
 
 /** Guid of CoilSpring for fmi2Instantiate. */

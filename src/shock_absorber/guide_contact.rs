@@ -235,6 +235,11 @@ impl FrictionLaw {
         self.chosen().map_or(Ok(()), |law| law.check(&self.given(levels, &self.loaded_at_rest()), &self.law))
     }
 
+    /// Tells of a parameter that was set and has no effect.
+    pub(crate) fn warning(&self) -> Option<Fault> {
+        self.chosen().and_then(|law| law.warning(&self.law))
+    }
+
     /// Refuses a law that is for co-simulation only.
     pub(crate) fn check_exchange(&self, levels: &Levels) -> Result<(), Fault> {
         self.chosen().map_or(Ok(()), |law| law.check_exchange(&self.given(levels, &self.loaded_at_rest()), &self.law))
@@ -305,8 +310,15 @@ crate::model! {
     ///
     /// # Step
     /// As that of the chosen law. Its memory is `memory[1]`, `memory[2]`, ... in the order of the law's own states; in a
-    /// law that is offered for Model Exchange those that jump follow from `memory[3]` on. It starts at rest. Bristles
-    /// that carry more than f_s, because the load fell, slip until they carry f_s.
+    /// law that is offered for Model Exchange those that jump follow from `memory[3]` on. It starts at rest. What carries
+    /// more than f_s because the load fell slips until it carries f_s: bristles; elements, in proportion, so that they
+    /// also strain each other no more than they can; a force behind a low-pass, beside its viscous part and 1 % for the
+    /// overshoot of its curve. Where an importer integrates it, the force is at once that after the slip, and the memory
+    /// follows with a time constant of 1 ms.
+    ///
+    /// The parameters of the laws have the names and the start values that they have by themselves. Laws share a
+    /// parameter where they start at the same value; a law that starts elsewhere has its own, as
+    /// `friction.Gonthier.transition_velocity`, and does not follow the shared one: setting that warns.
     ///
     /// # Errors
     /// Refused: a parameter outside its bound; `levels.mu_s` < `levels.mu_k`; `levels.preload_s` < `levels.preload_k`;
@@ -404,6 +416,10 @@ impl Model for GuideContact {
     fn check(&self) -> Result<(), Fault> {
         self.levels.check("levels.")?;
         self.friction.check(&self.levels)
+    }
+
+    fn warning(&self) -> Option<Fault> {
+        self.friction.warning()
     }
 
     fn step(&mut self, dt: f64) {

@@ -4,7 +4,7 @@
 //! a new law can be chosen here without another line.
 
 use crate::friction::MODELS;
-use crate::model::{Column, Columns, Enumeration, Fault, Item, ModelType, Path, Segment, Variable, Width, real};
+use crate::model::{Column, Columns, Enumeration, Fault, Item, Kind, ModelType, Path, Segment, Variable, Width, real};
 use crate::number::{Dual, Real};
 use crate::unit::same;
 
@@ -121,51 +121,74 @@ const fn given(variable: &Variable) -> Option<Source> {
     None
 }
 
-/// The parameter of a law as it is offered here; `None` if the contact gives it, or for elements beyond the last.
+/// Is it a parameter that a law has here? Not if the contact gives it, nor for elements beyond the last.
+const fn is_offered(variable: &Variable) -> bool {
+    variable.role.is_parameter() && given(variable).is_none() && variable.path.segments()[0].index <= ELEMENTS
+}
+
+/// The start value of the parameter of that name that laws share: that of LuGre, else of the first law that has it.
+const fn shared_start(path: &Path) -> Option<f64> {
+    let mut at = 0;
+    while at <= COUNT {
+        let table = if at == 0 { LAWS[position("LuGre")].table } else { LAWS[at - 1].table };
+        let mut column = 0;
+        while column < table.len() {
+            if table[column].path.is(path) && is_offered(&table[column]) {
+                return Some(table[column].start);
+            }
+            column += 1;
+        }
+        at += 1;
+    }
+    None
+}
+
+/// Has the law a parameter of that name for itself, because it starts elsewhere than the one that laws share? Variants
+/// of different laws are different choices under one name.
+const fn is_own(variable: &Variable) -> bool {
+    let differs = match shared_start(&variable.path) {
+        Some(start) => start != variable.start,
+        None => false,
+    };
+    differs || same(variable.path.segments()[0].name, "variant")
+}
+
+/// The parameter of a law as it is offered here; `None` if it is not.
 const fn offered(law: &ModelType, variable: &Variable) -> Option<Variable> {
-    let segments = variable.path.segments();
-    if !variable.role.is_parameter() || given(variable).is_some() || segments[0].index > ELEMENTS {
+    if !is_offered(variable) {
         return None;
     }
     let mut offered = *variable;
-    // Variants of different laws are different choices under one name.
-    if same(segments[0].name, "variant") {
+    if is_own(variable) {
         offered.path = variable.path.within(Segment { name: law.name, index: 0 });
     }
-    if same(segments[0].name, "element_count") {
+    if same(variable.path.segments()[0].name, "element_count") {
         offered.bound = variable.bound.up_to(ELEMENTS as f64);
     }
     Some(offered)
 }
 
-/// The parameters of all laws, each once. Start values are those of LuGre, else the largest of any law.
+/// The parameters of all laws: once for all that start at the same value, and a law that starts elsewhere has its own.
+/// So a law begins here as it does by itself.
 const fn merge() -> ([Variable; MOST_PARAMETERS], usize) {
     let mut merged = [crate::model::BLANK; MOST_PARAMETERS];
-    let first = add_parameters(&mut merged, 0, 0, LAWS[position("LuGre")]);
-    let (mut count, mut at) = (first, 0);
+    let mut count = add_parameters(&mut merged, 0, LAWS[position("LuGre")]);
+    let mut at = 0;
     while at < COUNT {
-        count = add_parameters(&mut merged, first, count, LAWS[at]);
+        count = add_parameters(&mut merged, count, LAWS[at]);
         at += 1;
     }
     (merged, count)
 }
 
-/// Adds the parameters of a law to the `count` that are there; the `settled` first of these keep their start values.
-const fn add_parameters(
-    merged: &mut [Variable; MOST_PARAMETERS],
-    settled: usize,
-    mut count: usize,
-    law: &ModelType,
-) -> usize {
+/// Adds the parameters of a law to the `count` that are there.
+const fn add_parameters(merged: &mut [Variable; MOST_PARAMETERS], mut count: usize, law: &ModelType) -> usize {
     let mut at = 0;
     while at < law.table.len() {
         if let Some(offered) = offered(law, &law.table[at]) {
             let place = find(merged, count, &offered.path);
             if place < count {
                 merged[place].bound = merged[place].bound.or(offered.bound);
-                if place >= settled && offered.start > merged[place].start {
-                    merged[place].start = offered.start;
-                }
             } else {
                 merged[count] = offered;
                 count += 1;
@@ -297,8 +320,22 @@ struct Plan {
     dissipated_energy: usize,
     /// Place of its viscous coefficient among the parameters of all laws.
     viscous: Option<usize>,
-    /// Columns of the mean deflection of its bristles and of their stiffness.
-    deflection: Option<(usize, usize)>,
+    /// What it remembers of the force that it carries.
+    carrier: Carrier,
+}
+
+/// What a law remembers of the force that it carries. It may have come from a larger load than there is now.
+#[derive(Clone, Copy)]
+enum Carrier {
+    /// Nothing, or a share of the load, which falls with it.
+    Share,
+    /// Column of the mean deflection of its bristles, and of their stiffness.
+    Deflection(usize, usize),
+    /// Column of the force, viscous part included.
+    Force(usize),
+    /// The forces of elements, and the column of their strength together as a multiple of the static level, if the law
+    /// has one.
+    Elements(Option<usize>),
 }
 
 static PLANS: [Plan; COUNT] = {
@@ -336,14 +373,34 @@ const fn plan(law: &'static ModelType) -> Plan {
         },
         None => None,
     };
-    let deflection = match (column(law, "bristle_deflection"), column(law, "sigma_0")) {
-        (Some(deflection), Some(stiffness)) => Some((deflection, stiffness)),
-        _ => None,
-    };
     let friction_force = column(law, "friction_force").expect("every law has a force");
     let sticking = column(law, "sticking").expect("every law says whether it sticks");
     let dissipated_energy = column(law, "dissipated_energy").expect("every law counts its energy");
-    Plan { model: law, sources, friction_force, sticking, dissipated_energy, viscous, deflection }
+    Plan { model: law, sources, friction_force, sticking, dissipated_energy, viscous, carrier: carrier(law) }
+}
+
+/// Is it the force of an element, or the whole force, that a law remembers?
+const fn is_carried_force(variable: &Variable) -> bool {
+    let is_force = match variable.kind {
+        Kind::Real(unit) => same(unit.name, "N"),
+        _ => false,
+    };
+    is_force && is_remembered(variable) && variable.is_continuous_state()
+}
+
+const fn carrier(law: &ModelType) -> Carrier {
+    let mut at = 0;
+    while at < law.table.len() {
+        if is_carried_force(&law.table[at]) {
+            let is_element = law.table[at].path.segments()[0].index > 0;
+            return if is_element { Carrier::Elements(column(law, "hysteresis_strength")) } else { Carrier::Force(at) };
+        }
+        at += 1;
+    }
+    match (column(law, "bristle_deflection"), column(law, "sigma_0")) {
+        (Some(deflection), Some(stiffness)) => Carrier::Deflection(deflection, stiffness),
+        _ => Carrier::Share,
+    }
 }
 
 /// What a law is given by its contact.
@@ -357,7 +414,7 @@ pub(crate) struct Given<T> {
     pub exchange: T,
     pub external_force: T,
     pub acceleration: T,
-    /// What the bristles can carry at most.
+    /// What the contact can carry at most at rest.
     pub largest: T,
 }
 
@@ -486,11 +543,11 @@ impl ChosenLaw {
                 rate[usize::from(*place)] = value;
             }
         }
-        if let Some((deflection, _)) = self.0.deflection
-            && let Source::Memory(place) = self.0.sources[deflection]
+        if let Carrier::Deflection(slipping, _) | Carrier::Force(slipping) = self.0.carrier
+            && let Source::Memory(place) = self.0.sources[slipping]
         {
             let (place, release_time) = (usize::from(place), T::from(RELEASE_TIME));
-            rate[place] = rate[place] - (memory[place] - row[deflection]) / release_time;
+            rate[place] = rate[place] - (memory[place] - row[slipping]) / release_time;
         }
         rate
     }
@@ -521,6 +578,23 @@ impl ChosenLaw {
             }
         }
         self.0.model.check(&row[..self.0.model.table.len()]).map_err(named)
+    }
+
+    /// Tells of a parameter that laws share and that was set, though this law has one of its own.
+    pub(crate) fn warning(self, parameters: &LawParameters) -> Option<Fault> {
+        let shared = LawParameters::TABLE.iter().zip(&parameters.values);
+        let mut changed = shared.filter(|(variable, value)| **value != variable.start);
+        let has_own = |path: &Path| {
+            let columns = self.0.model.table.iter().zip(self.sources());
+            columns.into_iter().any(|(variable, source)| {
+                let Source::Parameter(place) = *source else { return false };
+                variable.path.is(path) && !LawParameters::TABLE[usize::from(place)].path.is(path)
+            })
+        };
+        let (variable, value) = changed.find(|(variable, _)| has_own(&variable.path))?;
+        let (name, law) = (variable.path, self.0.model.name);
+        let text = "has no effect: friction.model";
+        Some(Fault::new(format_args!("friction.{name} = {value}: {text} = {law} has friction.{law}.{name}")))
     }
 
     /// Refuses a law, or parameters, that are for co-simulation only.
@@ -579,11 +653,39 @@ impl ChosenLaw {
                 Source::Memory(place) => memory[usize::from(place)],
             };
         }
-        if let Some((deflection, stiffness)) = self.0.deflection {
-            // Bristles that carried more when the contact was loaded more slip until they carry what they can.
-            row[deflection] = row[deflection].limited(given.largest / row[stiffness]);
-        }
+        self.slip(&mut row, given, parameters);
         row
+    }
+
+    /// What carried more when the contact was loaded more slips until it carries what it can.
+    fn slip<T: Real>(self, row: &mut [T; WIDEST], given: &Given<T>, parameters: &LawParameters<T>) {
+        match self.0.carrier {
+            Carrier::Share => {}
+            Carrier::Deflection(deflection, stiffness) => {
+                row[deflection] = row[deflection].limited(given.largest / row[stiffness]);
+            }
+            Carrier::Force(force) => {
+                let viscous = self.viscous_coefficient(parameters) * given.velocity.abs();
+                row[force] = row[force].limited(T::from(OVERSHOOT) * given.largest + viscous);
+            }
+            Carrier::Elements(strength) => {
+                let strength = strength.map_or(given.largest, |strength| row[strength] * given.largest);
+                self.slip_elements(row, strength, |sum, force| sum + force.abs());
+                self.slip_elements(row, given.largest, |sum, force| sum + force);
+            }
+        }
+    }
+
+    /// Elements keep their shares in the force, and in what strains them against each other.
+    fn slip_elements<T: Real>(self, row: &mut [T; WIDEST], largest: T, add: impl Fn(T, T) -> T) {
+        let table = self.0.model.table;
+        let forces = || (0..table.len()).filter(|column| is_carried_force(&table[*column]));
+        let total = forces().fold(T::zero(), |sum, column| add(sum, row[column])).abs();
+        // Elements that slip are at their strength but for rounding, and stay as they are.
+        if total.value() > largest.value() * (1.0 + ROUNDING) {
+            let part = largest / total;
+            forces().for_each(|column| row[column] = row[column] * part);
+        }
     }
 
     fn answer<T: Real>(self, row: &[T; WIDEST], is_finite: bool) -> Answer<T> {
@@ -594,6 +696,13 @@ impl ChosenLaw {
         }
     }
 }
+
+/// By how much the force of a smooth curve is above its static level somewhere near it (chosen: 0.4 % for the start values
+/// of SpeckerDynamic).
+const OVERSHOOT: f64 = 1.01;
+
+/// Rounding of a sum of forces, relative to the sum (chosen).
+const ROUNDING: f64 = 1e-12;
 
 /// Time in which bristles slip down to what they can carry once the load has fallen, if an importer integrates them
 /// (chosen, in s). While the motion goes on, the force is that of bristles that have slipped. At a reversal within this
