@@ -7,10 +7,12 @@ use crate::shock_absorber::coupling::{self, Series};
 use crate::shock_absorber::damper_temperature::Heating;
 use crate::shock_absorber::end_stops::{BumpStop, ReboundStop};
 use crate::shock_absorber::gas_spring::GasChamber;
+use crate::shock_absorber::geometry::Geometry;
 use crate::shock_absorber::guide_contact::{FrictionLaw, Levels, Touch};
 use crate::shock_absorber::hydraulic_damper::Hydraulics;
 use crate::shock_absorber::law::{Answer, Evaluate, MEMORY, MOST_EVENTS, blank_memory};
-use crate::shock_absorber::telescopic_joint::{Guidance, NormalSum, SideConvention, SideLoad, Wrench};
+use crate::shock_absorber::presets;
+use crate::shock_absorber::telescopic_joint::{NormalSum, SideConvention, SideLoad, Wrench};
 
 crate::choices! {
     /// Which side loads act on the joint.
@@ -47,22 +49,6 @@ crate::choices! {
 }
 
 crate::part! {
-    /// Dimensions.
-    Geometry {
-        /// Distance of the eyes at full extension (default chosen).
-        length_extended: fixed = real("m", 0.200).positive().shown_in("mm"),
-        /// Stroke from full extension to full compression.
-        stroke: fixed = real("m", 0.055).positive().shown_in("mm"),
-        /// Where the joint guides the rod.
-        guidance: (Guidance),
-        /// Radius of the rod, at the rod guide (default chosen).
-        r_1: fixed = real("m", 0.007).at_least(0.0).shown_in("mm"),
-        /// Radius of the piston (default chosen).
-        r_2: fixed = real("m", 0.0125).at_least(0.0).shown_in("mm"),
-    }
-}
-
-crate::part! {
     /// Where the side load comes from, and what is made of it.
     Side {
         /// Side loads that act on the joint.
@@ -73,7 +59,7 @@ crate::part! {
         offset_m: tunable = real("m", 0.003).shown_in("mm"),
         /// Offset of the spring's line of action along n.
         offset_n: tunable = real("m", 0.0).shown_in("mm"),
-        /// Side force of the spring along m, relative to its axial force; it acts at the upper eye.
+        /// Side force of the spring along m, relative to its axial force; it acts at the eye of the tube.
         force_ratio: tunable = real("1", 0.0),
         /// How the load of the joint becomes the load of its contacts.
         normal_sum: fixed = NormalSum::TwoPoint.start(),
@@ -130,7 +116,7 @@ crate::part! {
         /// Time derivative of the velocity; for num.input_mode = Linear and for laws that ask for it.
         acceleration: input = real("m/s2", 0.0),
         /// Ambient temperature; used if thermal.enabled is true.
-        temperature_ambient: input = real("K", 293.15).positive().nominal(300.0).shown_in("degC"),
+        temperature_ambient: input = real("K", 293.15).at_least(0.0).nominal(300.0).shown_in("degC"),
         /// Dimensions.
         geom: Geometry,
         /// Spring.
@@ -185,10 +171,15 @@ impl<T: Real> Forces<T> {
 
 impl<T: Real> Setting<T> {
     fn motion(&self) -> Motion<T> {
-        Motion {
-            length: self.adapter.length_offset + self.adapter.length_gain * self.length,
-            velocity: self.adapter.length_gain * self.velocity,
-        }
+        let given = self.given_length();
+        // Eyes in one place are an input that nobody has set yet, and warned of.
+        let length = if given.value() == 0.0 { self.geom.length_extended + given } else { given };
+        Motion { length, velocity: self.adapter.length_gain * self.velocity }
+    }
+
+    /// The length that the input says.
+    fn given_length(&self) -> T {
+        self.adapter.length_offset + self.adapter.length_gain * self.length
     }
 
     fn compression(&self, motion: &Motion<T>) -> T {
@@ -224,7 +215,7 @@ impl<T: Real> Setting<T> {
     fn normal_forces(&self, motion: &Motion<T>) -> [T; 2] {
         let wrench = self.wrench(self.spring.force(self.compression(motion)));
         let sum = NormalSum::of(self.side.normal_sum.value());
-        let normal = self.geom.guidance.normal_forces(&wrench, motion.length, sum);
+        let normal = self.geom.guidance().normal_forces(&wrench, motion.length, sum);
         normal.map(|normal| self.side.c_geo * normal)
     }
 
@@ -403,7 +394,15 @@ crate::model! {
     /// f_k = phi_k(s_k) v / s_k,   tau_k = r_k phi_k(s_k) r_k w / s_k
     /// s_k = (v^2 + (r_k w)^2)^(1/2)
     /// N_1 = c_g |R / 2 + G / h_e|,   N_2 = c_g |R / 2 - G / h_e|
-    /// h_e = (h^2 + h_r^2)^(1/2)
+    /// h_e = (h^2 + h_r^2)^(1/2),   h = d_i + d_j - d
+    /// ```
+    ///
+    /// With `geom.guidance_derived` the guidance follows from length and stroke alone. What the stroke leaves of the
+    /// length is divided as in the start values: a third of it is the overlap at full extension, two ninths and four
+    /// ninths keep the rod's eye from the guide and the piston from the tube's eye at full compression:
+    ///
+    /// ```text
+    /// d_i = d_0 - s - 2/9 (d_0 - 2 s),   d_j = d_0 - s - 4/9 (d_0 - 2 s)
     /// ```
     ///
     /// F_s, F_b, F_r and F_d have other forms, too, by `spring.mode`, `bump.mode` and `damper.mode`; phi is any scalar law
@@ -416,11 +415,14 @@ crate::model! {
     /// |----------|------------------------|-------|----------------------------------------------------------|
     /// | d        | `length`               | m     | distance of the eyes                                     |
     /// | v        | `velocity`             | m/s   | its time derivative                                      |
-    /// | R_m, R_n | `side_force_m`, `side_force_n` | N | force of the tube on the rod, at the tube's eye       |
+    /// | R_m, R_n | `side_force_m`, `side_force_n` | N | force of the tube on the rod, at the eye of the tube  |
     /// | M_m, M_n | `side_moment_m`, `side_moment_n` | N.m | moment of the tube on the rod, about that eye     |
     /// | w        | `spin_rate`            | rad/s | spin of the rod relative to the tube                     |
     /// | d_0      | `geom.length_extended` | m     | distance of the eyes at full extension                   |
     /// | x        | `compression`          | m     | compression from full extension                          |
+    /// | s        | `geom.stroke`          | m     | stroke                                                   |
+    /// | d_i      | `geom.d_i`             | m     | from the eye of the tube to the rod guide                |
+    /// | d_j      | `geom.d_j`             | m     | from the eye of the rod to the piston                    |
     /// | h        | `overlap`              | m     | distance from piston to rod guide                        |
     /// | h_r      | `geom.h_reg`           | m     | regularisation of the overlap, 0 = none                  |
     /// | G        | -                      | N.m   | couple of the contact forces: see TelescopicJoint        |
@@ -466,11 +468,16 @@ crate::model! {
     ///
     /// # Errors
     /// Refused: a parameter outside its bound; static levels below kinetic ones; tables that do not rise; a gas volume
-    /// that the rod fills; `adapter.length_gain` = 0; what the chosen law refuses; in Model Exchange a law that
-    /// is not offered for it itself. Parameters of laws that are not chosen are ignored, as are those of modes that are
+    /// that the rod fills; `adapter.length_gain` = 0; a stroke of half of the length or more where the guidance is
+    /// derived; what the chosen law refuses; in Model Exchange a law that is not offered for it itself. Parameters of laws that are not chosen are ignored, as are those of modes that are
     /// not chosen.
     ///
     /// # Limits
+    /// The two eyes are never in one place: where the length of the strut is 0, as of an input that nothing has set yet,
+    /// it is computed at full extension, with a warning. A `temperature_ambient` of 0 K counts with heating only, and
+    /// warns then. `spring.enabled`, `gas.enabled`, `bump.enabled`, `rebound.enabled` and `damper.enabled` take a part
+    /// away; without the spring the side load that it makes is gone, too.
+    ///
     /// Rigid bodies: no bending of the rod, no bearing friction in the eyes; axial friction acts on the axis. Stops, spring
     /// and gas go on beyond the stroke. A law with memory remembers along the axis only. Most laws without memory do not
     /// hold a load at rest unless `friction.mass` and `external_force` are given; LuGre and the other bristle laws do.
@@ -698,8 +705,8 @@ impl<T: Evaluate> Law for ShockAbsorber<T> {
         self.write_friction(&touches, &answers);
         [self.normal_1, self.normal_2] = touches.map(|touch| touch.normal_force);
         self.compression = self.setting.compression(&motion);
-        self.overlap = self.setting.geom.guidance.overlap(motion.length);
-        self.overlap_low = truth(self.setting.geom.guidance.is_low(motion.length));
+        self.overlap = self.setting.geom.guidance().overlap(motion.length);
+        self.overlap_low = truth(self.setting.geom.guidance().is_low(motion.length));
         self.bump_active = truth(self.setting.bump.is_active(self.compression));
         self.write_advice(&memories);
     }
@@ -757,24 +764,7 @@ impl ShockAbsorber {
 impl Model for ShockAbsorber {
     const MODEL_EXCHANGE: bool = true;
     const EVENT_INDICATORS: usize = 2 * MOST_EVENTS;
-    const PRESETS: &'static [Preset] = &[
-        Preset { name: "front", source: "Formula Student, front axle: the start values", values: &[] },
-        Preset {
-            name: "rear",
-            source: "Formula Student, rear axle: spring of Zips Racing ZR26 (MIT licence), the rest as in front",
-            values: &[("spring.k", 35_000.0)],
-        },
-        Preset {
-            name: "damper_table",
-            source: "Example of a digressive damper: the table of the start values",
-            values: &[("damper.mode", 2.0)],
-        },
-        Preset {
-            name: "frictionless",
-            source: "Example without friction: the start values otherwise",
-            values: &[("friction.model", 1.0)],
-        },
-    ];
+    const PRESETS: &'static [Preset] = presets::ALL;
 
     fn check(&self) -> Result<(), Fault> {
         let setting = &self.setting;
@@ -784,6 +774,7 @@ impl Model for ShockAbsorber {
         setting.friction.check(&setting.c2)?;
         setting.spring.check()?;
         setting.gas.check(setting.geom.stroke)?;
+        setting.geom.check()?;
         setting.damper.check()?;
         if setting.adapter.length_gain == 0.0 {
             return Err(Fault::new("adapter.length_gain = 0: must not be 0"));
@@ -791,10 +782,21 @@ impl Model for ShockAbsorber {
         Ok(())
     }
 
+    fn warning(&self) -> Option<Fault> {
+        let setting = &self.setting;
+        if setting.given_length() == 0.0 {
+            let (length, extended) = (setting.length, setting.geom.length_extended);
+            let text = "the distance of the eyes must be > 0; until it is, the strut is at full extension";
+            let text = format_args!("length = {length}: {text}, geom.length_extended = {extended} m");
+            return Some(Fault::new(text));
+        }
+        setting.thermal.warning(setting.temperature_ambient).or_else(|| setting.friction.warning())
+    }
+
     fn check_motion(&self) -> Result<(), Fault> {
         let (setting, motion) = (&self.setting, self.setting.motion());
         setting.gas.check_compression(setting.compression(&motion))?;
-        setting.geom.guidance.check_overlap(motion.length)
+        setting.geom.guidance().check_overlap(motion.length)
     }
 
     fn check_exchange(&self) -> Result<(), Fault> {
