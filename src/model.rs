@@ -693,9 +693,9 @@ impl ModelType {
             warning: |row| view::<M, f64>(row).warning(),
             advance: |row, dt| commit::<M>(row, first_result(M::TABLE), |model| model.step_and_output(dt)),
             advance_ramp: |row, slope, dt| {
-                let slope = *view::<M, f64>(slope);
+                let slope = view::<M, f64>(slope);
                 let advance = |model: &mut M| {
-                    model.step_ramp(&slope, dt);
+                    model.step_ramp(slope, dt);
                     model.output();
                 };
                 // The inputs have moved too.

@@ -30,14 +30,9 @@ pub(crate) fn held<M: Model, const N: usize>(model: &mut M, dt: f64) {
 /// Advances the `N` states of `model` by `dt` while its inputs move with `slope`. What would take too many pieces
 /// becomes NaN, which the caller refuses.
 pub(crate) fn advance<M: Model, const N: usize>(model: &mut M, slope: &M, dt: f64) {
+    let (begin, rate) = (*model, *model);
     let columns = states::<M, N>();
-    let begin = *model;
-    let moved = |time: f64, at: [f64; N]| {
-        let mut model = begin;
-        set_inputs(&mut model, &begin, slope, time);
-        put(&mut model, &columns, at);
-        model
-    };
+    let mut car = Moving { model, begin: &begin, slope, columns: &columns, rate };
     let (mut time, mut piece) = (0.0, dt);
     let mut at = columns.map(|column| row_of(&begin)[column]);
     let mut branches = begin.branches();
@@ -47,20 +42,20 @@ pub(crate) fn advance<M: Model, const N: usize>(model: &mut M, slope: &M, dt: f6
         // A rest that is hardly longer than the piece is made in one.
         let end = if time + 1.01 * piece >= dt { dt } else { time + piece };
         let length = end - time;
-        let (next, error) = dormand_prince(|since, at| rates(&moved(time + since, at), &columns), at, length);
+        let (next, error) = dormand_prince(|since, at| car.rates(time + since, at), at, length);
         let error = largest::<M, N>(&columns, next, error) / TOLERANCE;
         // The estimate is of fifth order; safety factor and limits as usual in step-size control.
         let factor = 0.9 * error.powf(-0.2);
         piece = length * if factor.is_nan() { 0.2 } else { factor.clamp(0.2, 5.0) };
         if error <= 1.0 {
-            let after = moved(end, next);
-            if after.branches() != branches && length > CHANGE {
+            car.move_to(end, next);
+            let after = car.model.branches();
+            if after != branches && length > CHANGE {
                 piece = 0.25 * length;
                 continue;
             }
-            (time, at, branches) = (end, next, after.branches());
+            (time, at, branches) = (end, next, after);
             if time >= dt {
-                *model = after;
                 return;
             }
         }
@@ -75,7 +70,33 @@ pub(crate) fn advance<M: Model, const N: usize>(model: &mut M, slope: &M, dt: f6
             last_look = time;
         }
     }
-    *model = moved(dt, [f64::NAN; N]);
+    car.move_to(dt, [f64::NAN; N]);
+}
+
+/// A model that is moved about within a step, in place: rows are large, and stacks may be small.
+struct Moving<'a, M, const N: usize> {
+    model: &'a mut M,
+    begin: &'a M,
+    slope: &'a M,
+    columns: &'a [usize; N],
+    rate: M,
+}
+
+impl<M: Model, const N: usize> Moving<'_, M, N> {
+    #[inline(never)]
+    fn move_to(&mut self, time: f64, at: [f64; N]) {
+        set_inputs(self.model, self.begin, self.slope, time);
+        for (column, value) in self.columns.iter().zip(at) {
+            row_of_mut(self.model)[*column] = value;
+        }
+    }
+
+    #[inline(never)]
+    fn rates(&mut self, time: f64, at: [f64; N]) -> [f64; N] {
+        self.move_to(time, at);
+        self.model.rate(&mut self.rate);
+        self.columns.map(|column| row_of(&self.rate)[column])
+    }
 }
 
 /// Columns of the states.
@@ -84,18 +105,6 @@ fn states<M: Columns, const N: usize>() -> [usize; N] {
     let columns = std::array::from_fn(|_| states.next().unwrap_or(usize::MAX));
     debug_assert!(states.next().is_none() && columns.last() < Some(&usize::MAX), "not {N} states");
     columns
-}
-
-fn put<M: Columns, const N: usize>(model: &mut M, columns: &[usize; N], at: [f64; N]) {
-    for (column, value) in columns.iter().zip(at) {
-        row_of_mut(model)[*column] = value;
-    }
-}
-
-fn rates<M: Model, const N: usize>(model: &M, columns: &[usize; N]) -> [f64; N] {
-    let mut rate = *model;
-    model.rate(&mut rate);
-    columns.map(|column| row_of(&rate)[column])
 }
 
 /// The largest error of a state, relative to the larger of its value and its nominal value.

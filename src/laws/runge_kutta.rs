@@ -3,7 +3,7 @@
 /// One step of the method of Dormand and Prince (1980), doi:10.1016/0771-050X(80)90013-3: the result of order 5 and its
 /// difference to that of order 4. The rates are functions of the time since the beginning of the step and of the state.
 pub fn dormand_prince<const N: usize>(
-    rates: impl Fn(f64, [f64; N]) -> [f64; N],
+    mut rates: impl FnMut(f64, [f64; N]) -> [f64; N],
     at: [f64; N],
     h: f64,
 ) -> ([f64; N], [f64; N]) {

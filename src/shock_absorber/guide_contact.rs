@@ -191,6 +191,7 @@ impl<T: Real> FrictionLaw<T> {
     }
 
     /// What the law remembers at its start, also if it is switched on only later.
+    #[inline(never)]
     pub(crate) fn fresh(&self) -> [f64; MEMORY] {
         ChosenLaw::of(self.model.value()).map_or([0.0; MEMORY], ChosenLaw::start)
     }
@@ -222,6 +223,7 @@ impl FrictionLaw {
     }
 
     /// What the law remembers after a while at this velocity: steady sliding, and rest where the velocity is but noise.
+    #[inline(never)]
     pub(crate) fn settled(&self, levels: &Levels, touch: &Touch<f64>) -> [f64; MEMORY] {
         let mut memory = self.fresh();
         if touch.signed_speed() != 0.0 && !self.moves_mass() {
@@ -392,18 +394,25 @@ impl<T: Evaluate> GuideContact<T> {
         }
     }
 
-    fn memory(&self) -> [T; MEMORY] {
-        if self.started.value() != 0.0 {
-            return self.memory;
+    /// Works on what the law remembers; before the run, on what it will remember at its start.
+    fn with_memory<R>(&self, work: impl FnOnce(&[T; MEMORY]) -> R) -> R {
+        if self.started.value() != 0.0 { work(&self.memory) } else { self.with_fresh_memory(work) }
+    }
+
+    #[inline(never)] // so that only those who need it have it on their stack
+    fn with_fresh_memory<R>(&self, work: impl FnOnce(&[T; MEMORY]) -> R) -> R {
+        let mut memory = [T::zero(); MEMORY];
+        for (place, value) in memory.iter_mut().zip(self.friction.fresh()) {
+            *place = T::from(value);
         }
-        self.friction.fresh().map(T::from)
+        work(&memory)
     }
 }
 
 impl<T: Evaluate> Law for GuideContact<T> {
     fn output(&mut self) {
         let touch = self.touch();
-        let answer = self.friction.force(&self.levels, &touch, &self.memory());
+        let answer = self.with_memory(|memory| self.friction.force(&self.levels, &touch, memory));
         let [axial, around] = touch.direction();
         self.friction_force = answer.force * axial;
         self.friction_torque = self.radius * answer.force * around;
@@ -423,16 +432,19 @@ impl Model for GuideContact {
     }
 
     fn step(&mut self, dt: f64) {
-        let mut memory = self.memory();
-        let answer = self.friction.advance(&self.levels, &self.touch(), &mut memory, dt);
-        self.memory = memory;
-        self.started = 1.0;
+        if self.started == 0.0 {
+            self.memory = self.friction.fresh();
+            self.started = 1.0;
+        }
+        let touch = self.touch();
+        let answer = self.friction.advance(&self.levels, &touch, &mut self.memory, dt);
         self.dissipated_energy += answer.energy;
     }
 
     fn rate(&self, rate: &mut Self) {
-        rate.memory = self.friction.rate(&self.levels, &self.touch(), &self.memory());
-        let answer = self.friction.force(&self.levels, &self.touch(), &self.memory());
-        rate.dissipated_energy = answer.force * self.touch().signed_speed();
+        let touch = self.touch();
+        rate.memory = self.with_memory(|memory| self.friction.rate(&self.levels, &touch, memory));
+        let answer = self.with_memory(|memory| self.friction.force(&self.levels, &touch, memory));
+        rate.dissipated_energy = answer.force * touch.signed_speed();
     }
 }

@@ -500,20 +500,20 @@ impl ChosenLaw {
     }
 
     /// Force at the given motion.
-    #[inline(never)]
     pub(crate) fn force<T: Evaluate>(
         self,
         given: &Given<T>,
         parameters: &LawParameters<T>,
         memory: &[T; MEMORY],
     ) -> Answer<T> {
-        let mut row = self.row(given, parameters, memory);
-        let is_finite = T::evaluate(self.0.model, &mut row[..self.0.model.table.len()]);
-        self.answer(&row, is_finite)
+        self.on_row(|row| {
+            self.fill(row, given, parameters, memory);
+            let is_finite = T::evaluate(self.0.model, row);
+            self.answer(row, is_finite)
+        })
     }
 
     /// Advances the memory by `dt` while the motion is held.
-    #[inline(never)]
     pub(crate) fn advance(
         self,
         given: &Given<f64>,
@@ -521,10 +521,12 @@ impl ChosenLaw {
         memory: &mut [f64; MEMORY],
         dt: f64,
     ) -> Answer<f64> {
-        let mut row = self.row(given, parameters, memory);
-        let is_finite = self.0.model.advance(&mut row[..self.0.model.table.len()], dt);
-        self.remember(&row, memory);
-        self.answer(&row, is_finite)
+        self.on_row(|row| {
+            self.fill(row, given, parameters, memory);
+            let is_finite = self.0.model.advance(row, dt);
+            self.remember(row, memory);
+            self.answer(row, is_finite)
+        })
     }
 
     /// Time derivatives of what the law remembers.
@@ -534,21 +536,20 @@ impl ChosenLaw {
         parameters: &LawParameters<T>,
         memory: &[T; MEMORY],
     ) -> [T; MEMORY] {
-        let columns = self.0.model.table.len();
-        let (row, mut rates) = (self.row(given, parameters, memory), [T::zero(); WIDEST]);
-        T::rate(self.0.model, &row[..columns], &mut rates[..columns]);
         let mut rate = [T::zero(); MEMORY];
-        for (source, value) in self.sources().iter().zip(rates) {
-            if let Source::Memory(place) = source {
-                rate[usize::from(*place)] = value;
+        self.on_row(|row| {
+            self.fill(row, given, parameters, memory);
+            self.on_row(|rates| {
+                T::rate(self.0.model, row, rates);
+                self.remember(rates, &mut rate);
+            });
+            if let Carrier::Deflection(slipping, _) | Carrier::Force(slipping) = self.0.carrier
+                && let Source::Memory(place) = self.0.sources[slipping]
+            {
+                let (place, release_time) = (usize::from(place), T::from(RELEASE_TIME));
+                rate[place] = rate[place] - (memory[place] - row[slipping]) / release_time;
             }
-        }
-        if let Carrier::Deflection(slipping, _) | Carrier::Force(slipping) = self.0.carrier
-            && let Source::Memory(place) = self.0.sources[slipping]
-        {
-            let (place, release_time) = (usize::from(place), T::from(RELEASE_TIME));
-            rate[place] = rate[place] - (memory[place] - row[slipping]) / release_time;
-        }
+        });
         rate
     }
 
@@ -570,14 +571,16 @@ impl ChosenLaw {
 
     /// Refuses parameters that the law refuses.
     pub(crate) fn check(self, given: &Given<f64>, parameters: &LawParameters) -> Result<(), Fault> {
-        let row = self.row(given, parameters, &self.start());
         let named = |fault: Fault| Fault::new(format_args!("friction.model = {}: {}", self.0.model.name, fault.0));
-        for ((variable, source), value) in self.0.model.table.iter().zip(self.sources()).zip(row) {
-            if matches!(source, Source::Parameter(_)) && !variable.admits(value) {
-                return Err(named(variable.fault(value)));
+        self.on_row(|row| {
+            self.fill(row, given, parameters, &self.start());
+            for ((variable, source), value) in self.0.model.table.iter().zip(self.sources()).zip(&*row) {
+                if matches!(source, Source::Parameter(_)) && !variable.admits(*value) {
+                    return Err(named(variable.fault(*value)));
+                }
             }
-        }
-        self.0.model.check(&row[..self.0.model.table.len()]).map_err(named)
+            self.0.model.check(row).map_err(named)
+        })
     }
 
     /// Tells of a parameter that laws share and that was set, though this law has one of its own.
@@ -604,9 +607,11 @@ impl ChosenLaw {
             let text = format_args!("friction.model = {name}: must be a law that is offered for Model Exchange itself");
             return Err(Fault::new(text));
         }
-        let row = self.row(given, parameters, &self.start());
         let named = |fault: Fault| Fault::new(format_args!("friction.model = {name}: {}", fault.0));
-        self.0.model.check_exchange(&row[..self.0.model.table.len()]).map_err(named)
+        self.on_row(|row| {
+            self.fill(row, given, parameters, &self.start());
+            self.0.model.check_exchange(row).map_err(named)
+        })
     }
 
     /// Event indicators of the law.
@@ -617,18 +622,33 @@ impl ChosenLaw {
         memory: &[f64; MEMORY],
         indicators: &mut [f64; MOST_EVENTS],
     ) {
-        let (model, row) = (self.0.model, self.row(given, parameters, memory));
-        model.indicate(&row[..model.table.len()], &mut indicators[..model.event_indicators]);
+        let model = self.0.model;
+        self.on_row(|row| {
+            self.fill(row, given, parameters, memory);
+            model.indicate(row, &mut indicators[..model.event_indicators]);
+        });
     }
 
     /// Changes what the law remembers where it changes at an event.
     pub(crate) fn at_event(self, given: &Given<f64>, parameters: &LawParameters, memory: &mut [f64; MEMORY]) {
-        let mut row = self.row(given, parameters, memory);
-        self.0.model.at_event(&mut row[..self.0.model.table.len()]);
-        self.remember(&row, memory);
+        self.on_row(|row| {
+            self.fill(row, given, parameters, memory);
+            self.0.model.at_event(row);
+            self.remember(row, memory);
+        });
     }
 
-    fn remember(self, row: &[f64; WIDEST], memory: &mut [f64; MEMORY]) {
+    /// Works on a row of the law. That of a usual one takes little of the stack, where a few laws have long ones.
+    fn on_row<T: Real, R>(self, work: impl FnOnce(&mut [T]) -> R) -> R {
+        let columns = self.0.model.table.len();
+        if columns <= NARROW {
+            in_space::<NARROW, _, _>(columns, work)
+        } else {
+            in_space::<WIDEST, _, _>(columns, work)
+        }
+    }
+
+    fn remember<T: Real>(self, row: &[T], memory: &mut [T; MEMORY]) {
         for (source, value) in self.sources().iter().zip(row) {
             if let Source::Memory(place) = source {
                 memory[usize::from(*place)] = *value;
@@ -636,8 +656,7 @@ impl ChosenLaw {
         }
     }
 
-    fn row<T: Real>(self, given: &Given<T>, parameters: &LawParameters<T>, memory: &[T; MEMORY]) -> [T; WIDEST] {
-        let mut row = [T::zero(); WIDEST];
+    fn fill<T: Real>(self, row: &mut [T], given: &Given<T>, parameters: &LawParameters<T>, memory: &[T; MEMORY]) {
         for ((value, source), variable) in row.iter_mut().zip(self.sources()).zip(self.0.model.table) {
             *value = match *source {
                 Source::Start => T::from(variable.start),
@@ -653,12 +672,11 @@ impl ChosenLaw {
                 Source::Memory(place) => memory[usize::from(place)],
             };
         }
-        self.slip(&mut row, given, parameters);
-        row
+        self.slip(row, given, parameters);
     }
 
     /// What carried more when the contact was loaded more slips until it carries what it can.
-    fn slip<T: Real>(self, row: &mut [T; WIDEST], given: &Given<T>, parameters: &LawParameters<T>) {
+    fn slip<T: Real>(self, row: &mut [T], given: &Given<T>, parameters: &LawParameters<T>) {
         match self.0.carrier {
             Carrier::Share => {}
             Carrier::Deflection(deflection, stiffness) => {
@@ -677,7 +695,7 @@ impl ChosenLaw {
     }
 
     /// Elements keep their shares in the force, and in what strains them against each other.
-    fn slip_elements<T: Real>(self, row: &mut [T; WIDEST], largest: T, add: impl Fn(T, T) -> T) {
+    fn slip_elements<T: Real>(self, row: &mut [T], largest: T, add: impl Fn(T, T) -> T) {
         let table = self.0.model.table;
         let forces = || (0..table.len()).filter(|column| is_carried_force(&table[*column]));
         let total = forces().fold(T::zero(), |sum, column| add(sum, row[column])).abs();
@@ -688,7 +706,7 @@ impl ChosenLaw {
         }
     }
 
-    fn answer<T: Real>(self, row: &[T; WIDEST], is_finite: bool) -> Answer<T> {
+    fn answer<T: Real>(self, row: &[T], is_finite: bool) -> Answer<T> {
         Answer {
             force: if is_finite { row[self.0.friction_force] } else { T::from(f64::NAN) },
             sticking: row[self.0.sticking].value() != 0.0,
@@ -703,6 +721,15 @@ const OVERSHOOT: f64 = 1.01;
 
 /// Rounding of a sum of forces, relative to the sum (chosen).
 const ROUNDING: f64 = 1e-12;
+
+/// Columns of all laws but the few that have many (chosen).
+const NARROW: usize = 48;
+
+#[inline(never)]
+fn in_space<const SPACE: usize, T: Real, R>(columns: usize, work: impl FnOnce(&mut [T]) -> R) -> R {
+    let mut row = [T::zero(); SPACE];
+    work(&mut row[..columns])
+}
 
 /// Time in which bristles slip down to what they can carry once the load has fallen, if an importer integrates them
 /// (chosen, in s). While the motion goes on, the force is that of bristles that have slipped. At a reversal within this

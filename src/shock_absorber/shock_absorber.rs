@@ -169,6 +169,21 @@ impl<T: Real> Forces<T> {
     }
 }
 
+impl<T: Evaluate> Setting<T> {
+    /// The same in plain numbers. Not inline, as the other parts of an output: what each puts on the stack is gone before
+    /// the next.
+    #[inline(never)]
+    fn values(&self) -> Setting {
+        self.map(&|number: T| number.value())
+    }
+
+    /// The slopes of its numbers.
+    #[inline(never)]
+    fn slopes(&self) -> Setting {
+        self.map(&|number: T| number.slope())
+    }
+}
+
 impl<T: Real> Setting<T> {
     fn motion(&self) -> Motion<T> {
         let given = self.given_length();
@@ -276,7 +291,21 @@ impl Setting {
     /// What the two contacts remember after a while at this motion.
     fn settled(&self) -> [[f64; MEMORY]; 2] {
         let touches = self.touches(&self.motion());
-        [0, 1].map(|at| self.friction.settled(self.contacts()[at], &touches[at]))
+        let mut memories = [[0.0; MEMORY]; 2];
+        for (at, memory) in memories.iter_mut().enumerate() {
+            *memory = self.friction.settled(self.contacts()[at], &touches[at]);
+        }
+        memories
+    }
+
+    /// The same where the setting has moved along its slopes.
+    #[inline(never)]
+    fn settled_beside(&self, slopes: &Setting, distance: f64) -> [[f64; MEMORY]; 2] {
+        let mut setting = *self;
+        for (value, slope) in row_of_mut(&mut setting).iter_mut().zip(row_of(slopes)) {
+            *value += distance * slope;
+        }
+        setting.settled()
     }
 
     /// Friction force along the axis after a step, if the strut moves so; nothing is changed.
@@ -581,7 +610,7 @@ impl<T: Evaluate> ShockAbsorber<T> {
         }
         match FrictionStart::of(self.setting.init.friction_state.value()) {
             FrictionStart::Steady => self.settled(),
-            FrictionStart::Zero => [self.setting.map(&|number: T| number.value()).friction.fresh().map(T::from); 2],
+            FrictionStart::Zero => [self.setting.friction.fresh().map(T::from); 2],
             FrictionStart::Value => memories,
         }
     }
@@ -590,8 +619,7 @@ impl<T: Evaluate> ShockAbsorber<T> {
     /// the direction that the setting carries.
     #[inline(never)]
     fn settled(&self) -> [[T; MEMORY]; 2] {
-        let (setting, mut slopes) =
-            (self.setting.map(&|number: T| number.value()), self.setting.map(&|number: T| number.slope()));
+        let (setting, mut slopes) = (self.setting.values(), self.setting.slopes());
         let mut fastest = 0f64;
         for ((slope, value), variable) in row_of_mut(&mut slopes).iter_mut().zip(row_of(&setting)).zip(Setting::TABLE) {
             if !matches!(variable.kind, Kind::Real(_)) {
@@ -601,19 +629,12 @@ impl<T: Evaluate> ShockAbsorber<T> {
         }
         let here = setting.settled();
         if fastest == 0.0 {
-            return here.map(|memory| memory.map(T::from));
+            return memories_of(|contact, place| T::from(here[contact][place]));
         }
         let distance = PROBE_SETTING / fastest;
-        let at = |distance: f64| {
-            let mut setting = setting;
-            for (value, slope) in row_of_mut(&mut setting).iter_mut().zip(row_of(&slopes)) {
-                *value += distance * slope;
-            }
-            setting.settled()
-        };
-        let (after, before) = (at(distance), at(-distance));
+        let (after, before) = (setting.settled_beside(&slopes, distance), setting.settled_beside(&slopes, -distance));
         let slope = |contact: usize, place: usize| (after[contact][place] - before[contact][place]) / (2.0 * distance);
-        [0, 1].map(|contact| std::array::from_fn(|place| T::with_slope(here[contact][place], slope(contact, place))))
+        memories_of(|contact, place| T::with_slope(here[contact][place], slope(contact, place)))
     }
 
     fn damper_state(&self) -> OtherStates<T> {
@@ -643,6 +664,17 @@ impl<T: Evaluate> ShockAbsorber<T> {
         self.dissipated_power = resistance * piston;
     }
 
+    /// Power that friction and damper take out of the motion.
+    fn power(&self, motion: &Motion<T>, touches: &[Touch<T>; 2], memories: &[[T; MEMORY]; 2]) -> T {
+        let (setting, state) = (&self.setting, self.damper_state());
+        let piston = setting.piston(motion, state.piston_velocity);
+        let friction = |at: usize| {
+            let answer = setting.friction.force(setting.contacts()[at], &touches[at], &memories[at]);
+            answer.force * touches[at].signed_speed()
+        };
+        setting.resistance(piston, state.temperature) * piston + friction(0) + friction(1)
+    }
+
     fn write_friction(&mut self, touches: &[Touch<T>; 2], answers: &[Answer<T>; 2]) {
         let directions = touches.map(|touch| touch.direction());
         let radii = self.setting.radii();
@@ -668,8 +700,8 @@ impl<T: Evaluate> ShockAbsorber<T> {
     /// Tangents and the step that they allow.
     #[inline(never)]
     fn write_advice(&mut self, memories: &[[T; MEMORY]; 2]) {
-        let setting = self.setting.map(&|number: T| number.value());
-        let memories = memories.map(|memory| memory.map(|number| number.value()));
+        let setting = self.setting.values();
+        let memories = memories_of(|contact, place| memories[contact][place].value());
         let OtherStates { piston_velocity, temperature } = self.damper_state();
         let state = OtherStates { piston_velocity: piston_velocity.value(), temperature: temperature.value() };
         let dt =
@@ -694,6 +726,7 @@ impl<T: Evaluate> ShockAbsorber<T> {
 }
 
 impl<T: Evaluate> Law for ShockAbsorber<T> {
+    #[inline(never)]
     fn output(&mut self) {
         let motion = self.setting.motion();
         let memories = self.memories();
@@ -719,11 +752,19 @@ impl<T: Evaluate> Law for ShockAbsorber<T> {
             [0, 1].map(|at| setting.friction.rate(setting.contacts()[at], &touches[at], &memories[at]));
         let (piston, factor) = (self.damper_state().piston_velocity, setting.thermal.factor(self.temperature));
         rate.piston_velocity = setting.damper.rate(piston, motion.velocity, factor);
-        let mut now = *self;
-        now.output();
-        rate.dissipated_energy = now.dissipated_power;
-        rate.temperature = setting.thermal.rate(self.temperature, setting.temperature_ambient, now.dissipated_power);
+        let power = self.power(&motion, &touches, &memories);
+        rate.dissipated_energy = power;
+        rate.temperature = setting.thermal.rate(self.temperature, setting.temperature_ambient, power);
     }
+}
+
+/// What both contacts remember, number by number: whole memories that are passed on fill the stack.
+fn memories_of<T: Real>(number: impl Fn(usize, usize) -> T) -> [[T; MEMORY]; 2] {
+    let mut memories = [[T::zero(); MEMORY]; 2];
+    for (contact, memory) in memories.iter_mut().enumerate() {
+        memory.iter_mut().enumerate().for_each(|(place, value)| *value = number(contact, place));
+    }
+    memories
 }
 
 fn truth<T: Real>(is_true: bool) -> T {
@@ -731,12 +772,19 @@ fn truth<T: Real>(is_true: bool) -> T {
 }
 
 impl ShockAbsorber {
+    #[inline(never)]
     fn start(&mut self) {
         if !self.has_started() {
             self.piston_velocity = self.damper_state().piston_velocity;
             [self.memory_1, self.memory_2] = self.memories();
             self.started = 1.0;
         }
+    }
+
+    /// A step in which the length moves with the velocity, and the velocity with the acceleration.
+    #[inline(never)]
+    fn step_along_the_motion(&mut self, dt: f64) {
+        self.step_ramp(&ramp::held_inputs(self), dt);
     }
 
     /// Advances the friction at held inputs. Returns the power that it takes out of the motion.
@@ -821,7 +869,7 @@ impl Model for ShockAbsorber {
 
     fn step(&mut self, dt: f64) {
         if InputMode::of(self.setting.num.input_mode) == InputMode::Linear {
-            return self.step_ramp(&ramp::held_inputs(self), dt);
+            return self.step_along_the_motion(dt);
         }
         self.start();
         self.step_size = dt;

@@ -151,10 +151,26 @@ static uint64_t everyday(const model *of, fmi2Component slave, int from, int to,
 
 /* ---------------------------------------------------------------------- stack */
 
+/* The friction law that models with a choice of laws have, by its number; 0: the one they start with. */
+static int chosen_law;
+
+/* The choice of a friction law; as many as there are columns if there is none. */
+static uint32_t choice_of_law(const model *of) {
+    uint32_t i = 0;
+    while (i < of->columns && strcmp(of->variables[i].name, "friction.model") != 0) {
+        i++;
+    }
+    return i;
+}
+
 /* A whole life: steps, ramps, derivatives, states, a refusal with its message, and the same through the C interface. */
 static void live(const model *of) {
     double *values = memory(of->columns * sizeof *values);
     fmi2Component slave = make(of, NULL);
+    if (chosen_law > 0) {
+        uint32_t choice = choice_of_law(of);
+        CHECK(fmi2SetInteger(slave, &choice, 1, &chosen_law) == fmi2OK);
+    }
     CHECK(initialise(slave) == fmi2OK);
     everyday(of, slave, 0, 20, values);
     set_slopes(of, slave, 1e-3);
@@ -217,28 +233,55 @@ static size_t stack_use(model *of, unsigned char *stack, size_t size) {
     return size - untouched;
 }
 
+/* What a model may use of the stack, with any friction law. */
+static size_t most_stack(const model *of) {
+    if (strcmp(of->name, "ShockAbsorber") == 0) {
+        return 50000;
+    }
+    /* A step with slopes compares copies of the row, which has the numbers of any law. */
+    return strcmp(of->name, "GuideContact") == 0 ? 23000 : 16000;
+}
+
+/* The most of a life with each law. */
+static size_t stack_use_of_laws(model *of, unsigned char *stack, size_t size) {
+    uint32_t choice = choice_of_law(of);
+    int laws = choice < of->columns ? (int)of->variables[choice].max : 0;
+    size_t most = 0;
+    for (chosen_law = laws > 0 ? 1 : 0; chosen_law <= laws; chosen_law++) {
+        size_t used = stack_use(of, stack, size);
+        most = used > most ? used : most;
+    }
+    chosen_law = 0;
+    return most;
+}
+
 /* Each model lives on a thread with 64 KiB of stack; what it needs is measured on a larger one first. */
 static void small_stack(void) {
     size_t size = 16 * SMALL_STACK;
-    size_t page = (size_t)sysconf(_SC_PAGESIZE);
     unsigned char *stack = mmap(NULL, size, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
     REQUIRE(stack != MAP_FAILED);
-    size_t most = 0;
-    const char *whose = "";
+    size_t most = 0, others = 0;
+    const char *whose = "", *other = "";
     for (size_t i = 0; i < model_count; i++) {
-        size_t used = stack_use(&models[i], stack, size);
-        if (!CHECK(used < SMALL_STACK - page)) {
+        size_t used = stack_use_of_laws(&models[i], stack, size);
+        if (!CHECK(used <= most_stack(&models[i]))) {
             fprintf(stderr, "  %s uses %zu bytes of stack\n", models[i].name, used);
         } else {
             stack_use(&models[i], stack + size - SMALL_STACK, SMALL_STACK);
         }
         if (used > most) {
+            others = most;
+            other = whose;
             most = used;
             whose = models[i].name;
+        } else if (used > others) {
+            others = used;
+            other = models[i].name;
         }
     }
     CHECK(munmap(stack, size) == 0);
-    printf("stack: %zu models, at most %zu bytes (%s)\n", model_count, most, whose);
+    printf("stack: %zu models with all laws, at most %zu bytes (%s), the next %zu (%s)\n", model_count, most, whose,
+           others, other);
 }
 
 /* ---------------------------------------------------------------------- sweep */
