@@ -7,6 +7,9 @@ use common::Bench;
 use stribeck::catalogue::{Family, documented};
 use stribeck::model::Role;
 
+/// Variables and their values.
+type Values<'a> = &'a [(&'a str, f64)];
+
 /// A bench of that model with 0 in every input.
 fn with_zeros(name: &str, set: &[(&str, f64)]) -> Bench {
     let mut bench = Bench::new(name, set);
@@ -96,7 +99,7 @@ fn a_strut_without_a_length_is_at_full_extension() {
 /// A part that is switched off is as if its force were 0: the rest of the strut does not know it.
 #[test]
 fn parts_can_be_switched_off_one_by_one() {
-    let zeroed: [(&str, &str, &[(&str, f64)]); 4] = [
+    let zeroed: [(&str, &str, Values); 4] = [
         ("spring.enabled", "force_spring", &[("spring.k", 0.0), ("spring.preload", 0.0)]),
         ("bump.enabled", "force_bump", &[("bump.k", 0.0)]),
         ("rebound.enabled", "force_rebound", &[("rebound.k", 0.0)]),
