@@ -17,6 +17,7 @@ crate::catalogue::family! {
 mod coupling;
 mod geometry;
 mod law;
+mod law_parameters;
 mod presets;
 
 /// Most internal steps within a communication step (chosen); beyond, they grow longer than wished.
