@@ -810,7 +810,7 @@ typedef enum stribeck_side {
 
 /** Choices of a variable of the type SideConvention. */
 typedef enum stribeck_side_convention {
-  /** Transverse force and moment of the tube on the rod, reduced to the upper eye. */
+  /** Transverse force and moment of the tube on the rod, reduced to the eye of the tube. */
   STRIBECK_SIDE_CONVENTION_WRENCH_ON_ROD = 1,
   /** Lagrange multipliers of the joint, of the rows m.d, n.d, m.a and n.a. */
   STRIBECK_SIDE_CONVENTION_LAMBDA = 2,
@@ -4370,7 +4370,7 @@ typedef enum stribeck_elasto_plastic_planar_variable {
 } stribeck_elasto_plastic_planar_variable;
 
 /** Guid of ShockAbsorber for fmi2Instantiate. */
-#define STRIBECK_SHOCK_ABSORBER_GUID "{1cd4cd99-1a47-0435-d619-c6d4ca055e73}"
+#define STRIBECK_SHOCK_ABSORBER_GUID "{b8b67bdc-0cb7-0992-180b-49e1f88da5c0}"
 
 /** ShockAbsorber: Telescopic shock absorber with friction from its side load. Columns of "ShockAbsorber". */
 typedef enum stribeck_shock_absorber_variable {
@@ -4378,13 +4378,13 @@ typedef enum stribeck_shock_absorber_variable {
   STRIBECK_SHOCK_ABSORBER_LENGTH = 0,
   /** in [m/s]: Time derivative of the length; positive in extension. (default 0) */
   STRIBECK_SHOCK_ABSORBER_VELOCITY = 1,
-  /** in [N]: Transverse force of the tube on the rod along m, at the upper eye; or lambda_1. (default 0) */
+  /** in [N]: Transverse force of the tube on the rod along m, at the eye of the tube; or lambda_1. (default 0) */
   STRIBECK_SHOCK_ABSORBER_SIDE_FORCE_M = 2,
-  /** in [N]: Transverse force of the tube on the rod along n, at the upper eye; or lambda_2. (default 0) */
+  /** in [N]: Transverse force of the tube on the rod along n, at the eye of the tube; or lambda_2. (default 0) */
   STRIBECK_SHOCK_ABSORBER_SIDE_FORCE_N = 3,
-  /** in [N.m]: Moment of the tube on the rod about m, at the upper eye; or lambda_3. (default 0) */
+  /** in [N.m]: Moment of the tube on the rod about m, at the eye of the tube; or lambda_3. (default 0) */
   STRIBECK_SHOCK_ABSORBER_SIDE_MOMENT_M = 4,
-  /** in [N.m]: Moment of the tube on the rod about n, at the upper eye; or lambda_4. (default 0) */
+  /** in [N.m]: Moment of the tube on the rod about n, at the eye of the tube; or lambda_4. (default 0) */
   STRIBECK_SHOCK_ABSORBER_SIDE_MOMENT_N = 5,
   /** in [rad/s]: Spin of the rod relative to the tube, about the axis from tube to rod. (default 0) */
   STRIBECK_SHOCK_ABSORBER_SPIN_RATE = 6,
@@ -4394,1317 +4394,1362 @@ typedef enum stribeck_shock_absorber_variable {
   /** in [m/s2]: Time derivative of the velocity; for num.input_mode = Linear and for laws that ask for it.
    *  (default 0) */
   STRIBECK_SHOCK_ABSORBER_ACCELERATION = 8,
-  /** in [K]: Ambient temperature; used if thermal.enabled is true. (> 0, default 293.15) */
+  /** in [K]: Ambient temperature; used if thermal.enabled is true. (>= 0, default 293.15) */
   STRIBECK_SHOCK_ABSORBER_TEMPERATURE_AMBIENT = 9,
   /** fixed [m]: Distance of the eyes at full extension (default chosen). (> 0, default 0.2) */
   STRIBECK_SHOCK_ABSORBER_GEOM_LENGTH_EXTENDED = 10,
   /** fixed [m]: Stroke from full extension to full compression. (> 0, default 0.055) */
   STRIBECK_SHOCK_ABSORBER_GEOM_STROKE = 11,
+  /** fixed [Boolean]: Do d_i and d_j follow from length_extended and stroke? (default false) */
+  STRIBECK_SHOCK_ABSORBER_GEOM_GUIDANCE_DERIVED = 12,
   /** fixed [m]: Distance from the eye of the tube to the rod guide (default chosen). (> 0, default 0.125) */
-  STRIBECK_SHOCK_ABSORBER_GEOM_D_I = 12,
+  STRIBECK_SHOCK_ABSORBER_GEOM_D_I = 13,
   /** fixed [m]: Distance from the eye of the rod to the piston (default chosen). (> 0, default 0.105) */
-  STRIBECK_SHOCK_ABSORBER_GEOM_D_J = 13,
+  STRIBECK_SHOCK_ABSORBER_GEOM_D_J = 14,
   /** fixed [m]: Overlap below which the contact forces are kept finite (default chosen). (>= 0, default 0.002) */
-  STRIBECK_SHOCK_ABSORBER_GEOM_H_REG = 14,
+  STRIBECK_SHOCK_ABSORBER_GEOM_H_REG = 15,
   /** fixed [m]: Radius of the rod, at the rod guide (default chosen). (>= 0, default 0.007) */
-  STRIBECK_SHOCK_ABSORBER_GEOM_R_1 = 15,
+  STRIBECK_SHOCK_ABSORBER_GEOM_R_1 = 16,
   /** fixed [m]: Radius of the piston (default chosen). (>= 0, default 0.0125) */
-  STRIBECK_SHOCK_ABSORBER_GEOM_R_2 = 16,
+  STRIBECK_SHOCK_ABSORBER_GEOM_R_2 = 17,
+  /** fixed [Boolean]: Is there a spring? (default true) */
+  STRIBECK_SHOCK_ABSORBER_SPRING_ENABLED = 18,
   /** fixed [stribeck_spring_mode]: Form of the spring's characteristic. (default Linear) */
-  STRIBECK_SHOCK_ABSORBER_SPRING_MODE = 17,
+  STRIBECK_SHOCK_ABSORBER_SPRING_MODE = 19,
   /** tunable [N/m]: Stiffness. (>= 0, default 45000) */
-  STRIBECK_SHOCK_ABSORBER_SPRING_K = 18,
+  STRIBECK_SHOCK_ABSORBER_SPRING_K = 20,
   /** tunable [N]: Force at full extension (default chosen). (default 150) */
-  STRIBECK_SHOCK_ABSORBER_SPRING_PRELOAD = 19,
+  STRIBECK_SHOCK_ABSORBER_SPRING_PRELOAD = 21,
   /** fixed [Integer]: Number of points of the table in use (default chosen). (>= 2, <= 16, default 3) */
-  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_N = 20,
+  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_N = 22,
   /** tunable [m]: Compressions of the table, rising (default chosen). (default 0) */
-  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_1 = 21,
+  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_1 = 23,
   /** tunable [m]: Compressions of the table, rising (default chosen). (default 0.03) */
-  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_2 = 22,
+  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_2 = 24,
   /** tunable [m]: Compressions of the table, rising (default chosen). (default 0.055) */
-  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_3 = 23,
+  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_3 = 25,
   /** tunable [m]: Compressions of the table, rising (default chosen). (default 0) */
-  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_4 = 24,
+  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_4 = 26,
   /** tunable [m]: Compressions of the table, rising (default chosen). (default 0) */
-  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_5 = 25,
+  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_5 = 27,
   /** tunable [m]: Compressions of the table, rising (default chosen). (default 0) */
-  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_6 = 26,
+  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_6 = 28,
   /** tunable [m]: Compressions of the table, rising (default chosen). (default 0) */
-  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_7 = 27,
+  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_7 = 29,
   /** tunable [m]: Compressions of the table, rising (default chosen). (default 0) */
-  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_8 = 28,
+  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_8 = 30,
   /** tunable [m]: Compressions of the table, rising (default chosen). (default 0) */
-  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_9 = 29,
+  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_9 = 31,
   /** tunable [m]: Compressions of the table, rising (default chosen). (default 0) */
-  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_10 = 30,
+  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_10 = 32,
   /** tunable [m]: Compressions of the table, rising (default chosen). (default 0) */
-  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_11 = 31,
+  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_11 = 33,
   /** tunable [m]: Compressions of the table, rising (default chosen). (default 0) */
-  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_12 = 32,
+  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_12 = 34,
   /** tunable [m]: Compressions of the table, rising (default chosen). (default 0) */
-  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_13 = 33,
+  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_13 = 35,
   /** tunable [m]: Compressions of the table, rising (default chosen). (default 0) */
-  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_14 = 34,
+  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_14 = 36,
   /** tunable [m]: Compressions of the table, rising (default chosen). (default 0) */
-  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_15 = 35,
+  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_15 = 37,
   /** tunable [m]: Compressions of the table, rising (default chosen). (default 0) */
-  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_16 = 36,
+  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_16 = 38,
   /** tunable [N]: Forces of the table, without preload (default chosen). (default 0) */
-  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_F_1 = 37,
+  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_F_1 = 39,
   /** tunable [N]: Forces of the table, without preload (default chosen). (default 1350) */
-  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_F_2 = 38,
+  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_F_2 = 40,
   /** tunable [N]: Forces of the table, without preload (default chosen). (default 2850) */
-  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_F_3 = 39,
+  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_F_3 = 41,
   /** tunable [N]: Forces of the table, without preload (default chosen). (default 0) */
-  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_F_4 = 40,
+  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_F_4 = 42,
   /** tunable [N]: Forces of the table, without preload (default chosen). (default 0) */
-  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_F_5 = 41,
+  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_F_5 = 43,
   /** tunable [N]: Forces of the table, without preload (default chosen). (default 0) */
-  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_F_6 = 42,
+  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_F_6 = 44,
   /** tunable [N]: Forces of the table, without preload (default chosen). (default 0) */
-  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_F_7 = 43,
+  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_F_7 = 45,
   /** tunable [N]: Forces of the table, without preload (default chosen). (default 0) */
-  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_F_8 = 44,
+  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_F_8 = 46,
   /** tunable [N]: Forces of the table, without preload (default chosen). (default 0) */
-  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_F_9 = 45,
+  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_F_9 = 47,
   /** tunable [N]: Forces of the table, without preload (default chosen). (default 0) */
-  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_F_10 = 46,
+  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_F_10 = 48,
   /** tunable [N]: Forces of the table, without preload (default chosen). (default 0) */
-  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_F_11 = 47,
+  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_F_11 = 49,
   /** tunable [N]: Forces of the table, without preload (default chosen). (default 0) */
-  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_F_12 = 48,
+  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_F_12 = 50,
   /** tunable [N]: Forces of the table, without preload (default chosen). (default 0) */
-  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_F_13 = 49,
+  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_F_13 = 51,
   /** tunable [N]: Forces of the table, without preload (default chosen). (default 0) */
-  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_F_14 = 50,
+  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_F_14 = 52,
   /** tunable [N]: Forces of the table, without preload (default chosen). (default 0) */
-  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_F_15 = 51,
+  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_F_15 = 53,
   /** tunable [N]: Forces of the table, without preload (default chosen). (default 0) */
-  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_F_16 = 52,
+  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_F_16 = 54,
   /** fixed [Boolean]: Is there a gas force? (default true) */
-  STRIBECK_SHOCK_ABSORBER_GAS_ENABLED = 53,
+  STRIBECK_SHOCK_ABSORBER_GAS_ENABLED = 55,
   /** tunable [Pa]: Absolute gas pressure at full extension (default chosen). (>= 0, default 1000000) */
-  STRIBECK_SHOCK_ABSORBER_GAS_P0 = 54,
+  STRIBECK_SHOCK_ABSORBER_GAS_P0 = 56,
   /** fixed [m3]: Gas volume at full extension (default chosen). (> 0, default 3e-5) */
-  STRIBECK_SHOCK_ABSORBER_GAS_V0 = 55,
+  STRIBECK_SHOCK_ABSORBER_GAS_V0 = 57,
   /** fixed [1]: Polytropic exponent (default chosen). (>= 0, default 1.2) */
-  STRIBECK_SHOCK_ABSORBER_GAS_N = 56,
+  STRIBECK_SHOCK_ABSORBER_GAS_N = 58,
   /** fixed [m]: Diameter of the rod (default chosen). (>= 0, default 0.014) */
-  STRIBECK_SHOCK_ABSORBER_GAS_ROD_DIAMETER = 57,
+  STRIBECK_SHOCK_ABSORBER_GAS_ROD_DIAMETER = 59,
   /** tunable [Pa]: Ambient pressure. (>= 0, default 101325) */
-  STRIBECK_SHOCK_ABSORBER_GAS_P_AMBIENT = 58,
+  STRIBECK_SHOCK_ABSORBER_GAS_P_AMBIENT = 60,
+  /** fixed [Boolean]: Is there a bump stop? (default true) */
+  STRIBECK_SHOCK_ABSORBER_BUMP_ENABLED = 61,
   /** fixed [m]: Compression from full extension at which the bump stop is touched (default chosen). (default 0.04) */
-  STRIBECK_SHOCK_ABSORBER_BUMP_GAP = 59,
+  STRIBECK_SHOCK_ABSORBER_BUMP_GAP = 62,
   /** fixed [stribeck_bump_mode]: Form of the bump stop's characteristic. (default Linear) */
-  STRIBECK_SHOCK_ABSORBER_BUMP_MODE = 60,
+  STRIBECK_SHOCK_ABSORBER_BUMP_MODE = 63,
   /** tunable [N/m]: Stiffness: of the linear form, and first coefficient of the cubic one (default chosen).
    *  (>= 0, default 150000) */
-  STRIBECK_SHOCK_ABSORBER_BUMP_K = 61,
+  STRIBECK_SHOCK_ABSORBER_BUMP_K = 64,
   /** tunable [1]: Exponent of the power form (default chosen). (>= 1, default 2.2) */
-  STRIBECK_SHOCK_ABSORBER_BUMP_N = 62,
+  STRIBECK_SHOCK_ABSORBER_BUMP_N = 65,
   /** tunable [m]: Compression at which the power form has the force F_ref (default chosen). (> 0, default 0.01) */
-  STRIBECK_SHOCK_ABSORBER_BUMP_X_REF = 63,
+  STRIBECK_SHOCK_ABSORBER_BUMP_X_REF = 66,
   /** tunable [N]: Force of the power form at x_ref (default chosen). (>= 0, default 1500) */
-  STRIBECK_SHOCK_ABSORBER_BUMP_F_REF = 64,
+  STRIBECK_SHOCK_ABSORBER_BUMP_F_REF = 67,
   /** tunable [N/m2]: Second coefficient of the cubic form. (>= 0, default 0) */
-  STRIBECK_SHOCK_ABSORBER_BUMP_K2 = 65,
+  STRIBECK_SHOCK_ABSORBER_BUMP_K2 = 68,
   /** tunable [N/m3]: Third coefficient of the cubic form. (>= 0, default 0) */
-  STRIBECK_SHOCK_ABSORBER_BUMP_K3 = 66,
+  STRIBECK_SHOCK_ABSORBER_BUMP_K3 = 69,
   /** tunable [N.s/m]: Damping while the stop is touched. (>= 0, default 0) */
-  STRIBECK_SHOCK_ABSORBER_BUMP_C = 67,
+  STRIBECK_SHOCK_ABSORBER_BUMP_C = 70,
+  /** fixed [Boolean]: Is there a rebound stop? (default true) */
+  STRIBECK_SHOCK_ABSORBER_REBOUND_ENABLED = 71,
   /** fixed [m]: Compression from full extension at which the rebound stop is touched. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_REBOUND_GAP = 68,
+  STRIBECK_SHOCK_ABSORBER_REBOUND_GAP = 72,
   /** tunable [N/m]: Stiffness (default chosen). (>= 0, default 1000000) */
-  STRIBECK_SHOCK_ABSORBER_REBOUND_K = 69,
+  STRIBECK_SHOCK_ABSORBER_REBOUND_K = 73,
   /** tunable [N.s/m]: Damping while the stop is touched. (>= 0, default 0) */
-  STRIBECK_SHOCK_ABSORBER_REBOUND_C = 70,
+  STRIBECK_SHOCK_ABSORBER_REBOUND_C = 74,
+  /** fixed [Boolean]: Is there a damper? (default true) */
+  STRIBECK_SHOCK_ABSORBER_DAMPER_ENABLED = 75,
   /** fixed [stribeck_damper_mode]: Form of the damper's characteristic. (default Linear) */
-  STRIBECK_SHOCK_ABSORBER_DAMPER_MODE = 71,
+  STRIBECK_SHOCK_ABSORBER_DAMPER_MODE = 76,
   /** tunable [N.s/m]: Damping coefficient in compression (default chosen). (>= 0, default 1500) */
-  STRIBECK_SHOCK_ABSORBER_DAMPER_C_COMP = 72,
+  STRIBECK_SHOCK_ABSORBER_DAMPER_C_COMP = 77,
   /** tunable [N.s/m]: Damping coefficient in extension, the rebound (default chosen). (>= 0, default 2300) */
-  STRIBECK_SHOCK_ABSORBER_DAMPER_C_REB = 73,
+  STRIBECK_SHOCK_ABSORBER_DAMPER_C_REB = 78,
   /** tunable [s/m]: Degression in compression. (>= 0, default 0) */
-  STRIBECK_SHOCK_ABSORBER_DAMPER_DEGR_COMP = 74,
+  STRIBECK_SHOCK_ABSORBER_DAMPER_DEGR_COMP = 79,
   /** tunable [s/m]: Degression in extension. (>= 0, default 0) */
-  STRIBECK_SHOCK_ABSORBER_DAMPER_DEGR_REB = 75,
+  STRIBECK_SHOCK_ABSORBER_DAMPER_DEGR_REB = 80,
   /** fixed [Integer]: Number of points of the table in use (default chosen). (>= 2, <= 16, default 11) */
-  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_N = 76,
+  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_N = 81,
   /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default -1) */
-  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_1 = 77,
+  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_1 = 82,
   /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default -0.5) */
-  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_2 = 78,
+  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_2 = 83,
   /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default -0.25) */
-  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_3 = 79,
+  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_3 = 84,
   /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default -0.1) */
-  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_4 = 80,
+  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_4 = 85,
   /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default -0.05) */
-  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_5 = 81,
+  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_5 = 86,
   /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default 0) */
-  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_6 = 82,
+  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_6 = 87,
   /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default 0.05) */
-  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_7 = 83,
+  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_7 = 88,
   /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default 0.1) */
-  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_8 = 84,
+  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_8 = 89,
   /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default 0.25) */
-  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_9 = 85,
+  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_9 = 90,
   /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default 0.5) */
-  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_10 = 86,
+  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_10 = 91,
   /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default 1) */
-  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_11 = 87,
+  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_11 = 92,
   /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default 0) */
-  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_12 = 88,
+  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_12 = 93,
   /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default 0) */
-  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_13 = 89,
+  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_13 = 94,
   /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default 0) */
-  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_14 = 90,
+  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_14 = 95,
   /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default 0) */
-  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_15 = 91,
+  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_15 = 96,
   /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default 0) */
-  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_16 = 92,
+  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_16 = 97,
   /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
    *  (default -1150) */
-  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_1 = 93,
+  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_1 = 98,
   /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
    *  (default -700) */
-  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_2 = 94,
+  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_2 = 99,
   /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
    *  (default -430) */
-  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_3 = 95,
+  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_3 = 100,
   /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
    *  (default -210) */
-  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_4 = 96,
+  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_4 = 101,
   /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
    *  (default -110) */
-  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_5 = 97,
+  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_5 = 102,
   /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
    *  (default 0) */
-  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_6 = 98,
+  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_6 = 103,
   /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
    *  (default 180) */
-  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_7 = 99,
+  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_7 = 104,
   /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
    *  (default 340) */
-  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_8 = 100,
+  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_8 = 105,
   /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
    *  (default 640) */
-  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_9 = 101,
+  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_9 = 106,
   /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
    *  (default 950) */
-  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_10 = 102,
+  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_10 = 107,
   /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
    *  (default 1500) */
-  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_11 = 103,
+  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_11 = 108,
   /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
    *  (default 0) */
-  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_12 = 104,
+  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_12 = 109,
   /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
    *  (default 0) */
-  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_13 = 105,
+  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_13 = 110,
   /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
    *  (default 0) */
-  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_14 = 106,
+  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_14 = 111,
   /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
    *  (default 0) */
-  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_15 = 107,
+  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_15 = 112,
   /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
    *  (default 0) */
-  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_16 = 108,
+  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_16 = 113,
   /** fixed [stribeck_interpolation]: Curve through the points of the table. (default Linear) */
-  STRIBECK_SHOCK_ABSORBER_DAMPER_INTERPOLATION = 109,
+  STRIBECK_SHOCK_ABSORBER_DAMPER_INTERPOLATION = 114,
   /** tunable [1]: Factor on the damper force. (>= 0, default 1) */
-  STRIBECK_SHOCK_ABSORBER_DAMPER_SCALE = 110,
+  STRIBECK_SHOCK_ABSORBER_DAMPER_SCALE = 115,
   /** fixed [N/m]: Stiffness in series with the damper, of oil and top mount; 0 = rigid. (>= 0, default 0) */
-  STRIBECK_SHOCK_ABSORBER_DAMPER_K_SERIES = 111,
+  STRIBECK_SHOCK_ABSORBER_DAMPER_K_SERIES = 116,
   /** fixed [stribeck_friction_model]: Friction law; parameters that it does not have are ignored. (default LuGre) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_MODEL = 112,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_MODEL = 117,
   /** tunable [stribeck_friction_switch]: Which parts of the friction act. (default On) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_SWITCH = 113,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_SWITCH = 118,
   /** tunable [1]: Friction in compression over friction in extension: (1 + asymmetry) / (1 - asymmetry).
    *  (>= -0.99, <= 0.99, default 0) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_ASYMMETRY = 114,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ASYMMETRY = 119,
   /** tunable [1]: Factor on all friction levels. (>= 0, default 1) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_SCALE = 115,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_SCALE = 120,
   /** tunable [kg]: Effective mass of the host, for laws that know it; 0: the force of the printed law.
    *  (>= 0, default 0) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_MASS = 116,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_MASS = 121,
   /** fixed [stribeck_exchange]: Order in which the master exchanges force and motion; matters where mass > 0.
    *  (default Sequential) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_EXCHANGE = 117,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_EXCHANGE = 122,
   /** tunable [m/s]: Speed at which the excess of static over kinetic friction has fallen to 1/e (Lorentzian, hyperbola: 1/2).
    *  (> 0, default 0.001) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_STRIBECK_VELOCITY = 118,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_STRIBECK_VELOCITY = 123,
   /** tunable [1]: Exponent of the falling level. (> 0, default 2) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_STRIBECK_EXPONENT = 119,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_STRIBECK_EXPONENT = 124,
   /** tunable [N/m]: Stiffness of the bristles. (> 0, default 100000) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_SIGMA_0 = 120,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_SIGMA_0 = 125,
   /** tunable [N.s/m]: Damping of the bristles. (>= 0, default 316.22776601683796) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_SIGMA_1 = 121,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_SIGMA_1 = 126,
   /** tunable [N.s/m]: Viscous friction coefficient. (>= 0, default 0.1) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_VISCOUS_COEFFICIENT = 122,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_VISCOUS_COEFFICIENT = 127,
   /** tunable [m/s]: Speed at which the damping of the bristles fades; 0 = constant damping. (>= 0, default 0) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_DAMPING_VELOCITY = 123,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_DAMPING_VELOCITY = 128,
   /** fixed [stribeck_coulomb_viscous_variant]: Variant of the law. (default Linear) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_COULOMBVISCOUS_VARIANT = 124,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_COULOMBVISCOUS_VARIANT = 129,
   /** tunable [1]: Exponent of the viscous part. (> 0, default 1) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_VISCOUS_EXPONENT = 125,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_VISCOUS_EXPONENT = 130,
   /** fixed [stribeck_stribeck_curve]: How the level falls with speed. (default Gaussian) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_CURVE = 126,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_CURVE = 131,
+  /** tunable [N.s/m]: Viscous friction coefficient. (>= 0, default 0) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_STRIBECK_VISCOUS_COEFFICIENT = 132,
   /** tunable [N.s2/m2]: Quadratic friction coefficient; used by PoppStelter. (>= 0, default 0) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_QUADRATIC_COEFFICIENT = 127,
-  /** tunable [s/m]: Slope of the force at rest, relative to the level there. (> 0, default 10000) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_TRANSITION_SLOPE = 128,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_QUADRATIC_COEFFICIENT = 133,
+  /** tunable [s/m]: Slope of the force at rest, relative to the level there. (> 0, default 2000) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_TRANSITION_SLOPE = 134,
   /** fixed [stribeck_threlfall_variant]: Variant of the law. (default Printed) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_THRELFALL_VARIANT = 129,
-  /** tunable [m/s]: Velocity that sets the width of the regularised band around rest. (>= 0, default 0.001) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_TRANSITION_VELOCITY = 130,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_THRELFALL_VARIANT = 135,
+  /** tunable [m/s]: Velocity that sets the width of the regularised band around rest. (> 0, default 0.001) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_TRANSITION_VELOCITY = 136,
   /** fixed [stribeck_rooney_deravi_variant]: Variant of the law. (default Linear) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_ROONEYDERAVI_VARIANT = 131,
-  /** tunable [m/s]: Velocity at which the kinetic level is reached. (> 0, default 0.0015) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_SLIDING_VELOCITY = 132,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ROONEYDERAVI_VARIANT = 137,
+  /** tunable [m/s]: Velocity that sets the width of the regularised band around rest. (>= 0, default 0.0001) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_AMBROSIO_TRANSITION_VELOCITY = 138,
+  /** tunable [m/s]: Velocity at which the kinetic level is reached. (> 0, default 0.001) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_SLIDING_VELOCITY = 139,
   /** fixed [stribeck_bengisu_akay_variant]: Variant of the law. (default Thesis) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_BENGISUAKAY_VARIANT = 133,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_BENGISUAKAY_VARIANT = 140,
+  /** tunable [s/m]: Slope of the force at rest, relative to the level there. (> 0, default 5000) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_BENGISUAKAY_TRANSITION_SLOPE = 141,
+  /** tunable [s/m]: Rate at which the excess of static over kinetic friction decays with speed (default chosen).
+   *  (> 0, default 500) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_STICTION_DECAY = 142,
+  /** tunable [s/m]: Viscous coefficient of friction, per normal force. (>= 0, default 0) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_MU_V = 143,
+  /** tunable [s/m]: Slope of the force at rest, relative to the level there. (> 0, default 10000) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ANDERSSON_TRANSITION_SLOPE = 144,
+  /** tunable [N.s/m]: Viscous friction coefficient. (>= 0, default 0) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ANDERSSON_VISCOUS_COEFFICIENT = 145,
   /** tunable [s/m]: Rate at which the excess of static over kinetic friction decays with speed (default chosen).
    *  (> 0, default 1000) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_STICTION_DECAY = 134,
-  /** tunable [s/m]: Viscous coefficient of friction, per normal force. (>= 0, default 0) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_MU_V = 135,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_AWREJCEWICZ_STICTION_DECAY = 146,
+  /** tunable [m/s]: Velocity that sets the width of the regularised band around rest. (> 0, default 0.00025) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_SPECKER_TRANSITION_VELOCITY = 147,
   /** tunable [m/s]: Velocity at which the static level is reached (default chosen). (> 0, default 0.0005) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_PEAK_VELOCITY = 136,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_PEAK_VELOCITY = 148,
+  /** tunable [N.s/m]: Viscous friction coefficient. (>= 0, default 0) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_SPECKER_VISCOUS_COEFFICIENT = 149,
+  /** tunable [m/s]: Velocity at which the kinetic level is reached. (> 0, default 0.0015) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_LINEARSTICTION_SLIDING_VELOCITY = 150,
+  /** tunable [N.s/m]: Viscous friction coefficient. (>= 0, default 0) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_BROWNMCPHEE_VISCOUS_COEFFICIENT = 151,
   /** tunable [N]: Normal force at which the viscous part is fully active (default chosen). (> 0, default 1) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_TRANSITION_NORMAL_FORCE = 137,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_TRANSITION_NORMAL_FORCE = 152,
   /** tunable [1]: Exponent of the transition to sliding; below 1 brittle, from 1 on ductile. (>= 0, default 1) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_ALPHA = 138,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ALPHA = 153,
+  /** tunable [N.s/m]: Viscous friction coefficient. (>= 0, default 0) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_FRICTIONALLAG_VISCOUS_COEFFICIENT = 154,
   /** fixed [s]: Time by which the level of friction lags behind the velocity (default chosen). (>= 0, default 0.005) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_TIME_LAG = 139,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_TIME_LAG = 155,
   /** fixed [stribeck_frictional_lag_variant]: Variant of the law. (default Delay) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_FRICTIONALLAG_VARIANT = 140,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_FRICTIONALLAG_VARIANT = 156,
+  /** tunable [N.s/m]: Viscous friction coefficient. (>= 0, default 0) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ARMSTRONG_VISCOUS_COEFFICIENT = 157,
   /** tunable [s]: Dwell time after which half of the rise of the static friction has come (default chosen).
    *  (>= 0, default 2) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_GAMMA = 141,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_GAMMA = 158,
   /** tunable [1]: Coefficient of friction that a contact reaches when it comes to rest; not more than mu_s (default chosen).
    *  (>= 0, default 0) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_MU_STOP = 142,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_MU_STOP = 159,
   /** tunable [s/m]: Steepness of the curve while speeding up (default chosen). (> 0, default 500) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_ACCELERATION_DECAY = 143,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ACCELERATION_DECAY = 160,
   /** tunable [s/m]: Steepness of the curve while slowing down (default chosen). (> 0, default 500) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_DECELERATION_DECAY = 144,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_DECELERATION_DECAY = 161,
   /** tunable [s/m]: Steepness of the curves for speeding up and slowing down (default chosen). (> 0, default 500) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_BRANCH_DECAY = 145,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_BRANCH_DECAY = 162,
   /** fixed [stribeck_bliman_sorine_order]: Variant of the law. (default Second) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_BLIMANSORINE_VARIANT = 146,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_BLIMANSORINE_VARIANT = 163,
   /** tunable [1]: Level of the slow relaxation, as a coefficient of friction; second order (default calibrated).
    *  (>= 0, default 0.2732050807568877) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_MU_2 = 147,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_MU_2 = 164,
   /** tunable [1]: Length of the fast relaxation as a part of that of the slow one; second order (default chosen).
    *  (> 0, <= 1, default 0.5) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_ETA = 148,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ETA = 165,
   /** tunable [m]: Sliding distance in which the slow relaxation settles to 1/e (default calibrated).
    *  (> 0, default 4.642141842225068e-5) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_EPS_F = 149,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_EPS_F = 166,
   /** tunable [m]: Shear deflection of the asperities in steady sliding (default f_C / sigma_0 of the thesis).
    *  (> 0, default 9.81e-6) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_DELTA_T = 150,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_DELTA_T = 167,
   /** tunable [1]: Part of the deflection of steady sliding up to which the contact is purely elastic.
    *  (> 0, <= 1, default 0.7) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_BREAKAWAY_RATIO = 151,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_BREAKAWAY_RATIO = 168,
   /** tunable [Integer]: Exponent of the transition from elastic deflection to sliding; odd. (>= 1, <= 9, default 1) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_PLASTIC_EXPONENT = 152,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_PLASTIC_EXPONENT = 169,
   /** tunable [m]: Strain at which a bristle snaps (default f_s / sigma_0 of the thesis). (> 0, default 1.4715e-5) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_DELTA = 153,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_DELTA = 170,
   /** fixed [Integer]: Number of bristles (default chosen). (>= 1, <= 64, default 25) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_BRISTLE_COUNT = 154,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_BRISTLE_COUNT = 171,
   /** fixed [Integer]: Seed of the random numbers. (>= 0, default 0) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_SEED = 155,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_SEED = 172,
   /** fixed [stribeck_initial_bonds]: State of the bristles when the motion starts. (default Bonded) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_INITIAL_BONDS = 156,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_INITIAL_BONDS = 173,
+  /** tunable [m/s]: Velocity that sets the width of the regularised band around rest. (> 0, default 0.00025) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_SPECKERDYNAMIC_TRANSITION_VELOCITY = 174,
+  /** tunable [N.s/m]: Viscous friction coefficient. (>= 0, default 0) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_SPECKERDYNAMIC_VISCOUS_COEFFICIENT = 175,
   /** tunable [s]: Time constant of the force while sliding (default chosen). (> 0, default 0.001) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_SLIP_TIME = 157,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_SLIP_TIME = 176,
+  /** tunable [N.s/m]: Damping of the bristles. (>= 0, default 0) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_MAXWELLSLIP_SIGMA_1 = 177,
+  /** tunable [N.s/m]: Viscous friction coefficient. (>= 0, default 0) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_MAXWELLSLIP_VISCOUS_COEFFICIENT = 178,
   /** tunable [N/s]: Rate at which the slipping elements together approach their level (default chosen).
    *  (> 0, default 1000) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_ATTRACTION = 158,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ATTRACTION = 179,
   /** fixed [stribeck_element_distribution]: Where the shares of the elements come from. (default Explicit) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_DISTRIBUTION = 159,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_DISTRIBUTION = 180,
   /** fixed [Integer]: Number of elements in use (default chosen). (>= 1, <= 16, default 4) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_COUNT = 160,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_COUNT = 181,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.5) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_1_STIFFNESS_SHARE = 161,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_1_STIFFNESS_SHARE = 182,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_1_STRENGTH_SHARE = 162,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_1_STRENGTH_SHARE = 183,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.25) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_2_STIFFNESS_SHARE = 163,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_2_STIFFNESS_SHARE = 184,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.2) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_2_STRENGTH_SHARE = 164,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_2_STRENGTH_SHARE = 185,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.15) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_3_STIFFNESS_SHARE = 165,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_3_STIFFNESS_SHARE = 186,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.3) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_3_STRENGTH_SHARE = 166,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_3_STRENGTH_SHARE = 187,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_4_STIFFNESS_SHARE = 167,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_4_STIFFNESS_SHARE = 188,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.4) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_4_STRENGTH_SHARE = 168,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_4_STRENGTH_SHARE = 189,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_5_STIFFNESS_SHARE = 169,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_5_STIFFNESS_SHARE = 190,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_5_STRENGTH_SHARE = 170,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_5_STRENGTH_SHARE = 191,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_6_STIFFNESS_SHARE = 171,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_6_STIFFNESS_SHARE = 192,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_6_STRENGTH_SHARE = 172,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_6_STRENGTH_SHARE = 193,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_7_STIFFNESS_SHARE = 173,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_7_STIFFNESS_SHARE = 194,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_7_STRENGTH_SHARE = 174,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_7_STRENGTH_SHARE = 195,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_8_STIFFNESS_SHARE = 175,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_8_STIFFNESS_SHARE = 196,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_8_STRENGTH_SHARE = 176,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_8_STRENGTH_SHARE = 197,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_9_STIFFNESS_SHARE = 177,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_9_STIFFNESS_SHARE = 198,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_9_STRENGTH_SHARE = 178,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_9_STRENGTH_SHARE = 199,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_10_STIFFNESS_SHARE = 179,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_10_STIFFNESS_SHARE = 200,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_10_STRENGTH_SHARE = 180,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_10_STRENGTH_SHARE = 201,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_11_STIFFNESS_SHARE = 181,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_11_STIFFNESS_SHARE = 202,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_11_STRENGTH_SHARE = 182,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_11_STRENGTH_SHARE = 203,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_12_STIFFNESS_SHARE = 183,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_12_STIFFNESS_SHARE = 204,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_12_STRENGTH_SHARE = 184,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_12_STRENGTH_SHARE = 205,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_13_STIFFNESS_SHARE = 185,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_13_STIFFNESS_SHARE = 206,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_13_STRENGTH_SHARE = 186,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_13_STRENGTH_SHARE = 207,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_14_STIFFNESS_SHARE = 187,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_14_STIFFNESS_SHARE = 208,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_14_STRENGTH_SHARE = 188,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_14_STRENGTH_SHARE = 209,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_15_STIFFNESS_SHARE = 189,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_15_STIFFNESS_SHARE = 210,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_15_STRENGTH_SHARE = 190,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_15_STRENGTH_SHARE = 211,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_16_STIFFNESS_SHARE = 191,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_16_STIFFNESS_SHARE = 212,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_16_STRENGTH_SHARE = 192,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_16_STRENGTH_SHARE = 213,
   /** tunable [1]: Exponent of the approach to the steady level (default chosen). (>= 0.1, default 1) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_APPROACH_EXPONENT = 193,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_APPROACH_EXPONENT = 214,
   /** tunable [1]: Strength of all elements together, as a multiple of the static level; not less than 1 (default chosen).
    *  (> 0, default 1.2) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_HYSTERESIS_STRENGTH = 194,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_HYSTERESIS_STRENGTH = 215,
+  /** tunable [m/s]: Velocity that sets the width of the regularised band around rest. (> 0, default 1e-5) */
+  STRIBECK_SHOCK_ABSORBER_FRICTION_GONTHIER_TRANSITION_VELOCITY = 216,
   /** tunable [s]: Time constant with which the static level rises at rest. (> 0, default 2) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_DWELL_TIME_CONSTANT = 195,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_DWELL_TIME_CONSTANT = 217,
   /** tunable [1]: Static coefficient of friction; not less than mu_k (default chosen). (>= 0, default 0.15) */
-  STRIBECK_SHOCK_ABSORBER_C1_MU_S = 196,
+  STRIBECK_SHOCK_ABSORBER_C1_MU_S = 218,
   /** tunable [1]: Kinetic coefficient of friction (default chosen). (>= 0, default 0.1) */
-  STRIBECK_SHOCK_ABSORBER_C1_MU_K = 197,
+  STRIBECK_SHOCK_ABSORBER_C1_MU_K = 219,
   /** tunable [N]: Breakaway force without normal force, as of a seal; not less than preload_k (default chosen).
    *  (>= 0, default 10) */
-  STRIBECK_SHOCK_ABSORBER_C1_PRELOAD_S = 198,
+  STRIBECK_SHOCK_ABSORBER_C1_PRELOAD_S = 220,
   /** tunable [N]: Sliding friction force without normal force, as of a seal (default chosen). (>= 0, default 8) */
-  STRIBECK_SHOCK_ABSORBER_C1_PRELOAD_K = 199,
+  STRIBECK_SHOCK_ABSORBER_C1_PRELOAD_K = 221,
   /** tunable [1]: Static coefficient of friction; not less than mu_k (default chosen). (>= 0, default 0.1) */
-  STRIBECK_SHOCK_ABSORBER_C2_MU_S = 200,
+  STRIBECK_SHOCK_ABSORBER_C2_MU_S = 222,
   /** tunable [1]: Kinetic coefficient of friction (default chosen). (>= 0, default 0.08) */
-  STRIBECK_SHOCK_ABSORBER_C2_MU_K = 201,
+  STRIBECK_SHOCK_ABSORBER_C2_MU_K = 223,
   /** tunable [N]: Breakaway force without normal force, as of a seal; not less than preload_k (default chosen).
    *  (>= 0, default 8) */
-  STRIBECK_SHOCK_ABSORBER_C2_PRELOAD_S = 202,
+  STRIBECK_SHOCK_ABSORBER_C2_PRELOAD_S = 224,
   /** tunable [N]: Sliding friction force without normal force, as of a seal (default chosen). (>= 0, default 6) */
-  STRIBECK_SHOCK_ABSORBER_C2_PRELOAD_K = 203,
+  STRIBECK_SHOCK_ABSORBER_C2_PRELOAD_K = 225,
   /** fixed [stribeck_side_mode]: Side loads that act on the joint. (default Sum) */
-  STRIBECK_SHOCK_ABSORBER_SIDE_MODE = 204,
+  STRIBECK_SHOCK_ABSORBER_SIDE_MODE = 226,
   /** fixed [stribeck_side_convention]: Meaning of the four side-load inputs. (default WrenchOnRod) */
-  STRIBECK_SHOCK_ABSORBER_SIDE_CONVENTION = 205,
+  STRIBECK_SHOCK_ABSORBER_SIDE_CONVENTION = 227,
   /** tunable [m]: Offset of the spring's line of action along m (default chosen). (default 0.003) */
-  STRIBECK_SHOCK_ABSORBER_SIDE_OFFSET_M = 206,
+  STRIBECK_SHOCK_ABSORBER_SIDE_OFFSET_M = 228,
   /** tunable [m]: Offset of the spring's line of action along n. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_SIDE_OFFSET_N = 207,
-  /** tunable [1]: Side force of the spring along m, relative to its axial force; it acts at the upper eye.
+  STRIBECK_SHOCK_ABSORBER_SIDE_OFFSET_N = 229,
+  /** tunable [1]: Side force of the spring along m, relative to its axial force; it acts at the eye of the tube.
    *  (default 0) */
-  STRIBECK_SHOCK_ABSORBER_SIDE_FORCE_RATIO = 208,
+  STRIBECK_SHOCK_ABSORBER_SIDE_FORCE_RATIO = 230,
   /** fixed [stribeck_normal_sum]: How the load of the joint becomes the load of its contacts. (default TwoPoint) */
-  STRIBECK_SHOCK_ABSORBER_SIDE_NORMAL_SUM = 209,
+  STRIBECK_SHOCK_ABSORBER_SIDE_NORMAL_SUM = 231,
   /** tunable [1]: Factor on the contact forces for the distribution of pressure; 4 / pi for a cosine over half the rim.
    *  (>= 0, default 1) */
-  STRIBECK_SHOCK_ABSORBER_SIDE_C_GEO = 210,
+  STRIBECK_SHOCK_ABSORBER_SIDE_C_GEO = 232,
   /** fixed [Boolean]: Does the temperature change, and with it the damper force? (default false) */
-  STRIBECK_SHOCK_ABSORBER_THERMAL_ENABLED = 211,
+  STRIBECK_SHOCK_ABSORBER_THERMAL_ENABLED = 233,
   /** tunable [1/K]: Relative loss of damper force per kelvin (default chosen). (>= 0, default 0.003) */
-  STRIBECK_SHOCK_ABSORBER_THERMAL_BETA = 212,
+  STRIBECK_SHOCK_ABSORBER_THERMAL_BETA = 234,
   /** fixed [K]: Temperature at which the damper's characteristic was measured (default chosen).
    *  (> 0, default 293.15) */
-  STRIBECK_SHOCK_ABSORBER_THERMAL_TEMPERATURE_REF = 213,
+  STRIBECK_SHOCK_ABSORBER_THERMAL_TEMPERATURE_REF = 235,
   /** fixed [J/K]: Heat capacity of the damper (default chosen: 0.6 kg of aluminium and oil). (> 0, default 600) */
-  STRIBECK_SHOCK_ABSORBER_THERMAL_CAPACITY = 214,
+  STRIBECK_SHOCK_ABSORBER_THERMAL_CAPACITY = 236,
   /** tunable [W/K]: Heat flow to the surroundings per kelvin (default chosen). (>= 0, default 1.5) */
-  STRIBECK_SHOCK_ABSORBER_THERMAL_CONDUCTANCE = 215,
+  STRIBECK_SHOCK_ABSORBER_THERMAL_CONDUCTANCE = 237,
   /** fixed [m]: Length of the strut where the input length is 0. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_ADAPTER_LENGTH_OFFSET = 216,
+  STRIBECK_SHOCK_ABSORBER_ADAPTER_LENGTH_OFFSET = 238,
   /** fixed [1]: Length of the strut per input length; -MR for wheel travel, -0.001 for millimetres of compression.
    *  (default 1) */
-  STRIBECK_SHOCK_ABSORBER_ADAPTER_LENGTH_GAIN = 217,
+  STRIBECK_SHOCK_ABSORBER_ADAPTER_LENGTH_GAIN = 239,
   /** fixed [1]: Factor on force_travel, for the host's unit of force. (default 1) */
-  STRIBECK_SHOCK_ABSORBER_ADAPTER_FORCE_GAIN = 218,
+  STRIBECK_SHOCK_ABSORBER_ADAPTER_FORCE_GAIN = 240,
   /** fixed [s]: Largest internal step (default chosen). (> 0, default 0.0001) */
-  STRIBECK_SHOCK_ABSORBER_NUM_H_MAX = 219,
+  STRIBECK_SHOCK_ABSORBER_NUM_H_MAX = 241,
   /** fixed [stribeck_input_mode]: How the inputs move within a step. (default Hold) */
-  STRIBECK_SHOCK_ABSORBER_NUM_INPUT_MODE = 220,
+  STRIBECK_SHOCK_ABSORBER_NUM_INPUT_MODE = 242,
   /** tunable [kg]: Mass that the strut carries or moves, whichever is smaller; for the advice step_limit only.
    *  (> 0, default 16.4) */
-  STRIBECK_SHOCK_ABSORBER_NUM_MASS_REF = 221,
+  STRIBECK_SHOCK_ABSORBER_NUM_MASS_REF = 243,
   /** fixed [stribeck_friction_start]: What the friction law remembers at the start. (default Steady) */
-  STRIBECK_SHOCK_ABSORBER_INIT_FRICTION_STATE = 222,
+  STRIBECK_SHOCK_ABSORBER_INIT_FRICTION_STATE = 244,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_1 = 223,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_1 = 245,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_2 = 224,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_2 = 246,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_3 = 225,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_3 = 247,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_4 = 226,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_4 = 248,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_5 = 227,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_5 = 249,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_6 = 228,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_6 = 250,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_7 = 229,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_7 = 251,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_8 = 230,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_8 = 252,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_9 = 231,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_9 = 253,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_10 = 232,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_10 = 254,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_11 = 233,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_11 = 255,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_12 = 234,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_12 = 256,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_13 = 235,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_13 = 257,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_14 = 236,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_14 = 258,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_15 = 237,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_15 = 259,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_16 = 238,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_16 = 260,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_17 = 239,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_17 = 261,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_18 = 240,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_18 = 262,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_19 = 241,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_19 = 263,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_20 = 242,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_20 = 264,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_21 = 243,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_21 = 265,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_22 = 244,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_22 = 266,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_23 = 245,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_23 = 267,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_24 = 246,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_24 = 268,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_25 = 247,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_25 = 269,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_26 = 248,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_26 = 270,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_27 = 249,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_27 = 271,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_28 = 250,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_28 = 272,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_29 = 251,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_29 = 273,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_30 = 252,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_30 = 274,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_31 = 253,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_31 = 275,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_32 = 254,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_32 = 276,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_33 = 255,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_33 = 277,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_34 = 256,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_34 = 278,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_35 = 257,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_35 = 279,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_36 = 258,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_36 = 280,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_37 = 259,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_37 = 281,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_38 = 260,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_38 = 282,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_39 = 261,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_39 = 283,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_40 = 262,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_40 = 284,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_41 = 263,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_41 = 285,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_42 = 264,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_42 = 286,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_43 = 265,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_43 = 287,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_44 = 266,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_44 = 288,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_45 = 267,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_45 = 289,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_46 = 268,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_46 = 290,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_47 = 269,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_47 = 291,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_48 = 270,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_48 = 292,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_49 = 271,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_49 = 293,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_50 = 272,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_50 = 294,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_51 = 273,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_51 = 295,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_52 = 274,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_52 = 296,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_53 = 275,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_53 = 297,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_54 = 276,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_54 = 298,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_55 = 277,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_55 = 299,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_56 = 278,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_56 = 300,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_57 = 279,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_57 = 301,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_58 = 280,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_58 = 302,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_59 = 281,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_59 = 303,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_60 = 282,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_60 = 304,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_61 = 283,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_61 = 305,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_62 = 284,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_62 = 306,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_63 = 285,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_63 = 307,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_64 = 286,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_64 = 308,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_65 = 287,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_65 = 309,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_66 = 288,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_66 = 310,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_67 = 289,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_67 = 311,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_68 = 290,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_68 = 312,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_69 = 291,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_69 = 313,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_70 = 292,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_70 = 314,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_71 = 293,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_71 = 315,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_72 = 294,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_72 = 316,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_73 = 295,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_73 = 317,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_74 = 296,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_74 = 318,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_75 = 297,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_75 = 319,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_76 = 298,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_76 = 320,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_77 = 299,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_77 = 321,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_78 = 300,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_78 = 322,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_79 = 301,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_79 = 323,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_80 = 302,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_80 = 324,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_81 = 303,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_81 = 325,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_82 = 304,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_82 = 326,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_83 = 305,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_83 = 327,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_84 = 306,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_84 = 328,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_85 = 307,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_85 = 329,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_86 = 308,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_86 = 330,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_87 = 309,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_87 = 331,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_88 = 310,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_88 = 332,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_89 = 311,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_89 = 333,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_90 = 312,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_90 = 334,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_91 = 313,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_91 = 335,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_92 = 314,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_92 = 336,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_93 = 315,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_93 = 337,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_94 = 316,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_94 = 338,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_95 = 317,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_95 = 339,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_96 = 318,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_96 = 340,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_97 = 319,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_97 = 341,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_98 = 320,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_98 = 342,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_99 = 321,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_99 = 343,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_100 = 322,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_100 = 344,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_101 = 323,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_101 = 345,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_102 = 324,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_102 = 346,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_103 = 325,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_103 = 347,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_104 = 326,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_104 = 348,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_105 = 327,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_105 = 349,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_106 = 328,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_106 = 350,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_107 = 329,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_107 = 351,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_108 = 330,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_108 = 352,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_109 = 331,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_109 = 353,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_110 = 332,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_110 = 354,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_111 = 333,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_111 = 355,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_112 = 334,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_112 = 356,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_113 = 335,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_113 = 357,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_114 = 336,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_114 = 358,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_115 = 337,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_115 = 359,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_116 = 338,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_116 = 360,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_117 = 339,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_117 = 361,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_118 = 340,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_118 = 362,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_119 = 341,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_119 = 363,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_120 = 342,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_120 = 364,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_121 = 343,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_121 = 365,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_122 = 344,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_122 = 366,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_123 = 345,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_123 = 367,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_124 = 346,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_124 = 368,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_125 = 347,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_125 = 369,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_126 = 348,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_126 = 370,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_127 = 349,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_127 = 371,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_128 = 350,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_128 = 372,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_129 = 351,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_129 = 373,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_130 = 352,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_130 = 374,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_131 = 353,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_131 = 375,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_132 = 354,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_132 = 376,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_133 = 355,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_133 = 377,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_134 = 356,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_134 = 378,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_135 = 357,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_135 = 379,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_136 = 358,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_136 = 380,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_137 = 359,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_137 = 381,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_138 = 360,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_138 = 382,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_139 = 361,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_139 = 383,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_140 = 362,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_140 = 384,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_141 = 363,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_141 = 385,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_142 = 364,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_142 = 386,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_143 = 365,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_143 = 387,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_144 = 366,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_144 = 388,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_145 = 367,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_145 = 389,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_146 = 368,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_146 = 390,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_147 = 369,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_147 = 391,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_148 = 370,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_148 = 392,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_149 = 371,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_149 = 393,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_150 = 372,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_150 = 394,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_151 = 373,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_151 = 395,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_152 = 374,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_152 = 396,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_153 = 375,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_153 = 397,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_154 = 376,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_154 = 398,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_155 = 377,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_155 = 399,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_156 = 378,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_156 = 400,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_157 = 379,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_157 = 401,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_158 = 380,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_158 = 402,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_159 = 381,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_159 = 403,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_160 = 382,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_160 = 404,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_161 = 383,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_161 = 405,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_162 = 384,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_162 = 406,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_163 = 385,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_163 = 407,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_164 = 386,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_164 = 408,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_165 = 387,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_165 = 409,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_166 = 388,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_166 = 410,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_167 = 389,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_167 = 411,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_168 = 390,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_168 = 412,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_169 = 391,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_169 = 413,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_170 = 392,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_170 = 414,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_171 = 393,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_171 = 415,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_172 = 394,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_172 = 416,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_173 = 395,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_173 = 417,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_174 = 396,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_174 = 418,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_175 = 397,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_175 = 419,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_176 = 398,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_176 = 420,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_177 = 399,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_177 = 421,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_178 = 400,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_178 = 422,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_179 = 401,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_179 = 423,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_180 = 402,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_180 = 424,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_181 = 403,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_181 = 425,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_182 = 404,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_182 = 426,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_183 = 405,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_183 = 427,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_184 = 406,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_184 = 428,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_185 = 407,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_185 = 429,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_186 = 408,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_186 = 430,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_187 = 409,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_187 = 431,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_188 = 410,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_188 = 432,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_189 = 411,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_189 = 433,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_190 = 412,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_190 = 434,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_191 = 413,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_191 = 435,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_192 = 414,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_192 = 436,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_193 = 415,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_193 = 437,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_194 = 416,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_194 = 438,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_195 = 417,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_195 = 439,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_196 = 418,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_196 = 440,
   /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_197 = 419,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_197 = 441,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_1 = 420,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_1 = 442,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_2 = 421,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_2 = 443,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_3 = 422,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_3 = 444,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_4 = 423,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_4 = 445,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_5 = 424,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_5 = 446,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_6 = 425,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_6 = 447,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_7 = 426,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_7 = 448,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_8 = 427,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_8 = 449,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_9 = 428,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_9 = 450,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_10 = 429,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_10 = 451,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_11 = 430,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_11 = 452,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_12 = 431,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_12 = 453,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_13 = 432,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_13 = 454,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_14 = 433,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_14 = 455,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_15 = 434,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_15 = 456,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_16 = 435,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_16 = 457,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_17 = 436,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_17 = 458,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_18 = 437,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_18 = 459,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_19 = 438,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_19 = 460,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_20 = 439,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_20 = 461,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_21 = 440,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_21 = 462,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_22 = 441,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_22 = 463,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_23 = 442,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_23 = 464,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_24 = 443,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_24 = 465,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_25 = 444,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_25 = 466,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_26 = 445,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_26 = 467,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_27 = 446,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_27 = 468,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_28 = 447,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_28 = 469,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_29 = 448,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_29 = 470,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_30 = 449,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_30 = 471,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_31 = 450,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_31 = 472,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_32 = 451,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_32 = 473,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_33 = 452,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_33 = 474,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_34 = 453,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_34 = 475,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_35 = 454,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_35 = 476,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_36 = 455,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_36 = 477,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_37 = 456,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_37 = 478,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_38 = 457,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_38 = 479,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_39 = 458,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_39 = 480,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_40 = 459,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_40 = 481,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_41 = 460,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_41 = 482,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_42 = 461,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_42 = 483,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_43 = 462,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_43 = 484,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_44 = 463,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_44 = 485,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_45 = 464,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_45 = 486,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_46 = 465,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_46 = 487,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_47 = 466,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_47 = 488,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_48 = 467,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_48 = 489,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_49 = 468,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_49 = 490,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_50 = 469,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_50 = 491,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_51 = 470,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_51 = 492,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_52 = 471,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_52 = 493,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_53 = 472,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_53 = 494,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_54 = 473,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_54 = 495,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_55 = 474,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_55 = 496,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_56 = 475,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_56 = 497,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_57 = 476,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_57 = 498,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_58 = 477,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_58 = 499,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_59 = 478,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_59 = 500,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_60 = 479,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_60 = 501,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_61 = 480,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_61 = 502,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_62 = 481,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_62 = 503,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_63 = 482,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_63 = 504,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_64 = 483,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_64 = 505,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_65 = 484,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_65 = 506,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_66 = 485,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_66 = 507,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_67 = 486,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_67 = 508,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_68 = 487,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_68 = 509,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_69 = 488,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_69 = 510,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_70 = 489,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_70 = 511,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_71 = 490,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_71 = 512,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_72 = 491,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_72 = 513,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_73 = 492,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_73 = 514,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_74 = 493,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_74 = 515,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_75 = 494,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_75 = 516,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_76 = 495,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_76 = 517,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_77 = 496,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_77 = 518,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_78 = 497,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_78 = 519,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_79 = 498,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_79 = 520,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_80 = 499,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_80 = 521,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_81 = 500,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_81 = 522,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_82 = 501,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_82 = 523,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_83 = 502,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_83 = 524,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_84 = 503,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_84 = 525,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_85 = 504,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_85 = 526,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_86 = 505,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_86 = 527,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_87 = 506,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_87 = 528,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_88 = 507,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_88 = 529,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_89 = 508,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_89 = 530,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_90 = 509,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_90 = 531,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_91 = 510,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_91 = 532,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_92 = 511,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_92 = 533,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_93 = 512,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_93 = 534,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_94 = 513,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_94 = 535,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_95 = 514,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_95 = 536,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_96 = 515,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_96 = 537,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_97 = 516,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_97 = 538,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_98 = 517,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_98 = 539,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_99 = 518,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_99 = 540,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_100 = 519,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_100 = 541,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_101 = 520,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_101 = 542,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_102 = 521,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_102 = 543,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_103 = 522,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_103 = 544,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_104 = 523,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_104 = 545,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_105 = 524,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_105 = 546,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_106 = 525,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_106 = 547,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_107 = 526,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_107 = 548,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_108 = 527,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_108 = 549,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_109 = 528,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_109 = 550,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_110 = 529,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_110 = 551,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_111 = 530,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_111 = 552,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_112 = 531,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_112 = 553,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_113 = 532,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_113 = 554,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_114 = 533,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_114 = 555,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_115 = 534,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_115 = 556,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_116 = 535,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_116 = 557,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_117 = 536,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_117 = 558,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_118 = 537,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_118 = 559,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_119 = 538,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_119 = 560,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_120 = 539,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_120 = 561,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_121 = 540,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_121 = 562,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_122 = 541,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_122 = 563,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_123 = 542,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_123 = 564,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_124 = 543,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_124 = 565,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_125 = 544,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_125 = 566,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_126 = 545,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_126 = 567,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_127 = 546,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_127 = 568,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_128 = 547,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_128 = 569,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_129 = 548,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_129 = 570,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_130 = 549,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_130 = 571,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_131 = 550,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_131 = 572,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_132 = 551,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_132 = 573,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_133 = 552,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_133 = 574,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_134 = 553,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_134 = 575,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_135 = 554,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_135 = 576,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_136 = 555,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_136 = 577,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_137 = 556,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_137 = 578,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_138 = 557,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_138 = 579,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_139 = 558,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_139 = 580,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_140 = 559,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_140 = 581,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_141 = 560,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_141 = 582,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_142 = 561,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_142 = 583,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_143 = 562,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_143 = 584,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_144 = 563,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_144 = 585,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_145 = 564,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_145 = 586,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_146 = 565,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_146 = 587,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_147 = 566,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_147 = 588,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_148 = 567,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_148 = 589,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_149 = 568,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_149 = 590,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_150 = 569,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_150 = 591,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_151 = 570,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_151 = 592,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_152 = 571,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_152 = 593,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_153 = 572,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_153 = 594,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_154 = 573,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_154 = 595,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_155 = 574,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_155 = 596,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_156 = 575,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_156 = 597,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_157 = 576,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_157 = 598,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_158 = 577,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_158 = 599,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_159 = 578,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_159 = 600,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_160 = 579,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_160 = 601,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_161 = 580,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_161 = 602,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_162 = 581,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_162 = 603,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_163 = 582,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_163 = 604,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_164 = 583,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_164 = 605,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_165 = 584,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_165 = 606,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_166 = 585,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_166 = 607,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_167 = 586,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_167 = 608,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_168 = 587,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_168 = 609,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_169 = 588,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_169 = 610,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_170 = 589,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_170 = 611,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_171 = 590,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_171 = 612,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_172 = 591,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_172 = 613,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_173 = 592,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_173 = 614,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_174 = 593,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_174 = 615,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_175 = 594,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_175 = 616,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_176 = 595,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_176 = 617,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_177 = 596,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_177 = 618,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_178 = 597,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_178 = 619,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_179 = 598,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_179 = 620,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_180 = 599,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_180 = 621,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_181 = 600,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_181 = 622,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_182 = 601,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_182 = 623,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_183 = 602,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_183 = 624,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_184 = 603,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_184 = 625,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_185 = 604,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_185 = 626,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_186 = 605,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_186 = 627,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_187 = 606,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_187 = 628,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_188 = 607,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_188 = 629,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_189 = 608,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_189 = 630,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_190 = 609,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_190 = 631,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_191 = 610,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_191 = 632,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_192 = 611,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_192 = 633,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_193 = 612,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_193 = 634,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_194 = 613,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_194 = 635,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_195 = 614,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_195 = 636,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_196 = 615,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_196 = 637,
   /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_197 = 616,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_197 = 638,
   /** state [m/s]: Velocity of the damper's piston behind its series stiffness; that of the strut if there is none.
    *  (default 0) */
-  STRIBECK_SHOCK_ABSORBER_PISTON_VELOCITY = 617,
+  STRIBECK_SHOCK_ABSORBER_PISTON_VELOCITY = 639,
   /** state [Boolean]: Has the run begun? (default false) */
-  STRIBECK_SHOCK_ABSORBER_STARTED = 618,
+  STRIBECK_SHOCK_ABSORBER_STARTED = 640,
   /** state [s]: Last communication step; 0 before the first. (>= 0, default 0) */
-  STRIBECK_SHOCK_ABSORBER_STEP_SIZE = 619,
+  STRIBECK_SHOCK_ABSORBER_STEP_SIZE = 641,
   /** state, out [K]: Temperature of the damper. (> 0, default 293.15) */
-  STRIBECK_SHOCK_ABSORBER_TEMPERATURE = 620,
+  STRIBECK_SHOCK_ABSORBER_TEMPERATURE = 642,
   /** state, out [J]: Energy taken out of the motion by friction and damper since the start. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_DISSIPATED_ENERGY = 621,
+  STRIBECK_SHOCK_ABSORBER_DISSIPATED_ENERGY = 643,
   /** out [N]: Force of the strut; positive pushes the eyes apart. */
-  STRIBECK_SHOCK_ABSORBER_FORCE = 622,
+  STRIBECK_SHOCK_ABSORBER_FORCE = 644,
   /** out [N]: The same with the other sign: positive pulls the eyes together. */
-  STRIBECK_SHOCK_ABSORBER_FORCE_TENSION = 623,
+  STRIBECK_SHOCK_ABSORBER_FORCE_TENSION = 645,
   /** out [N]: Part of the spring. */
-  STRIBECK_SHOCK_ABSORBER_FORCE_SPRING = 624,
+  STRIBECK_SHOCK_ABSORBER_FORCE_SPRING = 646,
   /** out [N]: Part of the gas. */
-  STRIBECK_SHOCK_ABSORBER_FORCE_GAS = 625,
+  STRIBECK_SHOCK_ABSORBER_FORCE_GAS = 647,
   /** out [N]: Part of the bump stop. */
-  STRIBECK_SHOCK_ABSORBER_FORCE_BUMP = 626,
+  STRIBECK_SHOCK_ABSORBER_FORCE_BUMP = 648,
   /** out [N]: Part of the rebound stop. */
-  STRIBECK_SHOCK_ABSORBER_FORCE_REBOUND = 627,
+  STRIBECK_SHOCK_ABSORBER_FORCE_REBOUND = 649,
   /** out [N]: Part of the damper. */
-  STRIBECK_SHOCK_ABSORBER_FORCE_DAMPER = 628,
+  STRIBECK_SHOCK_ABSORBER_FORCE_DAMPER = 650,
   /** out [N]: Part of the friction. */
-  STRIBECK_SHOCK_ABSORBER_FORCE_FRICTION = 629,
+  STRIBECK_SHOCK_ABSORBER_FORCE_FRICTION = 651,
   /** out [N]: Force on the travel of the host, by virtual work: see adapter. */
-  STRIBECK_SHOCK_ABSORBER_FORCE_TRAVEL = 630,
+  STRIBECK_SHOCK_ABSORBER_FORCE_TRAVEL = 652,
   /** out [N]: Axial friction at the rod guide; has the sign of the velocity when sliding. */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_1 = 631,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_1 = 653,
   /** out [N]: Axial friction at the piston; has the sign of the velocity when sliding. */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_2 = 632,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_2 = 654,
   /** out [N]: Normal force at the rod guide. */
-  STRIBECK_SHOCK_ABSORBER_NORMAL_1 = 633,
+  STRIBECK_SHOCK_ABSORBER_NORMAL_1 = 655,
   /** out [N]: Normal force at the piston. */
-  STRIBECK_SHOCK_ABSORBER_NORMAL_2 = 634,
+  STRIBECK_SHOCK_ABSORBER_NORMAL_2 = 656,
   /** out [N.m]: Friction torque about the axis, on the tube; has the sign of the spin rate when sliding. */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_TORQUE = 635,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_TORQUE = 657,
   /** out [m]: Compression from full extension. */
-  STRIBECK_SHOCK_ABSORBER_COMPRESSION = 636,
+  STRIBECK_SHOCK_ABSORBER_COMPRESSION = 658,
   /** out [m]: Distance from piston to rod guide. */
-  STRIBECK_SHOCK_ABSORBER_OVERLAP = 637,
+  STRIBECK_SHOCK_ABSORBER_OVERLAP = 659,
   /** out [N/m]: Derivative of the force with respect to the length of the strut. */
-  STRIBECK_SHOCK_ABSORBER_DFORCE_DLENGTH = 638,
+  STRIBECK_SHOCK_ABSORBER_DFORCE_DLENGTH = 660,
   /** out [N.s/m]: Derivative of the force after a step with respect to the velocity of the strut. */
-  STRIBECK_SHOCK_ABSORBER_DFORCE_DVELOCITY = 639,
+  STRIBECK_SHOCK_ABSORBER_DFORCE_DVELOCITY = 661,
   /** out [s]: Largest communication step that is stable for num.mass_ref; advice to the master. */
-  STRIBECK_SHOCK_ABSORBER_STEP_LIMIT = 640,
+  STRIBECK_SHOCK_ABSORBER_STEP_LIMIT = 662,
   /** out [W]: Power taken out of the motion by friction and damper. */
-  STRIBECK_SHOCK_ABSORBER_DISSIPATED_POWER = 641,
+  STRIBECK_SHOCK_ABSORBER_DISSIPATED_POWER = 663,
   /** out [Boolean]: Do the contacts stick? */
-  STRIBECK_SHOCK_ABSORBER_STICKING = 642,
+  STRIBECK_SHOCK_ABSORBER_STICKING = 664,
   /** out [Boolean]: Is the bump stop touched? */
-  STRIBECK_SHOCK_ABSORBER_BUMP_ACTIVE = 643,
+  STRIBECK_SHOCK_ABSORBER_BUMP_ACTIVE = 665,
   /** out [Boolean]: Is the overlap so short that the contact forces are regularised? */
-  STRIBECK_SHOCK_ABSORBER_OVERLAP_LOW = 644,
+  STRIBECK_SHOCK_ABSORBER_OVERLAP_LOW = 666,
 } stribeck_shock_absorber_variable;
 
 /** Guid of TelescopicJoint for fmi2Instantiate. */
@@ -5714,13 +5759,13 @@ typedef enum stribeck_shock_absorber_variable {
 typedef enum stribeck_telescopic_joint_variable {
   /** in [m]: Distance of the eyes. (default 0.1775) */
   STRIBECK_TELESCOPIC_JOINT_LENGTH = 0,
-  /** in [N]: Transverse force of the tube on the rod along m, at the upper eye; or lambda_1. (default 0) */
+  /** in [N]: Transverse force of the tube on the rod along m, at the eye of the tube; or lambda_1. (default 0) */
   STRIBECK_TELESCOPIC_JOINT_SIDE_FORCE_M = 1,
-  /** in [N]: Transverse force of the tube on the rod along n, at the upper eye; or lambda_2. (default 0) */
+  /** in [N]: Transverse force of the tube on the rod along n, at the eye of the tube; or lambda_2. (default 0) */
   STRIBECK_TELESCOPIC_JOINT_SIDE_FORCE_N = 2,
-  /** in [N.m]: Moment of the tube on the rod about m, at the upper eye; or lambda_3. (default 0) */
+  /** in [N.m]: Moment of the tube on the rod about m, at the eye of the tube; or lambda_3. (default 0) */
   STRIBECK_TELESCOPIC_JOINT_SIDE_MOMENT_M = 3,
-  /** in [N.m]: Moment of the tube on the rod about n, at the upper eye; or lambda_4. (default 0) */
+  /** in [N.m]: Moment of the tube on the rod about n, at the eye of the tube; or lambda_4. (default 0) */
   STRIBECK_TELESCOPIC_JOINT_SIDE_MOMENT_N = 4,
   /** fixed [stribeck_side_convention]: Meaning of the four side loads. (default WrenchOnRod) */
   STRIBECK_TELESCOPIC_JOINT_CONVENTION = 5,
@@ -5751,7 +5796,7 @@ typedef enum stribeck_telescopic_joint_variable {
 } stribeck_telescopic_joint_variable;
 
 /** Guid of GuideContact for fmi2Instantiate. */
-#define STRIBECK_GUIDE_CONTACT_GUID "{e08b5900-651f-0052-945d-a8f3457e725b}"
+#define STRIBECK_GUIDE_CONTACT_GUID "{db48fccd-436f-c2ea-f8c2-6da3aa63e4a3}"
 
 /** GuideContact: Friction of a rod in its guide, by any law of the catalogue. Columns of "GuideContact". */
 typedef enum stribeck_guide_contact_variable {
@@ -5810,840 +5855,877 @@ typedef enum stribeck_guide_contact_variable {
   STRIBECK_GUIDE_CONTACT_FRICTION_VISCOUS_EXPONENT = 23,
   /** fixed [stribeck_stribeck_curve]: How the level falls with speed. (default Gaussian) */
   STRIBECK_GUIDE_CONTACT_FRICTION_CURVE = 24,
+  /** tunable [N.s/m]: Viscous friction coefficient. (>= 0, default 0) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_STRIBECK_VISCOUS_COEFFICIENT = 25,
   /** tunable [N.s2/m2]: Quadratic friction coefficient; used by PoppStelter. (>= 0, default 0) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_QUADRATIC_COEFFICIENT = 25,
-  /** tunable [s/m]: Slope of the force at rest, relative to the level there. (> 0, default 10000) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_TRANSITION_SLOPE = 26,
+  STRIBECK_GUIDE_CONTACT_FRICTION_QUADRATIC_COEFFICIENT = 26,
+  /** tunable [s/m]: Slope of the force at rest, relative to the level there. (> 0, default 2000) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_TRANSITION_SLOPE = 27,
   /** fixed [stribeck_threlfall_variant]: Variant of the law. (default Printed) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_THRELFALL_VARIANT = 27,
-  /** tunable [m/s]: Velocity that sets the width of the regularised band around rest. (>= 0, default 0.001) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_TRANSITION_VELOCITY = 28,
+  STRIBECK_GUIDE_CONTACT_FRICTION_THRELFALL_VARIANT = 28,
+  /** tunable [m/s]: Velocity that sets the width of the regularised band around rest. (> 0, default 0.001) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_TRANSITION_VELOCITY = 29,
   /** fixed [stribeck_rooney_deravi_variant]: Variant of the law. (default Linear) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_ROONEYDERAVI_VARIANT = 29,
-  /** tunable [m/s]: Velocity at which the kinetic level is reached. (> 0, default 0.0015) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_SLIDING_VELOCITY = 30,
+  STRIBECK_GUIDE_CONTACT_FRICTION_ROONEYDERAVI_VARIANT = 30,
+  /** tunable [m/s]: Velocity that sets the width of the regularised band around rest. (>= 0, default 0.0001) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_AMBROSIO_TRANSITION_VELOCITY = 31,
+  /** tunable [m/s]: Velocity at which the kinetic level is reached. (> 0, default 0.001) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_SLIDING_VELOCITY = 32,
   /** fixed [stribeck_bengisu_akay_variant]: Variant of the law. (default Thesis) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_BENGISUAKAY_VARIANT = 31,
+  STRIBECK_GUIDE_CONTACT_FRICTION_BENGISUAKAY_VARIANT = 33,
+  /** tunable [s/m]: Slope of the force at rest, relative to the level there. (> 0, default 5000) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_BENGISUAKAY_TRANSITION_SLOPE = 34,
+  /** tunable [s/m]: Rate at which the excess of static over kinetic friction decays with speed (default chosen).
+   *  (> 0, default 500) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_STICTION_DECAY = 35,
+  /** tunable [s/m]: Viscous coefficient of friction, per normal force. (>= 0, default 0) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_MU_V = 36,
+  /** tunable [s/m]: Slope of the force at rest, relative to the level there. (> 0, default 10000) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_ANDERSSON_TRANSITION_SLOPE = 37,
+  /** tunable [N.s/m]: Viscous friction coefficient. (>= 0, default 0) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_ANDERSSON_VISCOUS_COEFFICIENT = 38,
   /** tunable [s/m]: Rate at which the excess of static over kinetic friction decays with speed (default chosen).
    *  (> 0, default 1000) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_STICTION_DECAY = 32,
-  /** tunable [s/m]: Viscous coefficient of friction, per normal force. (>= 0, default 0) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_MU_V = 33,
+  STRIBECK_GUIDE_CONTACT_FRICTION_AWREJCEWICZ_STICTION_DECAY = 39,
+  /** tunable [m/s]: Velocity that sets the width of the regularised band around rest. (> 0, default 0.00025) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_SPECKER_TRANSITION_VELOCITY = 40,
   /** tunable [m/s]: Velocity at which the static level is reached (default chosen). (> 0, default 0.0005) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_PEAK_VELOCITY = 34,
+  STRIBECK_GUIDE_CONTACT_FRICTION_PEAK_VELOCITY = 41,
+  /** tunable [N.s/m]: Viscous friction coefficient. (>= 0, default 0) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_SPECKER_VISCOUS_COEFFICIENT = 42,
+  /** tunable [m/s]: Velocity at which the kinetic level is reached. (> 0, default 0.0015) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_LINEARSTICTION_SLIDING_VELOCITY = 43,
+  /** tunable [N.s/m]: Viscous friction coefficient. (>= 0, default 0) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_BROWNMCPHEE_VISCOUS_COEFFICIENT = 44,
   /** tunable [N]: Normal force at which the viscous part is fully active (default chosen). (> 0, default 1) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_TRANSITION_NORMAL_FORCE = 35,
+  STRIBECK_GUIDE_CONTACT_FRICTION_TRANSITION_NORMAL_FORCE = 45,
   /** tunable [1]: Exponent of the transition to sliding; below 1 brittle, from 1 on ductile. (>= 0, default 1) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_ALPHA = 36,
+  STRIBECK_GUIDE_CONTACT_FRICTION_ALPHA = 46,
+  /** tunable [N.s/m]: Viscous friction coefficient. (>= 0, default 0) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_FRICTIONALLAG_VISCOUS_COEFFICIENT = 47,
   /** fixed [s]: Time by which the level of friction lags behind the velocity (default chosen). (>= 0, default 0.005) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_TIME_LAG = 37,
+  STRIBECK_GUIDE_CONTACT_FRICTION_TIME_LAG = 48,
   /** fixed [stribeck_frictional_lag_variant]: Variant of the law. (default Delay) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_FRICTIONALLAG_VARIANT = 38,
+  STRIBECK_GUIDE_CONTACT_FRICTION_FRICTIONALLAG_VARIANT = 49,
+  /** tunable [N.s/m]: Viscous friction coefficient. (>= 0, default 0) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_ARMSTRONG_VISCOUS_COEFFICIENT = 50,
   /** tunable [s]: Dwell time after which half of the rise of the static friction has come (default chosen).
    *  (>= 0, default 2) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_GAMMA = 39,
+  STRIBECK_GUIDE_CONTACT_FRICTION_GAMMA = 51,
   /** tunable [1]: Coefficient of friction that a contact reaches when it comes to rest; not more than mu_s (default chosen).
    *  (>= 0, default 0) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_MU_STOP = 40,
+  STRIBECK_GUIDE_CONTACT_FRICTION_MU_STOP = 52,
   /** tunable [s/m]: Steepness of the curve while speeding up (default chosen). (> 0, default 500) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_ACCELERATION_DECAY = 41,
+  STRIBECK_GUIDE_CONTACT_FRICTION_ACCELERATION_DECAY = 53,
   /** tunable [s/m]: Steepness of the curve while slowing down (default chosen). (> 0, default 500) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_DECELERATION_DECAY = 42,
+  STRIBECK_GUIDE_CONTACT_FRICTION_DECELERATION_DECAY = 54,
   /** tunable [s/m]: Steepness of the curves for speeding up and slowing down (default chosen). (> 0, default 500) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_BRANCH_DECAY = 43,
+  STRIBECK_GUIDE_CONTACT_FRICTION_BRANCH_DECAY = 55,
   /** fixed [stribeck_bliman_sorine_order]: Variant of the law. (default Second) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_BLIMANSORINE_VARIANT = 44,
+  STRIBECK_GUIDE_CONTACT_FRICTION_BLIMANSORINE_VARIANT = 56,
   /** tunable [1]: Level of the slow relaxation, as a coefficient of friction; second order (default calibrated).
    *  (>= 0, default 0.2732050807568877) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_MU_2 = 45,
+  STRIBECK_GUIDE_CONTACT_FRICTION_MU_2 = 57,
   /** tunable [1]: Length of the fast relaxation as a part of that of the slow one; second order (default chosen).
    *  (> 0, <= 1, default 0.5) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_ETA = 46,
+  STRIBECK_GUIDE_CONTACT_FRICTION_ETA = 58,
   /** tunable [m]: Sliding distance in which the slow relaxation settles to 1/e (default calibrated).
    *  (> 0, default 4.642141842225068e-5) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_EPS_F = 47,
+  STRIBECK_GUIDE_CONTACT_FRICTION_EPS_F = 59,
   /** tunable [m]: Shear deflection of the asperities in steady sliding (default f_C / sigma_0 of the thesis).
    *  (> 0, default 9.81e-6) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_DELTA_T = 48,
+  STRIBECK_GUIDE_CONTACT_FRICTION_DELTA_T = 60,
   /** tunable [1]: Part of the deflection of steady sliding up to which the contact is purely elastic.
    *  (> 0, <= 1, default 0.7) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_BREAKAWAY_RATIO = 49,
+  STRIBECK_GUIDE_CONTACT_FRICTION_BREAKAWAY_RATIO = 61,
   /** tunable [Integer]: Exponent of the transition from elastic deflection to sliding; odd. (>= 1, <= 9, default 1) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_PLASTIC_EXPONENT = 50,
+  STRIBECK_GUIDE_CONTACT_FRICTION_PLASTIC_EXPONENT = 62,
   /** tunable [m]: Strain at which a bristle snaps (default f_s / sigma_0 of the thesis). (> 0, default 1.4715e-5) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_DELTA = 51,
+  STRIBECK_GUIDE_CONTACT_FRICTION_DELTA = 63,
   /** fixed [Integer]: Number of bristles (default chosen). (>= 1, <= 64, default 25) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_BRISTLE_COUNT = 52,
+  STRIBECK_GUIDE_CONTACT_FRICTION_BRISTLE_COUNT = 64,
   /** fixed [Integer]: Seed of the random numbers. (>= 0, default 0) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_SEED = 53,
+  STRIBECK_GUIDE_CONTACT_FRICTION_SEED = 65,
   /** fixed [stribeck_initial_bonds]: State of the bristles when the motion starts. (default Bonded) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_INITIAL_BONDS = 54,
+  STRIBECK_GUIDE_CONTACT_FRICTION_INITIAL_BONDS = 66,
+  /** tunable [m/s]: Velocity that sets the width of the regularised band around rest. (> 0, default 0.00025) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_SPECKERDYNAMIC_TRANSITION_VELOCITY = 67,
+  /** tunable [N.s/m]: Viscous friction coefficient. (>= 0, default 0) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_SPECKERDYNAMIC_VISCOUS_COEFFICIENT = 68,
   /** tunable [s]: Time constant of the force while sliding (default chosen). (> 0, default 0.001) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_SLIP_TIME = 55,
+  STRIBECK_GUIDE_CONTACT_FRICTION_SLIP_TIME = 69,
+  /** tunable [N.s/m]: Damping of the bristles. (>= 0, default 0) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_MAXWELLSLIP_SIGMA_1 = 70,
+  /** tunable [N.s/m]: Viscous friction coefficient. (>= 0, default 0) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_MAXWELLSLIP_VISCOUS_COEFFICIENT = 71,
   /** tunable [N/s]: Rate at which the slipping elements together approach their level (default chosen).
    *  (> 0, default 1000) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_ATTRACTION = 56,
+  STRIBECK_GUIDE_CONTACT_FRICTION_ATTRACTION = 72,
   /** fixed [stribeck_element_distribution]: Where the shares of the elements come from. (default Explicit) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_DISTRIBUTION = 57,
+  STRIBECK_GUIDE_CONTACT_FRICTION_DISTRIBUTION = 73,
   /** fixed [Integer]: Number of elements in use (default chosen). (>= 1, <= 16, default 4) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_COUNT = 58,
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_COUNT = 74,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.5) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_1_STIFFNESS_SHARE = 59,
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_1_STIFFNESS_SHARE = 75,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_1_STRENGTH_SHARE = 60,
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_1_STRENGTH_SHARE = 76,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.25) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_2_STIFFNESS_SHARE = 61,
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_2_STIFFNESS_SHARE = 77,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.2) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_2_STRENGTH_SHARE = 62,
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_2_STRENGTH_SHARE = 78,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.15) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_3_STIFFNESS_SHARE = 63,
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_3_STIFFNESS_SHARE = 79,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.3) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_3_STRENGTH_SHARE = 64,
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_3_STRENGTH_SHARE = 80,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_4_STIFFNESS_SHARE = 65,
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_4_STIFFNESS_SHARE = 81,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.4) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_4_STRENGTH_SHARE = 66,
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_4_STRENGTH_SHARE = 82,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_5_STIFFNESS_SHARE = 67,
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_5_STIFFNESS_SHARE = 83,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_5_STRENGTH_SHARE = 68,
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_5_STRENGTH_SHARE = 84,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_6_STIFFNESS_SHARE = 69,
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_6_STIFFNESS_SHARE = 85,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_6_STRENGTH_SHARE = 70,
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_6_STRENGTH_SHARE = 86,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_7_STIFFNESS_SHARE = 71,
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_7_STIFFNESS_SHARE = 87,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_7_STRENGTH_SHARE = 72,
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_7_STRENGTH_SHARE = 88,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_8_STIFFNESS_SHARE = 73,
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_8_STIFFNESS_SHARE = 89,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_8_STRENGTH_SHARE = 74,
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_8_STRENGTH_SHARE = 90,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_9_STIFFNESS_SHARE = 75,
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_9_STIFFNESS_SHARE = 91,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_9_STRENGTH_SHARE = 76,
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_9_STRENGTH_SHARE = 92,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_10_STIFFNESS_SHARE = 77,
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_10_STIFFNESS_SHARE = 93,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_10_STRENGTH_SHARE = 78,
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_10_STRENGTH_SHARE = 94,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_11_STIFFNESS_SHARE = 79,
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_11_STIFFNESS_SHARE = 95,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_11_STRENGTH_SHARE = 80,
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_11_STRENGTH_SHARE = 96,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_12_STIFFNESS_SHARE = 81,
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_12_STIFFNESS_SHARE = 97,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_12_STRENGTH_SHARE = 82,
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_12_STRENGTH_SHARE = 98,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_13_STIFFNESS_SHARE = 83,
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_13_STIFFNESS_SHARE = 99,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_13_STRENGTH_SHARE = 84,
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_13_STRENGTH_SHARE = 100,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_14_STIFFNESS_SHARE = 85,
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_14_STIFFNESS_SHARE = 101,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_14_STRENGTH_SHARE = 86,
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_14_STRENGTH_SHARE = 102,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_15_STIFFNESS_SHARE = 87,
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_15_STIFFNESS_SHARE = 103,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_15_STRENGTH_SHARE = 88,
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_15_STRENGTH_SHARE = 104,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_16_STIFFNESS_SHARE = 89,
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_16_STIFFNESS_SHARE = 105,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_16_STRENGTH_SHARE = 90,
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_16_STRENGTH_SHARE = 106,
   /** tunable [1]: Exponent of the approach to the steady level (default chosen). (>= 0.1, default 1) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_APPROACH_EXPONENT = 91,
+  STRIBECK_GUIDE_CONTACT_FRICTION_APPROACH_EXPONENT = 107,
   /** tunable [1]: Strength of all elements together, as a multiple of the static level; not less than 1 (default chosen).
    *  (> 0, default 1.2) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_HYSTERESIS_STRENGTH = 92,
+  STRIBECK_GUIDE_CONTACT_FRICTION_HYSTERESIS_STRENGTH = 108,
+  /** tunable [m/s]: Velocity that sets the width of the regularised band around rest. (> 0, default 1e-5) */
+  STRIBECK_GUIDE_CONTACT_FRICTION_GONTHIER_TRANSITION_VELOCITY = 109,
   /** tunable [s]: Time constant with which the static level rises at rest. (> 0, default 2) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_DWELL_TIME_CONSTANT = 93,
+  STRIBECK_GUIDE_CONTACT_FRICTION_DWELL_TIME_CONSTANT = 110,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_1 = 94,
+  STRIBECK_GUIDE_CONTACT_MEMORY_1 = 111,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_2 = 95,
+  STRIBECK_GUIDE_CONTACT_MEMORY_2 = 112,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_3 = 96,
+  STRIBECK_GUIDE_CONTACT_MEMORY_3 = 113,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_4 = 97,
+  STRIBECK_GUIDE_CONTACT_MEMORY_4 = 114,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_5 = 98,
+  STRIBECK_GUIDE_CONTACT_MEMORY_5 = 115,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_6 = 99,
+  STRIBECK_GUIDE_CONTACT_MEMORY_6 = 116,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_7 = 100,
+  STRIBECK_GUIDE_CONTACT_MEMORY_7 = 117,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_8 = 101,
+  STRIBECK_GUIDE_CONTACT_MEMORY_8 = 118,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_9 = 102,
+  STRIBECK_GUIDE_CONTACT_MEMORY_9 = 119,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_10 = 103,
+  STRIBECK_GUIDE_CONTACT_MEMORY_10 = 120,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_11 = 104,
+  STRIBECK_GUIDE_CONTACT_MEMORY_11 = 121,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_12 = 105,
+  STRIBECK_GUIDE_CONTACT_MEMORY_12 = 122,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_13 = 106,
+  STRIBECK_GUIDE_CONTACT_MEMORY_13 = 123,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_14 = 107,
+  STRIBECK_GUIDE_CONTACT_MEMORY_14 = 124,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_15 = 108,
+  STRIBECK_GUIDE_CONTACT_MEMORY_15 = 125,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_16 = 109,
+  STRIBECK_GUIDE_CONTACT_MEMORY_16 = 126,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_17 = 110,
+  STRIBECK_GUIDE_CONTACT_MEMORY_17 = 127,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_18 = 111,
+  STRIBECK_GUIDE_CONTACT_MEMORY_18 = 128,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_19 = 112,
+  STRIBECK_GUIDE_CONTACT_MEMORY_19 = 129,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_20 = 113,
+  STRIBECK_GUIDE_CONTACT_MEMORY_20 = 130,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_21 = 114,
+  STRIBECK_GUIDE_CONTACT_MEMORY_21 = 131,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_22 = 115,
+  STRIBECK_GUIDE_CONTACT_MEMORY_22 = 132,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_23 = 116,
+  STRIBECK_GUIDE_CONTACT_MEMORY_23 = 133,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_24 = 117,
+  STRIBECK_GUIDE_CONTACT_MEMORY_24 = 134,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_25 = 118,
+  STRIBECK_GUIDE_CONTACT_MEMORY_25 = 135,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_26 = 119,
+  STRIBECK_GUIDE_CONTACT_MEMORY_26 = 136,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_27 = 120,
+  STRIBECK_GUIDE_CONTACT_MEMORY_27 = 137,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_28 = 121,
+  STRIBECK_GUIDE_CONTACT_MEMORY_28 = 138,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_29 = 122,
+  STRIBECK_GUIDE_CONTACT_MEMORY_29 = 139,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_30 = 123,
+  STRIBECK_GUIDE_CONTACT_MEMORY_30 = 140,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_31 = 124,
+  STRIBECK_GUIDE_CONTACT_MEMORY_31 = 141,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_32 = 125,
+  STRIBECK_GUIDE_CONTACT_MEMORY_32 = 142,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_33 = 126,
+  STRIBECK_GUIDE_CONTACT_MEMORY_33 = 143,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_34 = 127,
+  STRIBECK_GUIDE_CONTACT_MEMORY_34 = 144,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_35 = 128,
+  STRIBECK_GUIDE_CONTACT_MEMORY_35 = 145,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_36 = 129,
+  STRIBECK_GUIDE_CONTACT_MEMORY_36 = 146,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_37 = 130,
+  STRIBECK_GUIDE_CONTACT_MEMORY_37 = 147,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_38 = 131,
+  STRIBECK_GUIDE_CONTACT_MEMORY_38 = 148,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_39 = 132,
+  STRIBECK_GUIDE_CONTACT_MEMORY_39 = 149,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_40 = 133,
+  STRIBECK_GUIDE_CONTACT_MEMORY_40 = 150,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_41 = 134,
+  STRIBECK_GUIDE_CONTACT_MEMORY_41 = 151,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_42 = 135,
+  STRIBECK_GUIDE_CONTACT_MEMORY_42 = 152,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_43 = 136,
+  STRIBECK_GUIDE_CONTACT_MEMORY_43 = 153,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_44 = 137,
+  STRIBECK_GUIDE_CONTACT_MEMORY_44 = 154,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_45 = 138,
+  STRIBECK_GUIDE_CONTACT_MEMORY_45 = 155,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_46 = 139,
+  STRIBECK_GUIDE_CONTACT_MEMORY_46 = 156,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_47 = 140,
+  STRIBECK_GUIDE_CONTACT_MEMORY_47 = 157,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_48 = 141,
+  STRIBECK_GUIDE_CONTACT_MEMORY_48 = 158,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_49 = 142,
+  STRIBECK_GUIDE_CONTACT_MEMORY_49 = 159,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_50 = 143,
+  STRIBECK_GUIDE_CONTACT_MEMORY_50 = 160,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_51 = 144,
+  STRIBECK_GUIDE_CONTACT_MEMORY_51 = 161,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_52 = 145,
+  STRIBECK_GUIDE_CONTACT_MEMORY_52 = 162,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_53 = 146,
+  STRIBECK_GUIDE_CONTACT_MEMORY_53 = 163,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_54 = 147,
+  STRIBECK_GUIDE_CONTACT_MEMORY_54 = 164,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_55 = 148,
+  STRIBECK_GUIDE_CONTACT_MEMORY_55 = 165,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_56 = 149,
+  STRIBECK_GUIDE_CONTACT_MEMORY_56 = 166,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_57 = 150,
+  STRIBECK_GUIDE_CONTACT_MEMORY_57 = 167,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_58 = 151,
+  STRIBECK_GUIDE_CONTACT_MEMORY_58 = 168,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_59 = 152,
+  STRIBECK_GUIDE_CONTACT_MEMORY_59 = 169,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_60 = 153,
+  STRIBECK_GUIDE_CONTACT_MEMORY_60 = 170,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_61 = 154,
+  STRIBECK_GUIDE_CONTACT_MEMORY_61 = 171,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_62 = 155,
+  STRIBECK_GUIDE_CONTACT_MEMORY_62 = 172,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_63 = 156,
+  STRIBECK_GUIDE_CONTACT_MEMORY_63 = 173,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_64 = 157,
+  STRIBECK_GUIDE_CONTACT_MEMORY_64 = 174,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_65 = 158,
+  STRIBECK_GUIDE_CONTACT_MEMORY_65 = 175,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_66 = 159,
+  STRIBECK_GUIDE_CONTACT_MEMORY_66 = 176,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_67 = 160,
+  STRIBECK_GUIDE_CONTACT_MEMORY_67 = 177,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_68 = 161,
+  STRIBECK_GUIDE_CONTACT_MEMORY_68 = 178,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_69 = 162,
+  STRIBECK_GUIDE_CONTACT_MEMORY_69 = 179,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_70 = 163,
+  STRIBECK_GUIDE_CONTACT_MEMORY_70 = 180,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_71 = 164,
+  STRIBECK_GUIDE_CONTACT_MEMORY_71 = 181,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_72 = 165,
+  STRIBECK_GUIDE_CONTACT_MEMORY_72 = 182,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_73 = 166,
+  STRIBECK_GUIDE_CONTACT_MEMORY_73 = 183,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_74 = 167,
+  STRIBECK_GUIDE_CONTACT_MEMORY_74 = 184,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_75 = 168,
+  STRIBECK_GUIDE_CONTACT_MEMORY_75 = 185,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_76 = 169,
+  STRIBECK_GUIDE_CONTACT_MEMORY_76 = 186,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_77 = 170,
+  STRIBECK_GUIDE_CONTACT_MEMORY_77 = 187,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_78 = 171,
+  STRIBECK_GUIDE_CONTACT_MEMORY_78 = 188,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_79 = 172,
+  STRIBECK_GUIDE_CONTACT_MEMORY_79 = 189,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_80 = 173,
+  STRIBECK_GUIDE_CONTACT_MEMORY_80 = 190,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_81 = 174,
+  STRIBECK_GUIDE_CONTACT_MEMORY_81 = 191,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_82 = 175,
+  STRIBECK_GUIDE_CONTACT_MEMORY_82 = 192,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_83 = 176,
+  STRIBECK_GUIDE_CONTACT_MEMORY_83 = 193,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_84 = 177,
+  STRIBECK_GUIDE_CONTACT_MEMORY_84 = 194,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_85 = 178,
+  STRIBECK_GUIDE_CONTACT_MEMORY_85 = 195,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_86 = 179,
+  STRIBECK_GUIDE_CONTACT_MEMORY_86 = 196,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_87 = 180,
+  STRIBECK_GUIDE_CONTACT_MEMORY_87 = 197,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_88 = 181,
+  STRIBECK_GUIDE_CONTACT_MEMORY_88 = 198,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_89 = 182,
+  STRIBECK_GUIDE_CONTACT_MEMORY_89 = 199,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_90 = 183,
+  STRIBECK_GUIDE_CONTACT_MEMORY_90 = 200,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_91 = 184,
+  STRIBECK_GUIDE_CONTACT_MEMORY_91 = 201,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_92 = 185,
+  STRIBECK_GUIDE_CONTACT_MEMORY_92 = 202,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_93 = 186,
+  STRIBECK_GUIDE_CONTACT_MEMORY_93 = 203,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_94 = 187,
+  STRIBECK_GUIDE_CONTACT_MEMORY_94 = 204,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_95 = 188,
+  STRIBECK_GUIDE_CONTACT_MEMORY_95 = 205,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_96 = 189,
+  STRIBECK_GUIDE_CONTACT_MEMORY_96 = 206,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_97 = 190,
+  STRIBECK_GUIDE_CONTACT_MEMORY_97 = 207,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_98 = 191,
+  STRIBECK_GUIDE_CONTACT_MEMORY_98 = 208,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_99 = 192,
+  STRIBECK_GUIDE_CONTACT_MEMORY_99 = 209,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_100 = 193,
+  STRIBECK_GUIDE_CONTACT_MEMORY_100 = 210,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_101 = 194,
+  STRIBECK_GUIDE_CONTACT_MEMORY_101 = 211,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_102 = 195,
+  STRIBECK_GUIDE_CONTACT_MEMORY_102 = 212,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_103 = 196,
+  STRIBECK_GUIDE_CONTACT_MEMORY_103 = 213,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_104 = 197,
+  STRIBECK_GUIDE_CONTACT_MEMORY_104 = 214,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_105 = 198,
+  STRIBECK_GUIDE_CONTACT_MEMORY_105 = 215,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_106 = 199,
+  STRIBECK_GUIDE_CONTACT_MEMORY_106 = 216,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_107 = 200,
+  STRIBECK_GUIDE_CONTACT_MEMORY_107 = 217,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_108 = 201,
+  STRIBECK_GUIDE_CONTACT_MEMORY_108 = 218,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_109 = 202,
+  STRIBECK_GUIDE_CONTACT_MEMORY_109 = 219,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_110 = 203,
+  STRIBECK_GUIDE_CONTACT_MEMORY_110 = 220,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_111 = 204,
+  STRIBECK_GUIDE_CONTACT_MEMORY_111 = 221,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_112 = 205,
+  STRIBECK_GUIDE_CONTACT_MEMORY_112 = 222,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_113 = 206,
+  STRIBECK_GUIDE_CONTACT_MEMORY_113 = 223,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_114 = 207,
+  STRIBECK_GUIDE_CONTACT_MEMORY_114 = 224,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_115 = 208,
+  STRIBECK_GUIDE_CONTACT_MEMORY_115 = 225,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_116 = 209,
+  STRIBECK_GUIDE_CONTACT_MEMORY_116 = 226,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_117 = 210,
+  STRIBECK_GUIDE_CONTACT_MEMORY_117 = 227,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_118 = 211,
+  STRIBECK_GUIDE_CONTACT_MEMORY_118 = 228,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_119 = 212,
+  STRIBECK_GUIDE_CONTACT_MEMORY_119 = 229,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_120 = 213,
+  STRIBECK_GUIDE_CONTACT_MEMORY_120 = 230,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_121 = 214,
+  STRIBECK_GUIDE_CONTACT_MEMORY_121 = 231,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_122 = 215,
+  STRIBECK_GUIDE_CONTACT_MEMORY_122 = 232,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_123 = 216,
+  STRIBECK_GUIDE_CONTACT_MEMORY_123 = 233,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_124 = 217,
+  STRIBECK_GUIDE_CONTACT_MEMORY_124 = 234,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_125 = 218,
+  STRIBECK_GUIDE_CONTACT_MEMORY_125 = 235,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_126 = 219,
+  STRIBECK_GUIDE_CONTACT_MEMORY_126 = 236,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_127 = 220,
+  STRIBECK_GUIDE_CONTACT_MEMORY_127 = 237,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_128 = 221,
+  STRIBECK_GUIDE_CONTACT_MEMORY_128 = 238,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_129 = 222,
+  STRIBECK_GUIDE_CONTACT_MEMORY_129 = 239,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_130 = 223,
+  STRIBECK_GUIDE_CONTACT_MEMORY_130 = 240,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_131 = 224,
+  STRIBECK_GUIDE_CONTACT_MEMORY_131 = 241,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_132 = 225,
+  STRIBECK_GUIDE_CONTACT_MEMORY_132 = 242,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_133 = 226,
+  STRIBECK_GUIDE_CONTACT_MEMORY_133 = 243,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_134 = 227,
+  STRIBECK_GUIDE_CONTACT_MEMORY_134 = 244,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_135 = 228,
+  STRIBECK_GUIDE_CONTACT_MEMORY_135 = 245,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_136 = 229,
+  STRIBECK_GUIDE_CONTACT_MEMORY_136 = 246,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_137 = 230,
+  STRIBECK_GUIDE_CONTACT_MEMORY_137 = 247,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_138 = 231,
+  STRIBECK_GUIDE_CONTACT_MEMORY_138 = 248,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_139 = 232,
+  STRIBECK_GUIDE_CONTACT_MEMORY_139 = 249,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_140 = 233,
+  STRIBECK_GUIDE_CONTACT_MEMORY_140 = 250,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_141 = 234,
+  STRIBECK_GUIDE_CONTACT_MEMORY_141 = 251,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_142 = 235,
+  STRIBECK_GUIDE_CONTACT_MEMORY_142 = 252,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_143 = 236,
+  STRIBECK_GUIDE_CONTACT_MEMORY_143 = 253,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_144 = 237,
+  STRIBECK_GUIDE_CONTACT_MEMORY_144 = 254,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_145 = 238,
+  STRIBECK_GUIDE_CONTACT_MEMORY_145 = 255,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_146 = 239,
+  STRIBECK_GUIDE_CONTACT_MEMORY_146 = 256,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_147 = 240,
+  STRIBECK_GUIDE_CONTACT_MEMORY_147 = 257,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_148 = 241,
+  STRIBECK_GUIDE_CONTACT_MEMORY_148 = 258,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_149 = 242,
+  STRIBECK_GUIDE_CONTACT_MEMORY_149 = 259,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_150 = 243,
+  STRIBECK_GUIDE_CONTACT_MEMORY_150 = 260,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_151 = 244,
+  STRIBECK_GUIDE_CONTACT_MEMORY_151 = 261,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_152 = 245,
+  STRIBECK_GUIDE_CONTACT_MEMORY_152 = 262,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_153 = 246,
+  STRIBECK_GUIDE_CONTACT_MEMORY_153 = 263,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_154 = 247,
+  STRIBECK_GUIDE_CONTACT_MEMORY_154 = 264,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_155 = 248,
+  STRIBECK_GUIDE_CONTACT_MEMORY_155 = 265,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_156 = 249,
+  STRIBECK_GUIDE_CONTACT_MEMORY_156 = 266,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_157 = 250,
+  STRIBECK_GUIDE_CONTACT_MEMORY_157 = 267,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_158 = 251,
+  STRIBECK_GUIDE_CONTACT_MEMORY_158 = 268,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_159 = 252,
+  STRIBECK_GUIDE_CONTACT_MEMORY_159 = 269,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_160 = 253,
+  STRIBECK_GUIDE_CONTACT_MEMORY_160 = 270,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_161 = 254,
+  STRIBECK_GUIDE_CONTACT_MEMORY_161 = 271,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_162 = 255,
+  STRIBECK_GUIDE_CONTACT_MEMORY_162 = 272,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_163 = 256,
+  STRIBECK_GUIDE_CONTACT_MEMORY_163 = 273,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_164 = 257,
+  STRIBECK_GUIDE_CONTACT_MEMORY_164 = 274,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_165 = 258,
+  STRIBECK_GUIDE_CONTACT_MEMORY_165 = 275,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_166 = 259,
+  STRIBECK_GUIDE_CONTACT_MEMORY_166 = 276,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_167 = 260,
+  STRIBECK_GUIDE_CONTACT_MEMORY_167 = 277,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_168 = 261,
+  STRIBECK_GUIDE_CONTACT_MEMORY_168 = 278,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_169 = 262,
+  STRIBECK_GUIDE_CONTACT_MEMORY_169 = 279,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_170 = 263,
+  STRIBECK_GUIDE_CONTACT_MEMORY_170 = 280,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_171 = 264,
+  STRIBECK_GUIDE_CONTACT_MEMORY_171 = 281,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_172 = 265,
+  STRIBECK_GUIDE_CONTACT_MEMORY_172 = 282,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_173 = 266,
+  STRIBECK_GUIDE_CONTACT_MEMORY_173 = 283,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_174 = 267,
+  STRIBECK_GUIDE_CONTACT_MEMORY_174 = 284,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_175 = 268,
+  STRIBECK_GUIDE_CONTACT_MEMORY_175 = 285,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_176 = 269,
+  STRIBECK_GUIDE_CONTACT_MEMORY_176 = 286,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_177 = 270,
+  STRIBECK_GUIDE_CONTACT_MEMORY_177 = 287,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_178 = 271,
+  STRIBECK_GUIDE_CONTACT_MEMORY_178 = 288,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_179 = 272,
+  STRIBECK_GUIDE_CONTACT_MEMORY_179 = 289,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_180 = 273,
+  STRIBECK_GUIDE_CONTACT_MEMORY_180 = 290,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_181 = 274,
+  STRIBECK_GUIDE_CONTACT_MEMORY_181 = 291,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_182 = 275,
+  STRIBECK_GUIDE_CONTACT_MEMORY_182 = 292,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_183 = 276,
+  STRIBECK_GUIDE_CONTACT_MEMORY_183 = 293,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_184 = 277,
+  STRIBECK_GUIDE_CONTACT_MEMORY_184 = 294,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_185 = 278,
+  STRIBECK_GUIDE_CONTACT_MEMORY_185 = 295,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_186 = 279,
+  STRIBECK_GUIDE_CONTACT_MEMORY_186 = 296,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_187 = 280,
+  STRIBECK_GUIDE_CONTACT_MEMORY_187 = 297,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_188 = 281,
+  STRIBECK_GUIDE_CONTACT_MEMORY_188 = 298,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_189 = 282,
+  STRIBECK_GUIDE_CONTACT_MEMORY_189 = 299,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_190 = 283,
+  STRIBECK_GUIDE_CONTACT_MEMORY_190 = 300,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_191 = 284,
+  STRIBECK_GUIDE_CONTACT_MEMORY_191 = 301,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_192 = 285,
+  STRIBECK_GUIDE_CONTACT_MEMORY_192 = 302,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_193 = 286,
+  STRIBECK_GUIDE_CONTACT_MEMORY_193 = 303,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_194 = 287,
+  STRIBECK_GUIDE_CONTACT_MEMORY_194 = 304,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_195 = 288,
+  STRIBECK_GUIDE_CONTACT_MEMORY_195 = 305,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_196 = 289,
+  STRIBECK_GUIDE_CONTACT_MEMORY_196 = 306,
   /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
    *  (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_197 = 290,
+  STRIBECK_GUIDE_CONTACT_MEMORY_197 = 307,
   /** state [Boolean]: Has the run begun? (default false) */
-  STRIBECK_GUIDE_CONTACT_STARTED = 291,
+  STRIBECK_GUIDE_CONTACT_STARTED = 308,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
-  STRIBECK_GUIDE_CONTACT_DISSIPATED_ENERGY = 292,
+  STRIBECK_GUIDE_CONTACT_DISSIPATED_ENERGY = 309,
   /** out [N]: Axial friction force; has the sign of the velocity when sliding. */
-  STRIBECK_GUIDE_CONTACT_FRICTION_FORCE = 293,
+  STRIBECK_GUIDE_CONTACT_FRICTION_FORCE = 310,
   /** out [N.m]: Friction torque about the axis; has the sign of the spin rate when sliding. */
-  STRIBECK_GUIDE_CONTACT_FRICTION_TORQUE = 294,
+  STRIBECK_GUIDE_CONTACT_FRICTION_TORQUE = 311,
   /** out [W]: Power taken out of the motion. */
-  STRIBECK_GUIDE_CONTACT_DISSIPATED_POWER = 295,
+  STRIBECK_GUIDE_CONTACT_DISSIPATED_POWER = 312,
   /** out [Boolean]: Is the contact sticking? */
-  STRIBECK_GUIDE_CONTACT_STICKING = 296,
+  STRIBECK_GUIDE_CONTACT_STICKING = 313,
 } stribeck_guide_contact_variable;
 
 /** Guid of CoilSpring for fmi2Instantiate. */
-#define STRIBECK_COIL_SPRING_GUID "{003cff59-4dba-3226-27db-832507bd979f}"
+#define STRIBECK_COIL_SPRING_GUID "{1940e84a-ac92-39f7-c0de-a671c35f8e0b}"
 
 /** CoilSpring: Coil spring with preload, linear or from a table. Columns of "CoilSpring". */
 typedef enum stribeck_coil_spring_variable {
   /** in [m]: Compression from full extension. (default 0) */
   STRIBECK_COIL_SPRING_COMPRESSION = 0,
+  /** fixed [Boolean]: Is there a spring? (default true) */
+  STRIBECK_COIL_SPRING_SPRING_ENABLED = 1,
   /** fixed [stribeck_spring_mode]: Form of the spring's characteristic. (default Linear) */
-  STRIBECK_COIL_SPRING_SPRING_MODE = 1,
+  STRIBECK_COIL_SPRING_SPRING_MODE = 2,
   /** tunable [N/m]: Stiffness. (>= 0, default 45000) */
-  STRIBECK_COIL_SPRING_SPRING_K = 2,
+  STRIBECK_COIL_SPRING_SPRING_K = 3,
   /** tunable [N]: Force at full extension (default chosen). (default 150) */
-  STRIBECK_COIL_SPRING_SPRING_PRELOAD = 3,
+  STRIBECK_COIL_SPRING_SPRING_PRELOAD = 4,
   /** fixed [Integer]: Number of points of the table in use (default chosen). (>= 2, <= 16, default 3) */
-  STRIBECK_COIL_SPRING_SPRING_TAB_N = 4,
+  STRIBECK_COIL_SPRING_SPRING_TAB_N = 5,
   /** tunable [m]: Compressions of the table, rising (default chosen). (default 0) */
-  STRIBECK_COIL_SPRING_SPRING_TAB_X_1 = 5,
+  STRIBECK_COIL_SPRING_SPRING_TAB_X_1 = 6,
   /** tunable [m]: Compressions of the table, rising (default chosen). (default 0.03) */
-  STRIBECK_COIL_SPRING_SPRING_TAB_X_2 = 6,
+  STRIBECK_COIL_SPRING_SPRING_TAB_X_2 = 7,
   /** tunable [m]: Compressions of the table, rising (default chosen). (default 0.055) */
-  STRIBECK_COIL_SPRING_SPRING_TAB_X_3 = 7,
+  STRIBECK_COIL_SPRING_SPRING_TAB_X_3 = 8,
   /** tunable [m]: Compressions of the table, rising (default chosen). (default 0) */
-  STRIBECK_COIL_SPRING_SPRING_TAB_X_4 = 8,
+  STRIBECK_COIL_SPRING_SPRING_TAB_X_4 = 9,
   /** tunable [m]: Compressions of the table, rising (default chosen). (default 0) */
-  STRIBECK_COIL_SPRING_SPRING_TAB_X_5 = 9,
+  STRIBECK_COIL_SPRING_SPRING_TAB_X_5 = 10,
   /** tunable [m]: Compressions of the table, rising (default chosen). (default 0) */
-  STRIBECK_COIL_SPRING_SPRING_TAB_X_6 = 10,
+  STRIBECK_COIL_SPRING_SPRING_TAB_X_6 = 11,
   /** tunable [m]: Compressions of the table, rising (default chosen). (default 0) */
-  STRIBECK_COIL_SPRING_SPRING_TAB_X_7 = 11,
+  STRIBECK_COIL_SPRING_SPRING_TAB_X_7 = 12,
   /** tunable [m]: Compressions of the table, rising (default chosen). (default 0) */
-  STRIBECK_COIL_SPRING_SPRING_TAB_X_8 = 12,
+  STRIBECK_COIL_SPRING_SPRING_TAB_X_8 = 13,
   /** tunable [m]: Compressions of the table, rising (default chosen). (default 0) */
-  STRIBECK_COIL_SPRING_SPRING_TAB_X_9 = 13,
+  STRIBECK_COIL_SPRING_SPRING_TAB_X_9 = 14,
   /** tunable [m]: Compressions of the table, rising (default chosen). (default 0) */
-  STRIBECK_COIL_SPRING_SPRING_TAB_X_10 = 14,
+  STRIBECK_COIL_SPRING_SPRING_TAB_X_10 = 15,
   /** tunable [m]: Compressions of the table, rising (default chosen). (default 0) */
-  STRIBECK_COIL_SPRING_SPRING_TAB_X_11 = 15,
+  STRIBECK_COIL_SPRING_SPRING_TAB_X_11 = 16,
   /** tunable [m]: Compressions of the table, rising (default chosen). (default 0) */
-  STRIBECK_COIL_SPRING_SPRING_TAB_X_12 = 16,
+  STRIBECK_COIL_SPRING_SPRING_TAB_X_12 = 17,
   /** tunable [m]: Compressions of the table, rising (default chosen). (default 0) */
-  STRIBECK_COIL_SPRING_SPRING_TAB_X_13 = 17,
+  STRIBECK_COIL_SPRING_SPRING_TAB_X_13 = 18,
   /** tunable [m]: Compressions of the table, rising (default chosen). (default 0) */
-  STRIBECK_COIL_SPRING_SPRING_TAB_X_14 = 18,
+  STRIBECK_COIL_SPRING_SPRING_TAB_X_14 = 19,
   /** tunable [m]: Compressions of the table, rising (default chosen). (default 0) */
-  STRIBECK_COIL_SPRING_SPRING_TAB_X_15 = 19,
+  STRIBECK_COIL_SPRING_SPRING_TAB_X_15 = 20,
   /** tunable [m]: Compressions of the table, rising (default chosen). (default 0) */
-  STRIBECK_COIL_SPRING_SPRING_TAB_X_16 = 20,
+  STRIBECK_COIL_SPRING_SPRING_TAB_X_16 = 21,
   /** tunable [N]: Forces of the table, without preload (default chosen). (default 0) */
-  STRIBECK_COIL_SPRING_SPRING_TAB_F_1 = 21,
+  STRIBECK_COIL_SPRING_SPRING_TAB_F_1 = 22,
   /** tunable [N]: Forces of the table, without preload (default chosen). (default 1350) */
-  STRIBECK_COIL_SPRING_SPRING_TAB_F_2 = 22,
+  STRIBECK_COIL_SPRING_SPRING_TAB_F_2 = 23,
   /** tunable [N]: Forces of the table, without preload (default chosen). (default 2850) */
-  STRIBECK_COIL_SPRING_SPRING_TAB_F_3 = 23,
+  STRIBECK_COIL_SPRING_SPRING_TAB_F_3 = 24,
   /** tunable [N]: Forces of the table, without preload (default chosen). (default 0) */
-  STRIBECK_COIL_SPRING_SPRING_TAB_F_4 = 24,
+  STRIBECK_COIL_SPRING_SPRING_TAB_F_4 = 25,
   /** tunable [N]: Forces of the table, without preload (default chosen). (default 0) */
-  STRIBECK_COIL_SPRING_SPRING_TAB_F_5 = 25,
+  STRIBECK_COIL_SPRING_SPRING_TAB_F_5 = 26,
   /** tunable [N]: Forces of the table, without preload (default chosen). (default 0) */
-  STRIBECK_COIL_SPRING_SPRING_TAB_F_6 = 26,
+  STRIBECK_COIL_SPRING_SPRING_TAB_F_6 = 27,
   /** tunable [N]: Forces of the table, without preload (default chosen). (default 0) */
-  STRIBECK_COIL_SPRING_SPRING_TAB_F_7 = 27,
+  STRIBECK_COIL_SPRING_SPRING_TAB_F_7 = 28,
   /** tunable [N]: Forces of the table, without preload (default chosen). (default 0) */
-  STRIBECK_COIL_SPRING_SPRING_TAB_F_8 = 28,
+  STRIBECK_COIL_SPRING_SPRING_TAB_F_8 = 29,
   /** tunable [N]: Forces of the table, without preload (default chosen). (default 0) */
-  STRIBECK_COIL_SPRING_SPRING_TAB_F_9 = 29,
+  STRIBECK_COIL_SPRING_SPRING_TAB_F_9 = 30,
   /** tunable [N]: Forces of the table, without preload (default chosen). (default 0) */
-  STRIBECK_COIL_SPRING_SPRING_TAB_F_10 = 30,
+  STRIBECK_COIL_SPRING_SPRING_TAB_F_10 = 31,
   /** tunable [N]: Forces of the table, without preload (default chosen). (default 0) */
-  STRIBECK_COIL_SPRING_SPRING_TAB_F_11 = 31,
+  STRIBECK_COIL_SPRING_SPRING_TAB_F_11 = 32,
   /** tunable [N]: Forces of the table, without preload (default chosen). (default 0) */
-  STRIBECK_COIL_SPRING_SPRING_TAB_F_12 = 32,
+  STRIBECK_COIL_SPRING_SPRING_TAB_F_12 = 33,
   /** tunable [N]: Forces of the table, without preload (default chosen). (default 0) */
-  STRIBECK_COIL_SPRING_SPRING_TAB_F_13 = 33,
+  STRIBECK_COIL_SPRING_SPRING_TAB_F_13 = 34,
   /** tunable [N]: Forces of the table, without preload (default chosen). (default 0) */
-  STRIBECK_COIL_SPRING_SPRING_TAB_F_14 = 34,
+  STRIBECK_COIL_SPRING_SPRING_TAB_F_14 = 35,
   /** tunable [N]: Forces of the table, without preload (default chosen). (default 0) */
-  STRIBECK_COIL_SPRING_SPRING_TAB_F_15 = 35,
+  STRIBECK_COIL_SPRING_SPRING_TAB_F_15 = 36,
   /** tunable [N]: Forces of the table, without preload (default chosen). (default 0) */
-  STRIBECK_COIL_SPRING_SPRING_TAB_F_16 = 36,
+  STRIBECK_COIL_SPRING_SPRING_TAB_F_16 = 37,
   /** out [N]: Force of the spring; positive pushes its ends apart. */
-  STRIBECK_COIL_SPRING_FORCE = 37,
+  STRIBECK_COIL_SPRING_FORCE = 38,
 } stribeck_coil_spring_variable;
 
 /** Guid of GasSpring for fmi2Instantiate. */
@@ -6670,7 +6752,7 @@ typedef enum stribeck_gas_spring_variable {
 } stribeck_gas_spring_variable;
 
 /** Guid of EndStops for fmi2Instantiate. */
-#define STRIBECK_END_STOPS_GUID "{1379edd1-5fc2-762a-6077-4a306d1a4200}"
+#define STRIBECK_END_STOPS_GUID "{6107fa94-fb45-4292-a2f5-7dd0553054a9}"
 
 /** EndStops: Bump stop and rebound stop of a shock absorber. Columns of "EndStops". */
 typedef enum stribeck_end_stops_variable {
@@ -6678,165 +6760,171 @@ typedef enum stribeck_end_stops_variable {
   STRIBECK_END_STOPS_COMPRESSION = 0,
   /** in [m/s]: Velocity of extension. (default 0) */
   STRIBECK_END_STOPS_VELOCITY = 1,
+  /** fixed [Boolean]: Is there a bump stop? (default true) */
+  STRIBECK_END_STOPS_BUMP_ENABLED = 2,
   /** fixed [m]: Compression from full extension at which the bump stop is touched (default chosen). (default 0.04) */
-  STRIBECK_END_STOPS_BUMP_GAP = 2,
+  STRIBECK_END_STOPS_BUMP_GAP = 3,
   /** fixed [stribeck_bump_mode]: Form of the bump stop's characteristic. (default Linear) */
-  STRIBECK_END_STOPS_BUMP_MODE = 3,
+  STRIBECK_END_STOPS_BUMP_MODE = 4,
   /** tunable [N/m]: Stiffness: of the linear form, and first coefficient of the cubic one (default chosen).
    *  (>= 0, default 150000) */
-  STRIBECK_END_STOPS_BUMP_K = 4,
+  STRIBECK_END_STOPS_BUMP_K = 5,
   /** tunable [1]: Exponent of the power form (default chosen). (>= 1, default 2.2) */
-  STRIBECK_END_STOPS_BUMP_N = 5,
+  STRIBECK_END_STOPS_BUMP_N = 6,
   /** tunable [m]: Compression at which the power form has the force F_ref (default chosen). (> 0, default 0.01) */
-  STRIBECK_END_STOPS_BUMP_X_REF = 6,
+  STRIBECK_END_STOPS_BUMP_X_REF = 7,
   /** tunable [N]: Force of the power form at x_ref (default chosen). (>= 0, default 1500) */
-  STRIBECK_END_STOPS_BUMP_F_REF = 7,
+  STRIBECK_END_STOPS_BUMP_F_REF = 8,
   /** tunable [N/m2]: Second coefficient of the cubic form. (>= 0, default 0) */
-  STRIBECK_END_STOPS_BUMP_K2 = 8,
+  STRIBECK_END_STOPS_BUMP_K2 = 9,
   /** tunable [N/m3]: Third coefficient of the cubic form. (>= 0, default 0) */
-  STRIBECK_END_STOPS_BUMP_K3 = 9,
+  STRIBECK_END_STOPS_BUMP_K3 = 10,
   /** tunable [N.s/m]: Damping while the stop is touched. (>= 0, default 0) */
-  STRIBECK_END_STOPS_BUMP_C = 10,
+  STRIBECK_END_STOPS_BUMP_C = 11,
+  /** fixed [Boolean]: Is there a rebound stop? (default true) */
+  STRIBECK_END_STOPS_REBOUND_ENABLED = 12,
   /** fixed [m]: Compression from full extension at which the rebound stop is touched. (default 0) */
-  STRIBECK_END_STOPS_REBOUND_GAP = 11,
+  STRIBECK_END_STOPS_REBOUND_GAP = 13,
   /** tunable [N/m]: Stiffness (default chosen). (>= 0, default 1000000) */
-  STRIBECK_END_STOPS_REBOUND_K = 12,
+  STRIBECK_END_STOPS_REBOUND_K = 14,
   /** tunable [N.s/m]: Damping while the stop is touched. (>= 0, default 0) */
-  STRIBECK_END_STOPS_REBOUND_C = 13,
+  STRIBECK_END_STOPS_REBOUND_C = 15,
   /** out [N]: Force of the bump stop; positive pushes the eyes apart. */
-  STRIBECK_END_STOPS_FORCE_BUMP = 14,
+  STRIBECK_END_STOPS_FORCE_BUMP = 16,
   /** out [N]: Force of the rebound stop; negative pulls the eyes together. */
-  STRIBECK_END_STOPS_FORCE_REBOUND = 15,
+  STRIBECK_END_STOPS_FORCE_REBOUND = 17,
   /** out [Boolean]: Is the bump stop touched? */
-  STRIBECK_END_STOPS_BUMP_ACTIVE = 16,
+  STRIBECK_END_STOPS_BUMP_ACTIVE = 18,
 } stribeck_end_stops_variable;
 
 /** Guid of HydraulicDamper for fmi2Instantiate. */
-#define STRIBECK_HYDRAULIC_DAMPER_GUID "{dc5adbdb-7702-ccad-58a8-99d008014b2a}"
+#define STRIBECK_HYDRAULIC_DAMPER_GUID "{6567281f-8e7a-ef7a-1a5f-070b449a16c4}"
 
 /** HydraulicDamper: Hydraulic damper, linear, degressive or from a table. Columns of "HydraulicDamper". */
 typedef enum stribeck_hydraulic_damper_variable {
   /** in [m/s]: Velocity of extension. (default 0) */
   STRIBECK_HYDRAULIC_DAMPER_VELOCITY = 0,
+  /** fixed [Boolean]: Is there a damper? (default true) */
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_ENABLED = 1,
   /** fixed [stribeck_damper_mode]: Form of the damper's characteristic. (default Linear) */
-  STRIBECK_HYDRAULIC_DAMPER_DAMPER_MODE = 1,
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_MODE = 2,
   /** tunable [N.s/m]: Damping coefficient in compression (default chosen). (>= 0, default 1500) */
-  STRIBECK_HYDRAULIC_DAMPER_DAMPER_C_COMP = 2,
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_C_COMP = 3,
   /** tunable [N.s/m]: Damping coefficient in extension, the rebound (default chosen). (>= 0, default 2300) */
-  STRIBECK_HYDRAULIC_DAMPER_DAMPER_C_REB = 3,
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_C_REB = 4,
   /** tunable [s/m]: Degression in compression. (>= 0, default 0) */
-  STRIBECK_HYDRAULIC_DAMPER_DAMPER_DEGR_COMP = 4,
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_DEGR_COMP = 5,
   /** tunable [s/m]: Degression in extension. (>= 0, default 0) */
-  STRIBECK_HYDRAULIC_DAMPER_DAMPER_DEGR_REB = 5,
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_DEGR_REB = 6,
   /** fixed [Integer]: Number of points of the table in use (default chosen). (>= 2, <= 16, default 11) */
-  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_N = 6,
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_N = 7,
   /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default -1) */
-  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_1 = 7,
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_1 = 8,
   /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default -0.5) */
-  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_2 = 8,
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_2 = 9,
   /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default -0.25) */
-  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_3 = 9,
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_3 = 10,
   /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default -0.1) */
-  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_4 = 10,
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_4 = 11,
   /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default -0.05) */
-  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_5 = 11,
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_5 = 12,
   /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default 0) */
-  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_6 = 12,
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_6 = 13,
   /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default 0.05) */
-  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_7 = 13,
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_7 = 14,
   /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default 0.1) */
-  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_8 = 14,
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_8 = 15,
   /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default 0.25) */
-  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_9 = 15,
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_9 = 16,
   /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default 0.5) */
-  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_10 = 16,
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_10 = 17,
   /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default 1) */
-  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_11 = 17,
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_11 = 18,
   /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default 0) */
-  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_12 = 18,
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_12 = 19,
   /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default 0) */
-  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_13 = 19,
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_13 = 20,
   /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default 0) */
-  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_14 = 20,
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_14 = 21,
   /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default 0) */
-  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_15 = 21,
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_15 = 22,
   /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default 0) */
-  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_16 = 22,
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_16 = 23,
   /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
    *  (default -1150) */
-  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_1 = 23,
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_1 = 24,
   /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
    *  (default -700) */
-  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_2 = 24,
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_2 = 25,
   /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
    *  (default -430) */
-  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_3 = 25,
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_3 = 26,
   /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
    *  (default -210) */
-  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_4 = 26,
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_4 = 27,
   /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
    *  (default -110) */
-  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_5 = 27,
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_5 = 28,
   /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
    *  (default 0) */
-  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_6 = 28,
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_6 = 29,
   /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
    *  (default 180) */
-  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_7 = 29,
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_7 = 30,
   /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
    *  (default 340) */
-  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_8 = 30,
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_8 = 31,
   /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
    *  (default 640) */
-  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_9 = 31,
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_9 = 32,
   /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
    *  (default 950) */
-  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_10 = 32,
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_10 = 33,
   /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
    *  (default 1500) */
-  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_11 = 33,
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_11 = 34,
   /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
    *  (default 0) */
-  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_12 = 34,
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_12 = 35,
   /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
    *  (default 0) */
-  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_13 = 35,
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_13 = 36,
   /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
    *  (default 0) */
-  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_14 = 36,
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_14 = 37,
   /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
    *  (default 0) */
-  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_15 = 37,
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_15 = 38,
   /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
    *  (default 0) */
-  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_16 = 38,
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_16 = 39,
   /** fixed [stribeck_interpolation]: Curve through the points of the table. (default Linear) */
-  STRIBECK_HYDRAULIC_DAMPER_DAMPER_INTERPOLATION = 39,
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_INTERPOLATION = 40,
   /** tunable [1]: Factor on the damper force. (>= 0, default 1) */
-  STRIBECK_HYDRAULIC_DAMPER_DAMPER_SCALE = 40,
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_SCALE = 41,
   /** fixed [N/m]: Stiffness in series with the damper, of oil and top mount; 0 = rigid. (>= 0, default 0) */
-  STRIBECK_HYDRAULIC_DAMPER_DAMPER_K_SERIES = 41,
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_K_SERIES = 42,
   /** fixed [s]: Largest internal step (default chosen). (> 0, default 0.0001) */
-  STRIBECK_HYDRAULIC_DAMPER_STEP_SIZE = 42,
+  STRIBECK_HYDRAULIC_DAMPER_STEP_SIZE = 43,
   /** state [m/s]: Velocity of the piston behind the series stiffness; the velocity itself if there is none.
    *  (default 0) */
-  STRIBECK_HYDRAULIC_DAMPER_PISTON_VELOCITY = 43,
+  STRIBECK_HYDRAULIC_DAMPER_PISTON_VELOCITY = 44,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
-  STRIBECK_HYDRAULIC_DAMPER_DISSIPATED_ENERGY = 44,
+  STRIBECK_HYDRAULIC_DAMPER_DISSIPATED_ENERGY = 45,
   /** out [N]: Force of the damper; positive pushes its ends apart. */
-  STRIBECK_HYDRAULIC_DAMPER_FORCE = 45,
+  STRIBECK_HYDRAULIC_DAMPER_FORCE = 46,
   /** out [W]: Power taken out of the motion. */
-  STRIBECK_HYDRAULIC_DAMPER_DISSIPATED_POWER = 46,
+  STRIBECK_HYDRAULIC_DAMPER_DISSIPATED_POWER = 47,
 } stribeck_hydraulic_damper_variable;
 
 /** Guid of DamperTemperature for fmi2Instantiate. */
-#define STRIBECK_DAMPER_TEMPERATURE_GUID "{be8ff44f-855a-7bb4-4485-7b515e7fbd22}"
+#define STRIBECK_DAMPER_TEMPERATURE_GUID "{0f9cde77-96a0-c294-c83c-91ac86f9f893}"
 
 /** DamperTemperature: Temperature of a damper, and what it does to its force. Columns of "DamperTemperature". */
 typedef enum stribeck_damper_temperature_variable {
   /** in [W]: Power dissipated in the damper. (default 0) */
   STRIBECK_DAMPER_TEMPERATURE_POWER = 0,
-  /** in [K]: Ambient temperature. (> 0, default 293.15) */
+  /** in [K]: Ambient temperature. (>= 0, default 293.15) */
   STRIBECK_DAMPER_TEMPERATURE_TEMPERATURE_AMBIENT = 1,
   /** fixed [Boolean]: Does the temperature change, and with it the damper force? (default false) */
   STRIBECK_DAMPER_TEMPERATURE_THERMAL_ENABLED = 2,

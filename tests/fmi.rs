@@ -1220,13 +1220,13 @@ fn integrated(model: &'static str) -> Importer {
 fn a_solver_that_leaves_the_domain_may_come_back() {
     let solver = integrated("ShockAbsorber");
     // The gas has no volume left.
-    assert_eq!(solver.set("length", 0.0), fmi2OK);
+    assert_eq!(solver.set("length", 1e-3), fmi2OK);
     let mut force = 0.0;
     // SAFETY: one reference, one value.
     let status = unsafe { fmi2GetReal(solver.c, &solver.vr("force"), 1, &mut force) };
     assert_eq!(status, fmi2Discard);
     let (_, category, text) = solver.one_message();
-    assert!(category == "logStatusDiscard" && text.contains("length = 0"), "{category}: {text}");
+    assert!(category == "logStatusDiscard" && text.contains("length = 0.001"), "{category}: {text}");
     assert_eq!(solver.set("length", 0.17), fmi2OK);
     assert!(solver.get("force").is_finite());
 }
@@ -1247,7 +1247,7 @@ fn derivatives_out_of_the_domain_are_discarded_and_the_run_goes_on() {
         unsafe { fmi2GetDirectionalDerivative(solver.c, unknowns.as_ptr(), n, &length, 1, &1.0, place) }
     };
     // A length that leaves the gas no volume, and one at which nothing is finite.
-    for (name, value, back) in [("length", 0.0, 0.17), ("velocity", 1e308, 0.0)] {
+    for (name, value, back) in [("length", 1e-3, 0.17), ("velocity", 1e308, 0.0)] {
         assert_eq!(solver.set(name, value), fmi2OK);
         for unknowns in [&[force][..], &both, &rates] {
             if derive(unknowns) == fmi2OK {

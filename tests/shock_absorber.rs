@@ -875,7 +875,12 @@ fn a_contact_resists_both_motions() {
 /// Without levels a contact is a viscous damper: force, power and energy.
 #[test]
 fn viscous_friction_without_levels() {
-    let set = [("friction.switch", 3.0), ("friction.viscous_coefficient", 2.0), ("velocity", 0.3)];
+    let set = [
+        ("friction.switch", 3.0),
+        ("friction.viscous_coefficient", 2.0),
+        ("friction.Stribeck.viscous_coefficient", 2.0),
+        ("velocity", 0.3),
+    ];
     for (number, name) in laws().filter(|(_, name)| ["LuGre", "Stribeck", "ElastoPlastic"].contains(name)) {
         let mut contact = Bench::new("GuideContact", &[&set[..], &[("friction.model", number)]].concat());
         contact.step(0.5);

@@ -3,7 +3,7 @@
     jacobi     a plain script: all FMUs step, then all values are exchanged (Jacobi)
     ecos       Ecos, which exchanges in the same order
     libcosim   libcosim, which does too
-    fmpy       the SSP runner of FMPy, as soon as it begins with the start values of the FMUs
+    fmpy       the SSP runner of FMPy, begun with the start values of the FMUs and not with zeros
 
 A variant is another description in the package: `firm` stands for firm.ssd and its parameter sets. Ecos and libcosim
 come as Python packages for Linux on x86-64 (requirements.txt).
@@ -190,7 +190,10 @@ def run_libcosim(package: Path, variant: str, step: float, steps: int, watched: 
 
 
 def run_fmpy(package: Path, variant: str, step: float, steps: int, watched: Sequence[str]) -> Record:
-    """FMPy's runner ignores parameter bindings, and sets every input to 0 in the first step: both are mended here."""
+    """FMPy's runner ignores parameter bindings, and sets every input to 0 in the first step.
+
+    It runs so, too, but without struts in that step, and with another car: both are mended here.
+    """
     with unpacked(package, variant) as system:
         main = Path(shutil.make_archive(str(system.folder / "main"), "zip", system.folder))
         values = [

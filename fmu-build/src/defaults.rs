@@ -99,7 +99,7 @@ fn law_table(rows: &[Row]) -> Result<String> {
         String::from("| parameter | default | unit or choices | what it is | laws |\n|---|---|---|---|---|\n");
     let laws = laws(rows)?;
     for row in rows {
-        let known = known_by(&laws, row).join(", ");
+        let known = known_by(&laws, rows, row).join(", ");
         writeln!(table, "| {} | {} | {} | {} | {known} |", row.name(), row.default(), row.unit(), row.help())?;
     }
     Ok(table)
@@ -112,14 +112,19 @@ fn laws(rows: &[Row]) -> Result<Vec<&'static ModelType>> {
     Ok(names(choices).into_iter().filter_map(catalogue::by_name).collect())
 }
 
-/// Names of the laws that have a parameter of that name; a variant belongs to the law that it names.
-fn known_by(laws: &[&ModelType], row: &Row) -> Vec<&'static str> {
+/// Names of the laws that follow a parameter: the one that it names, or all that know it and have none of their own.
+fn known_by(laws: &[&ModelType], rows: &[Row], row: &Row) -> Vec<&'static str> {
     let steps: Vec<&str> = row.name.split('.').skip(1).collect();
-    let knows = |law: &&&ModelType| match steps[..] {
-        [owner, "variant"] => owner == law.name,
-        _ => law.table.iter().any(|variable| without_indices(&variable.path) == steps.join(".")),
+    let (owner, name) = (steps[0], steps.join("."));
+    if let Some(law) = laws.iter().find(|law| law.name == owner) {
+        return vec![law.name];
+    }
+    let follows = |law: &&&ModelType| {
+        let own = format!("{LAWS}.{}.{name}", law.name);
+        law.table.iter().any(|variable| without_indices(&variable.path) == name)
+            && !rows.iter().any(|row| row.name == own)
     };
-    laws.iter().filter(knows).map(|law| law.name).collect()
+    laws.iter().filter(follows).map(|law| law.name).collect()
 }
 
 #[cfg(test)]
@@ -144,8 +149,10 @@ mod tests {
     #[test]
     fn parameters_of_laws_name_the_laws_that_know_them() {
         let laws = laws(&strut()).unwrap();
-        let known = |name: &str| known_by(&laws, &row(name));
+        let known = |name: &str| known_by(&laws, &strut(), &row(name));
         assert_eq!(known("friction.damping_velocity"), ["LuGre", "ElastoPlastic"]);
+        assert_eq!(known("friction.sliding_velocity"), ["Ambrosio"]);
+        assert_eq!(known("friction.LinearStiction.sliding_velocity"), ["LinearStiction"]);
         assert_eq!(known("friction.Threlfall.variant"), ["Threlfall"]);
         assert_eq!(known("friction.element[].strength_share"), ["MaxwellSlip", "Leuven"]);
         assert!(known("friction.scale").is_empty());

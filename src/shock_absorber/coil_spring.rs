@@ -1,5 +1,5 @@
 use crate::laws::table;
-use crate::model::{Column, Fault, Law, Model, integer, real};
+use crate::model::{Column, Fault, Law, Model, boolean, integer, real};
 use crate::number::Real;
 
 /// Most points of a table.
@@ -18,6 +18,8 @@ crate::choices! {
 crate::part! {
     /// Spring with preload.
     Coil {
+        /// Is there a spring?
+        enabled: fixed = boolean(true),
         /// Form of the spring's characteristic.
         mode: fixed = SpringMode::Linear.start(),
         /// Stiffness.
@@ -76,6 +78,9 @@ pub(crate) fn check_rising(name: &str, x: &[f64; POINTS], count: f64) -> Result<
 impl<T: Real> Coil<T> {
     /// Force at a compression from full extension.
     pub fn force(&self, compression: T) -> T {
+        if self.enabled.value() == 0.0 {
+            return T::zero();
+        }
         match SpringMode::of(self.mode.value()) {
             SpringMode::Linear => self.preload + self.k * compression,
             SpringMode::Table => {
@@ -89,6 +94,7 @@ impl<T: Real> Coil<T> {
 impl Coil {
     pub(crate) fn check(&self) -> Result<(), Fault> {
         match SpringMode::of(self.mode) {
+            _ if self.enabled == 0.0 => Ok(()),
             SpringMode::Linear => Ok(()),
             SpringMode::Table => check_rising("spring.tab_x", &self.tab_x, self.tab_n),
         }

@@ -1,5 +1,5 @@
 use crate::laws::relaxation;
-use crate::model::{Law, Model, Preset, boolean, real};
+use crate::model::{Fault, Law, Model, Preset, boolean, real};
 use crate::number::Real;
 
 crate::part! {
@@ -37,6 +37,12 @@ impl<T: Real> Heating<T> {
 }
 
 impl Heating {
+    /// Tells of surroundings that nobody has set.
+    pub(crate) fn warning(&self, ambient: f64) -> Option<Fault> {
+        let text = "temperature_ambient = 0 K: should be that of the surroundings; the damper cools down towards 0 K";
+        (self.enabled != 0.0 && ambient == 0.0).then(|| Fault::new(text))
+    }
+
     /// Temperature after a time in which the power and the ambient temperature are held.
     pub(crate) fn after(&self, temperature: f64, ambient: f64, power: f64, dt: f64) -> f64 {
         if self.enabled == 0.0 {
@@ -82,7 +88,8 @@ crate::model! {
     ///
     /// # Limits
     /// One temperature for oil and body; the viscosity law is a plain exponential. Nothing happens unless
-    /// `thermal.enabled` is true.
+    /// `thermal.enabled` is true. A `temperature_ambient` of 0 K, as of an input that nothing has set yet, is computed as
+    /// it stands; with heating on it warns.
     ///
     /// # Source
     /// Heat balance. All defaults are chosen.
@@ -100,7 +107,7 @@ crate::model! {
         /// Power dissipated in the damper.
         power: input = real("W", 0.0),
         /// Ambient temperature.
-        temperature_ambient: input = real("K", 293.15).positive().nominal(300.0).shown_in("degC"),
+        temperature_ambient: input = real("K", 293.15).at_least(0.0).nominal(300.0).shown_in("degC"),
         /// Heating.
         thermal: Heating,
         /// Temperature of the damper.
@@ -127,6 +134,10 @@ impl Model for DamperTemperature {
         source: "Example with 50 W, heating switched on",
         values: &[("power", 50.0), ("thermal.enabled", 1.0)],
     }];
+
+    fn warning(&self) -> Option<Fault> {
+        self.thermal.warning(self.temperature_ambient)
+    }
 
     fn step(&mut self, dt: f64) {
         self.temperature = self.thermal.after(self.temperature, self.temperature_ambient, self.power, dt);

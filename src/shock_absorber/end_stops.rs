@@ -16,6 +16,8 @@ crate::choices! {
 crate::part! {
     /// Bump stop: rubber that limits the compression.
     BumpStop {
+        /// Is there a bump stop?
+        enabled: fixed = boolean(true),
         /// Compression from full extension at which the bump stop is touched (default chosen).
         gap: fixed = real("m", 0.040).shown_in("mm"),
         /// Form of the bump stop's characteristic.
@@ -40,6 +42,8 @@ crate::part! {
 crate::part! {
     /// Rebound stop (top-out): limits the extension.
     ReboundStop {
+        /// Is there a rebound stop?
+        enabled: fixed = boolean(true),
         /// Compression from full extension at which the rebound stop is touched.
         gap: fixed = real("m", 0.0).shown_in("mm"),
         /// Stiffness (default chosen).
@@ -57,7 +61,7 @@ fn damping<T: Real>(c: T, velocity: T, elastic: T) -> T {
 impl<T: Real> BumpStop<T> {
     /// Is the stop touched?
     pub fn is_active(&self, compression: T) -> bool {
-        compression > self.gap
+        self.enabled.value() != 0.0 && compression > self.gap
     }
 
     /// Force, >= 0, at a compression of the strut and at the velocity of its extension.
@@ -78,7 +82,7 @@ impl<T: Real> BumpStop<T> {
 impl<T: Real> ReboundStop<T> {
     /// Force, <= 0, at a compression of the strut and at the velocity of its extension.
     pub fn force(&self, compression: T, velocity: T) -> T {
-        if compression >= self.gap {
+        if self.enabled.value() == 0.0 || compression >= self.gap {
             return T::zero();
         }
         let elastic = self.k * (compression - self.gap);

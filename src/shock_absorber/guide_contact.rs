@@ -192,6 +192,7 @@ impl<T: Real> FrictionLaw<T> {
     }
 
     /// What the law remembers at its start, also if it is switched on only later.
+    #[inline(never)]
     pub(crate) fn fresh(&self) -> [f64; MEMORY] {
         ChosenLaw::of(self.model.value()).map_or([0.0; MEMORY], ChosenLaw::start)
     }
@@ -243,6 +244,7 @@ impl FrictionLaw {
     }
 
     /// What the law remembers after a while at this velocity: steady sliding, and rest where the velocity is but noise.
+    #[inline(never)]
     pub(crate) fn settled(&self, levels: &Levels, touch: &Touch<f64>) -> [f64; MEMORY] {
         let mut memory = self.fresh();
         if touch.signed_speed() != 0.0 && !self.moves_mass() {
@@ -254,6 +256,11 @@ impl FrictionLaw {
     /// Refuses parameters that the chosen law refuses.
     pub(crate) fn check(&self, levels: &Levels) -> Result<(), Fault> {
         self.chosen().map_or(Ok(()), |law| law.check(&self.given(levels, &self.loaded_at_rest()), &self.law))
+    }
+
+    /// Tells of a parameter that was set and has no effect.
+    pub(crate) fn warning(&self) -> Option<Fault> {
+        self.chosen().and_then(|law| law.warning(&self.law))
     }
 
     /// Refuses a law that is for co-simulation only.
@@ -326,8 +333,15 @@ crate::model! {
     ///
     /// # Step
     /// As that of the chosen law. Its memory is `memory[1]`, `memory[2]`, ... in the order of the law's own states; in a
-    /// law that is offered for Model Exchange those that jump follow from `memory[3]` on. It starts at rest. Bristles
-    /// that carry more than f_s, because the load fell, slip until they carry f_s.
+    /// law that is offered for Model Exchange those that jump follow from `memory[3]` on. It starts at rest. What carries
+    /// more than f_s because the load fell slips until it carries f_s: bristles; elements, in proportion, so that they
+    /// also strain each other no more than they can; a force behind a low-pass, beside its viscous part and 1 % for the
+    /// overshoot of its curve. Where an importer integrates it, the force is at once that after the slip, and the memory
+    /// follows with a time constant of 1 ms.
+    ///
+    /// The parameters of the laws have the names and the start values that they have by themselves. Laws share a
+    /// parameter where they start at the same value; a law that starts elsewhere has its own, as
+    /// `friction.Gonthier.transition_velocity`, and does not follow the shared one: setting that warns.
     ///
     /// # Errors
     /// Refused: a parameter outside its bound; `levels.mu_s` < `levels.mu_k`; `levels.preload_s` < `levels.preload_k`;
@@ -401,18 +415,25 @@ impl<T: Evaluate> GuideContact<T> {
         }
     }
 
-    fn memory(&self) -> [T; MEMORY] {
-        if self.started.value() != 0.0 {
-            return self.memory;
+    /// Works on what the law remembers; before the run, on what it will remember at its start.
+    fn with_memory<R>(&self, work: impl FnOnce(&[T; MEMORY]) -> R) -> R {
+        if self.started.value() != 0.0 { work(&self.memory) } else { self.with_fresh_memory(work) }
+    }
+
+    #[inline(never)] // so that only those who need it have it on their stack
+    fn with_fresh_memory<R>(&self, work: impl FnOnce(&[T; MEMORY]) -> R) -> R {
+        let mut memory = [T::zero(); MEMORY];
+        for (place, value) in memory.iter_mut().zip(self.friction.fresh()) {
+            *place = T::from(value);
         }
-        self.friction.fresh().map(T::from)
+        work(&memory)
     }
 }
 
 impl<T: Evaluate> Law for GuideContact<T> {
     fn output(&mut self) {
         let touch = self.touch();
-        let answer = self.friction.force(&self.levels, &touch, &self.memory());
+        let answer = self.with_memory(|memory| self.friction.force(&self.levels, &touch, memory));
         let [axial, around] = touch.direction();
         self.friction_force = answer.force * axial;
         self.friction_torque = self.radius * answer.force * around;
@@ -421,37 +442,59 @@ impl<T: Evaluate> Law for GuideContact<T> {
     }
 }
 
+/// How far from a reversal the levels are taken, in parts of the way (chosen).
+const INSIDE: f64 = 1e-9;
+
 impl Model for GuideContact {
     fn check(&self) -> Result<(), Fault> {
         self.levels.check("levels.")?;
         self.friction.check(&self.levels)
     }
 
+    fn warning(&self) -> Option<Fault> {
+        self.friction.warning()
+    }
+
     fn step(&mut self, dt: f64) {
-        let mut memory = self.memory();
-        let answer = self.friction.advance(&self.levels, &self.touch(), &mut memory, dt);
-        self.memory = memory;
-        self.started = 1.0;
+        if self.started == 0.0 {
+            self.memory = self.friction.fresh();
+            self.started = 1.0;
+        }
+        let touch = self.touch();
+        let answer = self.friction.advance(&self.levels, &touch, &mut self.memory, dt);
         self.dissipated_energy += answer.energy;
     }
 
+    /// As the chosen law, from one reversal to the next, where the levels jump. The force that stops a mass belongs to the
+    /// whole step.
     fn step_ramp(&mut self, slope: &Self, dt: f64) {
-        if !self.friction.moves_mass() {
-            return ramp::advance(self, slope, dt);
+        if self.started == 0.0 {
+            self.memory = self.friction.fresh();
+            self.started = 1.0;
         }
-        // The force that stops a mass belongs to the whole step.
-        let (begin, mut memory) = (*self, self.memory());
+        let begin = *self;
+        let reversal = -begin.velocity / slope.velocity;
+        let turns = reversal > 0.0 && reversal < dt && !self.friction.moves_mass();
+        // At the reversal itself the larger level holds; on the way to it that of its direction.
+        let inside = if turns { INSIDE } else { 0.0 };
+        let mut from = 0.0;
+        for to in turns.then_some(reversal).into_iter().chain([dt]) {
+            let touches = [from + inside * (to - from), to - inside * (to - from)].map(|time| {
+                ramp::set_inputs(self, &begin, slope, time);
+                self.touch()
+            });
+            let [before, after] = &touches;
+            let answer = self.friction.advance_from(&self.levels, [before, after], &mut self.memory, to - from);
+            self.dissipated_energy += answer.energy;
+            from = to;
+        }
         ramp::set_inputs(self, &begin, slope, dt);
-        let touches = [&begin.touch(), &self.touch()];
-        let answer = self.friction.advance_from(&self.levels, touches, &mut memory, dt);
-        self.memory = memory;
-        self.started = 1.0;
-        self.dissipated_energy += answer.energy;
     }
 
     fn rate(&self, rate: &mut Self) {
-        rate.memory = self.friction.rate(&self.levels, &self.touch(), &self.memory());
-        let answer = self.friction.force(&self.levels, &self.touch(), &self.memory());
-        rate.dissipated_energy = answer.force * self.touch().signed_speed();
+        let touch = self.touch();
+        rate.memory = self.with_memory(|memory| self.friction.rate(&self.levels, &touch, memory));
+        let answer = self.with_memory(|memory| self.friction.force(&self.levels, &touch, memory));
+        rate.dissipated_energy = answer.force * touch.signed_speed();
     }
 }

@@ -1,5 +1,5 @@
 use crate::laws::{root, table};
-use crate::model::{Column, Fault, Law, Model, integer, real};
+use crate::model::{Column, Fault, Law, Model, boolean, integer, real};
 use crate::number::{Dual, Real};
 use crate::shock_absorber::coil_spring::{POINTS, check_rising, points};
 
@@ -28,6 +28,8 @@ crate::choices! {
 crate::part! {
     /// Hydraulic damper.
     Hydraulics {
+        /// Is there a damper?
+        enabled: fixed = boolean(true),
         /// Form of the damper's characteristic.
         mode: fixed = DamperMode::Linear.start(),
         /// Damping coefficient in compression (default chosen).
@@ -91,11 +93,14 @@ const fn resistances() -> [Column; POINTS] {
 impl<T: Real> Hydraulics<T> {
     /// Is there a stiffness in series?
     pub fn has_series(&self) -> bool {
-        self.k_series.value() > 0.0
+        self.enabled.value() != 0.0 && self.k_series.value() > 0.0
     }
 
     /// Resistance F_d at a velocity of the piston; it has the sign of the velocity.
     pub fn resistance(&self, velocity: T) -> T {
+        if self.enabled.value() == 0.0 {
+            return T::zero();
+        }
         let extends = velocity.value() > 0.0;
         let (c, degression) = if extends { (self.c_reb, self.degr_reb) } else { (self.c_comp, self.degr_comp) };
         let resistance = match DamperMode::of(self.mode.value()) {
@@ -190,7 +195,7 @@ impl Hydraulics {
 
     /// Refuses tables that no damper has.
     pub(crate) fn check(&self) -> Result<(), Fault> {
-        if DamperMode::of(self.mode) != DamperMode::Table {
+        if self.enabled == 0.0 || DamperMode::of(self.mode) != DamperMode::Table {
             return Ok(());
         }
         check_rising("damper.tab_v", &self.tab_v, self.tab_n)?;

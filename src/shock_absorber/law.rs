@@ -4,12 +4,11 @@
 //! a new law can be chosen here without another line.
 
 use crate::friction::MODELS;
-use crate::model::{Column, Columns, Enumeration, Fault, Item, ModelType, Path, Segment, Variable, Width, real};
+use crate::model::{Column, Columns, Enumeration, Fault, Item, Kind, ModelType, Path, Variable, real};
 use crate::number::{Dual, Real};
+pub use crate::shock_absorber::law_parameters::LawParameters;
+use crate::shock_absorber::law_parameters::place_of;
 use crate::unit::same;
-
-/// Elements that the laws with Maxwell-slip elements may use here.
-const ELEMENTS: u16 = 16;
 
 /// Is it a law along a line?
 const fn is_scalar(model: &ModelType) -> bool {
@@ -30,7 +29,7 @@ const fn column(model: &ModelType, name: &str) -> Option<usize> {
 }
 
 /// Number of laws.
-const COUNT: usize = {
+pub(super) const COUNT: usize = {
     let (mut count, mut at) = (0, 0);
     while at < MODELS.len() {
         count += is_scalar(&MODELS[at]) as usize;
@@ -40,7 +39,7 @@ const COUNT: usize = {
 };
 
 /// The laws, in the order of the catalogue.
-const LAWS: [&ModelType; COUNT] = {
+pub(super) const LAWS: [&ModelType; COUNT] = {
     let mut laws = [&MODELS[0]; COUNT];
     let (mut count, mut at) = (0, 0);
     while at < MODELS.len() {
@@ -69,7 +68,7 @@ static ITEMS: [Item; COUNT + 1] = {
 /// The law that is chosen at the start.
 pub(crate) const LUGRE: i32 = position("LuGre") as i32 + 2;
 
-const fn position(name: &str) -> usize {
+pub(super) const fn position(name: &str) -> usize {
     let mut at = 0;
     while !same(LAWS[at].name, name) {
         at += 1;
@@ -79,7 +78,7 @@ const fn position(name: &str) -> usize {
 
 /// Where a column of a law's row gets its value from.
 #[derive(Clone, Copy)]
-enum Source {
+pub(super) enum Source {
     /// The law's own start value.
     Start,
     /// What the contact feels.
@@ -109,7 +108,7 @@ const GIVEN: [(&str, Source); 8] = [
     ("acceleration", Source::Acceleration),
 ];
 
-const fn given(variable: &Variable) -> Option<Source> {
+pub(super) const fn given(variable: &Variable) -> Option<Source> {
     let segments = variable.path.segments();
     let mut at = 0;
     while at < GIVEN.len() {
@@ -119,110 +118,6 @@ const fn given(variable: &Variable) -> Option<Source> {
         at += 1;
     }
     None
-}
-
-/// The parameter of a law as it is offered here; `None` if the contact gives it, or for elements beyond the last.
-const fn offered(law: &ModelType, variable: &Variable) -> Option<Variable> {
-    let segments = variable.path.segments();
-    if !variable.role.is_parameter() || given(variable).is_some() || segments[0].index > ELEMENTS {
-        return None;
-    }
-    let mut offered = *variable;
-    // Variants of different laws are different choices under one name.
-    if same(segments[0].name, "variant") {
-        offered.path = variable.path.within(Segment { name: law.name, index: 0 });
-    }
-    if same(segments[0].name, "element_count") {
-        offered.bound = variable.bound.up_to(ELEMENTS as f64);
-    }
-    Some(offered)
-}
-
-/// The parameters of all laws, each once. Start values are those of LuGre, else the largest of any law.
-const fn merge() -> ([Variable; MOST_PARAMETERS], usize) {
-    let mut merged = [crate::model::BLANK; MOST_PARAMETERS];
-    let first = add_parameters(&mut merged, 0, 0, LAWS[position("LuGre")]);
-    let (mut count, mut at) = (first, 0);
-    while at < COUNT {
-        count = add_parameters(&mut merged, first, count, LAWS[at]);
-        at += 1;
-    }
-    (merged, count)
-}
-
-/// Adds the parameters of a law to the `count` that are there; the `settled` first of these keep their start values.
-const fn add_parameters(
-    merged: &mut [Variable; MOST_PARAMETERS],
-    settled: usize,
-    mut count: usize,
-    law: &ModelType,
-) -> usize {
-    let mut at = 0;
-    while at < law.table.len() {
-        if let Some(offered) = offered(law, &law.table[at]) {
-            let place = find(merged, count, &offered.path);
-            if place < count {
-                merged[place].bound = merged[place].bound.or(offered.bound);
-                if place >= settled && offered.start > merged[place].start {
-                    merged[place].start = offered.start;
-                }
-            } else {
-                merged[count] = offered;
-                count += 1;
-            }
-        }
-        at += 1;
-    }
-    count
-}
-
-/// Place of a name among the first `count` variables; `count` if it is not there.
-const fn find(variables: &[Variable; MOST_PARAMETERS], count: usize, path: &Path) -> usize {
-    let mut at = 0;
-    while at < count && !variables[at].path.is(path) {
-        at += 1;
-    }
-    at
-}
-
-/// Room for the parameters of all laws while they are merged; too little does not compile.
-const MOST_PARAMETERS: usize = 128;
-
-const MERGED: ([Variable; MOST_PARAMETERS], usize) = merge();
-
-/// Number of parameters of all laws together.
-const PARAMETERS: usize = MERGED.1;
-
-/// The parameters of all laws.
-#[derive(Debug)]
-#[repr(C)]
-pub struct LawParameters<T = f64> {
-    /// Their values, in the order of the table.
-    pub values: [T; PARAMETERS],
-}
-
-impl<T: Copy> Clone for LawParameters<T> {
-    fn clone(&self) -> Self {
-        *self
-    }
-}
-
-impl<T: Copy> Copy for LawParameters<T> {}
-
-impl<T: Copy> LawParameters<T> {
-    /// The same columns in another number type.
-    pub fn map<U: Copy>(&self, convert: &impl Fn(T) -> U) -> LawParameters<U> {
-        LawParameters { values: self.values.map(convert) }
-    }
-}
-
-impl Width for LawParameters {
-    const WIDTH: usize = PARAMETERS;
-}
-
-// SAFETY: `#[repr(C)]` and an array of numbers; the table has one entry for each by its type.
-unsafe impl Columns for LawParameters {
-    const TABLE: &'static [Variable] = MERGED.0.split_at(PARAMETERS).0;
 }
 
 /// Is it a number that a law remembers from step to step? The energy is summed up by the contact.
@@ -297,8 +192,22 @@ struct Plan {
     dissipated_energy: usize,
     /// Place of its viscous coefficient among the parameters of all laws.
     viscous: Option<usize>,
-    /// Columns of the mean deflection of its bristles and of their stiffness.
-    deflection: Option<(usize, usize)>,
+    /// What it remembers of the force that it carries.
+    carrier: Carrier,
+}
+
+/// What a law remembers of the force that it carries. It may have come from a larger load than there is now.
+#[derive(Clone, Copy)]
+enum Carrier {
+    /// Nothing, or a share of the load, which falls with it.
+    Share,
+    /// Column of the mean deflection of its bristles, and of their stiffness.
+    Deflection(usize, usize),
+    /// Column of the force, viscous part included.
+    Force(usize),
+    /// The forces of elements, and the column of their strength together as a multiple of the static level, if the law
+    /// has one.
+    Elements(Option<usize>),
 }
 
 static PLANS: [Plan; COUNT] = {
@@ -324,8 +233,8 @@ const fn plan(law: &'static ModelType) -> Plan {
         } else if is_remembered(variable) {
             sources[at] = Source::Memory(jumping as u16);
             jumping += 1;
-        } else if let Some(offered) = offered(law, variable) {
-            sources[at] = Source::Parameter(find(&MERGED.0, PARAMETERS, &offered.path) as u16);
+        } else if let Some(place) = place_of(law, variable) {
+            sources[at] = Source::Parameter(place);
         }
         at += 1;
     }
@@ -336,14 +245,34 @@ const fn plan(law: &'static ModelType) -> Plan {
         },
         None => None,
     };
-    let deflection = match (column(law, "bristle_deflection"), column(law, "sigma_0")) {
-        (Some(deflection), Some(stiffness)) => Some((deflection, stiffness)),
-        _ => None,
-    };
     let friction_force = column(law, "friction_force").expect("every law has a force");
     let sticking = column(law, "sticking").expect("every law says whether it sticks");
     let dissipated_energy = column(law, "dissipated_energy").expect("every law counts its energy");
-    Plan { model: law, sources, friction_force, sticking, dissipated_energy, viscous, deflection }
+    Plan { model: law, sources, friction_force, sticking, dissipated_energy, viscous, carrier: carrier(law) }
+}
+
+/// Is it the force of an element, or the whole force, that a law remembers?
+const fn is_carried_force(variable: &Variable) -> bool {
+    let is_force = match variable.kind {
+        Kind::Real(unit) => same(unit.name, "N"),
+        _ => false,
+    };
+    is_force && is_remembered(variable) && variable.is_continuous_state()
+}
+
+const fn carrier(law: &ModelType) -> Carrier {
+    let mut at = 0;
+    while at < law.table.len() {
+        if is_carried_force(&law.table[at]) {
+            let is_element = law.table[at].path.segments()[0].index > 0;
+            return if is_element { Carrier::Elements(column(law, "hysteresis_strength")) } else { Carrier::Force(at) };
+        }
+        at += 1;
+    }
+    match (column(law, "bristle_deflection"), column(law, "sigma_0")) {
+        (Some(deflection), Some(stiffness)) => Carrier::Deflection(deflection, stiffness),
+        _ => Carrier::Share,
+    }
 }
 
 /// What a law is given by its contact.
@@ -357,7 +286,7 @@ pub(crate) struct Given<T> {
     pub exchange: T,
     pub external_force: T,
     pub acceleration: T,
-    /// What the bristles can carry at most.
+    /// What the contact can carry at most at rest.
     pub largest: T,
 }
 
@@ -443,20 +372,20 @@ impl ChosenLaw {
     }
 
     /// Force at the given motion.
-    #[inline(never)]
     pub(crate) fn force<T: Evaluate>(
         self,
         given: &Given<T>,
         parameters: &LawParameters<T>,
         memory: &[T; MEMORY],
     ) -> Answer<T> {
-        let mut row = self.row(given, parameters, memory);
-        let is_finite = T::evaluate(self.0.model, &mut row[..self.0.model.table.len()]);
-        self.answer(&row, is_finite)
+        self.on_row(|row| {
+            self.fill(row, given, parameters, memory);
+            let is_finite = T::evaluate(self.0.model, row);
+            self.answer(row, is_finite)
+        })
     }
 
     /// Advances the memory by `dt` while the motion is held.
-    #[inline(never)]
     pub(crate) fn advance(
         self,
         given: &Given<f64>,
@@ -464,10 +393,12 @@ impl ChosenLaw {
         memory: &mut [f64; MEMORY],
         dt: f64,
     ) -> Answer<f64> {
-        let mut row = self.row(given, parameters, memory);
-        let is_finite = self.0.model.advance(&mut row[..self.0.model.table.len()], dt);
-        self.remember(&row, memory);
-        self.answer(&row, is_finite)
+        self.on_row(|row| {
+            self.fill(row, given, parameters, memory);
+            let is_finite = self.0.model.advance(row, dt);
+            self.remember(row, memory);
+            self.answer(row, is_finite)
+        })
     }
 
     /// Advances the memory by `dt` while velocity and forces move linearly: from `begin` to the others.
@@ -480,21 +411,24 @@ impl ChosenLaw {
         memory: &mut [f64; MEMORY],
         dt: f64,
     ) -> Answer<f64> {
-        let columns = self.0.model.table.len();
-        let (mut row, mut slope) = (self.row(end, parameters, memory), [0.0; WIDEST]);
-        for ((value, slope), source) in row.iter_mut().zip(&mut slope).zip(self.sources()) {
-            let begin = match source {
-                Source::Velocity => begin.velocity,
-                Source::NormalForce => begin.normal_force,
-                Source::ExternalForce => begin.external_force,
-                _ => continue,
-            };
-            *slope = (*value - begin) / dt;
-            *value = begin;
-        }
-        let is_finite = self.0.model.advance_ramp(&mut row[..columns], &slope[..columns], dt);
-        self.remember(&row, memory);
-        self.answer(&row, is_finite)
+        self.on_row(|row| {
+            self.fill(row, end, parameters, memory);
+            self.on_row(|slope| {
+                for ((value, slope), source) in row.iter_mut().zip(slope.iter_mut()).zip(self.sources()) {
+                    let begin = match source {
+                        Source::Velocity => begin.velocity,
+                        Source::NormalForce => begin.normal_force,
+                        Source::ExternalForce => begin.external_force,
+                        _ => continue,
+                    };
+                    *slope = (*value - begin) / dt;
+                    *value = begin;
+                }
+                let is_finite = self.0.model.advance_ramp(row, slope, dt);
+                self.remember(row, memory);
+                self.answer(row, is_finite)
+            })
+        })
     }
 
     /// Time derivatives of what the law remembers.
@@ -504,21 +438,20 @@ impl ChosenLaw {
         parameters: &LawParameters<T>,
         memory: &[T; MEMORY],
     ) -> [T; MEMORY] {
-        let columns = self.0.model.table.len();
-        let (row, mut rates) = (self.row(given, parameters, memory), [T::zero(); WIDEST]);
-        T::rate(self.0.model, &row[..columns], &mut rates[..columns]);
         let mut rate = [T::zero(); MEMORY];
-        for (source, value) in self.sources().iter().zip(rates) {
-            if let Source::Memory(place) = source {
-                rate[usize::from(*place)] = value;
+        self.on_row(|row| {
+            self.fill(row, given, parameters, memory);
+            self.on_row(|rates| {
+                T::rate(self.0.model, row, rates);
+                self.remember(rates, &mut rate);
+            });
+            if let Carrier::Deflection(slipping, _) | Carrier::Force(slipping) = self.0.carrier
+                && let Source::Memory(place) = self.0.sources[slipping]
+            {
+                let (place, release_time) = (usize::from(place), T::from(RELEASE_TIME));
+                rate[place] = rate[place] - (memory[place] - row[slipping]) / release_time;
             }
-        }
-        if let Some((deflection, _)) = self.0.deflection
-            && let Source::Memory(place) = self.0.sources[deflection]
-        {
-            let (place, release_time) = (usize::from(place), T::from(RELEASE_TIME));
-            rate[place] = rate[place] - (memory[place] - row[deflection]) / release_time;
-        }
+        });
         rate
     }
 
@@ -540,14 +473,33 @@ impl ChosenLaw {
 
     /// Refuses parameters that the law refuses.
     pub(crate) fn check(self, given: &Given<f64>, parameters: &LawParameters) -> Result<(), Fault> {
-        let row = self.row(given, parameters, &self.start());
         let named = |fault: Fault| Fault::new(format_args!("friction.model = {}: {}", self.0.model.name, fault.0));
-        for ((variable, source), value) in self.0.model.table.iter().zip(self.sources()).zip(row) {
-            if matches!(source, Source::Parameter(_)) && !variable.admits(value) {
-                return Err(named(variable.fault(value)));
+        self.on_row(|row| {
+            self.fill(row, given, parameters, &self.start());
+            for ((variable, source), value) in self.0.model.table.iter().zip(self.sources()).zip(&*row) {
+                if matches!(source, Source::Parameter(_)) && !variable.admits(*value) {
+                    return Err(named(variable.fault(*value)));
+                }
             }
-        }
-        self.0.model.check(&row[..self.0.model.table.len()]).map_err(named)
+            self.0.model.check(row).map_err(named)
+        })
+    }
+
+    /// Tells of a parameter that laws share and that was set, though this law has one of its own.
+    pub(crate) fn warning(self, parameters: &LawParameters) -> Option<Fault> {
+        let shared = LawParameters::TABLE.iter().zip(&parameters.values);
+        let mut changed = shared.filter(|(variable, value)| **value != variable.start);
+        let has_own = |path: &Path| {
+            let columns = self.0.model.table.iter().zip(self.sources());
+            columns.into_iter().any(|(variable, source)| {
+                let Source::Parameter(place) = *source else { return false };
+                variable.path.is(path) && !LawParameters::TABLE[usize::from(place)].path.is(path)
+            })
+        };
+        let (variable, value) = changed.find(|(variable, _)| has_own(&variable.path))?;
+        let (name, law) = (variable.path, self.0.model.name);
+        let text = "has no effect: friction.model";
+        Some(Fault::new(format_args!("friction.{name} = {value}: {text} = {law} has friction.{law}.{name}")))
     }
 
     /// Refuses a law, or parameters, that are for co-simulation only.
@@ -557,9 +509,11 @@ impl ChosenLaw {
             let text = format_args!("friction.model = {name}: must be a law that is offered for Model Exchange itself");
             return Err(Fault::new(text));
         }
-        let row = self.row(given, parameters, &self.start());
         let named = |fault: Fault| Fault::new(format_args!("friction.model = {name}: {}", fault.0));
-        self.0.model.check_exchange(&row[..self.0.model.table.len()]).map_err(named)
+        self.on_row(|row| {
+            self.fill(row, given, parameters, &self.start());
+            self.0.model.check_exchange(row).map_err(named)
+        })
     }
 
     /// Event indicators of the law.
@@ -570,18 +524,33 @@ impl ChosenLaw {
         memory: &[f64; MEMORY],
         indicators: &mut [f64; MOST_EVENTS],
     ) {
-        let (model, row) = (self.0.model, self.row(given, parameters, memory));
-        model.indicate(&row[..model.table.len()], &mut indicators[..model.event_indicators]);
+        let model = self.0.model;
+        self.on_row(|row| {
+            self.fill(row, given, parameters, memory);
+            model.indicate(row, &mut indicators[..model.event_indicators]);
+        });
     }
 
     /// Changes what the law remembers where it changes at an event.
     pub(crate) fn at_event(self, given: &Given<f64>, parameters: &LawParameters, memory: &mut [f64; MEMORY]) {
-        let mut row = self.row(given, parameters, memory);
-        self.0.model.at_event(&mut row[..self.0.model.table.len()]);
-        self.remember(&row, memory);
+        self.on_row(|row| {
+            self.fill(row, given, parameters, memory);
+            self.0.model.at_event(row);
+            self.remember(row, memory);
+        });
     }
 
-    fn remember(self, row: &[f64; WIDEST], memory: &mut [f64; MEMORY]) {
+    /// Works on a row of the law. That of a usual one takes little of the stack, where a few laws have long ones.
+    fn on_row<T: Real, R>(self, work: impl FnOnce(&mut [T]) -> R) -> R {
+        let columns = self.0.model.table.len();
+        if columns <= NARROW {
+            in_space::<NARROW, _, _>(columns, work)
+        } else {
+            in_space::<WIDEST, _, _>(columns, work)
+        }
+    }
+
+    fn remember<T: Real>(self, row: &[T], memory: &mut [T; MEMORY]) {
         for (source, value) in self.sources().iter().zip(row) {
             if let Source::Memory(place) = source {
                 memory[usize::from(*place)] = *value;
@@ -589,8 +558,7 @@ impl ChosenLaw {
         }
     }
 
-    fn row<T: Real>(self, given: &Given<T>, parameters: &LawParameters<T>, memory: &[T; MEMORY]) -> [T; WIDEST] {
-        let mut row = [T::zero(); WIDEST];
+    fn fill<T: Real>(self, row: &mut [T], given: &Given<T>, parameters: &LawParameters<T>, memory: &[T; MEMORY]) {
         for ((value, source), variable) in row.iter_mut().zip(self.sources()).zip(self.0.model.table) {
             *value = match *source {
                 Source::Start => T::from(variable.start),
@@ -606,20 +574,63 @@ impl ChosenLaw {
                 Source::Memory(place) => memory[usize::from(place)],
             };
         }
-        if let Some((deflection, stiffness)) = self.0.deflection {
-            // Bristles that carried more when the contact was loaded more slip until they carry what they can.
-            row[deflection] = row[deflection].limited(given.largest / row[stiffness]);
-        }
-        row
+        self.slip(row, given, parameters);
     }
 
-    fn answer<T: Real>(self, row: &[T; WIDEST], is_finite: bool) -> Answer<T> {
+    /// What carried more when the contact was loaded more slips until it carries what it can.
+    fn slip<T: Real>(self, row: &mut [T], given: &Given<T>, parameters: &LawParameters<T>) {
+        match self.0.carrier {
+            Carrier::Share => {}
+            Carrier::Deflection(deflection, stiffness) => {
+                row[deflection] = row[deflection].limited(given.largest / row[stiffness]);
+            }
+            Carrier::Force(force) => {
+                let viscous = self.viscous_coefficient(parameters) * given.velocity.abs();
+                row[force] = row[force].limited(T::from(OVERSHOOT) * given.largest + viscous);
+            }
+            Carrier::Elements(strength) => {
+                let strength = strength.map_or(given.largest, |strength| row[strength] * given.largest);
+                self.slip_elements(row, strength, |sum, force| sum + force.abs());
+                self.slip_elements(row, given.largest, |sum, force| sum + force);
+            }
+        }
+    }
+
+    /// Elements keep their shares in the force, and in what strains them against each other.
+    fn slip_elements<T: Real>(self, row: &mut [T], largest: T, add: impl Fn(T, T) -> T) {
+        let table = self.0.model.table;
+        let forces = || (0..table.len()).filter(|column| is_carried_force(&table[*column]));
+        let total = forces().fold(T::zero(), |sum, column| add(sum, row[column])).abs();
+        // Elements that slip are at their strength but for rounding, and stay as they are.
+        if total.value() > largest.value() * (1.0 + ROUNDING) {
+            let part = largest / total;
+            forces().for_each(|column| row[column] = row[column] * part);
+        }
+    }
+
+    fn answer<T: Real>(self, row: &[T], is_finite: bool) -> Answer<T> {
         Answer {
             force: if is_finite { row[self.0.friction_force] } else { T::from(f64::NAN) },
             sticking: row[self.0.sticking].value() != 0.0,
             energy: row[self.0.dissipated_energy].value(),
         }
     }
+}
+
+/// By how much the force of a smooth curve is above its static level somewhere near it (chosen: 0.4 % for the start values
+/// of SpeckerDynamic).
+const OVERSHOOT: f64 = 1.01;
+
+/// Rounding of a sum of forces, relative to the sum (chosen).
+const ROUNDING: f64 = 1e-12;
+
+/// Columns of all laws but the few that have many (chosen).
+const NARROW: usize = 48;
+
+#[inline(never)]
+fn in_space<const SPACE: usize, T: Real, R>(columns: usize, work: impl FnOnce(&mut [T]) -> R) -> R {
+    let mut row = [T::zero(); SPACE];
+    work(&mut row[..columns])
 }
 
 /// Time in which bristles slip down to what they can carry once the load has fallen, if an importer integrates them

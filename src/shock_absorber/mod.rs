@@ -15,7 +15,10 @@ crate::catalogue::family! {
 }
 
 mod coupling;
+mod geometry;
 mod law;
+mod law_parameters;
+mod presets;
 
 /// Most internal steps within a communication step (chosen); beyond, they grow longer than wished.
 const MOST_SUBSTEPS: u32 = 10_000;

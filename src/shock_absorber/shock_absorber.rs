@@ -7,10 +7,12 @@ use crate::shock_absorber::coupling::{self, Series};
 use crate::shock_absorber::damper_temperature::Heating;
 use crate::shock_absorber::end_stops::{BumpStop, ReboundStop};
 use crate::shock_absorber::gas_spring::GasChamber;
+use crate::shock_absorber::geometry::Geometry;
 use crate::shock_absorber::guide_contact::{FrictionLaw, Levels, Touch};
 use crate::shock_absorber::hydraulic_damper::Hydraulics;
 use crate::shock_absorber::law::{Answer, Evaluate, MEMORY, MOST_EVENTS, blank_memory};
-use crate::shock_absorber::telescopic_joint::{Guidance, NormalSum, SideConvention, SideLoad, Wrench};
+use crate::shock_absorber::presets;
+use crate::shock_absorber::telescopic_joint::{NormalSum, SideConvention, SideLoad, Wrench};
 
 crate::choices! {
     /// Which side loads act on the joint.
@@ -47,22 +49,6 @@ crate::choices! {
 }
 
 crate::part! {
-    /// Dimensions.
-    Geometry {
-        /// Distance of the eyes at full extension (default chosen).
-        length_extended: fixed = real("m", 0.200).positive().shown_in("mm"),
-        /// Stroke from full extension to full compression.
-        stroke: fixed = real("m", 0.055).positive().shown_in("mm"),
-        /// Where the joint guides the rod.
-        guidance: (Guidance),
-        /// Radius of the rod, at the rod guide (default chosen).
-        r_1: fixed = real("m", 0.007).at_least(0.0).shown_in("mm"),
-        /// Radius of the piston (default chosen).
-        r_2: fixed = real("m", 0.0125).at_least(0.0).shown_in("mm"),
-    }
-}
-
-crate::part! {
     /// Where the side load comes from, and what is made of it.
     Side {
         /// Side loads that act on the joint.
@@ -73,7 +59,7 @@ crate::part! {
         offset_m: tunable = real("m", 0.003).shown_in("mm"),
         /// Offset of the spring's line of action along n.
         offset_n: tunable = real("m", 0.0).shown_in("mm"),
-        /// Side force of the spring along m, relative to its axial force; it acts at the upper eye.
+        /// Side force of the spring along m, relative to its axial force; it acts at the eye of the tube.
         force_ratio: tunable = real("1", 0.0),
         /// How the load of the joint becomes the load of its contacts.
         normal_sum: fixed = NormalSum::TwoPoint.start(),
@@ -130,7 +116,7 @@ crate::part! {
         /// Time derivative of the velocity; for num.input_mode = Linear and for laws that ask for it.
         acceleration: input = real("m/s2", 0.0),
         /// Ambient temperature; used if thermal.enabled is true.
-        temperature_ambient: input = real("K", 293.15).positive().nominal(300.0).shown_in("degC"),
+        temperature_ambient: input = real("K", 293.15).at_least(0.0).nominal(300.0).shown_in("degC"),
         /// Dimensions.
         geom: Geometry,
         /// Spring.
@@ -183,12 +169,32 @@ impl<T: Real> Forces<T> {
     }
 }
 
+impl<T: Evaluate> Setting<T> {
+    /// The same in plain numbers. Not inline, as the other parts of an output: what each puts on the stack is gone before
+    /// the next.
+    #[inline(never)]
+    fn values(&self) -> Setting {
+        self.map(&|number: T| number.value())
+    }
+
+    /// The slopes of its numbers.
+    #[inline(never)]
+    fn slopes(&self) -> Setting {
+        self.map(&|number: T| number.slope())
+    }
+}
+
 impl<T: Real> Setting<T> {
     fn motion(&self) -> Motion<T> {
-        Motion {
-            length: self.adapter.length_offset + self.adapter.length_gain * self.length,
-            velocity: self.adapter.length_gain * self.velocity,
-        }
+        let given = self.given_length();
+        // Eyes in one place are an input that nobody has set yet, and warned of.
+        let length = if given.value() == 0.0 { self.geom.length_extended + given } else { given };
+        Motion { length, velocity: self.adapter.length_gain * self.velocity }
+    }
+
+    /// The length that the input says.
+    fn given_length(&self) -> T {
+        self.adapter.length_offset + self.adapter.length_gain * self.length
     }
 
     fn compression(&self, motion: &Motion<T>) -> T {
@@ -224,7 +230,7 @@ impl<T: Real> Setting<T> {
     fn normal_forces(&self, motion: &Motion<T>) -> [T; 2] {
         let wrench = self.wrench(self.spring.force(self.compression(motion)));
         let sum = NormalSum::of(self.side.normal_sum.value());
-        let normal = self.geom.guidance.normal_forces(&wrench, motion.length, sum);
+        let normal = self.geom.guidance().normal_forces(&wrench, motion.length, sum);
         normal.map(|normal| self.side.c_geo * normal)
     }
 
@@ -285,7 +291,21 @@ impl Setting {
     /// What the two contacts remember after a while at this motion.
     fn settled(&self) -> [[f64; MEMORY]; 2] {
         let touches = self.touches(&self.motion());
-        [0, 1].map(|at| self.friction.settled(self.contacts()[at], &touches[at]))
+        let mut memories = [[0.0; MEMORY]; 2];
+        for (at, memory) in memories.iter_mut().enumerate() {
+            *memory = self.friction.settled(self.contacts()[at], &touches[at]);
+        }
+        memories
+    }
+
+    /// The same where the setting has moved along its slopes.
+    #[inline(never)]
+    fn settled_beside(&self, slopes: &Setting, distance: f64) -> [[f64; MEMORY]; 2] {
+        let mut setting = *self;
+        for (value, slope) in row_of_mut(&mut setting).iter_mut().zip(row_of(slopes)) {
+            *value += distance * slope;
+        }
+        setting.settled()
     }
 
     /// Friction force along the axis after a step, if the strut moves so; nothing is changed.
@@ -403,7 +423,15 @@ crate::model! {
     /// f_k = phi_k(s_k) v / s_k,   tau_k = r_k phi_k(s_k) r_k w / s_k
     /// s_k = (v^2 + (r_k w)^2)^(1/2)
     /// N_1 = c_g |R / 2 + G / h_e|,   N_2 = c_g |R / 2 - G / h_e|
-    /// h_e = (h^2 + h_r^2)^(1/2)
+    /// h_e = (h^2 + h_r^2)^(1/2),   h = d_i + d_j - d
+    /// ```
+    ///
+    /// With `geom.guidance_derived` the guidance follows from length and stroke alone. What the stroke leaves of the
+    /// length is divided as in the start values: a third of it is the overlap at full extension, two ninths and four
+    /// ninths keep the rod's eye from the guide and the piston from the tube's eye at full compression:
+    ///
+    /// ```text
+    /// d_i = d_0 - s - 2/9 (d_0 - 2 s),   d_j = d_0 - s - 4/9 (d_0 - 2 s)
     /// ```
     ///
     /// F_s, F_b, F_r and F_d have other forms, too, by `spring.mode`, `bump.mode` and `damper.mode`; phi is any scalar law
@@ -416,11 +444,14 @@ crate::model! {
     /// |----------|------------------------|-------|----------------------------------------------------------|
     /// | d        | `length`               | m     | distance of the eyes                                     |
     /// | v        | `velocity`             | m/s   | its time derivative                                      |
-    /// | R_m, R_n | `side_force_m`, `side_force_n` | N | force of the tube on the rod, at the tube's eye       |
+    /// | R_m, R_n | `side_force_m`, `side_force_n` | N | force of the tube on the rod, at the eye of the tube  |
     /// | M_m, M_n | `side_moment_m`, `side_moment_n` | N.m | moment of the tube on the rod, about that eye     |
     /// | w        | `spin_rate`            | rad/s | spin of the rod relative to the tube                     |
     /// | d_0      | `geom.length_extended` | m     | distance of the eyes at full extension                   |
     /// | x        | `compression`          | m     | compression from full extension                          |
+    /// | s        | `geom.stroke`          | m     | stroke                                                   |
+    /// | d_i      | `geom.d_i`             | m     | from the eye of the tube to the rod guide                |
+    /// | d_j      | `geom.d_j`             | m     | from the eye of the rod to the piston                    |
     /// | h        | `overlap`              | m     | distance from piston to rod guide                        |
     /// | h_r      | `geom.h_reg`           | m     | regularisation of the overlap, 0 = none                  |
     /// | G        | -                      | N.m   | couple of the contact forces: see TelescopicJoint        |
@@ -466,11 +497,16 @@ crate::model! {
     ///
     /// # Errors
     /// Refused: a parameter outside its bound; static levels below kinetic ones; tables that do not rise; a gas volume
-    /// that the rod fills; `adapter.length_gain` = 0; what the chosen law refuses; in Model Exchange a law that
-    /// is not offered for it itself. Parameters of laws that are not chosen are ignored, as are those of modes that are
+    /// that the rod fills; `adapter.length_gain` = 0; a stroke of half of the length or more where the guidance is
+    /// derived; what the chosen law refuses; in Model Exchange a law that is not offered for it itself. Parameters of laws that are not chosen are ignored, as are those of modes that are
     /// not chosen.
     ///
     /// # Limits
+    /// The two eyes are never in one place: where the length of the strut is 0, as of an input that nothing has set yet,
+    /// it is computed at full extension, with a warning. A `temperature_ambient` of 0 K counts with heating only, and
+    /// warns then. `spring.enabled`, `gas.enabled`, `bump.enabled`, `rebound.enabled` and `damper.enabled` take a part
+    /// away; without the spring the side load that it makes is gone, too.
+    ///
     /// Rigid bodies: no bending of the rod, no bearing friction in the eyes; axial friction acts on the axis. Stops, spring
     /// and gas go on beyond the stroke. A law with memory remembers along the axis only. Most laws without memory do not
     /// hold a load at rest unless `friction.mass` and `external_force` are given; LuGre and the other bristle laws do.
@@ -576,7 +612,7 @@ impl<T: Evaluate> ShockAbsorber<T> {
         }
         match FrictionStart::of(self.setting.init.friction_state.value()) {
             FrictionStart::Steady => self.settled(),
-            FrictionStart::Zero => [self.setting.map(&|number: T| number.value()).friction.fresh().map(T::from); 2],
+            FrictionStart::Zero => [self.setting.friction.fresh().map(T::from); 2],
             FrictionStart::Value => memories,
         }
     }
@@ -585,8 +621,7 @@ impl<T: Evaluate> ShockAbsorber<T> {
     /// the direction that the setting carries.
     #[inline(never)]
     fn settled(&self) -> [[T; MEMORY]; 2] {
-        let (setting, mut slopes) =
-            (self.setting.map(&|number: T| number.value()), self.setting.map(&|number: T| number.slope()));
+        let (setting, mut slopes) = (self.setting.values(), self.setting.slopes());
         let mut fastest = 0f64;
         for ((slope, value), variable) in row_of_mut(&mut slopes).iter_mut().zip(row_of(&setting)).zip(Setting::TABLE) {
             if !matches!(variable.kind, Kind::Real(_)) {
@@ -596,19 +631,12 @@ impl<T: Evaluate> ShockAbsorber<T> {
         }
         let here = setting.settled();
         if fastest == 0.0 {
-            return here.map(|memory| memory.map(T::from));
+            return memories_of(|contact, place| T::from(here[contact][place]));
         }
         let distance = PROBE_SETTING / fastest;
-        let at = |distance: f64| {
-            let mut setting = setting;
-            for (value, slope) in row_of_mut(&mut setting).iter_mut().zip(row_of(&slopes)) {
-                *value += distance * slope;
-            }
-            setting.settled()
-        };
-        let (after, before) = (at(distance), at(-distance));
+        let (after, before) = (setting.settled_beside(&slopes, distance), setting.settled_beside(&slopes, -distance));
         let slope = |contact: usize, place: usize| (after[contact][place] - before[contact][place]) / (2.0 * distance);
-        [0, 1].map(|contact| std::array::from_fn(|place| T::with_slope(here[contact][place], slope(contact, place))))
+        memories_of(|contact, place| T::with_slope(here[contact][place], slope(contact, place)))
     }
 
     fn damper_state(&self) -> OtherStates<T> {
@@ -638,6 +666,17 @@ impl<T: Evaluate> ShockAbsorber<T> {
         self.dissipated_power = resistance * piston;
     }
 
+    /// Power that friction and damper take out of the motion.
+    fn power(&self, motion: &Motion<T>, touches: &[Touch<T>; 2], memories: &[[T; MEMORY]; 2]) -> T {
+        let (setting, state) = (&self.setting, self.damper_state());
+        let piston = setting.piston(motion, state.piston_velocity);
+        let friction = |at: usize| {
+            let answer = setting.friction.force(setting.contacts()[at], &touches[at], &memories[at]);
+            answer.force * touches[at].signed_speed()
+        };
+        setting.resistance(piston, state.temperature) * piston + friction(0) + friction(1)
+    }
+
     fn write_friction(&mut self, touches: &[Touch<T>; 2], answers: &[Answer<T>; 2]) {
         let directions = touches.map(|touch| touch.direction());
         let radii = self.setting.radii();
@@ -663,8 +702,8 @@ impl<T: Evaluate> ShockAbsorber<T> {
     /// Tangents and the step that they allow.
     #[inline(never)]
     fn write_advice(&mut self, memories: &[[T; MEMORY]; 2]) {
-        let setting = self.setting.map(&|number: T| number.value());
-        let memories = memories.map(|memory| memory.map(|number| number.value()));
+        let setting = self.setting.values();
+        let memories = memories_of(|contact, place| memories[contact][place].value());
         let OtherStates { piston_velocity, temperature } = self.damper_state();
         let state = OtherStates { piston_velocity: piston_velocity.value(), temperature: temperature.value() };
         let dt =
@@ -689,6 +728,7 @@ impl<T: Evaluate> ShockAbsorber<T> {
 }
 
 impl<T: Evaluate> Law for ShockAbsorber<T> {
+    #[inline(never)]
     fn output(&mut self) {
         let motion = self.setting.motion();
         let memories = self.memories();
@@ -700,8 +740,8 @@ impl<T: Evaluate> Law for ShockAbsorber<T> {
         self.write_friction(&touches, &answers);
         [self.normal_1, self.normal_2] = touches.map(|touch| touch.normal_force);
         self.compression = self.setting.compression(&motion);
-        self.overlap = self.setting.geom.guidance.overlap(motion.length);
-        self.overlap_low = truth(self.setting.geom.guidance.is_low(motion.length));
+        self.overlap = self.setting.geom.guidance().overlap(motion.length);
+        self.overlap_low = truth(self.setting.geom.guidance().is_low(motion.length));
         self.bump_active = truth(self.setting.bump.is_active(self.compression));
         self.write_advice(&memories);
     }
@@ -714,11 +754,19 @@ impl<T: Evaluate> Law for ShockAbsorber<T> {
             [0, 1].map(|at| setting.friction.rate(setting.contacts()[at], &touches[at], &memories[at]));
         let (piston, factor) = (self.damper_state().piston_velocity, setting.thermal.factor(self.temperature));
         rate.piston_velocity = setting.damper.rate(piston, motion.velocity, factor);
-        let mut now = *self;
-        now.output();
-        rate.dissipated_energy = now.dissipated_power;
-        rate.temperature = setting.thermal.rate(self.temperature, setting.temperature_ambient, now.dissipated_power);
+        let power = self.power(&motion, &touches, &memories);
+        rate.dissipated_energy = power;
+        rate.temperature = setting.thermal.rate(self.temperature, setting.temperature_ambient, power);
     }
+}
+
+/// What both contacts remember, number by number: whole memories that are passed on fill the stack.
+fn memories_of<T: Real>(number: impl Fn(usize, usize) -> T) -> [[T; MEMORY]; 2] {
+    let mut memories = [[T::zero(); MEMORY]; 2];
+    for (contact, memory) in memories.iter_mut().enumerate() {
+        memory.iter_mut().enumerate().for_each(|(place, value)| *value = number(contact, place));
+    }
+    memories
 }
 
 fn truth<T: Real>(is_true: bool) -> T {
@@ -726,12 +774,19 @@ fn truth<T: Real>(is_true: bool) -> T {
 }
 
 impl ShockAbsorber {
+    #[inline(never)]
     fn start(&mut self) {
         if !self.has_started() {
             self.piston_velocity = self.damper_state().piston_velocity;
             [self.memory_1, self.memory_2] = self.memories();
             self.started = 1.0;
         }
+    }
+
+    /// A step in which the length moves with the velocity, and the velocity with the acceleration.
+    #[inline(never)]
+    fn step_along_the_motion(&mut self, dt: f64) {
+        self.step_ramp(&ramp::held_inputs(self), dt);
     }
 
     /// Advances the friction at held inputs. Returns the power that it takes out of the motion.
@@ -771,24 +826,7 @@ impl ShockAbsorber {
 impl Model for ShockAbsorber {
     const MODEL_EXCHANGE: bool = true;
     const EVENT_INDICATORS: usize = 2 * MOST_EVENTS;
-    const PRESETS: &'static [Preset] = &[
-        Preset { name: "front", source: "Formula Student, front axle: the start values", values: &[] },
-        Preset {
-            name: "rear",
-            source: "Formula Student, rear axle: spring of Zips Racing ZR26 (MIT licence), the rest as in front",
-            values: &[("spring.k", 35_000.0)],
-        },
-        Preset {
-            name: "damper_table",
-            source: "Example of a digressive damper: the table of the start values",
-            values: &[("damper.mode", 2.0)],
-        },
-        Preset {
-            name: "frictionless",
-            source: "Example without friction: the start values otherwise",
-            values: &[("friction.model", 1.0)],
-        },
-    ];
+    const PRESETS: &'static [Preset] = presets::ALL;
 
     fn check(&self) -> Result<(), Fault> {
         let setting = &self.setting;
@@ -798,6 +836,7 @@ impl Model for ShockAbsorber {
         setting.friction.check(&setting.c2)?;
         setting.spring.check()?;
         setting.gas.check(setting.geom.stroke)?;
+        setting.geom.check()?;
         setting.damper.check()?;
         if setting.adapter.length_gain == 0.0 {
             return Err(Fault::new("adapter.length_gain = 0: must not be 0"));
@@ -805,10 +844,21 @@ impl Model for ShockAbsorber {
         Ok(())
     }
 
+    fn warning(&self) -> Option<Fault> {
+        let setting = &self.setting;
+        if setting.given_length() == 0.0 {
+            let (length, extended) = (setting.length, setting.geom.length_extended);
+            let text = "the distance of the eyes must be > 0; until it is, the strut is at full extension";
+            let text = format_args!("length = {length}: {text}, geom.length_extended = {extended} m");
+            return Some(Fault::new(text));
+        }
+        setting.thermal.warning(setting.temperature_ambient).or_else(|| setting.friction.warning())
+    }
+
     fn check_motion(&self) -> Result<(), Fault> {
         let (setting, motion) = (&self.setting, self.setting.motion());
         setting.gas.check_compression(setting.compression(&motion))?;
-        setting.geom.guidance.check_overlap(motion.length)
+        setting.geom.guidance().check_overlap(motion.length)
     }
 
     fn check_exchange(&self) -> Result<(), Fault> {
@@ -833,7 +883,7 @@ impl Model for ShockAbsorber {
 
     fn step(&mut self, dt: f64) {
         if InputMode::of(self.setting.num.input_mode) == InputMode::Linear {
-            return self.step_ramp(&ramp::held_inputs(self), dt);
+            return self.step_along_the_motion(dt);
         }
         self.start();
         self.step_size = dt;

@@ -7,6 +7,7 @@ import sys
 import numpy
 import pytest
 from coupling import CouplingError
+from fmpy.ssp.simulation import simulate_ssp
 from fmpy.ssp.ssd import read_ssd
 from masters import MASTERS, run_fmpy, run_jacobi, unpacked, variants
 
@@ -65,6 +66,18 @@ def test_the_runner_of_fmpy_agrees_far_within_the_error_of_the_coupling(package,
     for name in CAR:
         error = numpy.abs(plain[variant][name] - fine[name][1::2]).max()
         assert numpy.abs(runner[name] - plain[variant][name]).max() < 1e-3 * error + 1e-12, name
+
+
+def test_the_runner_of_fmpy_runs_the_package_as_it_is(package):
+    """It sets every input to 0 first, a strut's length as well; then the car rides on its struts."""
+    record = simulate_ssp(str(package), stop_time=1.5, step_size=STEP)
+    assert len(record) > 1400
+    for name in CAR:
+        assert numpy.isfinite(record[name]).all(), name
+    for corner in ("fl", "fr", "rl", "rr"):
+        length = record[f"car.{corner}.length"]
+        assert 0.145 < length.min() < length.max() < 0.2, corner
+        assert record[f"strut_{corner}.force"][100:].min() > 0.0, corner
 
 
 def test_each_variant_has_its_damper(plain):
