@@ -11,6 +11,8 @@ use crate::number::Dual;
 pub struct Instance {
     model: &'static ModelType,
     row: Box<[f64]>,
+    /// What the model remembers beside the row.
+    memory: Box<[f64]>,
     /// Slopes of the inputs over the step to come or, after it, over the step just made.
     slope: Box<[f64]>,
     /// Do the slopes belong to the step to come? They are given for one step, and then used up.
@@ -27,6 +29,8 @@ pub struct Instance {
     rate: Box<[f64]>,
     duals: Box<[Dual]>,
     rate_duals: Box<[Dual]>,
+    memory_rate: Box<[f64]>,
+    memory_duals: Box<[Dual]>,
     /// Columns of the states that an importer may integrate itself; none if the model is for co-simulation only.
     continuous: Box<[usize]>,
     // Columns of the results that jump, and what they are now; an importer that integrates sees what they were at the
@@ -44,6 +48,8 @@ pub struct Instance {
 pub struct Snapshot {
     /// The row.
     pub row: Box<[f64]>,
+    /// What the model remembers beside the row.
+    pub memory: Box<[f64]>,
     /// Slopes of the inputs.
     pub slope: Box<[f64]>,
     /// See [`Instance`].
@@ -67,16 +73,19 @@ impl Instance {
         let mut instance = Instance {
             model,
             row: memory::filled(0.0, columns)?,
+            memory: memory::filled(0.0, model.memory)?,
             slope: memory::filled(0.0, columns)?,
             slopes_are_new: false,
             has_slopes: false,
             unchecked: true,
             stale: true,
             time: 0.0,
-            room: memory::filled(0.0, columns)?,
+            room: memory::filled(0.0, columns + model.memory)?,
             rate: memory::filled(0.0, columns)?,
             duals: memory::filled(Dual::default(), columns)?,
             rate_duals: memory::filled(Dual::default(), columns)?,
+            memory_rate: memory::filled(0.0, model.memory)?,
+            memory_duals: memory::filled(Dual::default(), model.memory)?,
             continuous: columns_of(model, |variable| variable.is_continuous_state())?,
             latest: memory::filled(0.0, jumping.len())?,
             latest_is_known: false,
@@ -93,6 +102,7 @@ impl Instance {
         for (value, variable) in self.row.iter_mut().zip(self.model.table) {
             *value = variable.start;
         }
+        self.memory.fill(0.0);
         self.clear_slopes();
         self.slopes_are_new = false;
         self.unchecked = true;
@@ -214,7 +224,7 @@ impl Instance {
 
     #[inline]
     fn compute_outputs(&mut self) -> Result<(), Fault> {
-        if !self.model.try_output(&mut self.row, &mut self.room) {
+        if !self.model.try_output(&mut self.row, &mut self.memory, &mut self.room) {
             return Err(self.not_finite(format_args!("the outputs")));
         }
         self.stale = false;
@@ -279,7 +289,7 @@ impl Instance {
             return self.step_with_care(dt);
         }
         self.observe(dt);
-        if !self.model.try_advance(&mut self.row, &mut self.room, dt) {
+        if !self.model.try_advance(&mut self.row, &mut self.memory, &mut self.room, dt) {
             return Err(self.step_not_finite(dt));
         }
         self.stale = false;
@@ -313,9 +323,9 @@ impl Instance {
         self.observe(dt);
         let finite = if self.slopes_are_new {
             self.check_ramps(dt)?;
-            self.model.try_advance_ramp(&mut self.row, &mut self.room, &self.slope, dt)
+            self.model.try_advance_ramp(&mut self.row, &mut self.memory, &mut self.room, &self.slope, dt)
         } else {
-            self.model.try_advance(&mut self.row, &mut self.room, dt)
+            self.model.try_advance(&mut self.row, &mut self.memory, &mut self.room, dt)
         };
         if !finite {
             return Err(self.step_not_finite(dt));
@@ -372,12 +382,18 @@ impl Instance {
 
     /// Computes the time derivatives of the states, for [`Instance::rates`].
     pub fn compute_rates(&mut self) -> Result<(), Fault> {
-        self.model.rate(&self.row, &mut self.rate);
+        self.find_rates();
         if self.continuous.iter().all(|column| self.rate[*column].is_finite()) {
             Ok(())
         } else {
             Err(self.not_finite(format_args!("the derivatives")))
         }
+    }
+
+    fn find_rates(&mut self) {
+        let in_use = self.model.memory_in_use(&self.row);
+        let (memory, memory_rate) = (&self.memory[..in_use], &mut self.memory_rate[..in_use]);
+        self.model.rate_with(&self.row, memory, &mut self.rate, memory_rate);
     }
 
     /// Time derivatives of the states, in the states' columns: to be read right after [`Instance::compute_rates`], for
@@ -399,7 +415,7 @@ impl Instance {
     /// Changes what changes at an event only. True if a continuous state was among it.
     pub fn at_event(&mut self) -> Result<bool, Fault> {
         self.rate.copy_from_slice(&self.row);
-        if !self.model.try_at_event(&mut self.row, &mut self.room) {
+        if !self.model.try_at_event(&mut self.row, &mut self.memory, &mut self.room) {
             return Err(self.not_finite(format_args!("the states after an event")));
         }
         self.stale = true;
@@ -418,10 +434,25 @@ impl Instance {
         (&self.duals, &self.rate_duals)
     }
 
-    fn seed(&mut self, seeds: impl Iterator<Item = (usize, f64)>) {
+    /// The values as dual numbers, without slopes.
+    fn spread(&mut self) {
         for (dual, value) in self.duals.iter_mut().zip(&self.row) {
             *dual = Dual::from(*value);
         }
+        let in_use = self.model.memory_in_use(&self.row);
+        for (dual, value) in self.memory_duals.iter_mut().zip(&self.memory[..in_use]) {
+            *dual = Dual::from(*value);
+        }
+    }
+
+    fn find_dual_outputs(&mut self) -> &[Dual] {
+        let in_use = self.model.memory_in_use(&self.row);
+        self.model.output_dual_with(&mut self.duals, &self.memory_duals[..in_use]);
+        &self.duals
+    }
+
+    fn seed(&mut self, seeds: impl Iterator<Item = (usize, f64)>) {
+        self.spread();
         for (column, component) in seeds {
             self.duals[column].slope += component;
         }
@@ -430,26 +461,26 @@ impl Instance {
     /// Derivative of each column in the direction that `seeds` (column, component) span; exact.
     pub fn derivative(&mut self, seeds: impl Iterator<Item = (usize, f64)>) -> &[Dual] {
         self.seed(seeds);
-        self.model.output_dual(&mut self.duals);
-        &self.duals
+        self.find_dual_outputs()
     }
 
     /// Derivative of each column with respect to time at the present instant; exact.
     pub fn time_derivative(&mut self) -> &[Dual] {
-        for (dual, value) in self.duals.iter_mut().zip(&self.row) {
-            *dual = Dual::from(*value);
-        }
-        self.model.rate(&self.row, &mut self.rate);
+        self.spread();
+        self.find_rates();
         for ((dual, rate), slope) in self.duals.iter_mut().zip(&self.rate).zip(&self.slope) {
             dual.slope = rate + slope;
         }
-        self.model.output_dual(&mut self.duals);
-        &self.duals
+        for (dual, rate) in self.memory_duals.iter_mut().zip(&self.memory_rate) {
+            dual.slope = *rate;
+        }
+        self.find_dual_outputs()
     }
 
     /// Writes everything that changes into a snapshot made by [`Instance::save`] of the same model.
     pub fn save_into(&self, snapshot: &mut Snapshot) {
         snapshot.row.copy_from_slice(&self.row);
+        snapshot.memory.copy_from_slice(&self.memory);
         snapshot.slope.copy_from_slice(&self.slope);
         snapshot.slopes_are_new = self.slopes_are_new;
         snapshot.stale = self.stale;
@@ -466,6 +497,7 @@ impl Instance {
     pub fn try_save(&self) -> Result<Snapshot, OutOfMemory> {
         Ok(Snapshot {
             row: memory::copied(&self.row)?,
+            memory: memory::copied(&self.memory)?,
             slope: memory::copied(&self.slope)?,
             slopes_are_new: self.slopes_are_new,
             stale: self.stale,
@@ -476,6 +508,7 @@ impl Instance {
     /// Back to a snapshot of the same model; whether it is one, the caller has made sure.
     pub fn restore(&mut self, snapshot: &Snapshot) {
         self.row.copy_from_slice(&snapshot.row);
+        self.memory.copy_from_slice(&snapshot.memory);
         self.slope.copy_from_slice(&snapshot.slope);
         self.slopes_are_new = snapshot.slopes_are_new;
         self.has_slopes = true;

@@ -505,6 +505,15 @@ pub unsafe trait Columns: Copy + Width {
     const TABLE: &'static [Variable];
 }
 
+/// A struct of numbers of one type: a model or a part in that number type. Implemented by [`part!`](crate::part!).
+///
+/// # Safety
+/// The type must be `#[repr(C)]` and consist of nothing but `Number`s, because numbers are viewed as it.
+pub unsafe trait Numbers: Copy {
+    /// Type of the numbers.
+    type Number: Copy;
+}
+
 /// The text of a model: what `model!` takes from its doc comments.
 ///
 /// # Safety
@@ -521,13 +530,25 @@ pub unsafe trait Described: Columns {
     /// What a master's calls on every step must know of the columns.
     const PORTS: &'static [Port];
     /// The same model in dual numbers, for exact derivatives.
-    type Dual: Law;
+    type Dual: Law<Number = Dual>;
 }
 
 /// The equations of a model, written once for every number type.
-pub trait Law {
+pub trait Law: Numbers {
     /// Computes the [`Role::Output`] columns from the others.
     fn output(&mut self);
+
+    /// How many numbers of its [`Model::MEMORY`] the model uses with its present parameters.
+    #[inline(always)]
+    fn memory_in_use(&self) -> usize {
+        0
+    }
+
+    /// [`Law::output`] of a model with memory; like the other functions with memory, it gets what is in use.
+    #[inline(always)]
+    fn output_with(&mut self, _memory: &[Self::Number]) {
+        self.output();
+    }
 
     /// Writes the time derivatives of the continuous states into their columns of `rate`.
     fn derivatives(&self, _rate: &mut Self) {}
@@ -545,7 +566,7 @@ pub struct Preset {
 }
 
 /// What a model adds to its table: how it moves in time.
-pub trait Model: Described + Law {
+pub trait Model: Described + Law<Number = f64> {
     /// May an importer integrate the continuous states itself, as FMI's Model Exchange has it? Then they move by
     /// [`Law::derivatives`] alone, and nothing else of the state matters or all of it changes in [`Model::at_event`].
     const MODEL_EXCHANGE: bool = false;
@@ -555,6 +576,11 @@ pub trait Model: Described + Law {
 
     /// Named parameter sets.
     const PRESETS: &'static [Preset] = &[];
+
+    /// Numbers that an instance remembers beside the row: the part of the state that is too long for a table, such as
+    /// the elements of a law that can have a thousand. No variable names them. They are 0 at the start, and saved and
+    /// restored with the row.
+    const MEMORY: usize = 0;
 
     /// Refuses parameters that are admitted one by one but not together.
     fn check(&self) -> Result<(), Fault> {
@@ -594,10 +620,21 @@ pub trait Model: Described + Law {
         self.output();
     }
 
+    /// [`Model::step_and_output`] of a model with memory.
+    #[inline(always)]
+    fn step_and_output_with(&mut self, _memory: &mut [f64], dt: f64) {
+        self.step_and_output(dt);
+    }
+
     /// Advances the states by `dt` while each input moves with the slope in its column of `slope`, and leaves the
     /// inputs at their values at the end. By default composed of held steps, with error control.
     fn step_ramp(&mut self, slope: &Self, dt: f64) {
         crate::ramp::advance(self, slope, dt);
+    }
+
+    /// [`Model::step_ramp`] of a model with memory.
+    fn step_ramp_with(&mut self, _memory: &mut [f64], slope: &Self, dt: f64) {
+        self.step_ramp(slope, dt);
     }
 
     /// Speeds at which the law jumps or bends in `velocity`; 0 for none. No piece of a ramp reaches across them.
@@ -614,6 +651,11 @@ pub trait Model: Described + Law {
     /// [`Law::derivatives`]; to be overridden by a model that knows them as plain numbers only.
     fn rate(&self, rate: &mut Self) {
         self.derivatives(rate);
+    }
+
+    /// [`Model::rate`] of a model with memory, which moves, too.
+    fn rate_with(&self, _memory: &[f64], rate: &mut Self, _memory_rate: &mut [f64]) {
+        self.rate(rate);
     }
 }
 
@@ -661,19 +703,22 @@ pub struct ModelType {
     pub model_exchange: bool,
     /// Number of its event indicators.
     pub event_indicators: usize,
+    /// Numbers that an instance remembers beside the row: [`Model::MEMORY`].
+    pub memory: usize,
     guid: GuidText,
     check: fn(&[f64]) -> Result<(), Fault>,
     check_motion: fn(&[f64]) -> Result<(), Fault>,
     warning: fn(&[f64]) -> Option<Fault>,
-    advance: fn(&mut [f64], Room, f64) -> bool,
-    advance_ramp: fn(&mut [f64], Room, &[f64], f64) -> bool,
-    output: fn(&mut [f64], Room) -> bool,
-    output_dual: fn(&mut [Dual]),
-    rate: fn(&[f64], &mut [f64]),
+    memory_in_use: fn(&[f64]) -> usize,
+    advance: fn(&mut [f64], &mut [f64], Room, f64) -> bool,
+    advance_ramp: fn(&mut [f64], &mut [f64], Room, &[f64], f64) -> bool,
+    output: fn(&mut [f64], &mut [f64], Room) -> bool,
+    output_dual: fn(&mut [Dual], &[Dual]),
+    rate: fn(&[f64], &[f64], &mut [f64], &mut [f64]),
     rate_dual: fn(&[Dual], &mut [Dual]),
     check_exchange: fn(&[f64]) -> Result<(), Fault>,
     indicate: fn(&[f64], &mut [f64]),
-    at_event: fn(&mut [f64], Room) -> bool,
+    at_event: fn(&mut [f64], &mut [f64], Room) -> bool,
 }
 
 impl ModelType {
@@ -688,6 +733,7 @@ impl ModelType {
             presets: M::PRESETS,
             model_exchange: M::MODEL_EXCHANGE,
             event_indicators: M::EVENT_INDICATORS,
+            memory: M::MEMORY,
             guid: guid::fingerprint(
                 M::NAME,
                 M::TABLE,
@@ -696,21 +742,27 @@ impl ModelType {
             check: |row| view::<M, f64>(row).check(),
             check_motion: |row| view::<M, f64>(row).check_motion(),
             warning: |row| view::<M, f64>(row).warning(),
-            advance: |row, room, dt| commit::<M>(row, room, first_result(M::TABLE), |model| model.step_and_output(dt)),
-            advance_ramp: |row, room, slope, dt| {
+            memory_in_use: |row| view::<M, f64>(row).memory_in_use(),
+            advance: |row, memory, room, dt| {
+                let advance = |model: &mut M, memory: &mut [f64]| model.step_and_output_with(memory, dt);
+                commit::<M>(row, memory, room, first_result(M::TABLE), advance)
+            },
+            advance_ramp: |row, memory, room, slope, dt| {
                 let slope = view::<M, f64>(slope);
-                let advance = |model: &mut M| {
-                    model.step_ramp(slope, dt);
-                    model.output();
+                let advance = |model: &mut M, memory: &mut [f64]| {
+                    model.step_ramp_with(memory, slope, dt);
+                    model.output_with(memory);
                 };
                 // The inputs have moved too.
-                commit::<M>(row, room, 0, advance)
+                commit::<M>(row, memory, room, 0, advance)
             },
-            output: |row, room| commit::<M>(row, room, first_result(M::TABLE), M::output),
-            output_dual: |row| view_mut::<M::Dual, Dual>(row).output(),
-            rate: |row, rate| {
+            output: |row, memory, room| {
+                commit::<M>(row, memory, room, first_result(M::TABLE), |model, memory| model.output_with(memory))
+            },
+            output_dual: |row, memory| view_mut::<M::Dual, Dual>(row).output_with(memory),
+            rate: |row, memory, rate, memory_rate| {
                 rate.fill(0.0);
-                view::<M, f64>(row).rate(view_mut(rate));
+                view::<M, f64>(row).rate_with(memory, view_mut(rate), memory_rate);
             },
             rate_dual: |row, rate| {
                 rate.fill(Dual::default());
@@ -718,7 +770,7 @@ impl ModelType {
             },
             check_exchange: |row| view::<M, f64>(row).check_exchange(),
             indicate: |row, indicators| view::<M, f64>(row).event_indicators(indicators),
-            at_event: |row, room| commit::<M>(row, room, 0, M::at_event),
+            at_event: |row, memory, room| commit::<M>(row, memory, room, 0, |model, _| model.at_event()),
         }
     }
 
@@ -755,49 +807,73 @@ impl ModelType {
         (self.check_motion)(row)
     }
 
+    /// How many numbers of the memory beside the row its parameters ask for. The functions that work on a row alone are
+    /// for rows that ask for none.
+    #[inline]
+    pub fn memory_in_use(&self, row: &[f64]) -> usize {
+        (self.memory_in_use)(row)
+    }
+
     /// Advances by `dt` with held inputs and computes the outputs. False if a result is not finite; the row is not to be
     /// used then.
     #[inline]
     pub fn advance(&self, row: &mut [f64], dt: f64) -> bool {
-        (self.advance)(row, &mut [], dt)
+        (self.advance)(row, &mut [], &mut [], dt)
     }
 
-    /// As [`ModelType::advance`], but the row is as it was if a result is not finite, or if the model panics.
+    /// As [`ModelType::advance`], but row and memory are as they were if a result is not finite, or if the model panics.
     #[inline(always)]
-    pub(crate) fn try_advance(&self, row: &mut [f64], room: Room, dt: f64) -> bool {
-        (self.advance)(row, room, dt)
+    pub(crate) fn try_advance(&self, row: &mut [f64], memory: &mut [f64], room: Room, dt: f64) -> bool {
+        (self.advance)(row, memory, room, dt)
     }
 
     /// As [`ModelType::advance`], with inputs that move linearly.
     pub fn advance_ramp(&self, row: &mut [f64], slope: &[f64], dt: f64) -> bool {
-        (self.advance_ramp)(row, &mut [], slope, dt)
+        (self.advance_ramp)(row, &mut [], &mut [], slope, dt)
     }
 
     /// As [`ModelType::try_advance`], with inputs that move linearly.
-    pub(crate) fn try_advance_ramp(&self, row: &mut [f64], room: Room, slope: &[f64], dt: f64) -> bool {
-        (self.advance_ramp)(row, room, slope, dt)
+    pub(crate) fn try_advance_ramp(
+        &self,
+        row: &mut [f64],
+        memory: &mut [f64],
+        room: Room,
+        slope: &[f64],
+        dt: f64,
+    ) -> bool {
+        (self.advance_ramp)(row, memory, room, slope, dt)
     }
 
     /// Computes the outputs. False if one is not finite; the row is not to be used then.
     #[inline]
     pub fn output(&self, row: &mut [f64]) -> bool {
-        (self.output)(row, &mut [])
+        (self.output)(row, &mut [], &mut [])
     }
 
     /// As [`ModelType::output`], but the row is as it was if a result is not finite, or if the model panics.
     #[inline(always)]
-    pub(crate) fn try_output(&self, row: &mut [f64], room: Room) -> bool {
-        (self.output)(row, room)
+    pub(crate) fn try_output(&self, row: &mut [f64], memory: &mut [f64], room: Room) -> bool {
+        (self.output)(row, memory, room)
     }
 
     /// Computes the outputs with their derivatives in the direction that the other columns carry.
     pub fn output_dual(&self, row: &mut [Dual]) {
-        (self.output_dual)(row);
+        self.output_dual_with(row, &[]);
+    }
+
+    /// As [`ModelType::output_dual`], with what is in use of the memory.
+    pub(crate) fn output_dual_with(&self, row: &mut [Dual], memory: &[Dual]) {
+        (self.output_dual)(row, memory);
     }
 
     /// Time derivatives of the states, in the states' columns; 0 elsewhere.
     pub fn rate(&self, row: &[f64], rate: &mut [f64]) {
-        (self.rate)(row, rate);
+        self.rate_with(row, &[], rate, &mut []);
+    }
+
+    /// As [`ModelType::rate`], with what is in use of the memory.
+    pub(crate) fn rate_with(&self, row: &[f64], memory: &[f64], rate: &mut [f64], memory_rate: &mut [f64]) {
+        (self.rate)(row, memory, rate, memory_rate);
     }
 
     /// The same with their derivatives in the direction that the columns of `row` carry; for Model Exchange.
@@ -823,12 +899,12 @@ impl ModelType {
 
     /// Changes what changes at an event only. False if a result is not finite; the row is not to be used then.
     pub fn at_event(&self, row: &mut [f64]) -> bool {
-        (self.at_event)(row, &mut [])
+        (self.at_event)(row, &mut [], &mut [])
     }
 
     /// As [`ModelType::at_event`], but the row is as it was if a result is not finite, or if the model panics.
-    pub(crate) fn try_at_event(&self, row: &mut [f64], room: Room) -> bool {
-        (self.at_event)(row, room)
+    pub(crate) fn try_at_event(&self, row: &mut [f64], memory: &mut [f64], room: Room) -> bool {
+        (self.at_event)(row, memory, room)
     }
 }
 
@@ -853,30 +929,48 @@ const fn first_result(table: &[Variable]) -> usize {
     first
 }
 
-/// Room for a copy of a row, or none: a row of many elements is too long for the stack of a host.
+/// Room for a copy of a row and its memory, or none: a row of many elements is too long for the stack of a host.
 pub(crate) type Room<'a> = &'a mut [f64];
 
-/// Works on the row and says whether every number from column `first` on is finite. Otherwise, and if the work panics,
-/// the row is as it was, if there is room for a copy. Nothing before that column may be changed by the work.
+/// Works on row and memory and says whether every number from column `first` on is finite. Otherwise, and if the work
+/// panics, they are as they were, if there is room for a copy. Nothing before that column may be changed by the work.
+/// What is not in use of the memory costs nothing.
 #[inline(always)]
-fn commit<M: Model>(row: &mut [f64], room: Room, first: usize, work: impl FnOnce(&mut M)) -> bool {
-    let row = row_of_mut(view_mut::<M, f64>(row));
-    let has_room = room.len() == M::TABLE.len();
+fn commit<M: Model>(
+    row: &mut [f64],
+    memory: &mut [f64],
+    room: Room,
+    first: usize,
+    work: impl FnOnce(&mut M, &mut [f64]),
+) -> bool {
+    let model = view_mut::<M, f64>(row);
+    let in_use = model.memory_in_use();
+    assert!(in_use <= memory.len(), "a row that asks for the memory of an instance");
+    let memory = &mut memory[..in_use];
+    let has_room = room.len() == M::TABLE.len() + M::MEMORY;
     if has_room {
-        room[first..M::TABLE.len()].copy_from_slice(&row[first..]);
+        let (row_copy, memory_copy) = room.split_at_mut(M::TABLE.len());
+        row_copy[first..].copy_from_slice(&row_of(model)[first..]);
+        memory_copy[..memory.len()].copy_from_slice(memory);
     }
-    let mut guard = RollBack::<M> { row: view_mut(row), room, first, keep: !has_room };
-    work(guard.row);
-    // x 0 is 0 for every finite x, and NaN for the others.
-    let is_finite = row_of(guard.row)[first..].iter().fold(0.0, |sum, value| sum + value * 0.0) == 0.0;
+    let mut guard = RollBack::<M> { row: model, memory, room, first, keep: !has_room };
+    work(guard.row, guard.memory);
+    let is_finite = are_finite(&row_of(guard.row)[first..]) && are_finite(guard.memory);
     guard.keep |= is_finite;
     is_finite
 }
 
-/// Puts a row back unless it is told to keep it. The work is done in place, and not on a copy that is written back,
-/// because processors stall where a vector copy reads what was just written number by number.
+/// x 0 is 0 for every finite x, and NaN for the others.
+#[inline(always)]
+fn are_finite(numbers: &[f64]) -> bool {
+    numbers.iter().fold(0.0, |sum, value| sum + value * 0.0) == 0.0
+}
+
+/// Puts row and memory back unless it is told to keep them. The work is done in place, and not on a copy that is written
+/// back, because processors stall where a vector copy reads what was just written number by number.
 struct RollBack<'a, M: Model> {
     row: &'a mut M,
+    memory: &'a mut [f64],
     room: Room<'a>,
     first: usize,
     keep: bool,
@@ -886,7 +980,9 @@ impl<M: Model> Drop for RollBack<'_, M> {
     #[inline(always)]
     fn drop(&mut self) {
         if !self.keep {
-            row_of_mut(self.row)[self.first..].copy_from_slice(&self.room[self.first..]);
+            let (row, memory) = self.room.split_at(M::TABLE.len());
+            row_of_mut(self.row)[self.first..].copy_from_slice(&row[self.first..]);
+            self.memory.copy_from_slice(&memory[..self.memory.len()]);
         }
     }
 }
@@ -922,6 +1018,24 @@ fn view_mut<M, T>(row: &mut [T]) -> &mut M {
     assert!(size_of_val(row) == size_of::<M>(), "a row of another model");
     // SAFETY: as in `view`; the borrow of `row` is exclusive and passes on to the result.
     unsafe { &mut *row.as_mut_ptr().cast::<M>() }
+}
+
+/// Numbers seen as parts that follow one another; what is left over is no part.
+pub(crate) fn parts<P: Numbers>(numbers: &[P::Number]) -> &[P] {
+    const { assert!(align_of::<P>() == align_of::<P::Number>() && size_of::<P>() > 0) };
+    let count = size_of_val(numbers) / size_of::<P>();
+    // SAFETY: `Numbers` promises a `#[repr(C)]` struct of nothing but these numbers; the alignment was just checked, and
+    // so many parts lie in the slice.
+    unsafe { std::slice::from_raw_parts(numbers.as_ptr().cast::<P>(), count) }
+}
+
+/// As [`parts`], to write.
+pub(crate) fn parts_mut<P: Numbers>(numbers: &mut [P::Number]) -> &mut [P] {
+    const { assert!(align_of::<P>() == align_of::<P::Number>() && size_of::<P>() > 0) };
+    let count = size_of_val(numbers) / size_of::<P>();
+    // SAFETY: as in `parts`; a part holds nothing but numbers, so no write can break the slice, and the borrow of it is
+    // exclusive and passes on to the result.
+    unsafe { std::slice::from_raw_parts_mut(numbers.as_mut_ptr().cast::<P>(), count) }
 }
 
 /// Writes one variable into a table under construction and returns the next free column.
@@ -1127,6 +1241,11 @@ macro_rules! part {
         }
 
         impl<T: Copy> Copy for $Name<T> {}
+
+        // SAFETY: `#[repr(C)]`, and every field is a number of this type or a part of such numbers.
+        unsafe impl<T: Copy> $crate::model::Numbers for $Name<T> {
+            type Number = T;
+        }
 
         impl<T: Copy> $Name<T> {
             /// The same columns in another number type.

@@ -1,7 +1,7 @@
 //! A snapshot as bytes: to be kept in a file or given to another process.
 //!
 //! Little-endian, the same on every platform: magic, format number, guid of the model, then time, flags, the owner's own
-//! numbers, row and slopes as f64, and an FNV-1a checksum of all that. Foreign, truncated and damaged bytes are refused.
+//! numbers, row, slopes and memory as f64, and an FNV-1a checksum of all that. Foreign, truncated and damaged bytes are refused.
 
 use std::fmt;
 
@@ -22,7 +22,7 @@ pub const OWNERS: usize = 4;
 
 /// Number of bytes of a snapshot of that model.
 pub fn size(model: &ModelType) -> usize {
-    HEAD + 8 * (OWN + OWNERS + 2 * model.table.len()) + CHECKSUM
+    HEAD + 8 * (OWN + OWNERS + 2 * model.table.len() + model.memory) + CHECKSUM
 }
 
 /// Writes a snapshot into `bytes`, which must have exactly [`size`] bytes.
@@ -30,6 +30,7 @@ pub fn write(model: &ModelType, snapshot: &Snapshot, owners: [f64; OWNERS], byte
     let flags = [snapshot.slopes_are_new, snapshot.stale].map(|flag| f64::from(u8::from(flag)));
     let numbers = [snapshot.time].into_iter().chain(flags).chain(owners);
     let numbers = numbers.chain(snapshot.row.iter().copied()).chain(snapshot.slope.iter().copied());
+    let numbers = numbers.chain(snapshot.memory.iter().copied());
     let (body, checksum) = bytes.split_at_mut(size(model) - CHECKSUM);
     let (head, data) = body.split_at_mut(HEAD);
     head[..8].copy_from_slice(MAGIC);
@@ -70,7 +71,9 @@ pub fn read(model: &ModelType, bytes: &[u8]) -> Result<(Snapshot, [f64; OWNERS])
     let mut row = memory::filled(0.0, columns)?;
     let mut slope = memory::filled(0.0, columns)?;
     row.fill_with(&mut take);
+    let mut memory = memory::filled(0.0, model.memory)?;
     slope.fill_with(&mut take);
+    memory.fill_with(&mut take);
     for (variable, value) in model.table.iter().zip(&*row) {
         // On the way to a result a solver may set states beyond their bounds.
         let may_be_any = variable.role == Role::Output || (model.model_exchange && variable.is_continuous_state());
@@ -84,10 +87,13 @@ pub fn read(model: &ModelType, bytes: &[u8]) -> Result<(Snapshot, [f64; OWNERS])
     if !time.is_finite() || !model.table.iter().zip(&*slope).all(is_sound) {
         return refuse(format_args!("time or a slope is not finite, or the slope is not that of an input"));
     }
+    if !memory.iter().all(|value| value.is_finite()) {
+        return refuse(format_args!("a number of the memory is not finite"));
+    }
     let (Some(slopes_are_new), Some(stale)) = (flag(slopes_are_new), flag(stale)) else {
         return refuse(format_args!("a flag is {slopes_are_new} or {stale}, and neither 0 nor 1"));
     };
-    Ok((Snapshot { row, slope, slopes_are_new, stale, time }, owners))
+    Ok((Snapshot { row, memory, slope, slopes_are_new, stale, time }, owners))
 }
 
 /// A flag that was written as a number. Bit by bit, so that what is read is what would be written.

@@ -55,9 +55,10 @@ pub fn of(model: &ModelType, candidates: impl Fn(usize) -> bool) -> Vec<BTreeSet
     found
 }
 
-/// Computes the outputs of the row and appends its time derivatives; false if the model refuses it.
+/// Computes the outputs of the row and appends its time derivatives; false if the model refuses it or asks for more.
 fn evaluate(model: &ModelType, row: &mut Vec<f64>) -> bool {
-    if model.check(row).is_err() || !model.output(row) {
+    // A row by itself has no memory beside it.
+    if model.check(row).is_err() || model.memory_in_use(row) > 0 || !model.output(row) {
         return false;
     }
     let columns = row.len();
