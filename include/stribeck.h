@@ -3206,7 +3206,7 @@ typedef enum stribeck_specker_dynamic_variable {
 } stribeck_specker_dynamic_variable;
 
 /** Guid of MaxwellSlip for fmi2Instantiate. */
-#define STRIBECK_MAXWELL_SLIP_GUID "{06d91600-861e-4789-9c59-176b6834c9cb}"
+#define STRIBECK_MAXWELL_SLIP_GUID "{148e43d1-2241-4114-8fef-1877e0c68caa}"
 
 /** MaxwellSlip: Elements that stick or slip, with hysteresis of pre-sliding (generalised Maxwell-slip, GMS). Columns of "MaxwellSlip". */
 typedef enum stribeck_maxwell_slip_variable {
@@ -3234,7 +3234,7 @@ typedef enum stribeck_maxwell_slip_variable {
   STRIBECK_MAXWELL_SLIP_ATTRACTION = 9,
   /** fixed [stribeck_element_distribution]: Where the shares of the elements come from. (default Explicit) */
   STRIBECK_MAXWELL_SLIP_DISTRIBUTION = 10,
-  /** fixed [Integer]: Number of elements in use (default chosen). (>= 1, <= 64, default 4) */
+  /** fixed [Integer]: Number of elements in use (default chosen). (>= 1, <= 1000, default 4) */
   STRIBECK_MAXWELL_SLIP_ELEMENT_COUNT = 11,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.5) */
   STRIBECK_MAXWELL_SLIP_ELEMENT_1_STIFFNESS_SHARE = 12,

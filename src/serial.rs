@@ -168,6 +168,24 @@ mod tests {
         }
     }
 
+    /// The elements of a law that have no variables.
+    #[test]
+    fn memory_beside_the_row_is_written_and_read_back() {
+        let model = crate::catalogue::by_name("MaxwellSlip").expect("a model of the catalogue");
+        let mut snapshot = Instance::new(model).save();
+        for (at, value) in snapshot.memory.iter_mut().enumerate() {
+            *value = 0.5 + at as f64;
+        }
+        let mut bytes = vec![0; size(model)];
+        write(model, &snapshot, [0.0; OWNERS], &mut bytes);
+        assert_eq!(read(model, &bytes).map(|(read, _)| read), Ok(snapshot.clone()));
+        if let Some(last) = snapshot.memory.last_mut() {
+            *last = f64::NAN;
+        }
+        write(model, &snapshot, [0.0; OWNERS], &mut bytes);
+        assert!(read(model, &bytes).is_err());
+    }
+
     #[test]
     fn another_model_refuses_the_bytes() {
         let (_, bytes) = bytes_of("CoulombStiction");

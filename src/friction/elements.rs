@@ -3,7 +3,7 @@
 use crate::model::real;
 use crate::number::Real;
 
-/// Largest number of elements.
+/// Largest number of elements with shares of their own.
 pub(crate) const MOST: usize = 64;
 
 /// Four elements of growing strength and falling stiffness, so that they slip one after the other (chosen).
@@ -30,6 +30,11 @@ crate::part! {
     }
 }
 
+/// The share of an element that is given none: it gets an equal one, or nothing.
+pub(crate) fn no_share<T: Real>() -> Share<T> {
+    Share { stiffness_share: T::zero(), strength_share: T::zero() }
+}
+
 /// The division among the elements in use.
 pub(crate) struct Division<T> {
     distribution: ElementDistribution,
@@ -39,13 +44,17 @@ pub(crate) struct Division<T> {
 
 impl<T: Real> Division<T> {
     pub(crate) fn new(distribution: T, shares: impl Iterator<Item = Share<T>>) -> Division<T> {
-        let none = Share { stiffness_share: T::zero(), strength_share: T::zero() };
         let add = |(count, sum): (f64, Share<T>), share: Share<T>| {
             let stiffness_share = sum.stiffness_share + share.stiffness_share;
             (count + 1.0, Share { stiffness_share, strength_share: sum.strength_share + share.strength_share })
         };
-        let (count, sum) = shares.fold((0.0, none), add);
+        let (count, sum) = shares.fold((0.0, no_share()), add);
         Division { distribution: ElementDistribution::of(distribution.value()), count, sum }
+    }
+
+    /// The same division among more elements, which are given no shares.
+    pub(crate) fn among(self, count: usize) -> Division<T> {
+        Division { count: count as f64, ..self }
     }
 
     /// The shares of the element with that index, counted from 0; over all elements their sums are 1.
