@@ -685,6 +685,12 @@ impl Port {
     }
 }
 
+/// Of row, memory, room for a copy, slopes and time.
+type AdvanceRamp = fn(&mut [f64], &mut [f64], Room, &[f64], f64) -> bool;
+
+/// Of row and memory, into the rates of row and memory.
+type Rate = fn(&[f64], &[f64], &mut [f64], &mut [f64]);
+
 /// Everything the library knows about a model, in one record of plain data and functions.
 pub struct ModelType {
     /// Name, also FMI's modelIdentifier.
@@ -711,10 +717,10 @@ pub struct ModelType {
     warning: fn(&[f64]) -> Option<Fault>,
     memory_in_use: fn(&[f64]) -> usize,
     advance: fn(&mut [f64], &mut [f64], Room, f64) -> bool,
-    advance_ramp: fn(&mut [f64], &mut [f64], Room, &[f64], f64) -> bool,
+    advance_ramp: AdvanceRamp,
     output: fn(&mut [f64], &mut [f64], Room) -> bool,
     output_dual: fn(&mut [Dual], &[Dual]),
-    rate: fn(&[f64], &[f64], &mut [f64], &mut [f64]),
+    rate: Rate,
     rate_dual: fn(&[Dual], &mut [Dual]),
     check_exchange: fn(&[f64]) -> Result<(), Fault>,
     indicate: fn(&[f64], &mut [f64]),

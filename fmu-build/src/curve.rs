@@ -400,7 +400,7 @@ pub fn motion(model: &'static ModelType) -> Result<Motion> {
 
 /// What acts on a host.
 enum Connection {
-    Contact(Contact),
+    Contact(Box<Contact>),
     Struts(Vec<Strut>),
     /// It moves by itself.
     Nothing,
@@ -412,7 +412,10 @@ impl Connection {
             return Ok(Connection::Nothing);
         }
         let struts = Strut::all(host)?;
-        Ok(if struts.is_empty() { Connection::Contact(Contact::of(host.model())?) } else { Connection::Struts(struts) })
+        if !struts.is_empty() {
+            return Ok(Connection::Struts(struts));
+        }
+        Ok(Connection::Contact(Box::new(Contact::of(host.model())?)))
     }
 
     fn name(&self) -> &'static str {
