@@ -306,9 +306,6 @@ static void small_stack(void) {
         } else if (used > most) {
             most = used;
             whose = models[i].name;
-        } else if (used > others) {
-            others = used;
-            other = models[i].name;
         }
     }
     CHECK(munmap(stack, STACK) == 0);
