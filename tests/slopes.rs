@@ -312,3 +312,37 @@ fn a_ramp_comes_to_the_limit_of_short_held_steps() {
     }
     assert!(laws > 30, "{laws}");
 }
+
+/// The time derivative of a contact's force under a moving load, against a difference along the very run, by laws whose
+/// elements follow their strength.
+#[test]
+fn the_derivative_of_a_guide_is_that_along_its_run() {
+    let mut compared = 0;
+    for law in ["Leuven", "MaxwellSlip", "LuGre", "Dahl", "ElastoPlastic", "Gonthier", "Dankowicz", "BlimanSorine"] {
+        let mut random = Random(17);
+        for _ in 0..40 {
+            let mut guide = Bench::new("GuideContact", &[]);
+            choose(&mut guide, law);
+            let (velocity, load) = (1e-3 * random.signed(), 20.0 + 60.0 * random.next());
+            let (acceleration, rate) = (0.01 * random.signed(), 200.0 * random.next());
+            guide.set("velocity", velocity);
+            guide.set("normal_force", load);
+            // Some of the way goes into the bristles, some into sliding.
+            guide.step(0.1 * random.next());
+            let mut go_on = |h: f64| {
+                slope(&mut guide, "velocity", acceleration);
+                slope(&mut guide, "normal_force", rate);
+                guide.step(h);
+                let column = guide.column("friction_force");
+                (guide.get("friction_force"), guide.instance.time_derivative()[column].slope)
+            };
+            let h = 1e-6;
+            let [(before, _), (_, now), (after, _)] = [go_on(1e-4), go_on(h), go_on(h)];
+            let difference = (after - before) / (2.0 * h);
+            let error = (difference - now).abs() / (1.0 + now.abs());
+            assert!(error < 0.02, "{law} at {velocity} m/s, {load} N: {now} N/s, along the run {difference} N/s");
+            compared += 1;
+        }
+    }
+    assert_eq!(compared, 320);
+}
