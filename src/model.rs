@@ -627,7 +627,7 @@ pub trait Model: Described + Law<Number = f64> {
     }
 
     /// Advances the states by `dt` while each input moves with the slope in its column of `slope`, and leaves the
-    /// inputs at their values at the end. By default composed of held steps, with error control.
+    /// inputs at their values at the end. By default by the rates of the continuous states, with error control.
     fn step_ramp(&mut self, slope: &Self, dt: f64) {
         crate::ramp::advance(self, slope, dt);
     }

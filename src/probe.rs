@@ -78,6 +78,10 @@ impl Model for Probe {
             Behaviour::Overflow => self.integral = 1.0 / 0.0,
         }
     }
+
+    fn step_ramp(&mut self, slope: &Self, dt: f64) {
+        crate::ramp::in_pieces(self, slope, dt, 1);
+    }
 }
 
 pub(crate) static MODELS: &[ModelType] = &[ModelType::of::<Probe>()];

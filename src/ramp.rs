@@ -1,101 +1,497 @@
-//! A step with inputs that move linearly, composed of steps with held inputs.
+//! A step with inputs that move linearly, for models whose states move continuously.
 //!
-//! The models solve a step with held inputs exactly. Holding each input at its value in the middle of a piece is of
-//! second order; the length of the pieces follows from comparing one piece with its two halves.
+//! Between two kinks a state obeys `y' = f(y, t)`, where the time stands for the inputs. About its value y_0 at the
+//! beginning of a piece, w = y - y_0 is drawn to a target w* that the inputs move, at a rate r that they move too:
+//!
+//! ```text
+//! w' = r (w* - w),   r = -df/dy,   w* = f(y_0, t) / r
+//! dw/dq = w* - w,    q = integral of r
+//! ```
+//!
+//! With w* quadratic in q through the beginning, the middle and the end of a piece this is solved exactly: a bristle that
+//! follows a level which moves is, however stiff it is, and so is the work of its force. Where f is not linear in y, r is
+//! the slope of the chord to where y has about gone.
 
-use crate::model::{Columns, Model, Path, Role, row_of, row_of_mut};
+use crate::model::{Model, Path, Role, Variable, row_of, row_of_mut};
 
-/// Error allowed in a piece, relative to the larger of the state and its nominal value (chosen).
-const TOLERANCE: f64 = 1e-9;
+/// Error allowed in a piece, relative to the larger of the state and its nominal value (chosen). It is that of a target
+/// taken as linear; what is left of a quadratic one is far below.
+const TOLERANCE: f64 = 5e-4;
 
-/// No piece is shorter than this part of the step (chosen), so that the time that a step takes is bounded.
-const SHORTEST: f64 = 1e-5;
+/// No piece is shorter than this part of the way from one kink to the next (chosen), so that the time of a step is
+/// bounded.
+const SHORTEST: f64 = 1.0 / 128.0;
+
+/// Derivatives are taken so far inside a piece, in parts of it (chosen): at its ends many laws have kinks.
+const INSIDE: f64 = 1e-9;
+
+/// Columns of a table.
+struct Selection<const MOST: usize> {
+    columns: [usize; MOST],
+    count: usize,
+}
+
+impl<const MOST: usize> Selection<MOST> {
+    const NONE: Selection<MOST> = Selection { columns: [0; MOST], count: 0 };
+
+    const fn with(mut self, column: usize) -> Self {
+        self.columns[self.count] = column;
+        self.count += 1;
+        self
+    }
+
+    fn iter(&self) -> impl Iterator<Item = usize> + '_ {
+        self.columns[..self.count].iter().copied()
+    }
+}
+
+/// Most states of a model that comes here, the energy aside.
+const MOST: usize = 4;
+
+/// Is it a state that moves, the energy aside?
+const fn is_followed(variable: &Variable) -> bool {
+    variable.is_continuous_state() && !variable.path.is(&Path::root("dissipated_energy"))
+}
+
+/// Where the columns of a model stand that matter here.
+struct Of<M>(std::marker::PhantomData<M>);
+
+impl<M: Model> Of<M> {
+    const INPUTS: Selection<24> = {
+        let (mut inputs, mut column) = (Selection::NONE, 0);
+        while column < M::TABLE.len() {
+            if matches!(M::TABLE[column].role, Role::Input) {
+                inputs = inputs.with(column);
+            }
+            column += 1;
+        }
+        inputs
+    };
+
+    /// States that move, the energy aside.
+    const STATES: Selection<MOST> = {
+        let (mut states, mut column) = (Selection::NONE, 0);
+        while column < M::TABLE.len() {
+            if is_followed(&M::TABLE[column]) {
+                states = states.with(column);
+            }
+            column += 1;
+        }
+        assert!(M::MODEL_EXCHANGE || states.count == 0, "a model whose states jump has a `step_ramp` of its own");
+        states
+    };
+
+    const HAS_STATES: bool = {
+        let (mut has_states, mut column) = (false, 0);
+        while column < M::TABLE.len() {
+            has_states |= is_followed(&M::TABLE[column]);
+            column += 1;
+        }
+        has_states
+    };
+
+    const ENERGY: Option<usize> = Self::column("dissipated_energy");
+    const VELOCITY: Option<usize> = Self::column("velocity");
+    const NORMAL_FORCE: Option<usize> = Self::column("normal_force");
+    const PLANE: Option<[usize; 2]> = match (Self::column("velocity_x"), Self::column("velocity_y")) {
+        (Some(x), Some(y)) => Some([x, y]),
+        _ => None,
+    };
+
+    const fn column(name: &'static str) -> Option<usize> {
+        let mut column = 0;
+        while column < M::TABLE.len() {
+            if M::TABLE[column].path.is(&Path::root(name)) {
+                return Some(column);
+            }
+            column += 1;
+        }
+        None
+    }
+}
 
 /// Advances `model` by `dt` while its inputs move with `slope`.
 pub(crate) fn advance<M: Model>(model: &mut M, slope: &M, dt: f64) {
     let begin = *model;
     let mut from = 0.0;
     while from < dt {
-        let to = next_kink(&begin, slope, from).map_or(dt, |kink| kink.min(dt));
-        smooth(model, &begin, slope, from, to);
+        let to = next_kink(&begin, slope, from, dt);
+        set_inputs(model, &begin, slope, 0.5 * (from + to));
+        if is_unloaded(model) {
+            // A step lets go of what an unloaded contact holds.
+            model.step(to - from);
+        } else if Of::<M>::HAS_STATES {
+            smooth(model, &begin, slope, from, to);
+        } else if let Some(energy) = Of::<M>::ENERGY {
+            let power = |model: &M| row_of(&rate(model))[energy];
+            row_of_mut(model)[energy] += quadrature(&begin, slope, [from, to], &power);
+        }
+        from = to;
+    }
+    set_inputs(model, &begin, slope, dt);
+    if is_unloaded(model) {
+        // What a solver only approaches.
+        model.step(f64::MIN_POSITIVE);
+    }
+}
+
+fn is_unloaded<M: Model>(model: &M) -> bool {
+    Of::<M>::NORMAL_FORCE.is_some_and(|column| row_of(model)[column] == 0.0)
+}
+
+/// Advances `model` by `dt`, from one kink to the next in equal pieces whose inputs are held at their values in the middle:
+/// of second order. For laws whose states act on each other.
+pub(crate) fn in_pieces<M: Model>(model: &mut M, slope: &M, dt: f64, count: u32) {
+    let (begin, mut from) = (*model, 0.0);
+    while from < dt {
+        let to = next_kink(&begin, slope, from, dt);
+        let h = (to - from) / f64::from(count);
+        for piece in 0..count {
+            set_inputs(model, &begin, slope, from + (f64::from(piece) + 0.5) * h);
+            model.step(h);
+        }
         from = to;
     }
     set_inputs(model, &begin, slope, dt);
 }
 
-/// The first instant after `from` at which an input changes sign, where most laws have a kink, or at which the velocity
-/// passes another kink of the law.
-fn next_kink<M: Model>(begin: &M, slope: &M, from: f64) -> Option<f64> {
-    let reach = |column: usize, level: f64| (level - row_of(begin)[column]) / row_of(slope)[column];
-    let zeros = inputs::<M>().map(|column| reach(column, 0.0));
-    let velocity = M::TABLE.iter().position(|variable| variable.path == Path::root("velocity"));
-    let kinks = begin.kinks().into_iter().flat_map(|speed| [speed, -speed]);
-    let kinks = velocity.into_iter().flat_map(|column| kinks.clone().map(move |level| reach(column, level)));
-    zeros.chain(kinks).filter(|time| *time > from && time.is_finite()).min_by(f64::total_cmp)
+/// The integral of a power over a ramp.
+pub(crate) fn integral<M: Model>(begin: &M, slope: &M, dt: f64, power: impl Fn(&M) -> f64) -> f64 {
+    let (mut from, mut sum) = (0.0, 0.0);
+    while from < dt {
+        let to = next_kink(begin, slope, from, dt);
+        sum += quadrature(begin, slope, [from, to], &power);
+        from = to;
+    }
+    sum
 }
+
+/// How often an interval between two kinks may be halved (chosen), so that the time of a step is bounded.
+const HALVINGS: u32 = 5;
+
+/// Difference of the two rules, relative to the integral, above which an interval is divided (chosen). The error of
+/// Boole's rule is far below.
+const DIVIDED_FROM: f64 = 1e-5;
+
+/// By Boole's rule on an interval without kinks, halved as long as Simpson's rule on its halves gives something else than
+/// on the whole.
+fn quadrature<M: Model>(begin: &M, slope: &M, interval: [f64; 2], power: &dyn Fn(&M) -> f64) -> f64 {
+    let [from, to] = interval;
+    let mut model = *begin;
+    let mut at = |share: f64| {
+        set_inputs(&mut model, begin, slope, from + share * (to - from));
+        power(&model)
+    };
+    let ends = [at(INSIDE), at(0.5), at(1.0 - INSIDE)];
+    boole(&mut at, [0.0, 1.0], ends, HALVINGS) * (to - from)
+}
+
+fn boole(at: &mut dyn FnMut(f64) -> f64, [from, to]: [f64; 2], [a, c, e]: Nodes<f64>, halvings: u32) -> f64 {
+    let (middle, length) = (0.5 * (from + to), to - from);
+    let (b, d) = (at(0.5 * (from + middle)), at(0.5 * (middle + to)));
+    let whole = simpson([a, c, e], length);
+    let halves = simpson([a, b, c], 0.5 * length) + simpson([c, d, e], 0.5 * length);
+    let difference = halves - whole;
+    if halvings == 0 || difference.abs() <= DIVIDED_FROM * halves.abs() {
+        return halves + difference / 15.0;
+    }
+    boole(at, [from, middle], [a, b, c], halvings - 1) + boole(at, [middle, to], [c, d, e], halvings - 1)
+}
+
+/// The first instant after `from` at which an input changes sign, where most laws have a kink, or at which the velocity
+/// passes another kink of the law. What a law without memory does near rest would be overlooked between the nodes of a long
+/// way: there are further cuts.
+fn next_kink<M: Model>(begin: &M, slope: &M, from: f64, dt: f64) -> f64 {
+    let mut next = dt;
+    let mut cut = |time: f64| {
+        if time > from && time < next {
+            next = time;
+        }
+    };
+    if let Some(plane) = Of::<M>::PLANE {
+        // In a plane rest is passed at a distance.
+        let [v, a] = [row_of(begin), row_of(slope)].map(|row| plane.map(|column| row[column]));
+        cut(-(v[0] * a[0] + v[1] * a[1]) / (a[0] * a[0] + a[1] * a[1]));
+    }
+    let mut passes = |column: usize, level: f64| {
+        let rate = row_of(slope)[column];
+        if rate != 0.0 {
+            cut((level - row_of(begin)[column]) / rate);
+        }
+    };
+    for column in Of::<M>::INPUTS.iter().filter(|column| Of::<M>::PLANE.is_none_or(|plane| !plane.contains(column))) {
+        passes(column, 0.0);
+    }
+    let load_moves = Of::<M>::NORMAL_FORCE.is_some_and(|column| row_of(slope)[column] != 0.0);
+    if let Some(column) = Of::<M>::VELOCITY {
+        let (first, rate) = (row_of(begin)[column], row_of(slope)[column]);
+        let largest = first.abs().max((first + rate * dt).abs());
+        let cuts: &[f64] = match (Of::<M>::HAS_STATES, load_moves) {
+            (false, _) => &NEAR_REST,
+            // From rest on the distance goes with the square of the time, and a load that moves with its root.
+            (_, true) => &[0.25],
+            (_, false) => &[],
+        };
+        for part in cuts {
+            passes(column, part * largest);
+            passes(column, -part * largest);
+        }
+    }
+    for speed in begin.kinks().into_iter().filter(|speed| *speed > 0.0) {
+        Of::<M>::VELOCITY.into_iter().for_each(|column| {
+            passes(column, speed);
+            passes(column, -speed);
+        });
+    }
+    next
+}
+
+/// Cuts on the way to and from rest, in parts of the largest speed (chosen).
+const NEAR_REST: [f64; 2] = [1.0 / 8.0, 1.0 / 64.0];
 
 /// Advances over an interval in which the law is smooth.
 fn smooth<M: Model>(model: &mut M, begin: &M, slope: &M, from: f64, to: f64) {
     let shortest = SHORTEST * (to - from);
-    let (mut at, mut piece) = (from, to - from);
+    let (mut at, mut length) = (from, to - from);
     while at < to {
         // A rest that is hardly longer than the piece is made in one.
-        let end = if at + 1.01 * piece >= to { to } else { at + piece };
-        let (middle, length) = (0.5 * (at + end), end - at);
-        let mut whole = *model;
-        held(&mut whole, begin, slope, at, end);
-        let mut halves = *model;
-        held(&mut halves, begin, slope, at, middle);
-        held(&mut halves, begin, slope, middle, end);
-        let error = difference(&whole, &halves) / TOLERANCE;
+        let end = if at + 1.01 * length >= to { to } else { at + length };
+        let (next, error) = piece(model, begin, slope, at, end);
         let is_accurate = error <= 1.0;
-        // What is not finite is refused by the caller; what can hardly be divided is taken as it is.
-        if is_accurate || length <= 2.0 * shortest || middle <= at || !error.is_finite() {
-            *model = halves;
-            at = end;
+        if is_accurate {
+            *model = next;
+        } else if end - at <= 2.0 * shortest {
+            // What can hardly be divided, as where the load goes, takes the inputs of its middle: that is stable always.
+            set_inputs(model, begin, slope, 0.5 * (at + end));
+            model.step(end - at);
         }
-        // The local error is of third order; safety factor and limits as usual in step-size control. A refused piece is
-        // at least halved, so that the shortest is always reached.
+        if is_accurate || end - at <= 2.0 * shortest {
+            at = end;
+            if at == to {
+                return;
+            }
+        }
+        // The error is that of an order 2; safety factor and limits as usual in step-size control. A refused piece is at
+        // least halved, so that the shortest is always reached.
         let most = if is_accurate { 4.0 } else { 0.5 };
-        piece = shortest.max(length * (0.9 * error.powf(-1.0 / 3.0)).clamp(0.2, most));
+        // As 0.2, what is not a number.
+        length = shortest.max(length * (0.9 * error.powf(-1.0 / 3.0)).min(most).max(0.2));
     }
 }
 
-/// One step with the inputs held at their values in its middle.
-fn held<M: Model>(model: &mut M, begin: &M, slope: &M, from: f64, to: f64) {
-    set_inputs(model, begin, slope, 0.5 * (from + to));
-    model.step(to - from);
+/// Beginning, middle and end of a piece.
+type Nodes<T> = [T; 3];
+
+/// Simpson's rule on the interval of length `h`.
+fn simpson([begin, middle, end]: Nodes<f64>, h: f64) -> f64 {
+    h / 6.0 * (begin + 4.0 * middle + end)
+}
+
+/// One piece, and its error in units of what is allowed.
+fn piece<M: Model>(model: &M, begin: &M, slope: &M, from: f64, to: f64) -> (M, f64) {
+    let (states, h) = (&Of::<M>::STATES, to - from);
+    let mut next = *model;
+    set_inputs(&mut next, begin, slope, from + INSIDE * h);
+    let first = Chord::at(&mut next, [0.0; MOST]);
+    // An implicit step is a good guess of the way, and stable.
+    let guess = |time: f64| {
+        let mut guess = [0.0; MOST];
+        for (index, guess) in guess[..states.count].iter_mut().enumerate() {
+            *guess = time * first.rate[index] / (1.0 + (time * first.pull[index]).max(0.0));
+        }
+        guess
+    };
+    set_inputs(&mut next, begin, slope, from + 0.5 * h);
+    let middle = Chord::at(&mut next, guess(0.5 * h));
+    set_inputs(&mut next, begin, slope, to - INSIDE * h);
+    let last = Chord::at(&mut next, guess(h));
+    let mut drawn = [Drawn::NONE; MOST];
+    let mut error = 0f64;
+    let mut work = simpson([first.power, middle.power, last.power], h);
+    for (index, column) in states.iter().enumerate() {
+        let nodes = |of: fn(&Chord) -> &[f64; MOST]| [of(&first)[index], of(&middle)[index], of(&last)[index]];
+        drawn[index] = Drawn::new(nodes(|chord| &chord.rate), nodes(|chord| &chord.pull), h);
+        work += drawn[index].integral(nodes(|chord| &chord.power_by));
+        row_of_mut(&mut next)[column] += drawn[index].change[2];
+    }
+    // A law that is bent differs from its chord, at first with the square of the time.
+    let reached = rate(&next);
+    for (index, column) in states.iter().enumerate() {
+        let on_chord = last.rate[index] - last.pull[index] * drawn[index].change[2];
+        let missed = h * (row_of(&reached)[column] - on_chord) / (3.0 + (h * last.pull[index]).max(0.0));
+        let value = &mut row_of_mut(&mut next)[column];
+        let off = (drawn[index].error + missed.abs()) / value.abs().max(M::TABLE[column].nominal);
+        // The maximum of two numbers forgets one that is none.
+        error = if off.is_finite() { error.max(off) } else { f64::INFINITY };
+        // By less than the error allowed it may lie beyond its bound.
+        *value = M::TABLE[column].bound.nearest(*value + missed);
+    }
+    if let Some(energy) = Of::<M>::ENERGY {
+        row_of_mut(&mut next)[energy] += work;
+    }
+    (next, error / TOLERANCE)
+}
+
+/// Time derivatives of the states.
+fn rate<M: Model>(model: &M) -> M {
+    let mut rate = *model;
+    row_of_mut(&mut rate).fill(0.0);
+    model.rate(&mut rate);
+    rate
+}
+
+/// A change that is drawn to its target over a piece.
+#[derive(Clone, Copy)]
+struct Drawn {
+    /// At the nodes.
+    change: Nodes<f64>,
+    error: f64,
+    h: f64,
+    rates: Nodes<f64>,
+    /// q at middle and end, and the target at the nodes, where the draw is strong enough to count.
+    strong: Option<([f64; 2], Nodes<f64>)>,
+}
+
+/// Up to this q at the end of a piece (chosen) the draw is weak: the exponential is smooth enough for Simpson's rule.
+const WEAK: f64 = 0.1;
+
+impl Drawn {
+    const NONE: Drawn = Drawn { change: [0.0; 3], error: 0.0, h: 0.0, rates: [0.0; 3], strong: None };
+
+    /// By the rate f(y_0, t) and r at the nodes.
+    fn new(pull: Nodes<f64>, rates: Nodes<f64>, h: f64) -> Drawn {
+        let [r_0, r_1, r_2] = rates;
+        let drawn = Drawn { h, rates, ..Drawn::NONE };
+        let q = [h / 24.0 * (5.0 * r_0 + 8.0 * r_1 - r_2), simpson(rates, h)];
+        if q[1] <= WEAK || !rates.iter().all(|rate| *rate > 0.0) {
+            return drawn.weakly(pull);
+        }
+        let targets = [pull[0] / r_0, pull[1] / r_1, pull[2] / r_2];
+        if q[0] > 0.0 && q[0] < q[1] {
+            return drawn.strongly(q, targets);
+        }
+        // The rate is no parabola: as it grows without limit where the load goes.
+        let q = [0.25 * h * (r_0 + r_1), 0.25 * h * (r_0 + 2.0 * r_1 + r_2)];
+        Drawn { error: f64::MAX, ..drawn.strongly(q, targets) }
+    }
+
+    fn weakly(self, pull: Nodes<f64>) -> Drawn {
+        let [r_0, r_1, r_2] = self.rates;
+        // What is left at the end of what came at the beginning and in the middle.
+        let (first, second) = (-0.25 * self.h * (r_0 + r_1), -0.25 * self.h * (r_1 + r_2));
+        let middle = self.h / 24.0 * (5.0 * pull[0] * first.exp() + 8.0 * pull[1] - pull[2] * (-second).exp());
+        let weighted = [pull[0] * (first + second).exp(), pull[1] * second.exp(), pull[2]];
+        let end = simpson(weighted, self.h);
+        let error = (end - 0.5 * self.h * (weighted[0] + weighted[2])).abs();
+        Drawn { change: [0.0, middle, end], error, ..self }
+    }
+
+    fn strongly(self, q: [f64; 2], targets: Nodes<f64>) -> Drawn {
+        let [c_0, c_1, c_2] = parabola(q, targets);
+        let [at_middle, at_end] = q.map(|q| phi(-q));
+        let change = |q: f64, [one, two, three]: [f64; 3]| q * (c_0 * one + q * (c_1 * two + 2.0 * q * c_2 * three));
+        let (middle, end) = (change(q[0], at_middle), change(q[1], at_end));
+        let trapezoid = 0.5 * self.h * (self.rates[0] + self.rates[2]);
+        // A target that is linear between the ends, and a rate that is.
+        let [_, two, three] = at_end;
+        let error = (c_2 * q[1].powi(3) * (2.0 * three - two)).abs() + ((targets[2] - end) * (q[1] - trapezoid)).abs();
+        Drawn { change: [0.0, middle, end], error, strong: Some((q, targets)), ..self }
+    }
+
+    /// The integral over time of the change with a weight that is given at the nodes.
+    fn integral(&self, weight: Nodes<f64>) -> f64 {
+        let [_, middle, end] = self.change;
+        let Some((q, targets)) = self.strong else {
+            return simpson([0.0, weight[1] * middle, weight[2] * end], self.h);
+        };
+        // With k = weight / r, by parts: integral of k w dq = integral of k w* dq - [k w] + integral of k' w dq.
+        let per_rate: Nodes<f64> = std::array::from_fn(|node| weight[node] / self.rates[node]);
+        let product = |by: Nodes<f64>| area(q, std::array::from_fn(|node| by[node] * targets[node]));
+        let [_, k_1, k_2] = parabola(q, per_rate);
+        let sum = product([1.0; 3]) - end;
+        let moment = product([0.0, q[0], q[1]]) - q[1] * end + sum;
+        product(per_rate) - per_rate[2] * end + k_1 * sum + 2.0 * k_2 * moment
+    }
+}
+
+/// Coefficients of the parabola through the values at 0 and at the two q.
+fn parabola([middle, end]: [f64; 2], [a, b, c]: Nodes<f64>) -> [f64; 3] {
+    let first = (b - a) / middle;
+    let second = ((c - b) / (end - middle) - first) / end;
+    [a, first - second * middle, second]
+}
+
+/// The integral of that parabola up to the second q.
+fn area(q: [f64; 2], values: Nodes<f64>) -> f64 {
+    let [c_0, c_1, c_2] = parabola(q, values);
+    q[1] * (c_0 + q[1] * (0.5 * c_1 + q[1] / 3.0 * c_2))
+}
+
+/// The equations of a model at an instant, for the states at the beginning of a piece, and the chord to where they have
+/// about gone.
+struct Chord {
+    rate: [f64; MOST],
+    /// r, by which the rate of a state falls with the state itself.
+    pull: [f64; MOST],
+    power: f64,
+    power_by: [f64; MOST],
+}
+
+/// Least change of a state that a chord is taken over, in parts of the larger of its value and its nominal value
+/// (chosen), for its digits.
+const SHORTEST_CHORD: f64 = 1e-5;
+
+impl Chord {
+    fn at<M: Model>(model: &mut M, guess: [f64; MOST]) -> Chord {
+        let none = [0.0; MOST];
+        let mut chord = Chord { rate: none, pull: none, power: 0.0, power_by: none };
+        let here = rate(model);
+        let energy = |rate: &M| Of::<M>::ENERGY.map_or(0.0, |energy| row_of(rate)[energy]);
+        chord.power = energy(&here);
+        for (index, column) in Of::<M>::STATES.iter().enumerate() {
+            let value = row_of(model)[column];
+            let shortest = SHORTEST_CHORD * value.abs().max(M::TABLE[column].nominal);
+            let reach = if guess[index].abs() > shortest { guess[index] } else { shortest };
+            row_of_mut(model)[column] = value + reach;
+            let there = rate(model);
+            row_of_mut(model)[column] = value;
+            chord.rate[index] = row_of(&here)[column];
+            chord.pull[index] = (row_of(&here)[column] - row_of(&there)[column]) / reach;
+            chord.power_by[index] = (energy(&there) - energy(&here)) / reach;
+        }
+        chord
+    }
+}
+
+/// phi_1, phi_2 and phi_3 of x: `phi_0 = e^x`, `phi_k = (phi_(k-1) - 1 / (k - 1)!) / x`.
+fn phi(x: f64) -> [f64; 3] {
+    if x.abs() < 0.5 {
+        // Horner's form of the series sum x^n / (n + 3)!; what is left is below rounding.
+        let three = (1..=11).rev().fold(1.0, |sum, n| 1.0 + x * sum / f64::from(n + 3)) / 6.0;
+        let two = 0.5 + x * three;
+        return [1.0 + x * two, two, three];
+    }
+    let one = x.exp_m1() / x;
+    let two = (one - 1.0) / x;
+    [one, two, (two - 0.5) / x]
 }
 
 /// Gives the inputs the values they have a time after `begin`.
-pub(crate) fn set_inputs<M: Columns>(model: &mut M, begin: &M, slope: &M, time: f64) {
-    for column in inputs::<M>() {
-        // By rounding, a ramp that ends on a bound may end beyond it.
-        let value = row_of(begin)[column] + row_of(slope)[column] * time;
-        row_of_mut(model)[column] = M::TABLE[column].bound.nearest(value);
+pub(crate) fn set_inputs<M: Model>(model: &mut M, begin: &M, slope: &M, time: f64) {
+    for column in Of::<M>::INPUTS.iter() {
+        let (first, change) = (row_of(begin)[column], row_of(slope)[column] * time);
+        let value = first + change;
+        // By rounding, a ramp that ends on a bound may end beyond it, and one that ends at zero beside it.
+        let is_rounding = value.abs() <= 4.0 * f64::EPSILON * change.abs();
+        row_of_mut(model)[column] = if is_rounding { 0.0 } else { M::TABLE[column].bound.nearest(value) };
     }
 }
 
 /// Slopes of inputs that do not move.
 pub(crate) fn held_inputs<M: Model>(model: &M) -> M {
     let mut slope = *model;
-    for column in inputs::<M>() {
+    for column in Of::<M>::INPUTS.iter() {
         row_of_mut(&mut slope)[column] = 0.0;
     }
     slope
-}
-
-fn inputs<M: Columns>() -> impl Iterator<Item = usize> {
-    let is_input = |column: &usize| M::TABLE[*column].role == Role::Input;
-    (0..M::TABLE.len()).filter(is_input)
-}
-
-/// Largest difference of a state, relative to the larger of its value and its nominal value.
-fn difference<M: Columns>(a: &M, b: &M) -> f64 {
-    M::TABLE
-        .iter()
-        .zip(row_of(a).iter().zip(row_of(b)))
-        .filter(|(variable, _)| variable.role.is_state())
-        .map(|(variable, (a, b))| (a - b).abs() / b.abs().max(variable.nominal))
-        .fold(0.0, f64::max)
 }

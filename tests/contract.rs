@@ -524,7 +524,7 @@ fn ramps_always_end() {
         let (velocity, load) = (bench.column(moving), bench.column("normal_force"));
         bench.instance.put_slope(velocity, slope[0]);
         bench.instance.put_slope(load, slope[1]);
-        bench.step(h);
+        bench.instance.step(h).unwrap_or_else(|fault| panic!("{model}: {fault}"));
         let (end, expected) = (bench.get(moving), start[0] + slope[0] * h);
         assert!((end - expected).abs() <= 1e-12 * expected.abs().max(1.0), "{model}: {end} m/s");
     };

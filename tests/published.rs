@@ -156,9 +156,14 @@ fn ramped_inputs_agree_with_many_short_steps() {
         ramp.step(0.01);
         let mut dense = Bench::new(model, &[("velocity", -2e-3)]);
         dense.step(0.01);
-        ramp.instance.put_slope(velocity, 0.5);
-        ramp.instance.put_slope(load, 100.0);
-        ramp.step(0.02);
+        for step in 0..200 {
+            let time = 1e-4 * f64::from(step);
+            ramp.set("velocity", -2e-3 + 0.5 * time);
+            ramp.set("normal_force", 9.81 + 100.0 * time);
+            ramp.instance.put_slope(velocity, 0.5);
+            ramp.instance.put_slope(load, 100.0);
+            ramp.step(1e-4);
+        }
         let n = 200_000;
         for k in 0..n {
             let time = 0.02 * (f64::from(k) + 0.5) / f64::from(n);

@@ -77,6 +77,7 @@ crate::model! {
     /// step at once and exchange afterwards, it chatters at every step, since nothing damps the stiffness: take the
     /// friction first, or Model Exchange.
     ///
+    #[doc = include_str!("slopes.md")]
     /// # Errors
     /// Refused: a parameter outside its bound.
     ///

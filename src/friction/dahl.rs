@@ -50,6 +50,7 @@ crate::model! {
     /// step at once and exchange afterwards, it chatters at every step, since nothing damps the stiffness: take the
     /// friction first, or Model Exchange.
     ///
+    #[doc = include_str!("slopes.md")]
     /// # Errors
     /// Refused: a parameter outside its bound; in Model Exchange `mu_k` = 0, and `alpha` < 1, with which the bristles
     /// reach their full deflection with an infinite slope, where solvers stop.

@@ -66,6 +66,7 @@ crate::model! {
     /// 1 kg; above, it chatters within the bounds of the force. If all models step at once and exchange afterwards, the
     /// limit is h < 1 / (k / c + c / m), 1.6 ms.
     ///
+    #[doc = include_str!("slopes.md")]
     /// # Errors
     /// Refused: a parameter outside its bound; `mu_s` < `mu_k`; an even `plastic_exponent`, for which the bracket
     /// cannot become negative and z could not come back when z_ss(v) falls below |z|; in Model Exchange `mu_k` = 0.

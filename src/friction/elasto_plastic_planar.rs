@@ -6,6 +6,7 @@ use crate::laws::runge_kutta::dormand_prince;
 use crate::laws::vector::{Component, direction, length, remainder};
 use crate::laws::{elasto_plastic, stribeck};
 use crate::model::{Fault, Law, Model, Preset, boolean, real};
+use crate::ramp;
 
 crate::model! {
     /// Elasto-plastic friction in a plane: as LuGre in a plane, but purely elastic up to a breakaway deflection, so
@@ -59,6 +60,8 @@ crate::model! {
     /// divided by more than 1e-10. `sticking` says that more than 1 % (chosen) of the motion still goes into the
     /// bristles. For the largest communication step see `LuGrePlanar`, which has the same stiffness and damping at
     /// rest.
+    /// Where the master gives slopes of the inputs, a step is made in sixteen pieces from one kink to the next, with the
+    /// inputs of the middle of each: of second order.
     ///
     /// # Errors
     /// Refused: a parameter outside its bound; `mu_s` < `mu_k`; in Model Exchange `mu_k` = 0. kappa <= 0.99 (chosen):
@@ -201,6 +204,9 @@ impl<T: Component> Law for ElastoPlasticPlanar<T> {
     }
 }
 
+/// Pieces of a step with slopes (chosen).
+const PIECES: u32 = 16;
+
 impl Model for ElastoPlasticPlanar {
     const MODEL_EXCHANGE: bool = true;
     const PRESETS: &'static [Preset] = &[Preset {
@@ -217,6 +223,10 @@ impl Model for ElastoPlasticPlanar {
 
     fn check_exchange(&self) -> Result<(), Fault> {
         crate::friction::kinetic_friction_for_exchange(self.mu_k)
+    }
+
+    fn step_ramp(&mut self, slope: &Self, dt: f64) {
+        ramp::in_pieces(self, slope, dt, PIECES);
     }
 
     fn step(&mut self, dt: f64) {

@@ -53,6 +53,7 @@ crate::model! {
     /// with k h^2 + 2 c h < 4 m, which is 3.9 ms for the defaults and 1 kg; above, it chatters within the bounds of the
     /// force. If all models step at once and exchange afterwards, the limit is h < 1 / (k / c + c / m), 1.6 ms.
     ///
+    #[doc = include_str!("slopes.md")]
     /// # Errors
     /// Refused: a parameter outside its bound (sigma_1 must be > 0: it divides); `mu_s` < `mu_k`.
     ///

@@ -48,6 +48,7 @@ crate::model! {
     /// force. If all models step at once and exchange afterwards, the limit is h < 1 / (k / c + c / m), 1.6 ms. A force
     /// that is read right after setting the velocity needs h < 2 m / (sigma_1 + sigma_2), or `damping_velocity` > 0.
     ///
+    #[doc = include_str!("slopes.md")]
     /// # Errors
     /// Refused: a parameter outside its bound; `mu_s` < `mu_k`.
     ///

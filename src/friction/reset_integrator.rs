@@ -1,5 +1,8 @@
+use crate::laws::motion::Motion;
+use crate::laws::root::first_rise;
 use crate::model::{Fault, Law, Model, Preset, boolean, real};
 use crate::number::Real;
+use crate::ramp;
 
 crate::model! {
     /// Reset integrator friction: a stiff and damped bond that holds up to the static level, breaks at a given
@@ -188,6 +191,63 @@ impl ResetIntegrator {
         }
         self.dissipated_energy += self.coulomb() * distance;
     }
+
+    /// Advances over a motion in which neither velocity nor normal force changes its sign.
+    fn follow(&mut self, part: Motion) {
+        let direction = part.direction();
+        if self.mu_k == 0.0 || part.is_unloaded() {
+            (self.bristle_deflection, self.slip_direction) = (0.0, 0.0);
+            return;
+        }
+        if direction == 0.0 {
+            return;
+        }
+        if self.slip_direction != direction {
+            self.bristle_deflection = self.deflection_at(part.load);
+            self.slip_direction = 0.0;
+            let breakaway = self.breakaway(&part, direction);
+            self.follow_bonded(part.part(0.0, breakaway.unwrap_or(part.duration)));
+            let Some(breakaway) = breakaway else { return };
+            self.slip_direction = direction;
+            return self.follow_sliding(part.part(breakaway, part.duration), direction);
+        }
+        self.follow_sliding(part, direction);
+    }
+
+    /// The first instant at which the bond meets z_m, which moves with the load.
+    fn breakaway(&self, part: &Motion, direction: f64) -> Option<f64> {
+        let compliance = self.mu_k / self.sigma_0;
+        let excess = |t: f64| direction * (self.bristle_deflection + part.path(t)) - compliance * part.load_at(t);
+        let parabola = [
+            direction * self.bristle_deflection - compliance * part.load,
+            direction * part.velocity - compliance * part.load_rate,
+            0.5 * direction * part.acceleration,
+            0.0,
+        ];
+        first_rise(excess, parabola, part.duration)
+    }
+
+    fn follow_bonded(&mut self, part: Motion) {
+        let (before, change, h) = (self.bristle_deflection, part.path(part.duration), part.duration);
+        let (begin, middle, end) = (part.velocity, part.velocity_at(0.5 * h), part.velocity_at(h));
+        self.dissipated_energy += self.stiffness() * change * (before + 0.5 * change)
+            + self.sigma_1 * h / 6.0 * (begin * begin + 4.0 * middle * middle + end * end);
+        self.bristle_deflection += change;
+        self.bristle_deflection = self.deflection_at(part.load_at(h));
+    }
+
+    /// Simpson's rule is exact for the product of load and velocity.
+    fn follow_sliding(&mut self, part: Motion, direction: f64) {
+        let power = |t: f64| self.mu_k * part.load_at(t) * part.velocity_at(t).abs();
+        let h = part.duration;
+        self.dissipated_energy += h / 6.0 * (power(0.0) + 4.0 * power(0.5 * h) + power(h));
+        self.bristle_deflection = direction * self.mu_k * part.load_at(h) / self.sigma_0;
+    }
+
+    /// The deflection at another load.
+    fn deflection_at(&self, load: f64) -> f64 {
+        ResetIntegrator { normal_force: load, ..*self }.deflection()
+    }
 }
 
 impl Model for ResetIntegrator {
@@ -223,6 +283,17 @@ impl Model for ResetIntegrator {
         } else if direction != 0.0 {
             self.stretch(direction, distance);
         }
+    }
+
+    fn step_ramp(&mut self, slope: &Self, dt: f64) {
+        let begin = *self;
+        let motion = Motion {
+            acceleration: slope.velocity,
+            load_rate: slope.normal_force,
+            ..Motion::held(self.velocity, self.normal_force, dt)
+        };
+        motion.parts().for_each(|part| self.follow(part));
+        ramp::set_inputs(self, &begin, slope, dt);
     }
 
     fn rate(&self, rate: &mut Self) {

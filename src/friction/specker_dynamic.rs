@@ -46,6 +46,7 @@ crate::model! {
     /// step at once and exchange afterwards, it chatters at every step, since nothing damps the stiffness: take the
     /// friction first, or Model Exchange.
     ///
+    #[doc = include_str!("slopes.md")]
     /// # Errors
     /// Refused: a parameter outside its bound; `mu_s` < `mu_k`; in Model Exchange `mu_s` = 0 without viscous part,
     /// where the force has no time constant at rest, and a solver would keep what it had.

@@ -46,10 +46,11 @@ pub fn crossing(w: impl Fn(f64) -> f64, level: f64, from: f64, to: f64) -> Optio
     passes.then(|| bisect(|t| if after > 0.0 { w(t) - level } else { level - w(t) }, from, to))
 }
 
-/// The first t in [0, end] with `f(t) >= 0`, for an f that has the sign of the cubic polynomial
+/// The first t in [0, end] with `f(t) >= 0` and not falling, for an f that has the sign of the cubic polynomial
 /// `c[0] + c[1] t + c[2] t^2 + c[3] t^3`. The polynomial says where f may turn, f itself where it is zero.
 pub fn first_rise(f: impl Fn(f64) -> f64, c: [f64; 4], end: f64) -> Option<f64> {
-    if f(0.0) >= 0.0 {
+    // From zero downwards it is not on the rise: a contact whose load has just come.
+    if f(0.0) > 0.0 || f(0.0) == 0.0 && c[1] >= 0.0 {
         return Some(0.0);
     }
     let mut from = 0.0;

@@ -1,6 +1,7 @@
 use crate::laws::{root, table};
 use crate::model::{Column, Fault, Law, Model, boolean, integer, real};
 use crate::number::{Dual, Real};
+use crate::ramp;
 use crate::shock_absorber::coil_spring::{POINTS, check_rising, points};
 
 crate::choices! {
@@ -328,6 +329,26 @@ impl Model for HydraulicDamper {
             self.dissipated_energy +=
                 self.damper.advance(&mut self.piston_velocity, self.velocity, 1.0, dt / f64::from(count));
         }
+    }
+
+    /// Behind a stiffness in pieces of `step_size`, the velocity of each in its middle. Without one the piston is where
+    /// the velocity is, and only the energy is an integral.
+    fn step_ramp(&mut self, slope: &Self, dt: f64) {
+        let begin = *self;
+        if !self.damper.has_series() {
+            let power = |law: &HydraulicDamper| law.damper.resistance(law.velocity) * law.velocity;
+            self.dissipated_energy += ramp::integral(&begin, slope, dt, power);
+            ramp::set_inputs(self, &begin, slope, dt);
+            self.piston_velocity = self.velocity;
+            return;
+        }
+        let count = super::substeps(dt, self.step_size);
+        let h = dt / f64::from(count);
+        for piece in 0..count {
+            ramp::set_inputs(self, &begin, slope, (f64::from(piece) + 0.5) * h);
+            self.dissipated_energy += self.damper.advance(&mut self.piston_velocity, self.velocity, 1.0, h);
+        }
+        ramp::set_inputs(self, &begin, slope, dt);
     }
 }
 

@@ -94,15 +94,12 @@ pub fn belt(friction: &mut Bench, h: f64, end: f64, exchange: Exchange) -> Vec<S
     belt_of_master(friction, h, end, exchange, &[])
 }
 
+/// An input, and its slope from the rig at the beginning of a step.
+pub type Slope<'a> = (&'a str, fn(&mut Bench) -> f64);
+
 /// The same with a master that gives the slopes of these inputs, as far as it knows them at the beginning of a step: the
 /// acceleration of the block under the last friction force, and what its velocity does to the spring.
-pub fn belt_of_master(
-    friction: &mut Bench,
-    h: f64,
-    end: f64,
-    exchange: Exchange,
-    slopes: &[(&str, fn(&mut Bench) -> f64)],
-) -> Vec<Sample> {
+pub fn belt_of_master(friction: &mut Bench, h: f64, end: f64, exchange: Exchange, slopes: &[Slope]) -> Vec<Sample> {
     let mut rig = Bench::new("BeltRig", &[]);
     let needs_load = friction.has("external_force");
     let mut samples = Vec::new();
