@@ -29,6 +29,7 @@ fn parabola(x: f64) -> f64 {
 fn virgin_curve_is_a_parabola() {
     for count in [2, 4, 63, 64, 65, 200, 1000] {
         let mut law = uniform(count, &[]);
+        // For a thousand elements that is a quarter of a millionth of f_s.
         let bound = F_S / (4.0 * f64::from(count).powi(2)) + 1e-12;
         for k in 1..=33 {
             travel(&mut law, 1e-6);
@@ -37,7 +38,6 @@ fn virgin_curve_is_a_parabola() {
         }
         assert_eq!(law.get("sticking"), 0.0);
     }
-    assert!(F_S / (4.0 * 1e6) < 1e-6 * F_S);
 }
 
 /// Masing's rules, with inner loops that close; the steps are held, or ramps between them.
