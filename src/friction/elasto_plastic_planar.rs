@@ -204,9 +204,6 @@ impl<T: Component> Law for ElastoPlasticPlanar<T> {
     }
 }
 
-/// Pieces of a step with slopes (chosen).
-const PIECES: u32 = 16;
-
 impl Model for ElastoPlasticPlanar {
     const MODEL_EXCHANGE: bool = true;
     const PRESETS: &'static [Preset] = &[Preset {
@@ -226,7 +223,7 @@ impl Model for ElastoPlasticPlanar {
     }
 
     fn step_ramp(&mut self, slope: &Self, dt: f64) {
-        ramp::in_pieces(self, slope, dt, PIECES);
+        ramp::in_pieces(self, slope, dt, ramp::PIECES);
     }
 
     fn step(&mut self, dt: f64) {
