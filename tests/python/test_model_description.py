@@ -163,6 +163,16 @@ def test_each_rule_can_be_broken(mistake: str):
     assert any(message in breach for breach in breaches), breaches
 
 
+def test_both_contacts_of_the_strut_depend_on_the_same_columns():
+    """None of the rare dependencies of either contact is missing, such as the acceleration that a few laws ask for."""
+    root = ElementTree.parse(Path(__file__).parents[2] / "modelDescription" / "ShockAbsorber.xml").getroot()
+    names = [variable.get("name") for variable in root.findall("ModelVariables/ScalarVariable")]
+    outputs = {names[int(entry.get("index")) - 1]: entry for entry in root.findall("ModelStructure/Outputs/Unknown")}
+    first, second = (outputs[name].get("dependencies").split() for name in ("friction_1", "friction_2"))
+    assert str(names.index("acceleration") + 1) in first
+    assert first == second
+
+
 def test_there_is_something_to_check():
     print(f"figure: {len(DESCRIPTIONS)} files to check, {len(MISTAKES)} deliberate mistakes")
     assert len(DESCRIPTIONS) > 40
