@@ -857,7 +857,7 @@ typedef enum stribeck_threlfall_variant {
 } stribeck_threlfall_variant;
 
 /** Guid of Coulomb for fmi2Instantiate. */
-#define STRIBECK_COULOMB_GUID "{fb659324-e0c3-ce41-2146-55895ceafc3a}"
+#define STRIBECK_COULOMB_GUID "{bbeced28-4358-a1f2-3f23-1a453d227502}"
 
 /** Coulomb: Coulomb friction. Columns of "Coulomb". */
 typedef enum stribeck_coulomb_variable {
@@ -885,26 +885,28 @@ typedef enum stribeck_coulomb_variable {
   STRIBECK_COULOMB_END_VELOCITY = 9,
   /** state [N]: External force at the end of the last step. (default 0) */
   STRIBECK_COULOMB_END_EXTERNAL_FORCE = 10,
+  /** state [N]: Normal force at the end of the last step. (>= 0, default 0) */
+  STRIBECK_COULOMB_END_NORMAL_FORCE = 11,
   /** state [m/s]: Change of the velocity over the last step if the master gave its slope, else 0. (default 0) */
-  STRIBECK_COULOMB_VELOCITY_CHANGE = 11,
+  STRIBECK_COULOMB_VELOCITY_CHANGE = 12,
   /** state [N]: Change of the external force over the last step if the master gave its slope, else 0. (default 0) */
-  STRIBECK_COULOMB_EXTERNAL_FORCE_CHANGE = 12,
+  STRIBECK_COULOMB_EXTERNAL_FORCE_CHANGE = 13,
   /** state [N]: Change of the normal force over the last step if the master gave its slope, else 0. (default 0) */
-  STRIBECK_COULOMB_NORMAL_FORCE_CHANGE = 13,
+  STRIBECK_COULOMB_NORMAL_FORCE_CHANGE = 14,
   /** state [stribeck_phase]: What the last event of Model Exchange has found the contact to do. (default Free) */
-  STRIBECK_COULOMB_PHASE = 14,
+  STRIBECK_COULOMB_PHASE = 15,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
-  STRIBECK_COULOMB_DISSIPATED_ENERGY = 15,
+  STRIBECK_COULOMB_DISSIPATED_ENERGY = 16,
   /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
-  STRIBECK_COULOMB_FRICTION_FORCE = 16,
+  STRIBECK_COULOMB_FRICTION_FORCE = 17,
   /** out [W]: Power taken out of the motion: friction force times velocity. */
-  STRIBECK_COULOMB_DISSIPATED_POWER = 17,
+  STRIBECK_COULOMB_DISSIPATED_POWER = 18,
   /** out [Boolean]: Is the contact sticking? */
-  STRIBECK_COULOMB_STICKING = 18,
+  STRIBECK_COULOMB_STICKING = 19,
 } stribeck_coulomb_variable;
 
 /** Guid of CoulombStiction for fmi2Instantiate. */
-#define STRIBECK_COULOMB_STICTION_GUID "{e7ea788d-a8a2-b9d8-d81b-ef6808efd35b}"
+#define STRIBECK_COULOMB_STICTION_GUID "{ad4b3d5c-d393-488b-8284-a119076e3e83}"
 
 /** CoulombStiction: Coulomb friction with stiction. Columns of "CoulombStiction". */
 typedef enum stribeck_coulomb_stiction_variable {
@@ -937,26 +939,28 @@ typedef enum stribeck_coulomb_stiction_variable {
   STRIBECK_COULOMB_STICTION_END_VELOCITY = 11,
   /** state [N]: External force at the end of the last step. (default 0) */
   STRIBECK_COULOMB_STICTION_END_EXTERNAL_FORCE = 12,
+  /** state [N]: Normal force at the end of the last step. (>= 0, default 0) */
+  STRIBECK_COULOMB_STICTION_END_NORMAL_FORCE = 13,
   /** state [m/s]: Change of the velocity over the last step if the master gave its slope, else 0. (default 0) */
-  STRIBECK_COULOMB_STICTION_VELOCITY_CHANGE = 13,
+  STRIBECK_COULOMB_STICTION_VELOCITY_CHANGE = 14,
   /** state [N]: Change of the external force over the last step if the master gave its slope, else 0. (default 0) */
-  STRIBECK_COULOMB_STICTION_EXTERNAL_FORCE_CHANGE = 14,
+  STRIBECK_COULOMB_STICTION_EXTERNAL_FORCE_CHANGE = 15,
   /** state [N]: Change of the normal force over the last step if the master gave its slope, else 0. (default 0) */
-  STRIBECK_COULOMB_STICTION_NORMAL_FORCE_CHANGE = 15,
+  STRIBECK_COULOMB_STICTION_NORMAL_FORCE_CHANGE = 16,
   /** state [stribeck_phase]: What the last event of Model Exchange has found the contact to do. (default Free) */
-  STRIBECK_COULOMB_STICTION_PHASE = 16,
+  STRIBECK_COULOMB_STICTION_PHASE = 17,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
-  STRIBECK_COULOMB_STICTION_DISSIPATED_ENERGY = 17,
+  STRIBECK_COULOMB_STICTION_DISSIPATED_ENERGY = 18,
   /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
-  STRIBECK_COULOMB_STICTION_FRICTION_FORCE = 18,
+  STRIBECK_COULOMB_STICTION_FRICTION_FORCE = 19,
   /** out [W]: Power taken out of the motion: friction force times velocity. */
-  STRIBECK_COULOMB_STICTION_DISSIPATED_POWER = 19,
+  STRIBECK_COULOMB_STICTION_DISSIPATED_POWER = 20,
   /** out [Boolean]: Is the contact sticking? */
-  STRIBECK_COULOMB_STICTION_STICKING = 20,
+  STRIBECK_COULOMB_STICTION_STICKING = 21,
 } stribeck_coulomb_stiction_variable;
 
 /** Guid of CoulombViscous for fmi2Instantiate. */
-#define STRIBECK_COULOMB_VISCOUS_GUID "{0bbd722f-8a86-a8de-7812-3ff399de0f6b}"
+#define STRIBECK_COULOMB_VISCOUS_GUID "{61230f08-6eaa-471e-9f27-4eb4bf62e45f}"
 
 /** CoulombViscous: Coulomb friction with a viscous part. Columns of "CoulombViscous". */
 typedef enum stribeck_coulomb_viscous_variable {
@@ -990,26 +994,28 @@ typedef enum stribeck_coulomb_viscous_variable {
   STRIBECK_COULOMB_VISCOUS_END_VELOCITY = 12,
   /** state [N]: External force at the end of the last step. (default 0) */
   STRIBECK_COULOMB_VISCOUS_END_EXTERNAL_FORCE = 13,
+  /** state [N]: Normal force at the end of the last step. (>= 0, default 0) */
+  STRIBECK_COULOMB_VISCOUS_END_NORMAL_FORCE = 14,
   /** state [m/s]: Change of the velocity over the last step if the master gave its slope, else 0. (default 0) */
-  STRIBECK_COULOMB_VISCOUS_VELOCITY_CHANGE = 14,
+  STRIBECK_COULOMB_VISCOUS_VELOCITY_CHANGE = 15,
   /** state [N]: Change of the external force over the last step if the master gave its slope, else 0. (default 0) */
-  STRIBECK_COULOMB_VISCOUS_EXTERNAL_FORCE_CHANGE = 15,
+  STRIBECK_COULOMB_VISCOUS_EXTERNAL_FORCE_CHANGE = 16,
   /** state [N]: Change of the normal force over the last step if the master gave its slope, else 0. (default 0) */
-  STRIBECK_COULOMB_VISCOUS_NORMAL_FORCE_CHANGE = 16,
+  STRIBECK_COULOMB_VISCOUS_NORMAL_FORCE_CHANGE = 17,
   /** state [stribeck_phase]: What the last event of Model Exchange has found the contact to do. (default Free) */
-  STRIBECK_COULOMB_VISCOUS_PHASE = 17,
+  STRIBECK_COULOMB_VISCOUS_PHASE = 18,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
-  STRIBECK_COULOMB_VISCOUS_DISSIPATED_ENERGY = 18,
+  STRIBECK_COULOMB_VISCOUS_DISSIPATED_ENERGY = 19,
   /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
-  STRIBECK_COULOMB_VISCOUS_FRICTION_FORCE = 19,
+  STRIBECK_COULOMB_VISCOUS_FRICTION_FORCE = 20,
   /** out [W]: Power taken out of the motion: friction force times velocity. */
-  STRIBECK_COULOMB_VISCOUS_DISSIPATED_POWER = 20,
+  STRIBECK_COULOMB_VISCOUS_DISSIPATED_POWER = 21,
   /** out [Boolean]: Is the contact sticking? */
-  STRIBECK_COULOMB_VISCOUS_STICKING = 21,
+  STRIBECK_COULOMB_VISCOUS_STICKING = 22,
 } stribeck_coulomb_viscous_variable;
 
 /** Guid of Stribeck for fmi2Instantiate. */
-#define STRIBECK_STRIBECK_GUID "{eb97d980-f77d-c639-424c-3089c71f9761}"
+#define STRIBECK_STRIBECK_GUID "{1338417f-b372-978d-fe96-9f97c79779d9}"
 
 /** Stribeck: Friction that falls with speed from the static to the kinetic level (Stribeck). Columns of "Stribeck". */
 typedef enum stribeck_stribeck_variable {
@@ -1050,26 +1056,28 @@ typedef enum stribeck_stribeck_variable {
   STRIBECK_STRIBECK_END_VELOCITY = 15,
   /** state [N]: External force at the end of the last step. (default 0) */
   STRIBECK_STRIBECK_END_EXTERNAL_FORCE = 16,
+  /** state [N]: Normal force at the end of the last step. (>= 0, default 0) */
+  STRIBECK_STRIBECK_END_NORMAL_FORCE = 17,
   /** state [m/s]: Change of the velocity over the last step if the master gave its slope, else 0. (default 0) */
-  STRIBECK_STRIBECK_VELOCITY_CHANGE = 17,
+  STRIBECK_STRIBECK_VELOCITY_CHANGE = 18,
   /** state [N]: Change of the external force over the last step if the master gave its slope, else 0. (default 0) */
-  STRIBECK_STRIBECK_EXTERNAL_FORCE_CHANGE = 18,
+  STRIBECK_STRIBECK_EXTERNAL_FORCE_CHANGE = 19,
   /** state [N]: Change of the normal force over the last step if the master gave its slope, else 0. (default 0) */
-  STRIBECK_STRIBECK_NORMAL_FORCE_CHANGE = 19,
+  STRIBECK_STRIBECK_NORMAL_FORCE_CHANGE = 20,
   /** state [stribeck_phase]: What the last event of Model Exchange has found the contact to do. (default Free) */
-  STRIBECK_STRIBECK_PHASE = 20,
+  STRIBECK_STRIBECK_PHASE = 21,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
-  STRIBECK_STRIBECK_DISSIPATED_ENERGY = 21,
+  STRIBECK_STRIBECK_DISSIPATED_ENERGY = 22,
   /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
-  STRIBECK_STRIBECK_FRICTION_FORCE = 22,
+  STRIBECK_STRIBECK_FRICTION_FORCE = 23,
   /** out [W]: Power taken out of the motion: friction force times velocity. */
-  STRIBECK_STRIBECK_DISSIPATED_POWER = 23,
+  STRIBECK_STRIBECK_DISSIPATED_POWER = 24,
   /** out [Boolean]: Is the contact sticking? */
-  STRIBECK_STRIBECK_STICKING = 24,
+  STRIBECK_STRIBECK_STICKING = 25,
 } stribeck_stribeck_variable;
 
 /** Guid of Bernard for fmi2Instantiate. */
-#define STRIBECK_BERNARD_GUID "{ad321a7e-30f1-7624-e7ce-84f40be6c004}"
+#define STRIBECK_BERNARD_GUID "{6c351125-3a0f-4eff-7385-830ef8bb9be8}"
 
 /** Bernard: Coulomb friction with a linear transition, by its slope (Bernard). Columns of "Bernard". */
 typedef enum stribeck_bernard_variable {
@@ -1099,26 +1107,28 @@ typedef enum stribeck_bernard_variable {
   STRIBECK_BERNARD_END_VELOCITY = 10,
   /** state [N]: External force at the end of the last step. (default 0) */
   STRIBECK_BERNARD_END_EXTERNAL_FORCE = 11,
+  /** state [N]: Normal force at the end of the last step. (>= 0, default 0) */
+  STRIBECK_BERNARD_END_NORMAL_FORCE = 12,
   /** state [m/s]: Change of the velocity over the last step if the master gave its slope, else 0. (default 0) */
-  STRIBECK_BERNARD_VELOCITY_CHANGE = 12,
+  STRIBECK_BERNARD_VELOCITY_CHANGE = 13,
   /** state [N]: Change of the external force over the last step if the master gave its slope, else 0. (default 0) */
-  STRIBECK_BERNARD_EXTERNAL_FORCE_CHANGE = 13,
+  STRIBECK_BERNARD_EXTERNAL_FORCE_CHANGE = 14,
   /** state [N]: Change of the normal force over the last step if the master gave its slope, else 0. (default 0) */
-  STRIBECK_BERNARD_NORMAL_FORCE_CHANGE = 14,
+  STRIBECK_BERNARD_NORMAL_FORCE_CHANGE = 15,
   /** state [stribeck_phase]: What the last event of Model Exchange has found the contact to do. (default Free) */
-  STRIBECK_BERNARD_PHASE = 15,
+  STRIBECK_BERNARD_PHASE = 16,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
-  STRIBECK_BERNARD_DISSIPATED_ENERGY = 16,
+  STRIBECK_BERNARD_DISSIPATED_ENERGY = 17,
   /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
-  STRIBECK_BERNARD_FRICTION_FORCE = 17,
+  STRIBECK_BERNARD_FRICTION_FORCE = 18,
   /** out [W]: Power taken out of the motion: friction force times velocity. */
-  STRIBECK_BERNARD_DISSIPATED_POWER = 18,
+  STRIBECK_BERNARD_DISSIPATED_POWER = 19,
   /** out [Boolean]: Is the contact sticking? */
-  STRIBECK_BERNARD_STICKING = 19,
+  STRIBECK_BERNARD_STICKING = 20,
 } stribeck_bernard_variable;
 
 /** Guid of Threlfall for fmi2Instantiate. */
-#define STRIBECK_THRELFALL_GUID "{bb5eaf15-59a3-4c5f-f682-f2ef590cb821}"
+#define STRIBECK_THRELFALL_GUID "{3e1459a0-12dc-ed88-4efa-d8479f088699}"
 
 /** Threlfall: Coulomb friction with an exponential transition (Threlfall). Columns of "Threlfall". */
 typedef enum stribeck_threlfall_variable {
@@ -1150,26 +1160,28 @@ typedef enum stribeck_threlfall_variable {
   STRIBECK_THRELFALL_END_VELOCITY = 11,
   /** state [N]: External force at the end of the last step. (default 0) */
   STRIBECK_THRELFALL_END_EXTERNAL_FORCE = 12,
+  /** state [N]: Normal force at the end of the last step. (>= 0, default 0) */
+  STRIBECK_THRELFALL_END_NORMAL_FORCE = 13,
   /** state [m/s]: Change of the velocity over the last step if the master gave its slope, else 0. (default 0) */
-  STRIBECK_THRELFALL_VELOCITY_CHANGE = 13,
+  STRIBECK_THRELFALL_VELOCITY_CHANGE = 14,
   /** state [N]: Change of the external force over the last step if the master gave its slope, else 0. (default 0) */
-  STRIBECK_THRELFALL_EXTERNAL_FORCE_CHANGE = 14,
+  STRIBECK_THRELFALL_EXTERNAL_FORCE_CHANGE = 15,
   /** state [N]: Change of the normal force over the last step if the master gave its slope, else 0. (default 0) */
-  STRIBECK_THRELFALL_NORMAL_FORCE_CHANGE = 15,
+  STRIBECK_THRELFALL_NORMAL_FORCE_CHANGE = 16,
   /** state [stribeck_phase]: What the last event of Model Exchange has found the contact to do. (default Free) */
-  STRIBECK_THRELFALL_PHASE = 16,
+  STRIBECK_THRELFALL_PHASE = 17,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
-  STRIBECK_THRELFALL_DISSIPATED_ENERGY = 17,
+  STRIBECK_THRELFALL_DISSIPATED_ENERGY = 18,
   /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
-  STRIBECK_THRELFALL_FRICTION_FORCE = 18,
+  STRIBECK_THRELFALL_FRICTION_FORCE = 19,
   /** out [W]: Power taken out of the motion: friction force times velocity. */
-  STRIBECK_THRELFALL_DISSIPATED_POWER = 19,
+  STRIBECK_THRELFALL_DISSIPATED_POWER = 20,
   /** out [Boolean]: Is the contact sticking? */
-  STRIBECK_THRELFALL_STICKING = 20,
+  STRIBECK_THRELFALL_STICKING = 21,
 } stribeck_threlfall_variable;
 
 /** Guid of ThrelfallModified for fmi2Instantiate. */
-#define STRIBECK_THRELFALL_MODIFIED_GUID "{a96bd702-4087-5c50-234b-746c6ca4b0a2}"
+#define STRIBECK_THRELFALL_MODIFIED_GUID "{51d4042e-608e-5600-eead-99a5a0eae44a}"
 
 /** ThrelfallModified: Coulomb friction with an exponential transition that ends at the Coulomb level (modified Threlfall). Columns of "ThrelfallModified". */
 typedef enum stribeck_threlfall_modified_variable {
@@ -1199,26 +1211,28 @@ typedef enum stribeck_threlfall_modified_variable {
   STRIBECK_THRELFALL_MODIFIED_END_VELOCITY = 10,
   /** state [N]: External force at the end of the last step. (default 0) */
   STRIBECK_THRELFALL_MODIFIED_END_EXTERNAL_FORCE = 11,
+  /** state [N]: Normal force at the end of the last step. (>= 0, default 0) */
+  STRIBECK_THRELFALL_MODIFIED_END_NORMAL_FORCE = 12,
   /** state [m/s]: Change of the velocity over the last step if the master gave its slope, else 0. (default 0) */
-  STRIBECK_THRELFALL_MODIFIED_VELOCITY_CHANGE = 12,
+  STRIBECK_THRELFALL_MODIFIED_VELOCITY_CHANGE = 13,
   /** state [N]: Change of the external force over the last step if the master gave its slope, else 0. (default 0) */
-  STRIBECK_THRELFALL_MODIFIED_EXTERNAL_FORCE_CHANGE = 13,
+  STRIBECK_THRELFALL_MODIFIED_EXTERNAL_FORCE_CHANGE = 14,
   /** state [N]: Change of the normal force over the last step if the master gave its slope, else 0. (default 0) */
-  STRIBECK_THRELFALL_MODIFIED_NORMAL_FORCE_CHANGE = 14,
+  STRIBECK_THRELFALL_MODIFIED_NORMAL_FORCE_CHANGE = 15,
   /** state [stribeck_phase]: What the last event of Model Exchange has found the contact to do. (default Free) */
-  STRIBECK_THRELFALL_MODIFIED_PHASE = 15,
+  STRIBECK_THRELFALL_MODIFIED_PHASE = 16,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
-  STRIBECK_THRELFALL_MODIFIED_DISSIPATED_ENERGY = 16,
+  STRIBECK_THRELFALL_MODIFIED_DISSIPATED_ENERGY = 17,
   /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
-  STRIBECK_THRELFALL_MODIFIED_FRICTION_FORCE = 17,
+  STRIBECK_THRELFALL_MODIFIED_FRICTION_FORCE = 18,
   /** out [W]: Power taken out of the motion: friction force times velocity. */
-  STRIBECK_THRELFALL_MODIFIED_DISSIPATED_POWER = 18,
+  STRIBECK_THRELFALL_MODIFIED_DISSIPATED_POWER = 19,
   /** out [Boolean]: Is the contact sticking? */
-  STRIBECK_THRELFALL_MODIFIED_STICKING = 19,
+  STRIBECK_THRELFALL_MODIFIED_STICKING = 20,
 } stribeck_threlfall_modified_variable;
 
 /** Guid of RooneyDeravi for fmi2Instantiate. */
-#define STRIBECK_ROONEY_DERAVI_GUID "{312c97b3-41fd-9812-535e-d4e2a41a60df}"
+#define STRIBECK_ROONEY_DERAVI_GUID "{b4dda239-e67f-2c81-3c15-83dea4130273}"
 
 /** RooneyDeravi: Coulomb friction with a transition band (Rooney and Deravi). Columns of "RooneyDeravi". */
 typedef enum stribeck_rooney_deravi_variable {
@@ -1250,26 +1264,28 @@ typedef enum stribeck_rooney_deravi_variable {
   STRIBECK_ROONEY_DERAVI_END_VELOCITY = 11,
   /** state [N]: External force at the end of the last step. (default 0) */
   STRIBECK_ROONEY_DERAVI_END_EXTERNAL_FORCE = 12,
+  /** state [N]: Normal force at the end of the last step. (>= 0, default 0) */
+  STRIBECK_ROONEY_DERAVI_END_NORMAL_FORCE = 13,
   /** state [m/s]: Change of the velocity over the last step if the master gave its slope, else 0. (default 0) */
-  STRIBECK_ROONEY_DERAVI_VELOCITY_CHANGE = 13,
+  STRIBECK_ROONEY_DERAVI_VELOCITY_CHANGE = 14,
   /** state [N]: Change of the external force over the last step if the master gave its slope, else 0. (default 0) */
-  STRIBECK_ROONEY_DERAVI_EXTERNAL_FORCE_CHANGE = 14,
+  STRIBECK_ROONEY_DERAVI_EXTERNAL_FORCE_CHANGE = 15,
   /** state [N]: Change of the normal force over the last step if the master gave its slope, else 0. (default 0) */
-  STRIBECK_ROONEY_DERAVI_NORMAL_FORCE_CHANGE = 15,
+  STRIBECK_ROONEY_DERAVI_NORMAL_FORCE_CHANGE = 16,
   /** state [stribeck_phase]: What the last event of Model Exchange has found the contact to do. (default Free) */
-  STRIBECK_ROONEY_DERAVI_PHASE = 16,
+  STRIBECK_ROONEY_DERAVI_PHASE = 17,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
-  STRIBECK_ROONEY_DERAVI_DISSIPATED_ENERGY = 17,
+  STRIBECK_ROONEY_DERAVI_DISSIPATED_ENERGY = 18,
   /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
-  STRIBECK_ROONEY_DERAVI_FRICTION_FORCE = 18,
+  STRIBECK_ROONEY_DERAVI_FRICTION_FORCE = 19,
   /** out [W]: Power taken out of the motion: friction force times velocity. */
-  STRIBECK_ROONEY_DERAVI_DISSIPATED_POWER = 19,
+  STRIBECK_ROONEY_DERAVI_DISSIPATED_POWER = 20,
   /** out [Boolean]: Is the contact sticking? */
-  STRIBECK_ROONEY_DERAVI_STICKING = 20,
+  STRIBECK_ROONEY_DERAVI_STICKING = 21,
 } stribeck_rooney_deravi_variable;
 
 /** Guid of Ambrosio for fmi2Instantiate. */
-#define STRIBECK_AMBROSIO_GUID "{380c02af-5fa2-ec06-debd-6a22b6758231}"
+#define STRIBECK_AMBROSIO_GUID "{4ed7c963-b21e-ea39-2768-a00ac6df0ac9}"
 
 /** Ambrosio: Coulomb friction that is ramped in with speed (Ambrosio). Columns of "Ambrosio". */
 typedef enum stribeck_ambrosio_variable {
@@ -1301,26 +1317,28 @@ typedef enum stribeck_ambrosio_variable {
   STRIBECK_AMBROSIO_END_VELOCITY = 11,
   /** state [N]: External force at the end of the last step. (default 0) */
   STRIBECK_AMBROSIO_END_EXTERNAL_FORCE = 12,
+  /** state [N]: Normal force at the end of the last step. (>= 0, default 0) */
+  STRIBECK_AMBROSIO_END_NORMAL_FORCE = 13,
   /** state [m/s]: Change of the velocity over the last step if the master gave its slope, else 0. (default 0) */
-  STRIBECK_AMBROSIO_VELOCITY_CHANGE = 13,
+  STRIBECK_AMBROSIO_VELOCITY_CHANGE = 14,
   /** state [N]: Change of the external force over the last step if the master gave its slope, else 0. (default 0) */
-  STRIBECK_AMBROSIO_EXTERNAL_FORCE_CHANGE = 14,
+  STRIBECK_AMBROSIO_EXTERNAL_FORCE_CHANGE = 15,
   /** state [N]: Change of the normal force over the last step if the master gave its slope, else 0. (default 0) */
-  STRIBECK_AMBROSIO_NORMAL_FORCE_CHANGE = 15,
+  STRIBECK_AMBROSIO_NORMAL_FORCE_CHANGE = 16,
   /** state [stribeck_phase]: What the last event of Model Exchange has found the contact to do. (default Free) */
-  STRIBECK_AMBROSIO_PHASE = 16,
+  STRIBECK_AMBROSIO_PHASE = 17,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
-  STRIBECK_AMBROSIO_DISSIPATED_ENERGY = 17,
+  STRIBECK_AMBROSIO_DISSIPATED_ENERGY = 18,
   /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
-  STRIBECK_AMBROSIO_FRICTION_FORCE = 18,
+  STRIBECK_AMBROSIO_FRICTION_FORCE = 19,
   /** out [W]: Power taken out of the motion: friction force times velocity. */
-  STRIBECK_AMBROSIO_DISSIPATED_POWER = 19,
+  STRIBECK_AMBROSIO_DISSIPATED_POWER = 20,
   /** out [Boolean]: Is the contact sticking? */
-  STRIBECK_AMBROSIO_STICKING = 20,
+  STRIBECK_AMBROSIO_STICKING = 21,
 } stribeck_ambrosio_variable;
 
 /** Guid of Karnopp for fmi2Instantiate. */
-#define STRIBECK_KARNOPP_GUID "{3fcf125c-2e96-4200-2f4a-838dee1b75b4}"
+#define STRIBECK_KARNOPP_GUID "{11c8c491-0b58-eb8e-8204-f008d65d00cc}"
 
 /** Karnopp: Coulomb friction with a band of stiction (Karnopp). Columns of "Karnopp". */
 typedef enum stribeck_karnopp_variable {
@@ -1355,26 +1373,28 @@ typedef enum stribeck_karnopp_variable {
   STRIBECK_KARNOPP_END_VELOCITY = 12,
   /** state [N]: External force at the end of the last step. (default 0) */
   STRIBECK_KARNOPP_END_EXTERNAL_FORCE = 13,
+  /** state [N]: Normal force at the end of the last step. (>= 0, default 0) */
+  STRIBECK_KARNOPP_END_NORMAL_FORCE = 14,
   /** state [m/s]: Change of the velocity over the last step if the master gave its slope, else 0. (default 0) */
-  STRIBECK_KARNOPP_VELOCITY_CHANGE = 14,
+  STRIBECK_KARNOPP_VELOCITY_CHANGE = 15,
   /** state [N]: Change of the external force over the last step if the master gave its slope, else 0. (default 0) */
-  STRIBECK_KARNOPP_EXTERNAL_FORCE_CHANGE = 15,
+  STRIBECK_KARNOPP_EXTERNAL_FORCE_CHANGE = 16,
   /** state [N]: Change of the normal force over the last step if the master gave its slope, else 0. (default 0) */
-  STRIBECK_KARNOPP_NORMAL_FORCE_CHANGE = 16,
+  STRIBECK_KARNOPP_NORMAL_FORCE_CHANGE = 17,
   /** state [stribeck_phase]: What the last event of Model Exchange has found the contact to do. (default Free) */
-  STRIBECK_KARNOPP_PHASE = 17,
+  STRIBECK_KARNOPP_PHASE = 18,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
-  STRIBECK_KARNOPP_DISSIPATED_ENERGY = 18,
+  STRIBECK_KARNOPP_DISSIPATED_ENERGY = 19,
   /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
-  STRIBECK_KARNOPP_FRICTION_FORCE = 19,
+  STRIBECK_KARNOPP_FRICTION_FORCE = 20,
   /** out [W]: Power taken out of the motion: friction force times velocity. */
-  STRIBECK_KARNOPP_DISSIPATED_POWER = 20,
+  STRIBECK_KARNOPP_DISSIPATED_POWER = 21,
   /** out [Boolean]: Is the contact sticking? */
-  STRIBECK_KARNOPP_STICKING = 21,
+  STRIBECK_KARNOPP_STICKING = 22,
 } stribeck_karnopp_variable;
 
 /** Guid of BengisuAkay for fmi2Instantiate. */
-#define STRIBECK_BENGISU_AKAY_GUID "{933f8650-6996-37d5-6b60-4c96817b09f9}"
+#define STRIBECK_BENGISU_AKAY_GUID "{b8b3d50e-4a59-d749-82cc-1a3ad906e311}"
 
 /** BengisuAkay: Continuous friction law with a stiction peak (Bengisu and Akay). Columns of "BengisuAkay". */
 typedef enum stribeck_bengisu_akay_variable {
@@ -1413,26 +1433,28 @@ typedef enum stribeck_bengisu_akay_variable {
   STRIBECK_BENGISU_AKAY_END_VELOCITY = 14,
   /** state [N]: External force at the end of the last step. (default 0) */
   STRIBECK_BENGISU_AKAY_END_EXTERNAL_FORCE = 15,
+  /** state [N]: Normal force at the end of the last step. (>= 0, default 0) */
+  STRIBECK_BENGISU_AKAY_END_NORMAL_FORCE = 16,
   /** state [m/s]: Change of the velocity over the last step if the master gave its slope, else 0. (default 0) */
-  STRIBECK_BENGISU_AKAY_VELOCITY_CHANGE = 16,
+  STRIBECK_BENGISU_AKAY_VELOCITY_CHANGE = 17,
   /** state [N]: Change of the external force over the last step if the master gave its slope, else 0. (default 0) */
-  STRIBECK_BENGISU_AKAY_EXTERNAL_FORCE_CHANGE = 17,
+  STRIBECK_BENGISU_AKAY_EXTERNAL_FORCE_CHANGE = 18,
   /** state [N]: Change of the normal force over the last step if the master gave its slope, else 0. (default 0) */
-  STRIBECK_BENGISU_AKAY_NORMAL_FORCE_CHANGE = 18,
+  STRIBECK_BENGISU_AKAY_NORMAL_FORCE_CHANGE = 19,
   /** state [stribeck_phase]: What the last event of Model Exchange has found the contact to do. (default Free) */
-  STRIBECK_BENGISU_AKAY_PHASE = 19,
+  STRIBECK_BENGISU_AKAY_PHASE = 20,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
-  STRIBECK_BENGISU_AKAY_DISSIPATED_ENERGY = 20,
+  STRIBECK_BENGISU_AKAY_DISSIPATED_ENERGY = 21,
   /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
-  STRIBECK_BENGISU_AKAY_FRICTION_FORCE = 21,
+  STRIBECK_BENGISU_AKAY_FRICTION_FORCE = 22,
   /** out [W]: Power taken out of the motion: friction force times velocity. */
-  STRIBECK_BENGISU_AKAY_DISSIPATED_POWER = 22,
+  STRIBECK_BENGISU_AKAY_DISSIPATED_POWER = 23,
   /** out [Boolean]: Is the contact sticking? */
-  STRIBECK_BENGISU_AKAY_STICKING = 23,
+  STRIBECK_BENGISU_AKAY_STICKING = 24,
 } stribeck_bengisu_akay_variable;
 
 /** Guid of Hollars for fmi2Instantiate. */
-#define STRIBECK_HOLLARS_GUID "{4be45cc6-1b25-660f-95ce-4b4b73d4e5a9}"
+#define STRIBECK_HOLLARS_GUID "{897d132a-40f5-2444-8136-bac64cc732a1}"
 
 /** Hollars: Continuous friction law with a stiction peak, without exponentials (Hollars). Columns of "Hollars". */
 typedef enum stribeck_hollars_variable {
@@ -1466,26 +1488,28 @@ typedef enum stribeck_hollars_variable {
   STRIBECK_HOLLARS_END_VELOCITY = 12,
   /** state [N]: External force at the end of the last step. (default 0) */
   STRIBECK_HOLLARS_END_EXTERNAL_FORCE = 13,
+  /** state [N]: Normal force at the end of the last step. (>= 0, default 0) */
+  STRIBECK_HOLLARS_END_NORMAL_FORCE = 14,
   /** state [m/s]: Change of the velocity over the last step if the master gave its slope, else 0. (default 0) */
-  STRIBECK_HOLLARS_VELOCITY_CHANGE = 14,
+  STRIBECK_HOLLARS_VELOCITY_CHANGE = 15,
   /** state [N]: Change of the external force over the last step if the master gave its slope, else 0. (default 0) */
-  STRIBECK_HOLLARS_EXTERNAL_FORCE_CHANGE = 15,
+  STRIBECK_HOLLARS_EXTERNAL_FORCE_CHANGE = 16,
   /** state [N]: Change of the normal force over the last step if the master gave its slope, else 0. (default 0) */
-  STRIBECK_HOLLARS_NORMAL_FORCE_CHANGE = 16,
+  STRIBECK_HOLLARS_NORMAL_FORCE_CHANGE = 17,
   /** state [stribeck_phase]: What the last event of Model Exchange has found the contact to do. (default Free) */
-  STRIBECK_HOLLARS_PHASE = 17,
+  STRIBECK_HOLLARS_PHASE = 18,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
-  STRIBECK_HOLLARS_DISSIPATED_ENERGY = 18,
+  STRIBECK_HOLLARS_DISSIPATED_ENERGY = 19,
   /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
-  STRIBECK_HOLLARS_FRICTION_FORCE = 19,
+  STRIBECK_HOLLARS_FRICTION_FORCE = 20,
   /** out [W]: Power taken out of the motion: friction force times velocity. */
-  STRIBECK_HOLLARS_DISSIPATED_POWER = 20,
+  STRIBECK_HOLLARS_DISSIPATED_POWER = 21,
   /** out [Boolean]: Is the contact sticking? */
-  STRIBECK_HOLLARS_STICKING = 21,
+  STRIBECK_HOLLARS_STICKING = 22,
 } stribeck_hollars_variable;
 
 /** Guid of Andersson for fmi2Instantiate. */
-#define STRIBECK_ANDERSSON_GUID "{aaa59c49-c4a3-caca-c14d-1657cd5d389f}"
+#define STRIBECK_ANDERSSON_GUID "{13e325ea-4f80-0388-d174-e5dcb57a7e33}"
 
 /** Andersson: Smooth friction law with the Stribeck curve (Andersson). Columns of "Andersson". */
 typedef enum stribeck_andersson_variable {
@@ -1524,26 +1548,28 @@ typedef enum stribeck_andersson_variable {
   STRIBECK_ANDERSSON_END_VELOCITY = 14,
   /** state [N]: External force at the end of the last step. (default 0) */
   STRIBECK_ANDERSSON_END_EXTERNAL_FORCE = 15,
+  /** state [N]: Normal force at the end of the last step. (>= 0, default 0) */
+  STRIBECK_ANDERSSON_END_NORMAL_FORCE = 16,
   /** state [m/s]: Change of the velocity over the last step if the master gave its slope, else 0. (default 0) */
-  STRIBECK_ANDERSSON_VELOCITY_CHANGE = 16,
+  STRIBECK_ANDERSSON_VELOCITY_CHANGE = 17,
   /** state [N]: Change of the external force over the last step if the master gave its slope, else 0. (default 0) */
-  STRIBECK_ANDERSSON_EXTERNAL_FORCE_CHANGE = 17,
+  STRIBECK_ANDERSSON_EXTERNAL_FORCE_CHANGE = 18,
   /** state [N]: Change of the normal force over the last step if the master gave its slope, else 0. (default 0) */
-  STRIBECK_ANDERSSON_NORMAL_FORCE_CHANGE = 18,
+  STRIBECK_ANDERSSON_NORMAL_FORCE_CHANGE = 19,
   /** state [stribeck_phase]: What the last event of Model Exchange has found the contact to do. (default Free) */
-  STRIBECK_ANDERSSON_PHASE = 19,
+  STRIBECK_ANDERSSON_PHASE = 20,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
-  STRIBECK_ANDERSSON_DISSIPATED_ENERGY = 20,
+  STRIBECK_ANDERSSON_DISSIPATED_ENERGY = 21,
   /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
-  STRIBECK_ANDERSSON_FRICTION_FORCE = 21,
+  STRIBECK_ANDERSSON_FRICTION_FORCE = 22,
   /** out [W]: Power taken out of the motion: friction force times velocity. */
-  STRIBECK_ANDERSSON_DISSIPATED_POWER = 22,
+  STRIBECK_ANDERSSON_DISSIPATED_POWER = 23,
   /** out [Boolean]: Is the contact sticking? */
-  STRIBECK_ANDERSSON_STICKING = 23,
+  STRIBECK_ANDERSSON_STICKING = 24,
 } stribeck_andersson_variable;
 
 /** Guid of Awrejcewicz for fmi2Instantiate. */
-#define STRIBECK_AWREJCEWICZ_GUID "{127b1472-946c-3c46-544d-028ac13fa185}"
+#define STRIBECK_AWREJCEWICZ_GUID "{bfc4c633-ab3b-e0ee-d984-fba310e0f3cd}"
 
 /** Awrejcewicz: Continuous friction law that holds a load at rest (Awrejcewicz, Grzelczyk and Pyryev). Columns of "Awrejcewicz". */
 typedef enum stribeck_awrejcewicz_variable {
@@ -1578,26 +1604,28 @@ typedef enum stribeck_awrejcewicz_variable {
   STRIBECK_AWREJCEWICZ_END_VELOCITY = 12,
   /** state [N]: External force at the end of the last step. (default 0) */
   STRIBECK_AWREJCEWICZ_END_EXTERNAL_FORCE = 13,
+  /** state [N]: Normal force at the end of the last step. (>= 0, default 0) */
+  STRIBECK_AWREJCEWICZ_END_NORMAL_FORCE = 14,
   /** state [m/s]: Change of the velocity over the last step if the master gave its slope, else 0. (default 0) */
-  STRIBECK_AWREJCEWICZ_VELOCITY_CHANGE = 14,
+  STRIBECK_AWREJCEWICZ_VELOCITY_CHANGE = 15,
   /** state [N]: Change of the external force over the last step if the master gave its slope, else 0. (default 0) */
-  STRIBECK_AWREJCEWICZ_EXTERNAL_FORCE_CHANGE = 15,
+  STRIBECK_AWREJCEWICZ_EXTERNAL_FORCE_CHANGE = 16,
   /** state [N]: Change of the normal force over the last step if the master gave its slope, else 0. (default 0) */
-  STRIBECK_AWREJCEWICZ_NORMAL_FORCE_CHANGE = 16,
+  STRIBECK_AWREJCEWICZ_NORMAL_FORCE_CHANGE = 17,
   /** state [stribeck_phase]: What the last event of Model Exchange has found the contact to do. (default Free) */
-  STRIBECK_AWREJCEWICZ_PHASE = 17,
+  STRIBECK_AWREJCEWICZ_PHASE = 18,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
-  STRIBECK_AWREJCEWICZ_DISSIPATED_ENERGY = 18,
+  STRIBECK_AWREJCEWICZ_DISSIPATED_ENERGY = 19,
   /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
-  STRIBECK_AWREJCEWICZ_FRICTION_FORCE = 19,
+  STRIBECK_AWREJCEWICZ_FRICTION_FORCE = 20,
   /** out [W]: Power taken out of the motion: friction force times velocity. */
-  STRIBECK_AWREJCEWICZ_DISSIPATED_POWER = 20,
+  STRIBECK_AWREJCEWICZ_DISSIPATED_POWER = 21,
   /** out [Boolean]: Is the contact sticking? */
-  STRIBECK_AWREJCEWICZ_STICKING = 21,
+  STRIBECK_AWREJCEWICZ_STICKING = 22,
 } stribeck_awrejcewicz_variable;
 
 /** Guid of Specker for fmi2Instantiate. */
-#define STRIBECK_SPECKER_GUID "{3a3f8b54-d507-acbd-3715-98ad17a4d9e0}"
+#define STRIBECK_SPECKER_GUID "{a3c0daa8-503e-4b13-b11b-c16e4b8b6f14}"
 
 /** Specker: Smooth friction law that passes through the static level (Specker). Columns of "Specker". */
 typedef enum stribeck_specker_variable {
@@ -1633,26 +1661,28 @@ typedef enum stribeck_specker_variable {
   STRIBECK_SPECKER_END_VELOCITY = 13,
   /** state [N]: External force at the end of the last step. (default 0) */
   STRIBECK_SPECKER_END_EXTERNAL_FORCE = 14,
+  /** state [N]: Normal force at the end of the last step. (>= 0, default 0) */
+  STRIBECK_SPECKER_END_NORMAL_FORCE = 15,
   /** state [m/s]: Change of the velocity over the last step if the master gave its slope, else 0. (default 0) */
-  STRIBECK_SPECKER_VELOCITY_CHANGE = 15,
+  STRIBECK_SPECKER_VELOCITY_CHANGE = 16,
   /** state [N]: Change of the external force over the last step if the master gave its slope, else 0. (default 0) */
-  STRIBECK_SPECKER_EXTERNAL_FORCE_CHANGE = 16,
+  STRIBECK_SPECKER_EXTERNAL_FORCE_CHANGE = 17,
   /** state [N]: Change of the normal force over the last step if the master gave its slope, else 0. (default 0) */
-  STRIBECK_SPECKER_NORMAL_FORCE_CHANGE = 17,
+  STRIBECK_SPECKER_NORMAL_FORCE_CHANGE = 18,
   /** state [stribeck_phase]: What the last event of Model Exchange has found the contact to do. (default Free) */
-  STRIBECK_SPECKER_PHASE = 18,
+  STRIBECK_SPECKER_PHASE = 19,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
-  STRIBECK_SPECKER_DISSIPATED_ENERGY = 19,
+  STRIBECK_SPECKER_DISSIPATED_ENERGY = 20,
   /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
-  STRIBECK_SPECKER_FRICTION_FORCE = 20,
+  STRIBECK_SPECKER_FRICTION_FORCE = 21,
   /** out [W]: Power taken out of the motion: friction force times velocity. */
-  STRIBECK_SPECKER_DISSIPATED_POWER = 21,
+  STRIBECK_SPECKER_DISSIPATED_POWER = 22,
   /** out [Boolean]: Is the contact sticking? */
-  STRIBECK_SPECKER_STICKING = 22,
+  STRIBECK_SPECKER_STICKING = 23,
 } stribeck_specker_variable;
 
 /** Guid of LinearStiction for fmi2Instantiate. */
-#define STRIBECK_LINEAR_STICTION_GUID "{beca64fd-e257-4943-d87f-1927eb1e9a96}"
+#define STRIBECK_LINEAR_STICTION_GUID "{0ed89408-c6a5-10ba-55ad-87be8bebf93e}"
 
 /** LinearStiction: Friction law with stiction made of three straight lines. Columns of "LinearStiction". */
 typedef enum stribeck_linear_stiction_variable {
@@ -1686,26 +1716,28 @@ typedef enum stribeck_linear_stiction_variable {
   STRIBECK_LINEAR_STICTION_END_VELOCITY = 12,
   /** state [N]: External force at the end of the last step. (default 0) */
   STRIBECK_LINEAR_STICTION_END_EXTERNAL_FORCE = 13,
+  /** state [N]: Normal force at the end of the last step. (>= 0, default 0) */
+  STRIBECK_LINEAR_STICTION_END_NORMAL_FORCE = 14,
   /** state [m/s]: Change of the velocity over the last step if the master gave its slope, else 0. (default 0) */
-  STRIBECK_LINEAR_STICTION_VELOCITY_CHANGE = 14,
+  STRIBECK_LINEAR_STICTION_VELOCITY_CHANGE = 15,
   /** state [N]: Change of the external force over the last step if the master gave its slope, else 0. (default 0) */
-  STRIBECK_LINEAR_STICTION_EXTERNAL_FORCE_CHANGE = 15,
+  STRIBECK_LINEAR_STICTION_EXTERNAL_FORCE_CHANGE = 16,
   /** state [N]: Change of the normal force over the last step if the master gave its slope, else 0. (default 0) */
-  STRIBECK_LINEAR_STICTION_NORMAL_FORCE_CHANGE = 16,
+  STRIBECK_LINEAR_STICTION_NORMAL_FORCE_CHANGE = 17,
   /** state [stribeck_phase]: What the last event of Model Exchange has found the contact to do. (default Free) */
-  STRIBECK_LINEAR_STICTION_PHASE = 17,
+  STRIBECK_LINEAR_STICTION_PHASE = 18,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
-  STRIBECK_LINEAR_STICTION_DISSIPATED_ENERGY = 18,
+  STRIBECK_LINEAR_STICTION_DISSIPATED_ENERGY = 19,
   /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
-  STRIBECK_LINEAR_STICTION_FRICTION_FORCE = 19,
+  STRIBECK_LINEAR_STICTION_FRICTION_FORCE = 20,
   /** out [W]: Power taken out of the motion: friction force times velocity. */
-  STRIBECK_LINEAR_STICTION_DISSIPATED_POWER = 20,
+  STRIBECK_LINEAR_STICTION_DISSIPATED_POWER = 21,
   /** out [Boolean]: Is the contact sticking? */
-  STRIBECK_LINEAR_STICTION_STICKING = 21,
+  STRIBECK_LINEAR_STICTION_STICKING = 22,
 } stribeck_linear_stiction_variable;
 
 /** Guid of BrownMcPhee for fmi2Instantiate. */
-#define STRIBECK_BROWN_MCPHEE_GUID "{16bacc67-02e5-d93a-7a84-c8b5ef878061}"
+#define STRIBECK_BROWN_MCPHEE_GUID "{e4242594-9d91-a529-753f-7d144a9382d9}"
 
 /** BrownMcPhee: Smooth friction law with a stiction peak (Brown and McPhee). Columns of "BrownMcPhee". */
 typedef enum stribeck_brown_mcphee_variable {
@@ -1741,22 +1773,24 @@ typedef enum stribeck_brown_mcphee_variable {
   STRIBECK_BROWN_MCPHEE_END_VELOCITY = 13,
   /** state [N]: External force at the end of the last step. (default 0) */
   STRIBECK_BROWN_MCPHEE_END_EXTERNAL_FORCE = 14,
+  /** state [N]: Normal force at the end of the last step. (>= 0, default 0) */
+  STRIBECK_BROWN_MCPHEE_END_NORMAL_FORCE = 15,
   /** state [m/s]: Change of the velocity over the last step if the master gave its slope, else 0. (default 0) */
-  STRIBECK_BROWN_MCPHEE_VELOCITY_CHANGE = 15,
+  STRIBECK_BROWN_MCPHEE_VELOCITY_CHANGE = 16,
   /** state [N]: Change of the external force over the last step if the master gave its slope, else 0. (default 0) */
-  STRIBECK_BROWN_MCPHEE_EXTERNAL_FORCE_CHANGE = 16,
+  STRIBECK_BROWN_MCPHEE_EXTERNAL_FORCE_CHANGE = 17,
   /** state [N]: Change of the normal force over the last step if the master gave its slope, else 0. (default 0) */
-  STRIBECK_BROWN_MCPHEE_NORMAL_FORCE_CHANGE = 17,
+  STRIBECK_BROWN_MCPHEE_NORMAL_FORCE_CHANGE = 18,
   /** state [stribeck_phase]: What the last event of Model Exchange has found the contact to do. (default Free) */
-  STRIBECK_BROWN_MCPHEE_PHASE = 18,
+  STRIBECK_BROWN_MCPHEE_PHASE = 19,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
-  STRIBECK_BROWN_MCPHEE_DISSIPATED_ENERGY = 19,
+  STRIBECK_BROWN_MCPHEE_DISSIPATED_ENERGY = 20,
   /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
-  STRIBECK_BROWN_MCPHEE_FRICTION_FORCE = 20,
+  STRIBECK_BROWN_MCPHEE_FRICTION_FORCE = 21,
   /** out [W]: Power taken out of the motion: friction force times velocity. */
-  STRIBECK_BROWN_MCPHEE_DISSIPATED_POWER = 21,
+  STRIBECK_BROWN_MCPHEE_DISSIPATED_POWER = 22,
   /** out [Boolean]: Is the contact sticking? */
-  STRIBECK_BROWN_MCPHEE_STICKING = 22,
+  STRIBECK_BROWN_MCPHEE_STICKING = 23,
 } stribeck_brown_mcphee_variable;
 
 /** Guid of Dahl for fmi2Instantiate. */

@@ -91,6 +91,26 @@ fn laws_with_mass() -> Vec<&'static str> {
     catalogue::models().filter(|model| model.find("planned_force").is_some()).map(|model| model.name).collect()
 }
 
+/// The mean of a load that moved over the last step says nothing of a load that is set after it.
+#[test]
+fn a_load_that_is_set_after_a_slope_counts_at_once() {
+    for law in laws_with_mass() {
+        let inputs = [("mass", 2.0), ("mu_k", 0.1), ("velocity", 0.5), ("normal_force", 0.0)];
+        let mut block = Bench::new(law, &inputs.map(|(name, value)| (name, value)));
+        let column = block.column("normal_force");
+        block.instance.put_slope(column, 20_000.0);
+        block.step(1e-3);
+        block.set("normal_force", 5.0);
+        let force = block.get("friction_force");
+        let mut held = Bench::new(law, &inputs);
+        held.set("normal_force", 5.0);
+        held.step(1e-3);
+        assert!(force > 0.0, "{law}: {force} N drives");
+        let expected = held.get("friction_force");
+        assert!((force / expected - 1.0).abs() < 1e-9, "{law}: {force} N, {expected} N after a held step");
+    }
+}
+
 /// Slopes of the inputs must not disturb a block at rest: the acceleration that a master gives holds the last friction
 /// force, which is not the one of the step.
 #[test]

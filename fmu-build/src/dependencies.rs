@@ -157,6 +157,7 @@ mod tests {
         "planned_force",
         "end_velocity",
         "end_external_force",
+        "end_normal_force",
         "velocity_change",
         "external_force_change",
         "normal_force_change",
@@ -179,8 +180,15 @@ mod tests {
         let law: Vec<_> = law.into_iter().chain(STEPPING).collect();
         assert_depends("BrownMcPhee", "friction_force", &inputs, &law);
         assert_depends("BrownMcPhee", "dissipated_power", &inputs, &law);
-        let step =
-            ["mass", "step_size", "end_velocity", "end_external_force", "velocity_change", "normal_force_change"];
+        let step = [
+            "mass",
+            "step_size",
+            "end_velocity",
+            "end_external_force",
+            "end_normal_force",
+            "velocity_change",
+            "normal_force_change",
+        ];
         let sticking: Vec<_> = ["transition_velocity"].into_iter().chain(step).chain(["phase"]).collect();
         assert_depends("BrownMcPhee", "sticking", &inputs, &sticking);
     }
@@ -189,7 +197,8 @@ mod tests {
     #[test]
     fn laws_with_stiction_depend_on_the_external_force() {
         let inputs = ["velocity", "normal_force", "external_force"];
-        let step = ["mass", "step_size", "end_velocity", "end_external_force", "normal_force_change"];
+        let step =
+            ["mass", "step_size", "end_velocity", "end_external_force", "end_normal_force", "normal_force_change"];
         for (model, band) in [("CoulombStiction", None), ("Karnopp", Some("transition_velocity"))] {
             let law: Vec<_> =
                 ["mu_k", "mu_s"].into_iter().chain(band).chain(["stuck"]).chain(STEPPING).chain(["phase"]).collect();

@@ -42,6 +42,8 @@ crate::part! {
         end_velocity: state = real("m/s", 0.0).shown_in("mm/s").discrete(),
         /// External force at the end of the last step.
         end_external_force: state = real("N", 0.0).discrete(),
+        /// Normal force at the end of the last step.
+        end_normal_force: state = real("N", 0.0).at_least(0.0).discrete(),
         /// Change of the velocity over the last step if the master gave its slope, else 0.
         velocity_change: state = real("m/s", 0.0).shown_in("mm/s").discrete(),
         /// Change of the external force over the last step if the master gave its slope, else 0.
@@ -106,7 +108,8 @@ pub(crate) trait Holding<T: Real>: Copy {
             (now - end).abs().value() <= rounding
         };
         let are_old = is_at(inputs.velocity, steps.end_velocity, steps.velocity_change)
-            && is_at(inputs.external_force, steps.end_external_force, steps.external_force_change);
+            && is_at(inputs.external_force, steps.end_external_force, steps.external_force_change)
+            && is_at(inputs.normal_force, steps.end_normal_force, steps.normal_force_change);
         if !are_old {
             return self;
         }
@@ -170,6 +173,7 @@ impl TimeStepping {
             planned_force: 0.0,
             end_velocity: 0.0,
             end_external_force: 0.0,
+            end_normal_force: 0.0,
             velocity_change: 0.0,
             external_force_change: 0.0,
             normal_force_change: 0.0,
@@ -228,7 +232,9 @@ fn step_with_mass(law: &mut impl Holding<f64>, begin: Inputs<f64>, dt: f64) -> D
     steps.velocity_change = end.velocity - begin.velocity;
     steps.external_force_change = end.external_force - begin.external_force;
     steps.normal_force_change = end.normal_force - begin.normal_force;
-    (steps.end_velocity, steps.end_external_force) = (end.velocity, end.external_force);
+    steps.end_velocity = end.velocity;
+    steps.end_external_force = end.external_force;
+    steps.end_normal_force = end.normal_force;
     steps.step_size = dt;
     // A force that stops the body in a short step throws it back in a long one, and the next step is not known yet.
     steps.planning_step = dt.max(PLANNING_MEMORY * steps.planning_step);
