@@ -1,21 +1,25 @@
-//! Notices a host that makes a step more often than the time passes.
+//! Detects a host that steps a model more often than time passes.
 //!
-//! Some integrators ask for a force many times in each of their steps. A host that answers each time with a step of its
-//! own count advances what a model remembers many times too far, and no communication point tells: only that the length
-//! does not follow from the velocity. Where a model has both as inputs, the ways that they make are compared.
+//! Some integrators ask for a force many times in each of their steps. A host that answers each time with a step of the
+//! model advances its states many times too far, and nothing shows it but a length that does not follow from the
+//! velocity. Where a model has both as inputs, the distances that they travel are compared.
 
 use crate::model::{Fault, Kind, ModelType, Role};
 
-/// A way in one direction counts from this number of steps on (chosen): a velocity that rings from step to step, as that
-/// of some integrators does, makes none.
+/// Steps from which on a motion in one direction counts (chosen): the velocity of some integrators rings from step to
+/// step, which is no such motion.
 const STEPS: u32 = 32;
 
-/// And what the velocity makes is looked at from this part of the largest length on (chosen).
+/// Distance travelled by the velocity from which on it is compared, relative to the largest length (chosen).
 const SIGNIFICANT: f64 = 0.05;
 
-/// Way of the length over that of the velocity that is told (chosen). At the lower end the length is not given at all;
-/// the upper one no motion reaches that is sampled twice in its period, which makes 2 / pi.
-const WRONG: [f64; 2] = [0.001, 0.5];
+/// Range of the distance travelled by the length over that travelled by the velocity which gives a warning (chosen).
+/// Below it the length is not given at all; a velocity in mm/s has 0.001. A motion sampled only twice per period has
+/// 2 / pi.
+const WRONG: [f64; 2] = [1e-5, 0.5];
+
+/// Share of the distance travelled against the velocity that gives a warning (chosen).
+const BACKWARDS: f64 = 0.5;
 
 /// A motion in one direction.
 #[derive(Clone, Copy, Default)]
@@ -33,15 +37,30 @@ pub(crate) struct Consistency {
     so_far: SoFar,
 }
 
-/// What was seen in a run.
+/// Distances travelled.
+#[derive(Clone, Copy, Default)]
+struct Travel {
+    by_length: f64,
+    by_velocity: f64,
+    /// By the length, against the velocity.
+    backwards: f64,
+}
+
+/// Observations of a run.
 #[derive(Clone, Copy, Default)]
 struct SoFar {
     stroke: Stroke,
-    by_length: f64,
-    by_velocity: f64,
+    travel: Travel,
     largest: f64,
-    /// Is nothing known any more?
+    /// Whether a state was restored, so that the steps no longer follow one another.
     is_given_up: bool,
+}
+
+/// Length at the beginning of a step, and the distance travelled by the velocity in it.
+#[derive(Clone, Copy)]
+pub(crate) struct Sample {
+    length: f64,
+    distance: f64,
 }
 
 impl Consistency {
@@ -57,64 +76,82 @@ impl Consistency {
         Some(Consistency { length, velocity, so_far: SoFar::default() })
     }
 
-    /// A run begins.
+    /// Begins a run.
     pub fn begin(&mut self) {
         self.so_far = SoFar::default();
     }
 
-    /// A state is restored: who does so may repeat steps, and has a way back.
+    /// Ends the comparison once a state is restored: such a host may repeat steps.
     pub fn give_up(&mut self) {
         self.so_far.is_given_up = true;
     }
 
-    /// What the host should know.
+    /// Warning to the host if length and velocity contradict each other.
     pub fn warning(&self) -> Option<Fault> {
-        let (by_length, by_velocity) = self.so_far.ways();
+        let Travel { by_length, by_velocity, backwards } = self.so_far.travel();
+        if self.so_far.is_given_up || by_velocity <= SIGNIFICANT * self.so_far.largest {
+            return None;
+        }
         let ratio = by_length / by_velocity;
-        let is_wrong = by_velocity > SIGNIFICANT * self.so_far.largest && WRONG[0] < ratio && ratio < WRONG[1];
-        (is_wrong && !self.so_far.is_given_up).then(|| {
-            Fault::new(format_args!(
-                "the steps so far, with velocity, make a way {:.1} times that of length: is each step made once, and \
-                 is velocity the time derivative of length?",
+        if backwards > BACKWARDS * by_velocity {
+            let text = "velocity has the sign opposite to the change of length in the steps so far: is it positive \
+                        while the length grows?";
+            Some(Fault::new(format_args!("{text}")))
+        } else if WRONG[0] < ratio && ratio < WRONG[1] {
+            Some(Fault::new(format_args!(
+                "velocity has travelled {:.1} times as far as length in the steps so far: is each step made only once, \
+                 and is velocity the time derivative of length?",
                 1.0 / ratio
-            ))
-        })
+            )))
+        } else {
+            None
+        }
     }
 
-    /// Takes part in a step of `dt` from that row on.
+    /// The inputs at the beginning of a step of `dt`.
     #[inline]
-    pub fn observe(&mut self, row: &[f64], dt: f64) {
-        self.so_far.add(row[self.length], row[self.velocity] * dt);
+    pub fn sample(&self, row: &[f64], dt: f64) -> Sample {
+        Sample { length: row[self.length], distance: row[self.velocity] * dt }
+    }
+
+    /// Adds a step that was made.
+    #[inline]
+    pub fn observe(&mut self, sample: Sample) {
+        self.so_far.add(sample.length, sample.distance);
     }
 }
 
 impl SoFar {
-    fn add(&mut self, length: f64, way: f64) {
+    fn add(&mut self, length: f64, distance: f64) {
         let moved = length - self.stroke.end;
-        let turns = way * self.stroke.by_velocity < 0.0;
-        // Backwards by more than a step makes: the host has put the length somewhere else.
-        let jumps = moved * self.stroke.by_velocity < 0.0 && moved.abs() > way.abs();
+        let turns = distance * self.stroke.by_velocity < 0.0;
+        // Backwards by far more than a step: the host has set the length anew.
+        let jumps = moved * self.stroke.by_velocity < 0.0 && moved.abs() > 4.0 * distance.abs();
         if self.stroke.steps == 0 || turns || jumps {
             self.close();
             self.stroke = Stroke { begin: length, end: length, by_velocity: 0.0, steps: 0 };
         }
         self.stroke.end = length;
-        self.stroke.by_velocity += way;
+        self.stroke.by_velocity += distance;
         self.stroke.steps = self.stroke.steps.saturating_add(1);
         self.largest = self.largest.max(length.abs());
     }
 
-    /// The ways so far, of the length and by the velocity.
-    fn ways(&self) -> (f64, f64) {
+    /// Distances so far, the present stroke included.
+    fn travel(&self) -> Travel {
         if self.stroke.steps < STEPS {
-            return (self.by_length, self.by_velocity);
+            return self.travel;
         }
         let along = (self.stroke.end - self.stroke.begin) * self.stroke.by_velocity.signum();
-        (self.by_length + along.max(0.0), self.by_velocity + self.stroke.by_velocity.abs())
+        Travel {
+            by_length: self.travel.by_length + along.max(0.0),
+            by_velocity: self.travel.by_velocity + self.stroke.by_velocity.abs(),
+            backwards: self.travel.backwards - along.min(0.0),
+        }
     }
 
     fn close(&mut self) {
-        (self.by_length, self.by_velocity) = self.ways();
+        self.travel = self.travel();
     }
 }
 
@@ -129,21 +166,19 @@ mod tests {
         instance: Instance,
         columns: [usize; 2],
         warnings: Vec<String>,
-        steps: u64,
     }
 
     impl Strut {
         fn new() -> Strut {
             let model = catalogue::by_name("ShockAbsorber").expect("the strut");
             let columns = ["length", "velocity"].map(|name| model.find(name).expect(name));
-            Strut { instance: Instance::new(model), columns, warnings: Vec::new(), steps: 0 }
+            Strut { instance: Instance::new(model), columns, warnings: Vec::new() }
         }
 
         fn step(&mut self, length: f64, velocity: f64, dt: f64) {
             self.instance.put(self.columns[0], length);
             self.instance.put(self.columns[1], velocity);
             self.instance.step(dt).expect("a step");
-            self.steps += 1;
             // More often than any interface asks.
             self.warnings.extend(self.instance.warning().map(|fault| fault.to_string()));
         }
@@ -171,15 +206,52 @@ mod tests {
                 }
             }
             let last = strut.warnings.last().expect("a warning");
-            let begin = format!("the steps so far, with velocity, make a way {often}.");
+            let begin = format!("velocity has travelled {often}.");
             assert!(last.starts_with(&begin), "{last}");
         }
+    }
+
+    /// The warnings over four seconds of a host with the given step, and length and velocity over time.
+    fn warnings(dt: f64, signal: impl Fn(f64) -> (f64, f64)) -> Vec<String> {
+        let mut strut = Strut::new();
+        for k in 0..4000 {
+            let (length, velocity) = signal(f64::from(k) * dt);
+            strut.step(length, velocity, dt);
+        }
+        strut.warnings
+    }
+
+    #[test]
+    fn wrong_units_and_signs_are_noticed() {
+        let in_millimetres = warnings(1e-3, |t| (motion(t).0, 1e3 * motion(t).1));
+        assert!(in_millimetres.last().expect("a warning").contains(" times as far as length"), "{in_millimetres:?}");
+        let reversed = warnings(1e-3, |t| (motion(t).0, -motion(t).1));
+        assert!(reversed.last().expect("a warning").starts_with("velocity has the sign opposite"), "{reversed:?}");
+    }
+
+    /// A step that is refused, and made again in two halves, counts once.
+    #[test]
+    fn refused_steps_do_not_count() {
+        let mut strut = Strut::new();
+        for k in 0..2000 {
+            let (length, velocity) = motion(f64::from(k) * 1e-3);
+            for _ in 0..3 {
+                strut.instance.put_slope(strut.columns[0], f64::MAX);
+                strut.instance.put(strut.columns[0], length);
+                strut.instance.put(strut.columns[1], velocity);
+                assert!(strut.instance.step(1e-3).is_err());
+            }
+            strut.instance.put_slope(strut.columns[0], velocity);
+            strut.step(length, velocity, 5e-4);
+            strut.step(length + 5e-4 * velocity, velocity, 5e-4);
+        }
+        assert!(strut.warnings.is_empty(), "{:?}", strut.warnings.first());
     }
 
     #[test]
     fn honest_hosts_are_never_warned() {
         type Signal = fn(f64) -> (f64, f64);
-        // What a host does: its name, its step, and length and velocity at a time.
+        // Name and step of a host, and its length and velocity over time.
         let hosts: [(&str, f64, Signal); 10] = [
             ("sequential", 1e-3, motion),
             ("coarse", 5e-3, motion),
@@ -196,12 +268,8 @@ mod tests {
             ("put back after each stroke", 1e-3, |t| (LENGTH + 0.02 * (5.0 * t).fract(), 0.1)),
         ];
         for (name, dt, signal) in hosts {
-            let mut strut = Strut::new();
-            for k in 0..4000 {
-                let (length, velocity) = signal(f64::from(k) * dt);
-                strut.step(length, velocity, dt);
-            }
-            assert!(strut.warnings.is_empty(), "{name}: {:?}", strut.warnings.first());
+            let warnings = warnings(dt, signal);
+            assert!(warnings.is_empty(), "{name}: {:?}", warnings.first());
         }
     }
 
@@ -228,11 +296,9 @@ mod tests {
         assert!(strut.warnings.is_empty(), "repeated: {:?}", strut.warnings.first());
     }
 
-    /// Every model that has a length and its derivative as inputs is looked at, and no other.
     #[test]
-    fn models_with_a_length_are_looked_at() {
-        let found: Vec<_> = catalogue::models().filter(|model| Consistency::of(model).is_some()).collect();
-        assert!(found.iter().any(|model| model.name == "ShockAbsorber"), "{found:?}");
-        assert!(found.iter().all(|model| model.find("length").is_some()), "{found:?}");
+    fn models_with_length_and_velocity_are_checked() {
+        let checked = catalogue::models().filter(|model| Consistency::of(model).is_some());
+        assert_eq!(checked.map(|model| model.name).collect::<Vec<_>>(), ["ShockAbsorber"]);
     }
 }

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use crate::consistency::Consistency;
+use crate::consistency::{Consistency, Sample};
 use crate::memory::{self, OutOfMemory};
 use crate::model::{Brief, Fault, ModelType, Role, Variable};
 use crate::number::Dual;
@@ -288,19 +288,25 @@ impl Instance {
         if self.unchecked || self.has_slopes || !(dt > 0.0 && self.time + dt < f64::INFINITY) {
             return self.step_with_care(dt);
         }
-        self.observe(dt);
         if !self.model.try_advance(&mut self.row, &mut self.memory, &mut self.room, dt) {
             return Err(self.step_not_finite(dt));
         }
+        // The inputs of a held step are still those of its beginning.
+        self.observe(self.sample(dt));
         self.stale = false;
         self.time += dt;
         Ok(())
     }
 
     #[inline(always)]
-    fn observe(&mut self, dt: f64) {
-        if let Some(consistency) = &mut self.consistency {
-            consistency.observe(&self.row, dt);
+    fn sample(&self, dt: f64) -> Option<Sample> {
+        self.consistency.as_ref().map(|consistency| consistency.sample(&self.row, dt))
+    }
+
+    #[inline(always)]
+    fn observe(&mut self, sample: Option<Sample>) {
+        if let Some((consistency, sample)) = self.consistency.as_mut().zip(sample) {
+            consistency.observe(sample);
         }
     }
 
@@ -320,7 +326,7 @@ impl Instance {
             return Err(Fault::new(format_args!("a step of {dt} s from {time} s: the time must stay finite")));
         }
         self.check()?;
-        self.observe(dt);
+        let sample = self.sample(dt);
         let finite = if self.slopes_are_new {
             self.check_ramps(dt)?;
             self.model.try_advance_ramp(&mut self.row, &mut self.memory, &mut self.room, &self.slope, dt)
@@ -330,6 +336,7 @@ impl Instance {
         if !finite {
             return Err(self.step_not_finite(dt));
         }
+        self.observe(sample);
         if !self.slopes_are_new {
             self.clear_slopes();
         }

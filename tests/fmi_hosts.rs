@@ -191,7 +191,8 @@ enum Habit {
     Later,
 }
 
-fn run_from_zeros(model: &ModelType, name: &'static str, habit: Habit) -> Result<(), String> {
+/// Runs a model; true if a warning was logged.
+fn run_from_zeros(model: &ModelType, name: &'static str, habit: Habit) -> Result<bool, String> {
     let importer = Importer::in_state(name, State::Initialization);
     if matches!(habit, Habit::InInitialization) {
         ground(&importer, model)?;
@@ -216,20 +217,24 @@ fn run_from_zeros(model: &ModelType, name: &'static str, habit: Habit) -> Result
         }
         read(&importer, model)?;
     }
-    Ok(())
+    Ok(importer.heard.lock().expect("one thread").iter().any(|(status, ..)| *status == fmi2Warning))
 }
 
 #[test]
 fn every_model_steps_with_all_inputs_at_zero_and_with_none_set() {
-    let mut failed = Vec::new();
+    let (mut failed, mut warned) = (Vec::new(), Vec::new());
     for model in catalogue::models() {
         for habit in [Habit::Never, Habit::InInitialization, Habit::BeforeTheFirstStep, Habit::Later] {
-            if let Err(why) = run_from_zeros(model, model.name, habit) {
-                failed.push(format!("{} {habit:?}: {why}", model.name));
+            match run_from_zeros(model, model.name, habit) {
+                Ok(true) if matches!(habit, Habit::Later) => warned.push(model.name),
+                Ok(_) => {}
+                Err(why) => failed.push(format!("{} {habit:?}: {why}", model.name)),
             }
         }
     }
     assert!(failed.is_empty(), "{failed:#?}");
+    // The models in which an input of 0 makes no sense by default; the temperature of an unheated damper does not matter.
+    assert_eq!(warned, ["Liang", "ShockAbsorber", "TelescopicJoint"]);
 }
 
 /// A solver that starts from zeros gets derivatives, too.
@@ -329,7 +334,7 @@ fn a_strut_that_is_stepped_too_often_is_told_of() {
             assert!(!heard.is_empty() && heard.len() < 6, "{heard:?}");
             let (status, category, text) = &heard[heard.len() - 1];
             assert_eq!((*status, &**category), (fmi2Warning, "logStatusWarning"));
-            assert!(text.contains("21.0 times that of length"), "{text}");
+            assert!(text.contains("21.0 times as far as length"), "{text}");
         }
     }
 }
