@@ -48,6 +48,7 @@ unsafe extern "C" fn listen(
         count.set(count.get() + u32::from(status != fmi2Warning));
         assert_eq!(CStr::from_ptr(message), c"%s", "the message is a format and must be constant");
         assert_ne!(status, fmi2OK);
+        assert!(status != fmi2Warning || CStr::from_ptr(category) == c"logStatusWarning");
         assert!(CStr::from_ptr(category).to_bytes().starts_with(b"logStatus"));
         let text = CStr::from_ptr(text).to_string_lossy();
         assert!(!text.contains("internal fault"), "a panic was caught: {text}");

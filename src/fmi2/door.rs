@@ -190,7 +190,7 @@ fn guarded(slave: &mut Slave, call: Call, body: impl FnOnce(&mut Slave) -> Outco
         return refused(slave, call, not_allowed(slave, call));
     }
     let _mode = DefaultMode::enter();
-    // A panic leaves the row as it was: models work on a copy. Everything else that a body writes, it writes last.
+    // A panic leaves row and memory as they were: see RollBack. Everything else that a body writes, it writes last.
     match catch_unwind(AssertUnwindSafe(|| body(slave))) {
         Ok(Ok(())) => fmi2Status::fmi2OK,
         Ok(Err(refusal)) => refused(slave, call, refusal),

@@ -238,3 +238,18 @@ impl fmt::Display for Doubled<'_> {
         fmt::write(&mut Doubling(f), self.0)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn sixteen_warnings_are_reported_once_each() {
+        let mut told = Told::default();
+        for n in 0..16 {
+            assert!(told.is_new(&format!("warning {n}")));
+            assert!(!told.is_new(&format!("warning {n}")));
+        }
+        assert!(!told.is_new("warning 16"));
+    }
+}
