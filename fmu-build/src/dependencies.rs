@@ -86,7 +86,7 @@ fn draw_row(model: &ModelType, rng: &mut Rng) -> Vec<f64> {
 }
 
 /// Gives three of four states the value of an input with the same unit: a model may do something else as long as an input
-/// is what it was at the end of a step.
+/// is what it was at the end of a step. A state that carries the name of an input, as `end_normal_force`, gets that one.
 fn remember_inputs(model: &ModelType, row: &mut [f64], rng: &mut Rng) {
     for (column, variable) in model.table.iter().enumerate() {
         if !variable.role.is_state() || !matches!(variable.kind, Kind::Real(_)) || rng.u8(0..4) == 0 {
@@ -96,7 +96,11 @@ fn remember_inputs(model: &ModelType, row: &mut [f64], rng: &mut Rng) {
             let other = &model.table[*other];
             other.role == Role::Input && other.kind == variable.kind
         };
-        let alike: Vec<usize> = (0..row.len()).filter(is_alike).collect();
+        let mut alike: Vec<usize> = (0..row.len()).filter(is_alike).collect();
+        let is_named = |input: &usize| variable.path.to_string().ends_with(&model.table[*input].path.to_string());
+        if let Some(named) = alike.iter().copied().find(is_named) {
+            alike = vec![named];
+        }
         if let Some(input) = rng.choice(alike).filter(|input| variable.admits(row[*input])) {
             row[column] = row[input];
         }
@@ -150,7 +154,7 @@ mod tests {
     }
 
     /// Columns a friction force depends on where `mass` may be given: the last step, and the course of the inputs in it.
-    const STEPPING: [&str; 9] = [
+    const STEPPING: [&str; 10] = [
         "mass",
         "exchange",
         "step_size",
