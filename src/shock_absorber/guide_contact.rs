@@ -183,12 +183,15 @@ impl<T: Real> FrictionLaw<T> {
         answer
     }
 
-    /// Time derivatives of what the law remembers.
-    pub(crate) fn rate(&self, levels: &Levels<T>, touch: &Touch<T>, memory: &[T; MEMORY]) -> [T; MEMORY]
+    /// Writes the time derivatives of what the law remembers.
+    pub(crate) fn write_rate(&self, levels: &Levels<T>, touch: &Touch<T>, memory: &[T; MEMORY], rate: &mut [T; MEMORY])
     where
         T: Evaluate,
     {
-        self.chosen().map_or([T::zero(); MEMORY], |law| law.rate(&self.given(levels, touch), &self.law, memory))
+        rate.fill(T::zero());
+        if let Some(law) = self.chosen() {
+            law.write_rate(&self.given(levels, touch), &self.law, memory, rate);
+        }
     }
 
     /// What the law remembers at its start, also if it is switched on only later.
@@ -493,8 +496,10 @@ impl Model for GuideContact {
 
     fn rate(&self, rate: &mut Self) {
         let touch = self.touch();
-        rate.memory = self.with_memory(|memory| self.friction.rate(&self.levels, &touch, memory));
-        let answer = self.with_memory(|memory| self.friction.force(&self.levels, &touch, memory));
+        let answer = self.with_memory(|memory| {
+            self.friction.write_rate(&self.levels, &touch, memory, &mut rate.memory);
+            self.friction.force(&self.levels, &touch, memory)
+        });
         rate.dissipated_energy = answer.force * touch.signed_speed();
     }
 }

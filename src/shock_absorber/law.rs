@@ -431,19 +431,19 @@ impl ChosenLaw {
         })
     }
 
-    /// Time derivatives of what the law remembers.
-    pub(crate) fn rate<T: Evaluate>(
+    /// Writes the time derivatives of what the law remembers; what it does not remember is left as it is.
+    pub(crate) fn write_rate<T: Evaluate>(
         self,
         given: &Given<T>,
         parameters: &LawParameters<T>,
         memory: &[T; MEMORY],
-    ) -> [T; MEMORY] {
-        let mut rate = [T::zero(); MEMORY];
+        rate: &mut [T; MEMORY],
+    ) {
         self.on_row(|row| {
             self.fill(row, given, parameters, memory);
             self.on_row(|rates| {
                 T::rate(self.0.model, row, rates);
-                self.remember(rates, &mut rate);
+                self.remember(rates, rate);
             });
             if let Carrier::Deflection(slipping, _) | Carrier::Force(slipping) = self.0.carrier
                 && let Source::Memory(place) = self.0.sources[slipping]
@@ -452,7 +452,6 @@ impl ChosenLaw {
                 rate[place] = rate[place] - (memory[place] - row[slipping]) / release_time;
             }
         });
-        rate
     }
 
     /// What the law remembers at its start.

@@ -288,29 +288,25 @@ impl Setting {
         }
     }
 
-    /// What the two contacts remember after a while at this motion.
-    fn settled(&self) -> [[f64; MEMORY]; 2] {
-        let touches = self.touches(&self.motion());
-        let mut memories = [[0.0; MEMORY]; 2];
-        for (at, memory) in memories.iter_mut().enumerate() {
-            *memory = self.friction.settled(self.contacts()[at], &touches[at]);
-        }
-        memories
+    /// What a contact remembers after a while at this motion.
+    #[inline(never)]
+    fn settled(&self, at: usize) -> [f64; MEMORY] {
+        self.friction.settled(self.contacts()[at], &self.touches(&self.motion())[at])
     }
 
     /// The same where the setting has moved along its slopes.
     #[inline(never)]
-    fn settled_beside(&self, slopes: &Setting, distance: f64) -> [[f64; MEMORY]; 2] {
+    fn settled_beside(&self, slopes: &Setting, distance: f64, at: usize) -> [f64; MEMORY] {
         let mut setting = *self;
         for (value, slope) in row_of_mut(&mut setting).iter_mut().zip(row_of(slopes)) {
             *value += distance * slope;
         }
-        setting.settled()
+        setting.settled(at)
     }
 
     /// Friction force along the axis after a step, if the strut moves so; nothing is changed.
     #[inline(never)]
-    fn friction_after(&self, motion: &Motion<f64>, memory: [&[f64; MEMORY]; 2], dt: f64) -> f64 {
+    fn friction_after(&self, motion: &Motion<f64>, memory: Memories<f64>, dt: f64) -> f64 {
         let touches = self.touches(motion);
         let force = |at: usize| {
             let mut memory = *memory[at];
@@ -322,7 +318,7 @@ impl Setting {
 
     /// Friction force along the axis at this instant.
     #[inline(never)]
-    fn friction_now(&self, motion: &Motion<f64>, memory: [&[f64; MEMORY]; 2]) -> f64 {
+    fn friction_now(&self, motion: &Motion<f64>, memory: Memories<f64>) -> f64 {
         let touches = self.touches(motion);
         let force = |at: usize| {
             let answer = self.friction.force(self.contacts()[at], &touches[at], memory[at]);
@@ -344,7 +340,7 @@ impl Setting {
     /// Derivatives of the force: with respect to the length at this instant; to the velocity at this instant and to one
     /// that is held over a step of `dt`, for the damper by itself.
     #[inline(never)] // as the other parts of an output: what each puts on the stack is gone before the next
-    fn tangents(&self, memory: [&[f64; MEMORY]; 2], state: &OtherStates<f64>, dt: f64) -> Tangents {
+    fn tangents(&self, memory: Memories<f64>, state: &OtherStates<f64>, dt: f64) -> Tangents {
         let here = self.motion();
         let now = |motion: &Motion<f64>| {
             self.forces(motion).sum() - self.friction_now(motion, memory) - self.resistance_after(motion, state, 0.0)
@@ -388,6 +384,16 @@ const SMALL: f64 = 1e-3;
 
 /// Shortest step that the tangents of a step are taken over (chosen), for their digits.
 const SHORTEST_PROBE: f64 = 1e-6;
+
+/// What the two contacts remember. By reference: a memory is long, and copies of it fill the stack.
+type Memories<'a, T> = [&'a [T; MEMORY]; 2];
+
+/// What a strut tells its master beside its results.
+struct Advice {
+    dlength: f64,
+    dvelocity: f64,
+    step_limit: f64,
+}
 
 struct Tangents {
     length: f64,
@@ -604,39 +610,59 @@ impl<T: Evaluate> ShockAbsorber<T> {
         self.started.value() != 0.0
     }
 
-    /// What the two contacts remember; before the run, what they will remember at its start.
-    fn memories(&self) -> [[T; MEMORY]; 2] {
-        let memories = [self.memory_1, self.memory_2];
-        if self.has_started() {
-            return memories;
-        }
+    /// Works on what the two contacts remember; before the run, on what they will remember at its start.
+    fn with_memories<R>(&self, work: impl FnOnce(Memories<T>) -> R) -> R {
+        if self.has_started() { work([&self.memory_1, &self.memory_2]) } else { self.with_first_memories(work) }
+    }
+
+    #[inline(never)] // so that only those who need them have them on their stack
+    fn with_first_memories<R>(&self, work: impl FnOnce(Memories<T>) -> R) -> R {
         match FrictionStart::of(self.setting.init.friction_state.value()) {
-            FrictionStart::Steady => self.settled(),
-            FrictionStart::Zero => [self.setting.friction.fresh().map(T::from); 2],
-            FrictionStart::Value => memories,
+            FrictionStart::Steady => {
+                let mut memories = [[T::zero(); MEMORY]; 2];
+                self.settle(&mut memories);
+                work([&memories[0], &memories[1]])
+            }
+            FrictionStart::Zero => {
+                let mut memory = [T::zero(); MEMORY];
+                copy(&self.setting.friction.fresh(), &mut memory);
+                work([&memory; 2])
+            }
+            FrictionStart::Value => work([&self.memory_1, &self.memory_2]),
         }
     }
 
-    /// What the two contacts remember once they have moved for a while. Its derivative is a central difference along
-    /// the direction that the setting carries.
+    /// Finds what the two contacts remember once they have moved for a while. Its derivative is a central difference
+    /// along the direction that the setting carries.
     #[inline(never)]
-    fn settled(&self) -> [[T; MEMORY]; 2] {
-        let (setting, mut slopes) = (self.setting.values(), self.setting.slopes());
+    fn settle(&self, memories: &mut [[T; MEMORY]; 2]) {
+        let setting = self.setting.values();
+        for (at, memory) in memories.iter_mut().enumerate() {
+            copy(&setting.settled(at), memory);
+        }
+        self.add_slopes(&setting, memories);
+    }
+
+    #[inline(never)]
+    fn add_slopes(&self, setting: &Setting, memories: &mut [[T; MEMORY]; 2]) {
+        let mut slopes = self.setting.slopes();
         let mut fastest = 0f64;
-        for ((slope, value), variable) in row_of_mut(&mut slopes).iter_mut().zip(row_of(&setting)).zip(Setting::TABLE) {
+        for ((slope, value), variable) in row_of_mut(&mut slopes).iter_mut().zip(row_of(setting)).zip(Setting::TABLE) {
             if !matches!(variable.kind, Kind::Real(_)) {
                 *slope = 0.0;
             }
             fastest = fastest.max(slope.abs() / value.abs().max(SMALL));
         }
-        let here = setting.settled();
         if fastest == 0.0 {
-            return memories_of(|contact, place| T::from(here[contact][place]));
+            return;
         }
         let distance = PROBE_SETTING / fastest;
-        let (after, before) = (setting.settled_beside(&slopes, distance), setting.settled_beside(&slopes, -distance));
-        let slope = |contact: usize, place: usize| (after[contact][place] - before[contact][place]) / (2.0 * distance);
-        memories_of(|contact, place| T::with_slope(here[contact][place], slope(contact, place)))
+        for (at, memory) in memories.iter_mut().enumerate() {
+            let [after, before] = [distance, -distance].map(|distance| setting.settled_beside(&slopes, distance, at));
+            for ((value, after), before) in memory.iter_mut().zip(after).zip(before) {
+                *value = T::with_slope(value.value(), (after - before) / (2.0 * distance));
+            }
+        }
     }
 
     fn damper_state(&self) -> OtherStates<T> {
@@ -667,11 +693,11 @@ impl<T: Evaluate> ShockAbsorber<T> {
     }
 
     /// Power that friction and damper take out of the motion.
-    fn power(&self, motion: &Motion<T>, touches: &[Touch<T>; 2], memories: &[[T; MEMORY]; 2]) -> T {
+    fn power(&self, motion: &Motion<T>, touches: &[Touch<T>; 2], memories: Memories<T>) -> T {
         let (setting, state) = (&self.setting, self.damper_state());
         let piston = setting.piston(motion, state.piston_velocity);
         let friction = |at: usize| {
-            let answer = setting.friction.force(setting.contacts()[at], &touches[at], &memories[at]);
+            let answer = setting.friction.force(setting.contacts()[at], &touches[at], memories[at]);
             answer.force * touches[at].signed_speed()
         };
         setting.resistance(piston, state.temperature) * piston + friction(0) + friction(1)
@@ -701,14 +727,17 @@ impl<T: Evaluate> ShockAbsorber<T> {
 
     /// Tangents and the step that they allow.
     #[inline(never)]
-    fn write_advice(&mut self, memories: &[[T; MEMORY]; 2]) {
+    fn advice(&self, memories: Memories<T>) -> Advice {
         let setting = self.setting.values();
-        let memories = memories_of(|contact, place| memories[contact][place].value());
+        let mut values = [[0.0; MEMORY]; 2];
+        for (values, memory) in values.iter_mut().zip(memories) {
+            values.iter_mut().zip(memory).for_each(|(value, number)| *value = number.value());
+        }
         let OtherStates { piston_velocity, temperature } = self.damper_state();
         let state = OtherStates { piston_velocity: piston_velocity.value(), temperature: temperature.value() };
         let dt =
             if self.step_size.value() > 0.0 { self.step_size.value().max(SHORTEST_PROBE) } else { setting.num.h_max };
-        let tangents = setting.tangents([&memories[0], &memories[1]], &state, dt);
+        let tangents = setting.tangents([&values[0], &values[1]], &state, dt);
         // What a held velocity adds over a step is the work of bristles: a stiffness.
         let bristles = (tangents.velocity - tangents.held_velocity).max(0.0) / dt;
         let is_held = InputMode::of(setting.num.input_mode) == InputMode::Hold;
@@ -721,9 +750,13 @@ impl<T: Evaluate> ShockAbsorber<T> {
         } else {
             coupling::step_limit(stiffness, held, tangents.velocity - tangents.damper, mass, exchange)
         };
-        self.dforce_dlength = T::from(tangents.length);
-        self.dforce_dvelocity = T::from(tangents.held_velocity + tangents.held_damper);
-        self.step_limit = T::from(limit);
+        Advice { dlength: tangents.length, dvelocity: tangents.held_velocity + tangents.held_damper, step_limit: limit }
+    }
+
+    fn write_advice(&mut self, advice: &Advice) {
+        self.dforce_dlength = T::from(advice.dlength);
+        self.dforce_dvelocity = T::from(advice.dvelocity);
+        self.step_limit = T::from(advice.step_limit);
     }
 }
 
@@ -731,10 +764,12 @@ impl<T: Evaluate> Law for ShockAbsorber<T> {
     #[inline(never)]
     fn output(&mut self) {
         let motion = self.setting.motion();
-        let memories = self.memories();
         let touches = self.setting.touches(&motion);
-        let answers =
-            [0, 1].map(|at| self.setting.friction.force(self.setting.contacts()[at], &touches[at], &memories[at]));
+        let (answers, advice) = self.with_memories(|memories| {
+            let force =
+                |at: usize| self.setting.friction.force(self.setting.contacts()[at], &touches[at], memories[at]);
+            ([0, 1].map(force), self.advice(memories))
+        });
         let friction = [0, 1].map(|at| answers[at].force * touches[at].direction()[0]);
         self.write_forces(&motion, friction);
         self.write_friction(&touches, &answers);
@@ -743,30 +778,30 @@ impl<T: Evaluate> Law for ShockAbsorber<T> {
         self.overlap = self.setting.geom.guidance().overlap(motion.length);
         self.overlap_low = truth(self.setting.geom.guidance().is_low(motion.length));
         self.bump_active = truth(self.setting.bump.is_active(self.compression));
-        self.write_advice(&memories);
+        self.write_advice(&advice);
     }
 
     fn derivatives(&self, rate: &mut Self) {
         let setting = &self.setting;
         let motion = setting.motion();
-        let (touches, memories) = (setting.touches(&motion), self.memories());
-        [rate.memory_1, rate.memory_2] =
-            [0, 1].map(|at| setting.friction.rate(setting.contacts()[at], &touches[at], &memories[at]));
+        let touches = setting.touches(&motion);
         let (piston, factor) = (self.damper_state().piston_velocity, setting.thermal.factor(self.temperature));
         rate.piston_velocity = setting.damper.rate(piston, motion.velocity, factor);
-        let power = self.power(&motion, &touches, &memories);
+        let power = self.with_memories(|memories| {
+            let memory_rates = [&mut rate.memory_1, &mut rate.memory_2];
+            for (at, rate) in memory_rates.into_iter().enumerate() {
+                setting.friction.write_rate(setting.contacts()[at], &touches[at], memories[at], rate);
+            }
+            self.power(&motion, &touches, memories)
+        });
         rate.dissipated_energy = power;
         rate.temperature = setting.thermal.rate(self.temperature, setting.temperature_ambient, power);
     }
 }
 
-/// What both contacts remember, number by number: whole memories that are passed on fill the stack.
-fn memories_of<T: Real>(number: impl Fn(usize, usize) -> T) -> [[T; MEMORY]; 2] {
-    let mut memories = [[T::zero(); MEMORY]; 2];
-    for (contact, memory) in memories.iter_mut().enumerate() {
-        memory.iter_mut().enumerate().for_each(|(place, value)| *value = number(contact, place));
-    }
-    memories
+/// Writes values as numbers without slopes.
+fn copy<T: Real>(values: &[f64; MEMORY], numbers: &mut [T; MEMORY]) {
+    numbers.iter_mut().zip(values).for_each(|(number, value)| *number = T::from(*value));
 }
 
 fn truth<T: Real>(is_true: bool) -> T {
@@ -774,19 +809,53 @@ fn truth<T: Real>(is_true: bool) -> T {
 }
 
 impl ShockAbsorber {
-    #[inline(never)]
     fn start(&mut self) {
         if !self.has_started() {
             self.piston_velocity = self.damper_state().piston_velocity;
-            [self.memory_1, self.memory_2] = self.memories();
+            self.remember_first();
             self.started = 1.0;
         }
     }
 
-    /// A step in which the length moves with the velocity, and the velocity with the acceleration.
+    /// Not inline, as what a step does after it: a start puts much on the stack that is gone before the step.
     #[inline(never)]
-    fn step_along_the_motion(&mut self, dt: f64) {
-        self.step_ramp(&ramp::held_inputs(self), dt);
+    fn remember_first(&mut self) {
+        match FrictionStart::of(self.setting.init.friction_state) {
+            FrictionStart::Steady => {
+                self.memory_1 = self.setting.settled(0);
+                self.memory_2 = self.setting.settled(1);
+            }
+            FrictionStart::Zero => [self.memory_1, self.memory_2] = [self.setting.friction.fresh(); 2],
+            FrictionStart::Value => {}
+        }
+    }
+
+    /// A step in which the length moves with the velocity, and the velocity with the acceleration, where the master gives
+    /// no other slopes.
+    #[inline(never)]
+    fn step_along_the_motion(&mut self, slope: Option<&Self>, dt: f64) {
+        let mut slope = slope.copied().unwrap_or_else(|| ramp::held_inputs(self));
+        slope.setting.follow_the_motion(&self.setting, dt);
+        self.follow(&slope, dt);
+    }
+
+    /// Advances while the inputs move with `slope`.
+    #[inline(never)]
+    fn follow(&mut self, slope: &Self, dt: f64) {
+        let begin = *self;
+        // The force that stops a mass belongs to the whole step.
+        let stopping = self.setting.friction.moves_mass().then(|| {
+            ramp::set_inputs(self, &begin, slope, dt);
+            self.slide_from(&begin.setting, dt)
+        });
+        let count = super::substeps(dt, self.setting.num.h_max);
+        let h = dt / f64::from(count);
+        for piece in 0..count {
+            ramp::set_inputs(self, &begin, slope, (f64::from(piece) + 0.5) * h);
+            let friction = stopping.unwrap_or_else(|| self.slide(h));
+            self.pump(friction, h);
+        }
+        ramp::set_inputs(self, &begin, slope, dt);
     }
 
     /// Advances the friction at held inputs. Returns the power that it takes out of the motion.
@@ -866,11 +935,13 @@ impl Model for ShockAbsorber {
     }
 
     fn event_indicators(&self, indicators: &mut [f64]) {
-        let (touches, memories) = (self.setting.touches(&self.setting.motion()), self.memories());
-        for (at, indicators) in indicators.chunks_exact_mut(MOST_EVENTS).enumerate() {
-            let levels = self.setting.contacts()[at];
-            indicators.copy_from_slice(&self.setting.friction.indicators(levels, &touches[at], &memories[at]));
-        }
+        let touches = self.setting.touches(&self.setting.motion());
+        self.with_memories(|memories| {
+            for (at, indicators) in indicators.chunks_exact_mut(MOST_EVENTS).enumerate() {
+                let levels = self.setting.contacts()[at];
+                indicators.copy_from_slice(&self.setting.friction.indicators(levels, &touches[at], memories[at]));
+            }
+        });
     }
 
     fn at_event(&mut self) {
@@ -882,11 +953,11 @@ impl Model for ShockAbsorber {
     }
 
     fn step(&mut self, dt: f64) {
-        if InputMode::of(self.setting.num.input_mode) == InputMode::Linear {
-            return self.step_along_the_motion(dt);
-        }
         self.start();
         self.step_size = dt;
+        if InputMode::of(self.setting.num.input_mode) == InputMode::Linear {
+            return self.step_along_the_motion(None, dt);
+        }
         let friction = self.slide(dt);
         let count = if self.setting.has_own_dynamics() { super::substeps(dt, self.setting.num.h_max) } else { 1 };
         for _ in 0..count {
@@ -897,22 +968,10 @@ impl Model for ShockAbsorber {
     fn step_ramp(&mut self, slope: &Self, dt: f64) {
         self.start();
         self.step_size = dt;
-        let (begin, mut slope) = (*self, *slope);
         if InputMode::of(self.setting.num.input_mode) == InputMode::Linear {
-            slope.setting.follow_the_motion(&self.setting, dt);
+            self.step_along_the_motion(Some(slope), dt);
+        } else {
+            self.follow(slope, dt);
         }
-        // The force that stops a mass belongs to the whole step.
-        let stopping = self.setting.friction.moves_mass().then(|| {
-            ramp::set_inputs(self, &begin, &slope, dt);
-            self.slide_from(&begin.setting, dt)
-        });
-        let count = super::substeps(dt, self.setting.num.h_max);
-        let h = dt / f64::from(count);
-        for piece in 0..count {
-            ramp::set_inputs(self, &begin, &slope, (f64::from(piece) + 0.5) * h);
-            let friction = stopping.unwrap_or_else(|| self.slide(h));
-            self.pump(friction, h);
-        }
-        ramp::set_inputs(self, &begin, &slope, dt);
     }
 }
