@@ -194,10 +194,12 @@ impl<T: Real> FrictionLaw<T> {
         }
     }
 
-    /// What the law remembers at its start, also if it is switched on only later.
-    #[inline(never)]
-    pub(crate) fn fresh(&self) -> [f64; MEMORY] {
-        ChosenLaw::of(self.model.value()).map_or([0.0; MEMORY], ChosenLaw::start)
+    /// Writes what the law remembers at its start, also if it is switched on only later.
+    pub(crate) fn write_fresh<N: Real>(&self, memory: &mut [N; MEMORY]) {
+        memory.fill(N::zero());
+        if let Some(law) = ChosenLaw::of(self.model.value()) {
+            law.write_start(memory);
+        }
     }
 
     /// The viscous coefficient of a contact without levels, for which the law itself gives no force.
@@ -249,7 +251,8 @@ impl FrictionLaw {
     /// What the law remembers after a while at this velocity: steady sliding, and rest where the velocity is but noise.
     #[inline(never)]
     pub(crate) fn settled(&self, levels: &Levels, touch: &Touch<f64>) -> [f64; MEMORY] {
-        let mut memory = self.fresh();
+        let mut memory = [0.0; MEMORY];
+        self.write_fresh(&mut memory);
         if touch.signed_speed() != 0.0 && !self.moves_mass() {
             self.advance(levels, touch, &mut memory, SETTLING_TIME);
         }
@@ -426,9 +429,7 @@ impl<T: Evaluate> GuideContact<T> {
     #[inline(never)] // so that only those who need it have it on their stack
     fn with_fresh_memory<R>(&self, work: impl FnOnce(&[T; MEMORY]) -> R) -> R {
         let mut memory = [T::zero(); MEMORY];
-        for (place, value) in memory.iter_mut().zip(self.friction.fresh()) {
-            *place = T::from(value);
-        }
+        self.friction.write_fresh(&mut memory);
         work(&memory)
     }
 }
@@ -460,7 +461,7 @@ impl Model for GuideContact {
 
     fn step(&mut self, dt: f64) {
         if self.started == 0.0 {
-            self.memory = self.friction.fresh();
+            self.friction.write_fresh(&mut self.memory);
             self.started = 1.0;
         }
         let touch = self.touch();
@@ -472,7 +473,7 @@ impl Model for GuideContact {
     /// whole step.
     fn step_ramp(&mut self, slope: &Self, dt: f64) {
         if self.started == 0.0 {
-            self.memory = self.friction.fresh();
+            self.friction.write_fresh(&mut self.memory);
             self.started = 1.0;
         }
         let begin = *self;

@@ -454,14 +454,19 @@ impl ChosenLaw {
         });
     }
 
-    /// What the law remembers at its start.
-    pub(crate) fn start(self) -> [f64; MEMORY] {
-        let mut memory = [0.0; MEMORY];
+    /// Writes what the law remembers at its start; what it does not remember is left as it is.
+    pub(crate) fn write_start<T: Real>(self, memory: &mut [T; MEMORY]) {
         for (source, variable) in self.sources().iter().zip(self.0.model.table) {
             if let Source::Memory(place) = source {
-                memory[usize::from(*place)] = variable.start;
+                memory[usize::from(*place)] = T::from(variable.start);
             }
         }
+    }
+
+    /// What the law remembers at its start.
+    fn start(self) -> [f64; MEMORY] {
+        let mut memory = [0.0; MEMORY];
+        self.write_start(&mut memory);
         memory
     }
 

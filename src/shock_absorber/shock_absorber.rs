@@ -304,6 +304,18 @@ impl Setting {
         setting.settled(at)
     }
 
+    /// Of slopes: leaves those of numbers that vary. Returns the largest one, relative to the sizes of the numbers.
+    fn keep_those_of_reals(&mut self, setting: &Setting) -> f64 {
+        let mut fastest = 0f64;
+        for ((slope, value), variable) in row_of_mut(self).iter_mut().zip(row_of(setting)).zip(Setting::TABLE) {
+            if !matches!(variable.kind, Kind::Real(_)) {
+                *slope = 0.0;
+            }
+            fastest = fastest.max(slope.abs() / value.abs().max(SMALL));
+        }
+        fastest
+    }
+
     /// Friction force along the axis after a step, if the strut moves so; nothing is changed.
     #[inline(never)]
     fn friction_after(&self, motion: &Motion<f64>, memory: Memories<f64>, dt: f64) -> f64 {
@@ -625,7 +637,7 @@ impl<T: Evaluate> ShockAbsorber<T> {
             }
             FrictionStart::Zero => {
                 let mut memory = [T::zero(); MEMORY];
-                copy(&self.setting.friction.fresh(), &mut memory);
+                self.setting.friction.write_fresh(&mut memory);
                 work([&memory; 2])
             }
             FrictionStart::Value => work([&self.memory_1, &self.memory_2]),
@@ -638,7 +650,8 @@ impl<T: Evaluate> ShockAbsorber<T> {
     fn settle(&self, memories: &mut [[T; MEMORY]; 2]) {
         let setting = self.setting.values();
         for (at, memory) in memories.iter_mut().enumerate() {
-            copy(&setting.settled(at), memory);
+            let settled = setting.settled(at);
+            memory.iter_mut().zip(&settled).for_each(|(number, value)| *number = T::from(*value));
         }
         self.add_slopes(&setting, memories);
     }
@@ -646,20 +659,15 @@ impl<T: Evaluate> ShockAbsorber<T> {
     #[inline(never)]
     fn add_slopes(&self, setting: &Setting, memories: &mut [[T; MEMORY]; 2]) {
         let mut slopes = self.setting.slopes();
-        let mut fastest = 0f64;
-        for ((slope, value), variable) in row_of_mut(&mut slopes).iter_mut().zip(row_of(setting)).zip(Setting::TABLE) {
-            if !matches!(variable.kind, Kind::Real(_)) {
-                *slope = 0.0;
-            }
-            fastest = fastest.max(slope.abs() / value.abs().max(SMALL));
-        }
+        let fastest = slopes.keep_those_of_reals(setting);
         if fastest == 0.0 {
             return;
         }
         let distance = PROBE_SETTING / fastest;
         for (at, memory) in memories.iter_mut().enumerate() {
-            let [after, before] = [distance, -distance].map(|distance| setting.settled_beside(&slopes, distance, at));
-            for ((value, after), before) in memory.iter_mut().zip(after).zip(before) {
+            let after = setting.settled_beside(&slopes, distance, at);
+            let before = setting.settled_beside(&slopes, -distance, at);
+            for (value, (after, before)) in memory.iter_mut().zip(after.iter().zip(&before)) {
                 *value = T::with_slope(value.value(), (after - before) / (2.0 * distance));
             }
         }
@@ -799,11 +807,6 @@ impl<T: Evaluate> Law for ShockAbsorber<T> {
     }
 }
 
-/// Writes values as numbers without slopes.
-fn copy<T: Real>(values: &[f64; MEMORY], numbers: &mut [T; MEMORY]) {
-    numbers.iter_mut().zip(values).for_each(|(number, value)| *number = T::from(*value));
-}
-
 fn truth<T: Real>(is_true: bool) -> T {
     T::from(f64::from(u8::from(is_true)))
 }
@@ -825,7 +828,10 @@ impl ShockAbsorber {
                 self.memory_1 = self.setting.settled(0);
                 self.memory_2 = self.setting.settled(1);
             }
-            FrictionStart::Zero => [self.memory_1, self.memory_2] = [self.setting.friction.fresh(); 2],
+            FrictionStart::Zero => {
+                self.setting.friction.write_fresh(&mut self.memory_1);
+                self.setting.friction.write_fresh(&mut self.memory_2);
+            }
             FrictionStart::Value => {}
         }
     }
