@@ -164,6 +164,40 @@ static void choose(const trial *one, fmi2Component slave) {
     }
 }
 
+/* The first number that is not computed. */
+static uint32_t first_free_number(const model *of) {
+    uint32_t column = 0;
+    while (of->variables[column].kind != STRIBECK_REAL || of->variables[column].role == STRIBECK_OUTPUT) {
+        column++;
+    }
+    return column;
+}
+
+/* Derivatives of an output: in time, and with respect to a number that may vary. */
+static void differentiate(const model *of, fmi2Component slave) {
+    const fmi2Integer order = 1;
+    const double seed = 1.0;
+    double slope;
+    uint32_t output = 0;
+    while (!is_real(of, output, STRIBECK_OUTPUT) && !is_real(of, output, STRIBECK_STATE_OUTPUT)) {
+        output++;
+    }
+    const uint32_t known = first_free_number(of);
+    CHECK(fmi2GetRealOutputDerivatives(slave, &output, 1, &order, &slope) == fmi2OK);
+    CHECK(fmi2GetDirectionalDerivative(slave, &output, 1, &known, 1, &seed, &slope) == fmi2OK);
+}
+
+/* The same of the time derivatives of the states, whose references follow behind that of the time. */
+static void differentiate_rates(const model *of, fmi2Component slave, size_t states) {
+    const double seed = 1.0;
+    const uint32_t known = first_free_number(of);
+    for (size_t state = 0; state < states; state++) {
+        const uint32_t unknown = (uint32_t)(of->columns + 1 + state);
+        double slope;
+        CHECK(fmi2GetDirectionalDerivative(slave, &unknown, 1, &known, 1, &seed, &slope) == fmi2OK);
+    }
+}
+
 /* What a solver asks for, of a model that can be integrated. */
 static void be_integrated(const trial *one) {
     fmi2CallbackFunctions callbacks = {NULL, NULL, NULL, NULL, NULL};
@@ -190,6 +224,7 @@ static void be_integrated(const trial *one) {
         CHECK(fmi2GetContinuousStates(slave, values, states) == fmi2OK);
         CHECK(fmi2SetContinuousStates(slave, values, states) == fmi2OK);
         CHECK(fmi2GetDerivatives(slave, values, states) == fmi2OK);
+        differentiate_rates(one->of, slave, states);
         CHECK(fmi2CompletedIntegratorStep(slave, fmi2True, &event, &end) == fmi2OK);
         CHECK(fmi2EnterEventMode(slave) == fmi2OK && fmi2NewDiscreteStates(slave, &info) == fmi2OK);
     }
@@ -210,22 +245,12 @@ static void live(const trial *one) {
         free(values);
         return;
     }
+    /* Before the first step a model may have to find what it starts with. */
+    differentiate(of, slave);
     everyday(of, slave, 0, 20, values);
     set_slopes(of, slave, 1e-3);
     CHECK(fmi2DoStep(slave, 0.02, 1e-3, fmi2True) == fmi2OK);
-    const fmi2Integer order = 1;
-    const double seed = 1.0;
-    double slope;
-    uint32_t output = 0;
-    while (!is_real(of, output, STRIBECK_OUTPUT) && !is_real(of, output, STRIBECK_STATE_OUTPUT)) {
-        output++;
-    }
-    uint32_t known = 0;
-    while (of->variables[known].kind != STRIBECK_REAL || of->variables[known].role == STRIBECK_OUTPUT) {
-        known++;
-    }
-    CHECK(fmi2GetRealOutputDerivatives(slave, &output, 1, &order, &slope) == fmi2OK);
-    CHECK(fmi2GetDirectionalDerivative(slave, &output, 1, &known, 1, &seed, &slope) == fmi2OK);
+    differentiate(of, slave);
     fmi2FMUstate state = NULL;
     size_t size = 0;
     CHECK(fmi2GetFMUstate(slave, &state) == fmi2OK);
@@ -253,7 +278,7 @@ static void *live_thread(void *one) {
     return NULL;
 }
 
-enum { STACK = 1024 * 1024, LIMIT = 16 * 1024, LIMIT_OF_STRUT = 50 * 1024, UNTOUCHED = 0xA5 };
+enum { STACK = 1024 * 1024, LIMIT = 16 * 1000, LIMIT_OF_STRUT = 50 * 1000, UNTOUCHED = 0xA5 };
 
 /* Bytes of the given stack that a thread with a whole life touches. */
 static size_t stack_use(trial *one, unsigned char *stack, size_t size) {
