@@ -479,11 +479,11 @@ impl Model for GuideContact {
         let begin = *self;
         let reversal = -begin.velocity / slope.velocity;
         let turns = reversal > 0.0 && reversal < dt && !self.friction.moves_mass();
-        // At the reversal itself the larger level holds; on the way to it that of its direction.
-        let inside = if turns { INSIDE } else { 0.0 };
         let mut from = 0.0;
         for to in turns.then_some(reversal).into_iter().chain([dt]) {
-            let touches = [from + inside * (to - from), to - inside * (to - from)].map(|time| {
+            // At the reversal itself the larger level holds; on the way to it that of its direction.
+            let inside = |time: f64| if time == reversal { INSIDE * (to - from) } else { 0.0 };
+            let touches = [from + inside(from), to - inside(to)].map(|time| {
                 ramp::set_inputs(self, &begin, slope, time);
                 self.touch()
             });
