@@ -64,6 +64,14 @@ pub trait Real:
             self
         }
     }
+
+    /// As [`Real::limited`], for what is pushed back by a limit that moves: where it stands on it, the one that goes
+    /// inwards faster decides how it goes on.
+    fn pushed_back(self, limit: Self) -> Self {
+        let direction = self.sign();
+        let excess = direction * self - limit;
+        if excess.value() > 0.0 || excess.value() == 0.0 && excess.tendency() > 0.0 { direction * limit } else { self }
+    }
 }
 
 impl Real for f64 {

@@ -7,7 +7,7 @@ mod common;
 use common::Bench;
 use stribeck::catalogue::{self, Family};
 use stribeck::instance::Instance;
-use stribeck::model::ModelType;
+use stribeck::model::{Kind, ModelType};
 
 fn friction_models() -> impl Iterator<Item = &'static ModelType> {
     catalogue::documented(Family::Friction).map(|(model, _)| model)
@@ -235,32 +235,46 @@ fn a_rising_load_does_not_bond_what_slides() {
     }
 }
 
-/// Laws whose bond is shortened by a falling load at the end of a piece of a ramp, so that the row does not tell whether
-/// it goes on being shortened.
-const HELD_AT_A_LIMIT: &[&str] = &["Armstrong", "Wojewoda", "ResetIntegrator"];
-
 /// The time derivatives of the results against differences along the very run, from random states on, under loads that
 /// rise and fall. Where a law jumps or bends within the differences there is nothing to compare.
 #[test]
 fn time_derivatives_are_those_of_the_run() {
-    for model in friction_models().filter(|model| !HELD_AT_A_LIMIT.contains(&model.name)) {
-        let motion = Motion::random(model, 17, 200);
-        let mut bench = Bench::new(model.name, &[]);
-        let (mut compared, mut wrong) = (0, Vec::new());
-        for leg in &motion.legs {
-            motion.ramp(&mut bench, leg, 1);
-            for (exact, quotient) in derivatives(&mut bench, &motion, leg) {
-                let Some(quotient) = quotient else { continue };
-                compared += 1;
-                if (quotient - exact).abs() > 1e-3 * exact.abs().max(quotient.abs()).max(1.0) {
-                    wrong.push((exact, quotient));
-                }
+    for model in friction_models() {
+        compare_derivatives(model, &[], 17);
+    }
+}
+
+/// A bond that a falling load pushes back stands on its limit, also where a contact makes the step in parts: with a
+/// reversal in it.
+#[test]
+fn time_derivatives_are_those_of_a_bond_that_is_pushed_back() {
+    let guide = catalogue::by_name("GuideContact").expect("a contact");
+    let Kind::Enumeration(laws) = guide.table[guide.find("friction.model").expect("its law")].kind else { panic!() };
+    for law in ["Armstrong", "Wojewoda", "ResetIntegrator"] {
+        let place = laws.items.iter().position(|item| item.name == law).expect("a choice");
+        for seed in [17, 24, 45] {
+            compare_derivatives(catalogue::by_name(law).expect("a law"), &[], seed);
+            compare_derivatives(guide, &[("friction.model", place as f64 + 1.0)], seed);
+        }
+    }
+}
+
+fn compare_derivatives(model: &'static ModelType, values: &[(&str, f64)], seed: u64) {
+    let motion = Motion::random(model, seed, 200);
+    let mut bench = Bench::new(model.name, values);
+    let (mut compared, mut wrong) = (0, Vec::new());
+    for leg in &motion.legs {
+        motion.ramp(&mut bench, leg, 1);
+        for (exact, quotient) in derivatives(&mut bench, &motion, leg) {
+            let Some(quotient) = quotient else { continue };
+            compared += 1;
+            if (quotient - exact).abs() > 1e-3 * exact.abs().max(quotient.abs()).max(1.0) {
+                wrong.push((exact, quotient));
             }
         }
-
-        assert!(wrong.is_empty(), "{}: {} of {compared}: {wrong:?}", model.name, wrong.len());
-        assert!(compared > 300, "{}: only {compared}", model.name);
     }
+    assert!(wrong.is_empty(), "{} {values:?} {seed}: {} of {compared}: {wrong:?}", model.name, wrong.len());
+    assert!(compared > 300, "{} {values:?} {seed}: only {compared}", model.name);
 }
 
 /// Time derivatives of the force and of its power at the end of a leg, and what the run goes on by, if it does so

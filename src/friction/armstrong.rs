@@ -189,6 +189,11 @@ impl<T: Real> Armstrong<T> {
         load * (self.mu_k + self.sliding_excess(w))
     }
 
+    /// Cut to what the level carries.
+    fn held_deflection(&self, load: T) -> T {
+        self.bristle_deflection.pushed_back(self.holding_level(load, self.dwell_time) / self.sigma_0)
+    }
+
     fn lags(&self) -> bool {
         self.time_lag.value() > 0.0
     }
@@ -218,7 +223,7 @@ impl<T: Real> Armstrong<T> {
             let w = if self.lags() { self.lagged_velocity } else { self.velocity };
             self.sliding_level(load, w) * direction + self.viscous_coefficient * self.velocity
         } else {
-            (self.sigma_0 * self.bristle_deflection).limited(self.holding_level(load, self.dwell_time))
+            self.sigma_0 * self.held_deflection(load)
         }
     }
 }
@@ -241,6 +246,13 @@ impl Armstrong {
             } else {
                 self.follow(part);
             }
+        }
+    }
+
+    /// Ends a step, once the inputs are where they end: a deflection that the level has cut is exactly on its limit.
+    fn settle(&mut self) {
+        if !self.is_slipping() {
+            self.limit_deflection(self.normal_force);
         }
     }
 
@@ -316,8 +328,7 @@ impl Armstrong {
 
     /// Cuts the displacement to what the level carries.
     fn limit_deflection(&mut self, load: f64) {
-        let level = self.holding_level(load, self.dwell_time);
-        self.bristle_deflection = self.bristle_deflection.limited(level / self.sigma_0);
+        self.bristle_deflection = self.held_deflection(load);
     }
 
     fn stick(&mut self, part: Motion) {
@@ -326,7 +337,6 @@ impl Armstrong {
         self.dissipated_energy += self.sigma_0 * change * (before + 0.5 * change);
         self.dwell_time += part.duration;
         self.remember(Piece::held(part.duration, 0.0));
-        self.limit_deflection(part.load_at(part.duration));
     }
 
     fn slip(&mut self, part: Motion) {
@@ -405,6 +415,7 @@ impl Model for Armstrong {
 
     fn step(&mut self, dt: f64) {
         self.advance(Motion::held(self.velocity, self.normal_force, dt));
+        self.settle();
     }
 
     fn step_ramp(&mut self, slope: &Self, dt: f64) {
@@ -415,6 +426,7 @@ impl Model for Armstrong {
             ..Motion::held(self.velocity, self.normal_force, dt)
         });
         ramp::set_inputs(self, &begin, slope, dt);
+        self.settle();
     }
 
     fn rate(&self, rate: &mut Self) {

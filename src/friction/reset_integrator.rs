@@ -130,7 +130,7 @@ impl<T: Real> ResetIntegrator<T> {
     /// The deflection at the present load: z_m once the contact has broken away, and not more before.
     fn deflection(&self) -> T {
         if self.slip_direction.value() == 0.0 {
-            self.bristle_deflection.limited(self.limit())
+            self.bristle_deflection.pushed_back(self.limit())
         } else {
             self.slip_direction.sign() * self.limit()
         }
@@ -233,7 +233,6 @@ impl ResetIntegrator {
         self.dissipated_energy += self.stiffness() * change * (before + 0.5 * change)
             + self.sigma_1 * h / 6.0 * (begin * begin + 4.0 * middle * middle + end * end);
         self.bristle_deflection += change;
-        self.bristle_deflection = self.deflection_at(part.load_at(h));
     }
 
     /// Simpson's rule is exact for the product of load and velocity.
@@ -294,6 +293,10 @@ impl Model for ResetIntegrator {
         };
         motion.parts().for_each(|part| self.follow(part));
         ramp::set_inputs(self, &begin, slope, dt);
+        if self.slip_direction == 0.0 && !motion.is_at_rest() {
+            // A bond that z_m has pushed back is exactly on it.
+            self.bristle_deflection = self.deflection();
+        }
     }
 
     fn rate(&self, rate: &mut Self) {

@@ -144,6 +144,11 @@ impl<T: Real> Wojewoda<T> {
         branches::level(velocity, self.mu_k * load, at_rest * load, self.branch_decay)
     }
 
+    /// Cut to what the level carries.
+    fn held_deflection(&self, load: T) -> T {
+        self.bristle_deflection.pushed_back(self.mu_s * load / self.sigma_0)
+    }
+
     fn is_slipping(&self) -> bool {
         self.slipping.value() != 0.0
     }
@@ -163,7 +168,7 @@ impl<T: Real> Wojewoda<T> {
         } else if self.is_slipping() {
             self.sliding_level(self.velocity, load, self.branching.known_acceleration()) * direction
         } else {
-            (self.sigma_0 * self.bristle_deflection).limited(self.mu_s * load)
+            self.sigma_0 * self.held_deflection(load)
         }
     }
 }
@@ -188,6 +193,13 @@ impl Wojewoda {
             } else {
                 self.follow(part);
             }
+        }
+    }
+
+    /// Ends a step, once the inputs are where they end: a deflection that the level has cut is exactly on its limit.
+    fn settle(&mut self) {
+        if !self.is_slipping() {
+            self.limit_deflection(self.normal_force);
         }
     }
 
@@ -235,14 +247,13 @@ impl Wojewoda {
 
     /// Cuts the displacement to what the level carries.
     fn limit_deflection(&mut self, load: f64) {
-        self.bristle_deflection = self.bristle_deflection.limited(self.mu_s * load / self.sigma_0);
+        self.bristle_deflection = self.held_deflection(load);
     }
 
     fn stick(&mut self, part: Motion) {
         let (before, change) = (self.bristle_deflection, part.path(part.duration));
         self.bristle_deflection += change;
         self.dissipated_energy += self.sigma_0 * change * (before + 0.5 * change);
-        self.limit_deflection(part.load_at(part.duration));
     }
 
     fn slide(&mut self, part: Motion) {
@@ -282,6 +293,7 @@ impl Model for Wojewoda {
 
     fn step(&mut self, dt: f64) {
         self.advance(Motion::held(self.velocity, self.normal_force, dt));
+        self.settle();
     }
 
     fn step_ramp(&mut self, slope: &Self, dt: f64) {
@@ -292,6 +304,7 @@ impl Model for Wojewoda {
             ..Motion::held(self.velocity, self.normal_force, dt)
         });
         ramp::set_inputs(self, &begin, slope, dt);
+        self.settle();
     }
 
     fn rate(&self, rate: &mut Self) {

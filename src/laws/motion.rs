@@ -41,6 +41,11 @@ impl Motion {
         self.acceleration == 0.0 && self.load_rate == 0.0
     }
 
+    /// Does the velocity stay 0?
+    pub fn is_at_rest(&self) -> bool {
+        self.velocity == 0.0 && self.acceleration == 0.0
+    }
+
     /// The interval from one instant to another; its own time begins at 0.
     pub fn part(&self, from: f64, to: f64) -> Motion {
         let (velocity, load) = (self.velocity_at(from), self.load_at(from));
