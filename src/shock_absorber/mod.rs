@@ -14,11 +14,14 @@ crate::catalogue::family! {
     damper_temperature::DamperTemperature,
 }
 
+mod advice;
 mod coupling;
 mod geometry;
 mod law;
 mod law_parameters;
+mod memories;
 mod presets;
+mod setting;
 
 /// Most internal steps within a communication step (chosen); beyond, they grow longer than wished.
 const MOST_SUBSTEPS: u32 = 10_000;

@@ -1,0 +1,140 @@
+//! What a strut tells its master beside its results: tangents, and the step that they allow.
+
+use crate::friction::Exchange;
+use crate::shock_absorber::ShockAbsorber;
+use crate::shock_absorber::coupling::{self, Series};
+use crate::shock_absorber::law::{Evaluate, MEMORY};
+use crate::shock_absorber::memories::Memories;
+use crate::shock_absorber::setting::{InputMode, Motion, Setting};
+use crate::shock_absorber::shock_absorber::OtherStates;
+
+/// Half widths of the central differences (chosen): far below the width of any friction law's transition, far above
+/// rounding.
+const PROBE_LENGTH: f64 = 1e-8;
+const PROBE_VELOCITY: f64 = 1e-8;
+
+/// Shortest step that the tangents of a step are taken over (chosen), for their digits.
+const SHORTEST_PROBE: f64 = 1e-6;
+
+/// What a strut tells its master beside its results.
+pub(super) struct Advice {
+    dlength: f64,
+    dvelocity: f64,
+    step_limit: f64,
+}
+
+struct Tangents {
+    length: f64,
+    /// Without the damper.
+    velocity: f64,
+    held_velocity: f64,
+    /// Of the damper's force.
+    held_damper: f64,
+    /// Slope of the damper's resistance over the velocity of its piston.
+    damper: f64,
+}
+
+impl Setting {
+    /// Friction force along the axis after a step, if the strut moves so; nothing is changed.
+    #[inline(never)]
+    fn friction_after(&self, motion: &Motion<f64>, memory: Memories<f64>, dt: f64) -> f64 {
+        let touches = self.touches(motion);
+        let force = |at: usize| {
+            let mut memory = *memory[at];
+            let answer = self.friction.advance(self.contacts()[at], &touches[at], &mut memory, dt);
+            answer.force * touches[at].direction()[0]
+        };
+        force(0) + force(1)
+    }
+
+    /// Friction force along the axis at this instant.
+    #[inline(never)]
+    fn friction_now(&self, motion: &Motion<f64>, memory: Memories<f64>) -> f64 {
+        let touches = self.touches(motion);
+        let force = |at: usize| {
+            let answer = self.friction.force(self.contacts()[at], &touches[at], memory[at]);
+            answer.force * touches[at].direction()[0]
+        };
+        force(0) + force(1)
+    }
+
+    /// Damper resistance at this instant and after a step at a held velocity.
+    fn resistance_after(&self, motion: &Motion<f64>, state: &OtherStates<f64>, dt: f64) -> f64 {
+        let mut piston = self.piston(motion, state.piston_velocity);
+        let factor = self.thermal.factor(state.temperature);
+        if dt > 0.0 {
+            self.damper.advance(&mut piston, motion.velocity, factor, dt);
+        }
+        factor * self.damper.resistance(piston)
+    }
+
+    /// Derivatives of the force: with respect to the length at this instant; to the velocity at this instant and to one
+    /// that is held over a step of `dt`, for the damper by itself.
+    #[inline(never)] // as the other parts of an output: what each puts on the stack is gone before the next
+    fn tangents(&self, memory: Memories<f64>, state: &OtherStates<f64>, dt: f64) -> Tangents {
+        let here = self.motion();
+        let now = |motion: &Motion<f64>| {
+            self.forces(motion).sum() - self.friction_now(motion, memory) - self.resistance_after(motion, state, 0.0)
+        };
+        let undamped = |motion: &Motion<f64>| self.forces(motion).sum() - self.friction_now(motion, memory);
+        let later = |motion: &Motion<f64>| self.forces(motion).sum() - self.friction_after(motion, memory, dt);
+        let damper = |motion: &Motion<f64>| -self.resistance_after(motion, state, dt);
+        let difference = |force: &dyn Fn(&Motion<f64>) -> f64, d_length: f64, d_velocity: f64| {
+            let at = |side: f64| {
+                force(&Motion { length: here.length + side * d_length, velocity: here.velocity + side * d_velocity })
+            };
+            (at(1.0) - at(-1.0)) / (2.0 * (d_length + d_velocity))
+        };
+        let d_velocity = PROBE_VELOCITY.max(1e-6 * here.velocity.abs());
+        Tangents {
+            length: difference(&now, PROBE_LENGTH, 0.0),
+            velocity: difference(&undamped, 0.0, d_velocity),
+            held_velocity: difference(&later, 0.0, d_velocity),
+            held_damper: difference(&damper, 0.0, d_velocity),
+            damper: self.slope_of_the_damper(self.piston(&here, state.piston_velocity), state.temperature),
+        }
+    }
+
+    /// Slope of the damper's resistance about a velocity of the piston.
+    fn slope_of_the_damper(&self, piston_velocity: f64, temperature: f64) -> f64 {
+        let d_velocity = PROBE_VELOCITY.max(1e-6 * piston_velocity.abs());
+        let at = |velocity: f64| self.resistance(velocity, temperature);
+        (at(piston_velocity + d_velocity) - at(piston_velocity - d_velocity)) / (2.0 * d_velocity)
+    }
+}
+
+impl<T: Evaluate> ShockAbsorber<T> {
+    /// Tangents and the step that they allow.
+    #[inline(never)]
+    pub(super) fn advice(&self, memories: Memories<T>) -> Advice {
+        let setting = self.setting.values();
+        let mut values = [[0.0; MEMORY]; 2];
+        for (values, memory) in values.iter_mut().zip(memories) {
+            values.iter_mut().zip(memory).for_each(|(value, number)| *value = number.value());
+        }
+        let OtherStates { piston_velocity, temperature } = self.damper_state();
+        let state = OtherStates { piston_velocity: piston_velocity.value(), temperature: temperature.value() };
+        let dt =
+            if self.step_size.value() > 0.0 { self.step_size.value().max(SHORTEST_PROBE) } else { setting.num.h_max };
+        let tangents = setting.tangents([&values[0], &values[1]], &state, dt);
+        // What a held velocity adds over a step is the work of bristles: a stiffness.
+        let bristles = (tangents.velocity - tangents.held_velocity).max(0.0) / dt;
+        let is_held = InputMode::of(setting.num.input_mode) == InputMode::Hold;
+        let (stiffness, held) = if is_held { (-tangents.length, bristles) } else { (bristles - tangents.length, 0.0) };
+        let exchange = Exchange::of(setting.friction.exchange);
+        let mass = setting.num.mass_ref;
+        let limit = if setting.damper.has_series() {
+            let series = Series { damping: tangents.damper, stiffness: setting.damper.k_series, is_late: is_held };
+            coupling::step_limit_in_series(stiffness, held, -tangents.velocity, &series, mass, exchange)
+        } else {
+            coupling::step_limit(stiffness, held, tangents.velocity - tangents.damper, mass, exchange)
+        };
+        Advice { dlength: tangents.length, dvelocity: tangents.held_velocity + tangents.held_damper, step_limit: limit }
+    }
+
+    pub(super) fn write_advice(&mut self, advice: &Advice) {
+        self.dforce_dlength = T::from(advice.dlength);
+        self.dforce_dvelocity = T::from(advice.dvelocity);
+        self.step_limit = T::from(advice.step_limit);
+    }
+}

@@ -1,0 +1,127 @@
+//! What the two contacts of a strut remember, and with what they begin.
+
+use crate::model::{Columns, Kind, row_of, row_of_mut};
+use crate::shock_absorber::ShockAbsorber;
+use crate::shock_absorber::law::{Evaluate, MEMORY};
+use crate::shock_absorber::setting::Setting;
+
+crate::choices! {
+    /// What the friction law remembers at the start.
+    pub enum FrictionStart {
+        /// What a second of motion at the first velocity leaves: steady sliding, or rest.
+        Steady,
+        /// Contacts at rest, without load.
+        Zero,
+        /// The start values of memory_1 and memory_2.
+        Value,
+    }
+}
+
+/// What the two contacts remember. By reference: a memory is long, and copies of it fill the stack.
+pub(super) type Memories<'a, T> = [&'a [T; MEMORY]; 2];
+
+/// Half width of the difference by which the settled friction is differentiated, relative to the sizes of the numbers
+/// that vary, and the least size that counts, in SI units (both chosen).
+const PROBE_SETTING: f64 = 1e-6;
+const SMALL: f64 = 1e-3;
+
+impl Setting {
+    /// What a contact remembers after a while at this motion.
+    #[inline(never)]
+    fn settled(&self, at: usize) -> [f64; MEMORY] {
+        self.friction.settled(self.contacts()[at], &self.touches(&self.motion())[at])
+    }
+
+    /// The same where the setting has moved along its slopes.
+    #[inline(never)]
+    fn settled_beside(&self, slopes: &Setting, distance: f64, at: usize) -> [f64; MEMORY] {
+        let mut setting = *self;
+        for (value, slope) in row_of_mut(&mut setting).iter_mut().zip(row_of(slopes)) {
+            *value += distance * slope;
+        }
+        setting.settled(at)
+    }
+
+    /// Of slopes: leaves those of numbers that vary. Returns the largest one, relative to the sizes of the numbers.
+    fn keep_those_of_reals(&mut self, setting: &Setting) -> f64 {
+        let mut fastest = 0f64;
+        for ((slope, value), variable) in row_of_mut(self).iter_mut().zip(row_of(setting)).zip(Setting::TABLE) {
+            if !matches!(variable.kind, Kind::Real(_)) {
+                *slope = 0.0;
+            }
+            fastest = fastest.max(slope.abs() / value.abs().max(SMALL));
+        }
+        fastest
+    }
+}
+
+impl<T: Evaluate> ShockAbsorber<T> {
+    /// Works on what the two contacts remember; before the run, on what they will remember at its start.
+    pub(super) fn with_memories<R>(&self, work: impl FnOnce(Memories<T>) -> R) -> R {
+        if self.has_started() { work([&self.memory_1, &self.memory_2]) } else { self.with_first_memories(work) }
+    }
+
+    #[inline(never)] // so that only those who need them have them on their stack
+    fn with_first_memories<R>(&self, work: impl FnOnce(Memories<T>) -> R) -> R {
+        match FrictionStart::of(self.setting.init.friction_state.value()) {
+            FrictionStart::Steady => {
+                let mut memories = [[T::zero(); MEMORY]; 2];
+                self.settle(&mut memories);
+                work([&memories[0], &memories[1]])
+            }
+            FrictionStart::Zero => {
+                let mut memory = [T::zero(); MEMORY];
+                self.setting.friction.write_fresh(&mut memory);
+                work([&memory; 2])
+            }
+            FrictionStart::Value => work([&self.memory_1, &self.memory_2]),
+        }
+    }
+
+    /// Finds what the two contacts remember once they have moved for a while. Its derivative is a central difference
+    /// along the direction that the setting carries.
+    #[inline(never)]
+    fn settle(&self, memories: &mut [[T; MEMORY]; 2]) {
+        let setting = self.setting.values();
+        for (at, memory) in memories.iter_mut().enumerate() {
+            let settled = setting.settled(at);
+            memory.iter_mut().zip(&settled).for_each(|(number, value)| *number = T::from(*value));
+        }
+        self.add_slopes(&setting, memories);
+    }
+
+    #[inline(never)]
+    fn add_slopes(&self, setting: &Setting, memories: &mut [[T; MEMORY]; 2]) {
+        let mut slopes = self.setting.slopes();
+        let fastest = slopes.keep_those_of_reals(setting);
+        if fastest == 0.0 {
+            return;
+        }
+        let distance = PROBE_SETTING / fastest;
+        for (at, memory) in memories.iter_mut().enumerate() {
+            let after = setting.settled_beside(&slopes, distance, at);
+            let before = setting.settled_beside(&slopes, -distance, at);
+            for (value, (after, before)) in memory.iter_mut().zip(after.iter().zip(&before)) {
+                *value = T::with_slope(value.value(), (after - before) / (2.0 * distance));
+            }
+        }
+    }
+}
+
+impl ShockAbsorber {
+    /// Not inline, as what a step does after it: a start puts much on the stack that is gone before the step.
+    #[inline(never)]
+    pub(super) fn remember_first(&mut self) {
+        match FrictionStart::of(self.setting.init.friction_state) {
+            FrictionStart::Steady => {
+                self.memory_1 = self.setting.settled(0);
+                self.memory_2 = self.setting.settled(1);
+            }
+            FrictionStart::Zero => {
+                self.setting.friction.write_fresh(&mut self.memory_1);
+                self.setting.friction.write_fresh(&mut self.memory_2);
+            }
+            FrictionStart::Value => {}
+        }
+    }
+}

@@ -1,0 +1,277 @@
+//! All that a strut's forces depend on besides its states, and what follows from it at an instant.
+
+use crate::model::real;
+use crate::number::Real;
+use crate::shock_absorber::coil_spring::Coil;
+use crate::shock_absorber::damper_temperature::Heating;
+use crate::shock_absorber::end_stops::{BumpStop, ReboundStop};
+use crate::shock_absorber::gas_spring::GasChamber;
+use crate::shock_absorber::geometry::Geometry;
+use crate::shock_absorber::guide_contact::{FrictionLaw, Levels, Touch};
+use crate::shock_absorber::hydraulic_damper::Hydraulics;
+use crate::shock_absorber::law::Evaluate;
+use crate::shock_absorber::memories::FrictionStart;
+use crate::shock_absorber::telescopic_joint::{NormalSum, SideConvention, SideLoad, Wrench};
+
+crate::choices! {
+    /// Which side loads act on the joint.
+    pub enum SideMode {
+        /// The four inputs.
+        Inputs,
+        /// What the spring does to the joint: offset of its line of action and side force.
+        Internal,
+        /// Both.
+        Sum,
+    }
+}
+
+crate::choices! {
+    /// How the inputs move within a step.
+    pub enum InputMode {
+        /// They are held.
+        Hold,
+        /// The length moves with the velocity, the velocity with the acceleration.
+        Linear,
+    }
+}
+
+crate::part! {
+    /// Where the side load comes from, and what is made of it.
+    Side {
+        /// Side loads that act on the joint.
+        mode: fixed = SideMode::Sum.start(),
+        /// Meaning of the four side-load inputs.
+        convention: fixed = SideConvention::WrenchOnRod.start(),
+        /// Offset of the spring's line of action along m (default chosen).
+        offset_m: tunable = real("m", 0.003).shown_in("mm"),
+        /// Offset of the spring's line of action along n.
+        offset_n: tunable = real("m", 0.0).shown_in("mm"),
+        /// Side force of the spring along m, relative to its axial force; it acts at the eye of the tube.
+        force_ratio: tunable = real("1", 0.0),
+        /// How the load of the joint becomes the load of its contacts.
+        normal_sum: fixed = NormalSum::TwoPoint.start(),
+        /// Factor on the contact forces for the distribution of pressure; 4 / pi for a cosine over half the rim.
+        c_geo: tunable = real("1", 1.0).at_least(0.0),
+    }
+}
+
+crate::part! {
+    /// From the travel of the host to the length of the strut.
+    Adapter {
+        /// Length of the strut where the input length is 0.
+        length_offset: fixed = real("m", 0.0).shown_in("mm"),
+        /// Length of the strut per input length; -MR for wheel travel, -0.001 for millimetres of compression.
+        length_gain: fixed = real("1", 1.0),
+        /// Factor on force_travel, for the host's unit of force.
+        force_gain: fixed = real("1", 1.0),
+    }
+}
+
+crate::part! {
+    /// Numerical settings.
+    Numerics {
+        /// Largest internal step (default chosen).
+        h_max: fixed = real("s", 1e-4).positive().shown_in("ms"),
+        /// How the inputs move within a step.
+        input_mode: fixed = InputMode::Hold.start(),
+        /// Mass that the strut carries or moves, whichever is smaller; for the advice step_limit only.
+        mass_ref: tunable = real("kg", 16.4).positive(),
+    }
+}
+
+crate::part! {
+    /// State at the start.
+    Start {
+        /// What the friction law remembers at the start.
+        friction_state: fixed = FrictionStart::Steady.start(),
+    }
+}
+
+crate::part! {
+    /// All that a strut's forces depend on besides its states.
+    Setting {
+        /// Distance of the eyes, or travel of the host: see adapter.
+        length: input = real("m", 0.1775).shown_in("mm"),
+        /// Time derivative of the length; positive in extension.
+        velocity: input = real("m/s", 0.0),
+        /// Load across the axis.
+        load: (SideLoad),
+        /// Spin of the rod relative to the tube, about the axis from tube to rod.
+        spin_rate: input = real("rad/s", 0.0),
+        /// All other forces along the strut, positive in extension; only for laws that hold a load at rest.
+        external_force: input = real("N", 0.0),
+        /// Time derivative of the velocity; for num.input_mode = Linear and for laws that ask for it.
+        acceleration: input = real("m/s2", 0.0),
+        /// Ambient temperature; used if thermal.enabled is true.
+        temperature_ambient: input = real("K", 293.15).at_least(0.0).nominal(300.0).shown_in("degC"),
+        /// Dimensions.
+        geom: Geometry,
+        /// Spring.
+        spring: Coil,
+        /// Gas.
+        gas: GasChamber,
+        /// Bump stop.
+        bump: BumpStop,
+        /// Rebound stop.
+        rebound: ReboundStop,
+        /// Damper.
+        damper: Hydraulics,
+        /// Friction law.
+        friction: FrictionLaw,
+        /// Contact of the rod with its guide and wiper.
+        c1: Levels,
+        /// Contact of the piston with the tube.
+        c2: Levels = &[("mu_s", 0.10), ("mu_k", 0.08), ("preload_s", 8.0), ("preload_k", 6.0)],
+        /// Side loads.
+        side: Side,
+        /// Heating of the damper.
+        thermal: Heating,
+        /// Travel of the host.
+        adapter: Adapter,
+        /// Numerical settings.
+        num: Numerics,
+        /// State at the start.
+        init: Start,
+    }
+}
+
+/// Motion of the strut, after the adapter.
+#[derive(Clone, Copy)]
+pub(super) struct Motion<T> {
+    pub(super) length: T,
+    pub(super) velocity: T,
+}
+
+/// Axial forces without friction; positive pushes the eyes apart.
+pub(super) struct Forces<T> {
+    pub(super) spring: T,
+    pub(super) gas: T,
+    pub(super) bump: T,
+    pub(super) rebound: T,
+}
+
+impl<T: Real> Forces<T> {
+    pub(super) fn sum(&self) -> T {
+        self.spring + self.gas + self.bump + self.rebound
+    }
+}
+
+impl<T: Evaluate> Setting<T> {
+    /// The same in plain numbers. Not inline, as the other parts of an output: what each puts on the stack is gone before
+    /// the next.
+    #[inline(never)]
+    pub(super) fn values(&self) -> Setting {
+        self.map(&|number: T| number.value())
+    }
+
+    /// The slopes of its numbers.
+    #[inline(never)]
+    pub(super) fn slopes(&self) -> Setting {
+        self.map(&|number: T| number.slope())
+    }
+}
+
+impl<T: Real> Setting<T> {
+    pub(super) fn motion(&self) -> Motion<T> {
+        let given = self.given_length();
+        // Eyes in one place are an input that nobody has set yet, and warned of.
+        let length = if given.value() == 0.0 { self.geom.length_extended + given } else { given };
+        Motion { length, velocity: self.adapter.length_gain * self.velocity }
+    }
+
+    /// The length that the input says.
+    pub(super) fn given_length(&self) -> T {
+        self.adapter.length_offset + self.adapter.length_gain * self.length
+    }
+
+    pub(super) fn compression(&self, motion: &Motion<T>) -> T {
+        self.geom.length_extended - motion.length
+    }
+
+    pub(super) fn forces(&self, motion: &Motion<T>) -> Forces<T> {
+        let compression = self.compression(motion);
+        Forces {
+            spring: self.spring.force(compression),
+            gas: self.gas.force(compression),
+            bump: self.bump.force(compression, motion.velocity),
+            rebound: self.rebound.force(compression, motion.velocity),
+        }
+    }
+
+    /// Load of the joint: the inputs and what the spring adds.
+    pub(super) fn wrench(&self, spring_force: T) -> Wrench<T> {
+        let mode = SideMode::of(self.side.mode.value());
+        let mut wrench = self.load.wrench(SideConvention::of(self.side.convention.value()));
+        if mode == SideMode::Internal {
+            wrench = Wrench { force: [T::zero(); 2], moment: [T::zero(); 2] };
+        }
+        if mode != SideMode::Inputs {
+            wrench.force[0] = wrench.force[0] + self.side.force_ratio * spring_force;
+            wrench.moment[0] = wrench.moment[0] - self.side.offset_n * spring_force;
+            wrench.moment[1] = wrench.moment[1] + self.side.offset_m * spring_force;
+        }
+        wrench
+    }
+
+    /// Normal forces at rod guide and piston.
+    pub(super) fn normal_forces(&self, motion: &Motion<T>) -> [T; 2] {
+        let wrench = self.wrench(self.spring.force(self.compression(motion)));
+        let sum = NormalSum::of(self.side.normal_sum.value());
+        let normal = self.geom.guidance().normal_forces(&wrench, motion.length, sum);
+        normal.map(|normal| self.side.c_geo * normal)
+    }
+
+    pub(super) fn contacts(&self) -> [&Levels<T>; 2] {
+        [&self.c1, &self.c2]
+    }
+
+    pub(super) fn radii(&self) -> [T; 2] {
+        [self.geom.r_1, self.geom.r_2]
+    }
+
+    /// What the two contacts feel. Mass and external force are theirs in proportion to what they can hold.
+    pub(super) fn touches(&self, motion: &Motion<T>) -> [Touch<T>; 2] {
+        let normal = self.normal_forces(motion);
+        let levels = self.contacts();
+        let holds = [0, 1].map(|at| self.friction.levels(levels[at], normal[at])[1]);
+        let total = holds[0] + holds[1];
+        [0, 1].map(|at| {
+            let share = if total.value() > 0.0 { holds[at] / total } else { T::from(0.5) };
+            Touch {
+                velocity: motion.velocity,
+                rim_velocity: self.radii()[at] * self.spin_rate,
+                normal_force: normal[at],
+                acceleration: self.adapter.length_gain * self.acceleration,
+                external_force: share * self.external_force,
+                mass: share * self.friction.mass,
+            }
+        })
+    }
+
+    /// Velocity of the damper's piston.
+    pub(super) fn piston(&self, motion: &Motion<T>, piston_velocity: T) -> T {
+        if self.damper.has_series() { piston_velocity } else { motion.velocity }
+    }
+
+    /// Do piston or temperature move while the inputs are held?
+    pub(super) fn has_own_dynamics(&self) -> bool {
+        self.damper.has_series() || self.thermal.enabled.value() != 0.0
+    }
+
+    pub(super) fn resistance(&self, piston_velocity: T, temperature: T) -> T {
+        self.thermal.factor(temperature) * self.damper.resistance(piston_velocity)
+    }
+}
+
+impl Setting {
+    /// Gives length and velocity the slopes that their derivatives say, where the master gives none: to the length that
+    /// of the mean velocity of the step.
+    pub(super) fn follow_the_motion(&mut self, now: &Setting, dt: f64) {
+        if self.velocity == 0.0 {
+            self.velocity = now.acceleration;
+        }
+        if self.length == 0.0 {
+            self.length = now.velocity + 0.5 * self.velocity * dt;
+        }
+    }
+}
