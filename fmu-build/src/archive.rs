@@ -1,4 +1,4 @@
-//! The zip archive of an FMU, written so that every importer can read it and that equal contents give equal bytes.
+//! The zip archive of an FMU, written so that every importer can read it and equal contents give equal bytes.
 
 use std::collections::BTreeMap;
 use std::io::{Cursor, Write};
@@ -12,7 +12,7 @@ use zip::{CompressionMethod, DateTime, System, ZipWriter};
 /// Contents of an archive by path; a map, so that they are sorted.
 pub type Files = BTreeMap<String, Vec<u8>>;
 
-/// The archive. FMI 2.0.5 section 2.3 and old unzip code ask for: deflate only, no Zip64, no data descriptors (the
+/// Packs the files. FMI 2.0.5 section 2.3 and old unzip code require: deflate only, no Zip64, no data descriptors (the
 /// writer can seek back and fill in the sizes), ASCII names, no entries for folders.
 pub fn zip(files: &Files, date: Timestamp) -> Result<Vec<u8>> {
     let options = SimpleFileOptions::default()
@@ -37,5 +37,5 @@ fn dos_time(date: Timestamp) -> Result<DateTime> {
     let [month, day, hour, minute, second] =
         [date.month(), date.day(), date.hour(), date.minute(), date.second()].map(i8::unsigned_abs);
     let time = DateTime::from_date_and_time(date.year().unsigned_abs(), month, day, hour, minute, second);
-    time.with_context(|| format!("{date}: a zip archive has no such date"))
+    time.with_context(|| format!("{date}: a zip archive cannot store this date"))
 }

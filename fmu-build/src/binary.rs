@@ -1,4 +1,4 @@
-//! What a shared library offers and needs, read from its file: ELF, PE or Mach-O.
+//! Exports and imports of a shared library, read from its file: ELF, PE or Mach-O.
 
 use std::collections::BTreeSet;
 
@@ -8,43 +8,43 @@ use object::read::macho::{LoadCommandVariant, MachOFile64};
 use object::read::{File, ImportFlags, Object};
 use object::{Architecture, BinaryFormat, Endianness};
 
-/// Format of a file, and the processor that it is for.
+/// Format of a file and its processor.
 pub type Machine = (BinaryFormat, Architecture);
 
 /// A shared library as a loader sees it. All names are those of the file, except that the underscore that Mach-O puts
 /// before every C name is left out.
 #[derive(Debug, PartialEq)]
 pub struct Binary {
-    /// What can load it.
+    /// Format and processor.
     pub machine: Machine,
     /// Functions and data that a host can find by name.
     pub exports: BTreeSet<String>,
     /// Libraries that the loader must find.
     pub libraries: BTreeSet<String>,
-    /// Functions and data that these libraries must have.
+    /// Functions and data that these libraries must provide.
     pub imports: BTreeSet<String>,
     /// Versions of the imports, such as `GLIBC_2.14`; only ELF has them.
     pub versions: BTreeSet<String>,
-    /// What only Mach-O has.
+    /// Properties that only Mach-O has.
     pub image: Option<Image>,
 }
 
-/// What a Mach-O file tells the loader of macOS about itself.
+/// Properties of a Mach-O file that the loader of macOS reads.
 #[derive(Debug, Default, PartialEq)]
 pub struct Image {
     /// Whether it has a UUID.
     pub has_uuid: bool,
-    /// Whether it has a signature, be it of nobody.
+    /// Whether it has a signature, possibly an anonymous one.
     pub is_signed: bool,
-    /// Name under which programs that are linked to it look for it.
+    /// Name under which programs linked to it search for it.
     pub name: String,
-    /// The oldest macOS that it is for, such as `11.0`.
+    /// The oldest macOS that it supports, such as `11.0`.
     pub oldest: String,
 }
 
 /// Reads a shared library.
 pub fn read(bytes: &[u8]) -> Result<Binary> {
-    let file = File::parse(bytes).context("no shared library of a known format")?;
+    let file = File::parse(bytes).context("not a shared library of a known format")?;
     let prefix = if matches!(file, File::MachO64(_)) { "_" } else { "" };
     let plain = |name: &[u8]| {
         let name = String::from_utf8_lossy(name).into_owned();
@@ -90,19 +90,19 @@ fn image(file: &MachOFile64) -> Result<Image> {
     Ok(image)
 }
 
-/// The number in the name of a version of glibc: `GLIBC_2.2.5` is 2, 2, 5.
+/// Numbers in the name of a glibc version: `GLIBC_2.2.5` is 2, 2, 5.
 pub fn glibc(version: &str) -> Option<Vec<u32>> {
     version.strip_prefix("GLIBC_")?.split('.').map(|part| part.parse().ok()).collect()
 }
 
 impl Binary {
-    /// A library that offers and needs nothing.
+    /// A library without exports and imports.
     pub fn empty(machine: Machine) -> Binary {
         let (exports, libraries, imports, versions) = Default::default();
         Binary { machine, exports, libraries, imports, versions, image: None }
     }
 
-    /// The newest glibc that an import asks for, such as `2.14`.
+    /// The newest glibc that an import requires, such as `2.14`.
     pub fn newest_glibc(&self) -> Option<String> {
         let newest = self.versions.iter().filter_map(|version| glibc(version)).max()?;
         Some(newest.iter().map(u32::to_string).collect::<Vec<_>>().join("."))
@@ -125,14 +125,14 @@ mod tests {
 
     #[test]
     fn other_files_are_refused() {
-        assert!(read(b"MZ is how a program for Windows begins").is_err());
+        assert!(read(b"MZ begins a program for Windows").is_err());
         assert!(read(b"").is_err());
     }
 
-    /// This program itself, whose needs are those of every program on Linux.
+    /// This program itself has the imports of every program on Linux.
     #[cfg(target_os = "linux")]
     #[test]
-    fn needs_of_this_program_are_found() {
+    fn imports_of_this_program_are_found() {
         let this = read(&std::fs::read(std::env::current_exe().unwrap()).unwrap()).unwrap();
         assert!(this.libraries.contains("libc.so.6"), "{:?}", this.libraries);
         assert!(this.imports.contains("malloc") && !this.exports.contains("malloc"));

@@ -1,4 +1,4 @@
-//! A block of generated lines in a file that is otherwise written by hand.
+//! Blocks of generated lines in files that are otherwise written by hand.
 
 use anyhow::{Context, Result};
 
@@ -6,7 +6,7 @@ use anyhow::{Context, Result};
 pub fn replaced(file: &str, text: &str, block: &str, content: &str) -> Result<String> {
     let begin = format!("<!-- {block}:begin (written by fmu-build generate) -->\n");
     let end = format!("<!-- {block}:end -->");
-    let missing = |marker: &str| format!("{file} lacks the line `{}`: generated lines go there", marker.trim());
+    let missing = |marker: &str| format!("{file} lacks the line `{}` for generated lines", marker.trim());
     let (before, rest) = text.split_once(&begin).with_context(|| missing(&begin))?;
     let (_, after) = rest.split_once(&end).with_context(|| missing(&end))?;
     Ok(format!("{before}{begin}\n{content}\n{end}{after}"))

@@ -1,4 +1,4 @@
-//! What has changed between two lists of the interface, and whether the version of the library allows it.
+//! Changes between two lists of the interface, and whether the version of the library allows them.
 
 use std::collections::{BTreeSet, HashMap};
 use std::fmt;
@@ -10,10 +10,10 @@ use semver::Version;
 
 use crate::interface::{FILE, Interface, Row};
 
-/// A difference between the committed list and the interface as it is now.
+/// A difference between the committed list and the present interface.
 #[derive(Debug, PartialEq)]
 pub enum Change {
-    /// Nothing that was there is gone or different.
+    /// Only new items; every listed one is unchanged.
     Additive(String),
     /// A host or program that works with the listed interface may fail.
     Breaking(String),
@@ -28,11 +28,11 @@ impl fmt::Display for Change {
     }
 }
 
-/// Prints what has changed since the list was written, and refuses what the version does not allow. Without a list any
-/// break would pass, so it must be there.
+/// Prints the changes since the list was written, and rejects those that the version does not allow. The list must
+/// exist, since without it any break would pass.
 pub fn review(root: &Path, now: &Interface) -> Result<()> {
     let file = root.join(FILE);
-    ensure!(file.exists(), "{FILE} is missing, so nothing was compared: take it from the last commit");
+    ensure!(file.exists(), "{FILE} is missing, so nothing was compared: restore it from the last commit");
     let listed = fs::read_to_string(&file).with_context(|| format!("cannot read {}", file.display()))?;
     let listed = Interface::read(&listed)?;
     let changes = changes(&listed, now);
@@ -40,24 +40,24 @@ pub fn review(root: &Path, now: &Interface) -> Result<()> {
     let breaking = changes.iter().filter(|change| matches!(change, Change::Breaking(_))).count();
     ensure!(
         breaking == 0 || may_break(&listed.version, &now.version)?,
-        "breaking changes of the interface: {breaking}; undo them, or set a version in Cargo.toml that begins a new \
-         series ({} has version {}) and write their migration lines into CHANGELOG.md",
+        "breaking changes to the interface: {breaking}; undo them, or set a version in Cargo.toml that starts a new \
+         series ({} has version {}) and add their migration lines to CHANGELOG.md",
         FILE,
         listed.version
     );
     Ok(())
 }
 
-/// May the interface break when the version moves from one to the other? It may if that begins a new series (0.1.x to
-/// 0.2.0, 1.x to 2.0.0), and as long as the listed version is the draft of the first one of a series (0.2.0-dev).
+/// Whether the interface may break when the version changes from one to the other: if that starts a new series (0.1.x
+/// to 0.2.0, 1.x to 2.0.0), and as long as the listed version is the draft of the first one of a series (0.2.0-dev).
 fn may_break(listed: &str, now: &str) -> Result<bool> {
-    let parse = |text: &str| Version::parse(text).with_context(|| format!("{text} is no version"));
+    let parse = |text: &str| Version::parse(text).with_context(|| format!("{text} is not a version"));
     let (listed, now) = (parse(listed)?, parse(now)?);
     let is_draft = !listed.pre.is_empty() && series(&listed) == (listed.major, listed.minor, listed.patch);
     Ok(is_draft || series(&now) > series(&listed))
 }
 
-/// The first version that this one promises to be compatible with.
+/// The first version with which this one promises to be compatible.
 fn series(version: &Version) -> (u64, u64, u64) {
     match (version.major, version.minor) {
         (0, 0) => (0, 0, version.patch),
@@ -66,12 +66,12 @@ fn series(version: &Version) -> (u64, u64, u64) {
     }
 }
 
-/// All differences: first what is lost or changed, in the order of the old list, then what is new.
+/// All differences: first removed and changed items, in the order of the old list, then new ones.
 pub fn changes(old: &Interface, new: &Interface) -> Vec<Change> {
     let [old_owners, new_owners] = [old, new].map(owners);
     let [old_rows, new_rows] = [old, new].map(by_key);
     let lost = old_owners.difference(&new_owners).map(|owner| {
-        Change::Breaking(format!("{owner} was removed; cure: keep it, hosts and programs ask for it by name"))
+        Change::Breaking(format!("{owner} was removed; fix: keep it, hosts and programs request it by name"))
     });
     let mut changes: Vec<_> = lost.collect();
     for row in old.rows.iter().filter(|row| new_owners.contains(row.owner.as_str())) {
@@ -105,7 +105,7 @@ fn title(row: &Row) -> String {
     format!("{}: {} {}", row.owner, row.item, row.name)
 }
 
-/// A variable that another name stands for now was renamed.
+/// Change for an item that is no longer listed. A variable whose reference has another name now was renamed.
 fn removed(row: &Row, new: &Interface, old_rows: &HashMap<Key, &Row>) -> Change {
     let is_heir = |now: &&Row| {
         let is_same = (&now.owner, &now.item, &now.value) == (&row.owner, &row.item, &row.value);
@@ -115,16 +115,16 @@ fn removed(row: &Row, new: &Interface, old_rows: &HashMap<Key, &Row>) -> Change 
         Some(heir) => format!("was renamed to {}", heir.name),
         None => "was removed".into(),
     };
-    Change::Breaking(format!("{} {what}; cure: keep the name, hosts and programs rely on it", title(row)))
+    Change::Breaking(format!("{} {what}; fix: keep the name, hosts and programs rely on it", title(row)))
 }
 
-/// What differs in an item that both lists have.
+/// Differences in an item that is in both lists.
 fn differences(old: &Row, new: &Row) -> Vec<Change> {
     let value = match old.item.as_str() {
-        "variable" => ("value reference", "add new columns behind the others"),
-        "choice" => ("number", "add new choices behind the others"),
+        "variable" => ("value reference", "add new columns after the others"),
+        "choice" => ("number", "add new choices after the others"),
         "function" | "type" => ("declaration", "add a new one under another name"),
-        _ => ("value", "give the old value back"),
+        _ => ("value", "restore the old value"),
     };
     let another = "add a new variable and keep this one";
     let fields = [
@@ -133,14 +133,14 @@ fn differences(old: &Row, new: &Row) -> Vec<Change> {
         (("unit", another), &old.unit, &new.unit),
         (("causality", another), &old.causality, &new.causality),
         (("variability", another), &old.variability, &new.variability),
-        (("start value", "give the old start value back"), &old.start, &new.start),
+        (("start value", "restore the old start value"), &old.start, &new.start),
     ];
     let changed = fields.into_iter().filter(|(_, before, after)| before != after);
     let describe = |((field, cure), before, after): ((&str, &str), &String, &String)| {
         let text = format!("{}: the {field} was {}, is {}", title(old), shown(before), shown(after));
         match field == "value reference" && old.follows_the_columns() {
             true => Change::Additive(text),
-            false => Change::Breaking(format!("{text}; cure: {cure}")),
+            false => Change::Breaking(format!("{text}; fix: {cure}")),
         }
     };
     changed.map(describe).collect()
@@ -156,7 +156,7 @@ mod tests {
     use crate::interface::tests::NOW;
     use crate::project::VERSION;
 
-    /// What is said of today's interface if it is altered as a careless change would.
+    /// The report on the present interface after a careless change.
     fn after(alter: impl FnOnce(&mut Vec<Row>)) -> Vec<String> {
         let mut new = NOW.clone();
         alter(&mut new.rows);
@@ -180,7 +180,7 @@ mod tests {
     #[test]
     fn a_renamed_variable_is_seen() {
         let changes = after(|rows| row(rows, "LuGre", "variable", "velocity").name = "speed".into());
-        let renamed = "BREAKING: LuGre: variable velocity was renamed to speed; cure: keep the name";
+        let renamed = "BREAKING: LuGre: variable velocity was renamed to speed; fix: keep the name";
         assert_eq!(changes.len(), 2);
         assert!(changes[0].starts_with(renamed), "{changes:?}");
         assert_eq!(changes[1], "additive: LuGre: variable speed is new");
@@ -190,13 +190,13 @@ mod tests {
     fn a_removed_variable_is_seen() {
         let changes = after(|rows| rows.retain(|row| !is_variable(row, "velocity")));
         assert_eq!(changes.len(), 1);
-        assert!(changes[0].starts_with("BREAKING: LuGre: variable velocity was removed; cure: "), "{changes:?}");
+        assert!(changes[0].starts_with("BREAKING: LuGre: variable velocity was removed; fix: "), "{changes:?}");
     }
 
     #[test]
     fn a_moved_reference_is_seen_with_both_values() {
         let changes = after(|rows| row(rows, "LuGre", "variable", "velocity").value = "7".into());
-        let moved = "BREAKING: LuGre: variable velocity: the value reference was 0, is 7; cure: add new columns";
+        let moved = "BREAKING: LuGre: variable velocity: the value reference was 0, is 7; fix: add new columns";
         assert!(changes.len() == 1 && changes[0].starts_with(moved), "{changes:?}");
     }
 
@@ -212,7 +212,7 @@ mod tests {
         ];
         for (alter, text) in alterations {
             let changes = after(|rows| alter(row(rows, "LuGre", "variable", "velocity")));
-            let expected = format!("BREAKING: LuGre: variable velocity: {text}; cure: ");
+            let expected = format!("BREAKING: LuGre: variable velocity: {text}; fix: ");
             assert!(changes.len() == 1 && changes[0].starts_with(&expected), "{changes:?}");
         }
     }
@@ -220,7 +220,7 @@ mod tests {
     #[test]
     fn choices_keep_their_numbers() {
         let changes = after(|rows| row(rows, "Coulomb", "choice", "Exchange.Parallel").value = "3".into());
-        let renumbered = "BREAKING: Coulomb: choice Exchange.Parallel: the number was 2, is 3; cure: ";
+        let renumbered = "BREAKING: Coulomb: choice Exchange.Parallel: the number was 2, is 3; fix: ";
         assert!(changes.len() == 1 && changes[0].starts_with(renumbered), "{changes:?}");
         let gone = |row: &Row| key(row) == ("Coulomb", "choice", "Exchange.Parallel");
         let changes = after(|rows| rows.retain(|row| !gone(row)));
@@ -288,7 +288,7 @@ mod tests {
         assert!(may_break("one", "0.1.0").is_err());
     }
 
-    /// A project whose list was written at `version`, before a variable of today was renamed.
+    /// A project whose list was written at `version`, before a present variable was renamed.
     fn reviewed(version: &str) -> Result<()> {
         let mut listed = NOW.clone();
         listed.version = version.into();
@@ -299,16 +299,16 @@ mod tests {
     }
 
     #[test]
-    fn a_review_refuses_what_the_version_does_not_allow() {
+    fn a_review_rejects_changes_that_the_version_does_not_allow() {
         let error = reviewed(VERSION).unwrap_err().to_string();
-        for text in ["breaking changes of the interface: 1", VERSION, "CHANGELOG.md", "Cargo.toml"] {
+        for text in ["breaking changes to the interface: 1", VERSION, "CHANGELOG.md", "Cargo.toml"] {
             assert!(error.contains(text), "{text} is not in {error}");
         }
         reviewed("0.0.9").unwrap();
     }
 
     #[test]
-    fn without_a_list_nothing_is_compared_and_that_is_said() {
+    fn a_missing_list_is_reported() {
         let error = review(tempfile::tempdir().unwrap().path(), &NOW).unwrap_err().to_string();
         assert!(error.contains("interface.csv is missing, so nothing was compared"), "{error}");
     }

@@ -1,5 +1,5 @@
-//! What the library is made of, with licences: the crates as cargo builds them, the standard library, and what linkers
-//! add.
+//! The parts of the library, with their licences: the crates that cargo builds, the standard library, and additions of
+//! linkers.
 
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::fs;
@@ -26,27 +26,27 @@ pub struct Crate {
     pub version: String,
     /// SPDX expression of its licence.
     pub license: String,
-    /// SHA-256 of the archive it came in; none for the library itself, whose sources are here.
+    /// SHA-256 of its archive; none for the library itself, whose sources are here.
     pub sha256: Option<String>,
     /// Folder of its sources.
     pub folder: PathBuf,
-    /// The crates that it needs, as [`Crate::id`] has them.
+    /// The crates that it needs, by [`Crate::id`].
     pub needs: BTreeSet<String>,
 }
 
 /// Everything in the libraries of an FMU.
 #[derive(Clone, Debug)]
 pub struct Parts {
-    /// Crates, the library itself among them.
+    /// Crates, including the library itself.
     pub crates: Vec<Crate>,
-    /// Version of Rust, whose standard library is in it.
+    /// Version of Rust, whose standard library is linked.
     pub rust: String,
-    /// What the linkers add.
+    /// Additions of the linkers.
     pub additions: Vec<Addition>,
 }
 
 impl Parts {
-    /// What is in the libraries for these platforms.
+    /// Parts of the libraries for these platforms.
     pub fn of(root: &Path, platforms: &[Platform]) -> Result<Parts> {
         let triples = platforms.iter().map(Platform::triples).collect::<Result<Vec<_>>>()?.concat();
         let targets = platforms.iter().flat_map(|platform| platform.targets);
@@ -68,8 +68,8 @@ fn id(name: &str, version: &str) -> String {
     format!("{name} {version}")
 }
 
-/// The crates whose code is in the library if it is built for one of these targets: the library itself among them, but
-/// no macros, which only write code, and nothing that only builds or tests it.
+/// The crates whose code is in the library if it is built for one of these targets: including the library itself, but
+/// without macros, which only write code, and without crates that only build or test it.
 fn linked(root: &Path, targets: &[String]) -> Result<Vec<Crate>> {
     let checksums = checksums(root)?;
     let mut crates: BTreeMap<String, Crate> = BTreeMap::new();
@@ -91,12 +91,12 @@ fn linked_for(root: &Path, target: &str, checksums: &HashMap<String, String>) ->
     let node = |package: &PackageId| nodes.iter().find(|node| node.id == *package);
     let of_package = |package: &Package| {
         let id = id(&package.name, &package.version.to_string());
-        let license = package.license.as_ref().with_context(|| format!("{id} names no licence in its manifest"))?;
+        let license = package.license.as_ref().with_context(|| format!("{id} has no licence in its manifest"))?;
         let folder = package.manifest_path.parent().with_context(|| format!("{id} has no folder"))?;
         Ok(Crate {
             name: package.name.to_string(),
             version: package.version.to_string(),
-            // Cargo still takes the old way to write "or".
+            // Cargo still accepts the old way to write "or".
             license: license.replace('/', " OR "),
             sha256: checksums.get(&id).cloned(),
             folder: folder.into(),
@@ -107,8 +107,8 @@ fn linked_for(root: &Path, target: &str, checksums: &HashMap<String, String>) ->
     metadata.packages.iter().filter(is_linked).map(of_package).collect()
 }
 
-/// Names and versions of the crates that these edges of the tree lead to. What `cargo metadata` says of them includes
-/// features that only other packages of the workspace ask for.
+/// Names and versions of the crates that these edges of the tree lead to. `cargo metadata` would include features that
+/// only other packages of the workspace request.
 fn tree(root: &Path, target: &str, edges: &str) -> Result<BTreeSet<String>> {
     let mut cargo = Command::new(toolchain::cargo());
     cargo.args(["tree", "--locked", "--package", LIBRARY, "--target", target]);
@@ -177,7 +177,7 @@ mod tests {
     }
 
     #[test]
-    fn every_crate_of_the_library_was_decided_on() {
+    fn every_crate_of_the_library_is_allowed() {
         let names = listed("bans", "allow").into_iter().map(|one| one["crate"].as_str().unwrap().to_owned());
         let allowed: BTreeSet<_> = names.chain([LIBRARY.to_owned()]).collect();
         let compiled = tree(root(), "all", "normal,build").unwrap();
@@ -187,7 +187,7 @@ mod tests {
     }
 
     #[test]
-    fn the_library_itself_asks_for_three_crates() {
+    fn the_library_itself_depends_on_three_crates() {
         let crates = linked(root(), &[toolchain::host().unwrap()]).unwrap();
         let library = crates.iter().find(|one| one.name == LIBRARY).unwrap();
         let names: Vec<_> = library.needs.iter().map(|id| id.split(' ').next().unwrap()).collect();
@@ -217,8 +217,8 @@ mod tests {
             assert!(one.folder.join("Cargo.toml").is_file(), "{one:?}");
         }
         let needed: BTreeSet<_> = crates.iter().flat_map(|one| one.needs.clone()).collect();
-        assert_eq!(ids.difference(&needed).collect::<Vec<_>>().len(), 1, "only the library is needed by none");
-        // A macro, and what nalgebra has for other packages.
+        assert_eq!(ids.difference(&needed).collect::<Vec<_>>().len(), 1, "only the library is not needed");
+        // A macro, and crates that nalgebra uses for other packages.
         assert!(crates.iter().all(|one| !["paste", "glam"].contains(&one.name.as_str())));
     }
 

@@ -1,7 +1,7 @@
-//! Curves of a model, computed from the model itself: what a page and an icon draw.
+//! Curves for the page and the icon of a model, computed with the model itself.
 //!
-//! The ranges follow from the model's behaviour, not from its name or its parameters: the velocities from where the
-//! force over velocity bends, the displacements from where the force over displacement does.
+//! The ranges follow from the model's behaviour, not from its name or its parameters: that of velocity from the bends
+//! of the force over velocity, that of displacement from the bends of the force over displacement.
 
 use std::f64::consts::TAU;
 
@@ -10,13 +10,13 @@ use stribeck::catalogue;
 use stribeck::instance::Instance;
 use stribeck::model::{ModelType, Preset, Role};
 
-/// Velocities on each side of a curve.
+/// Number of velocities on each side of a curve.
 const POINTS: i32 = 300;
 
 /// Points of a curve, in SI units.
 pub type Curve = Vec<[f64; 2]>;
 
-/// A friction law whose force is looked at along one direction.
+/// A friction law, observed along one direction.
 pub struct Law {
     /// The model.
     pub model: &'static ModelType,
@@ -29,7 +29,7 @@ pub struct Law {
     acceleration: Option<usize>,
 }
 
-/// A law at work.
+/// A running instance of a law.
 struct Run<'a> {
     law: &'a Law,
     instance: Instance,
@@ -37,23 +37,23 @@ struct Run<'a> {
 
 /// The force at held velocities.
 pub struct Steady {
-    /// While the speed grows from one held value to the next.
+    /// Forces while the speed grows from one held value to the next.
     pub growing: Curve,
-    /// While it falls.
+    /// Forces while it falls.
     pub fading: Curve,
-    /// How far a force may be off, because it fluctuates.
+    /// Uncertainty of a force that fluctuates.
     pub noise: f64,
 }
 
-/// The force that a held velocity leads to.
+/// The settled force at a held velocity.
 struct Settled {
     force: f64,
-    /// Standard error, if the force goes on fluctuating and this is its mean.
+    /// Standard error, if the force keeps fluctuating and this is its mean.
     noise: f64,
 }
 
 impl Law {
-    /// The law of a model; of one with several directions, along x.
+    /// The law of a model; along x if it has several directions.
     pub fn new(model: &'static ModelType, preset: Option<&'static Preset>) -> Result<Law> {
         let find = |name: &str| model.find(name).or_else(|| model.find(&format!("{name}_x")));
         let known = |name: &str| find(name).with_context(|| format!("{} has no variable {name}", model.name));
@@ -79,23 +79,23 @@ impl Law {
         Run { law: self, instance }
     }
 
-    /// The value of an input while the law is looked at, and its column.
+    /// The column of an input and its value while the law is observed.
     pub fn held(&self, name: &str) -> Option<(usize, f64)> {
         let column = self.model.find(name)?;
         Some((column, self.run(0.0).instance.row()[column]))
     }
 
-    /// Must it be told the acceleration, because speeding up differs from slowing down?
+    /// Whether it has an acceleration as input, because speeding up differs from slowing down.
     pub fn has_acceleration(&self) -> bool {
         self.acceleration.is_some()
     }
 
-    /// Does a force from outside decide about the force at rest?
+    /// Whether an external force determines the force at rest.
     pub fn has_external_force(&self) -> bool {
         self.external_force.is_some()
     }
 
-    /// A velocity with a round number, up to which the curve shows what there is to see.
+    /// A round velocity that includes all features of the curve.
     pub fn velocity_range(&self) -> Result<f64> {
         let mut run = self.run(0.0);
         let points = (0..=50).map(|k| 1e-5 * 10f64.powf(f64::from(k) / 10.0));
@@ -105,7 +105,7 @@ impl Law {
         Ok(round_up(last_bend(&curve, noise).map_or_else(|| velocity_without_bend(&curve, noise), |bend| 1.5 * bend)))
     }
 
-    /// The settled force over velocities from -`range` to `range`, which stand closer where they are small.
+    /// The settled force over velocities from -`range` to `range`, which are closer together near 0.
     pub fn steady(&self, range: f64, external_force: f64) -> Result<Steady> {
         let [backwards, forwards] = [self.branches(-range, external_force)?, self.branches(range, external_force)?];
         let joined = |backwards: &Curve, forwards: &Curve| backwards.iter().rev().chain(forwards).copied().collect();
@@ -119,7 +119,7 @@ impl Law {
     /// As [`Law::steady`], from 0 to `range`.
     fn branches(&self, range: f64, external_force: f64) -> Result<Steady> {
         let mut run = self.run(external_force);
-        // At rest only a force from outside says what the friction force is.
+        // At rest only an external force determines the friction force.
         let first = i32::from(!self.has_external_force());
         let mut noise = 0f64;
         let mut settled = |k: i32| {
@@ -134,7 +134,7 @@ impl Law {
         Ok(Steady { growing, fading, noise })
     }
 
-    /// The time that the force needs after the velocity has changed from -`velocity` / 4 to `velocity`; 0 for a law
+    /// The settling time of the force after the velocity has changed from -`velocity` / 4 to `velocity`; 0 for a law
     /// without memory.
     pub fn response_time(&self, velocity: f64) -> Result<f64> {
         let mut run = self.run(0.0);
@@ -145,14 +145,14 @@ impl Law {
         let at = if is_settled(&history) {
             history.iter().rposition(is_off(0.03))
         } else {
-            // It goes on fluctuating: the first time that it comes near.
+            // It keeps fluctuating: the first time that it comes near.
             let is_near = |point: &[f64; 2]| !is_off(0.15)(point);
             history.iter().position(is_near).and_then(|at| at.checked_sub(1))
         };
         Ok(at.map_or(0.0, |at| history[at][0]))
     }
 
-    /// The second period of a velocity that moves to and fro.
+    /// The second period of an oscillating velocity.
     pub fn oscillation(&self, amplitude: f64, period: f64) -> Result<Curve> {
         const STEPS: usize = 2000;
         let mut run = self.run(0.0);
@@ -179,14 +179,14 @@ impl Law {
         if (slower / scale).ln().abs() > 2f64.ln() {
             return Ok(None);
         }
-        // A spring remembers its deflection when the motion turns.
+        // A spring keeps its deflection when the motion reverses.
         let mut run = self.run(0.0);
         run.travel(4.0 * scale, slow, 40)?;
         run.travel(-0.05 * scale, slow, 1)?;
         Ok((run.force() > 0.3 * level).then_some(scale))
     }
 
-    /// Displacement and force at which 63 % of the largest force are reached, if they are reached gradually.
+    /// Displacement and force at which 63 % of the largest force is reached, if it is reached gradually.
     fn yielding(&self, velocity: f64) -> Result<Option<(f64, f64)>> {
         let mut run = self.run(0.0);
         let (mut x, mut curve) = (0.0, Vec::new());
@@ -198,12 +198,12 @@ impl Law {
         }
         let level = curve.iter().map(|point| point[1]).fold(0.0, f64::max);
         let Some(at) = curve.iter().position(|point| point[1] >= 0.63 * level) else { return Ok(None) };
-        // A tenth of the displacement, eight points before.
+        // A tenth of the displacement, eight points earlier.
         let is_gradual = at >= 8 && level > 0.0 && curve[at - 8][1] < 0.5 * level;
         Ok(is_gradual.then_some((curve[at][0], level)))
     }
 
-    /// Force over displacement for strokes that grow, each to both sides.
+    /// Force over displacement for growing strokes, each to both sides.
     pub fn strokes(&self, scale: f64, range: f64) -> Result<Curve> {
         let mut run = self.run(0.0);
         let mut curve = vec![[0.0, run.at(0.0)?]];
@@ -249,7 +249,7 @@ impl Run<'_> {
     fn travel(&mut self, distance: f64, speed: f64, steps: u32) -> Result<()> {
         let duration = distance.abs() / speed;
         self.at(speed * distance.signum())?;
-        // Nobody steps further than a second.
+        // No step is longer than a second.
         let steps = steps.max(duration.ceil().min(100.0) as u32);
         for _ in 0..steps {
             self.step(duration / f64::from(steps))?;
@@ -260,7 +260,7 @@ impl Run<'_> {
     /// The force at a held velocity, over time.
     fn history(&mut self, velocity: f64) -> Result<Curve> {
         const LONGEST: usize = 120;
-        // Not too far in a step: some laws follow every asperity.
+        // Not too far per step: some laws follow every asperity.
         let longest = (1e-3 / velocity.abs()).clamp(1e-3, 100.0);
         let mut history = Vec::new();
         let (mut time, mut dt) = (0.0, 1e-4);
@@ -274,7 +274,7 @@ impl Run<'_> {
         Ok(history)
     }
 
-    /// The force that a held velocity leads to; the mean of a force that goes on fluctuating.
+    /// The settled force at a held velocity; the mean of a force that keeps fluctuating.
     fn settle(&mut self, velocity: f64) -> Result<Settled> {
         let history = self.history(velocity)?;
         match history.last() {
@@ -291,21 +291,21 @@ fn mean(history: &[[f64; 2]]) -> Settled {
     Settled { force, noise: (variance / count).sqrt() }
 }
 
-/// Four equal values, each after a step that is half as long again as the one before.
+/// Settles when four values are equal, each after a step half as long again as the one before.
 fn is_settled(history: &[[f64; 2]]) -> bool {
     let Some([rest @ .., last]) = history.last_chunk::<5>() else { return false };
     rest.iter().all(|[_, force]| (force - last[1]).abs() <= 1e-5 * last[1].abs())
 }
 
-/// Where the curve bends for the last time: up to there, nine tenths of the changes have happened of what its tangent
-/// cuts off from the force axis. A straight line, such as viscous friction, cuts off the same everywhere.
+/// The last bend of the curve: up to there, the intercept of the tangent with the force axis has made nine tenths of
+/// its changes. For a straight line, such as viscous friction, the intercept is constant.
 fn last_bend(curve: &[[f64; 2]], noise: f64) -> Option<f64> {
     let intercepts: Curve = curve.windows(3).map(|three| [three[1][0], intercept(three)]).collect();
     let largest = intercepts.iter().map(|point| point[1].abs()).fold(0.0, f64::max);
     let mut anchor = intercepts.first()?[1];
     let mut changes = Vec::new();
     for [velocity, value] in &intercepts {
-        // What is smaller is noise, of which the slope makes more, or not to be seen.
+        // Anything smaller is noise, which the slope amplifies, or invisible.
         if (value - anchor).abs() > f64::max(0.05 * largest, 15.0 * noise) {
             changes.push([*velocity, (value - anchor).abs()]);
             anchor = *value;
@@ -322,14 +322,14 @@ fn last_bend(curve: &[[f64; 2]], noise: f64) -> Option<f64> {
         .map(|change| change[0])
 }
 
-/// Of three points whose velocities grow by the same factor.
+/// For three points whose velocities grow by the same factor.
 fn intercept(three: &[[f64; 2]]) -> f64 {
     let ratio = three[2][0] / three[1][0];
     three[1][1] - (three[2][1] - three[0][1]) / (ratio - 1.0 / ratio)
 }
 
 /// The velocity at which the viscous part is half as large as the rest, or the end of the curve if the force grows at
-/// all; for a law without any scale one that is usual.
+/// all; a usual one for a law without any scale.
 fn velocity_without_bend(curve: &[[f64; 2]], noise: f64) -> f64 {
     const USUAL: f64 = 0.01;
     let (Some(first), Some(last)) = (curve.first(), curve.last()) else { return USUAL };
@@ -344,7 +344,7 @@ fn velocity_without_bend(curve: &[[f64; 2]], noise: f64) -> f64 {
 /// The next number with one digit, or 1.5, times a power of ten.
 pub fn round_up(value: f64) -> f64 {
     let power = 10f64.powf(value.log10().floor());
-    // What has just been rounded is not to be rounded again.
+    // A number that has just been rounded must not be rounded again.
     let digits = [1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0];
     let digit = digits.into_iter().find(|digit| digit * power >= value * (1.0 - 1e-9));
     let text = format!("{:.1e}", digit.unwrap_or(10.0) * power);
@@ -357,7 +357,7 @@ pub fn limits<'a>(curves: impl IntoIterator<Item = &'a Curve>, axis: usize) -> [
     values.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], value| [low.min(value), high.max(value)])
 }
 
-/// How far two curves over the same velocities lie apart, relative to the range of the force.
+/// Distance of two curves over the same velocities, relative to the range of the force.
 pub fn distance(a: &Curve, b: &Curve) -> f64 {
     let [low, high] = limits([a, b], 1);
     let largest = a.iter().zip(b).map(|(a, b)| (a[1] - b[1]).abs()).fold(0.0, f64::max);
@@ -366,9 +366,9 @@ pub fn distance(a: &Curve, b: &Curve) -> f64 {
 
 /// The motion of a host.
 pub struct Motion {
-    /// What acts on it, in words.
+    /// The excitation, in words.
     pub with: &'static str,
-    /// Columns of its first two outputs: states, where there are states.
+    /// Columns of its first two outputs, which are states if it has states.
     pub states: [usize; 2],
     /// Times.
     pub times: Vec<f64>,
@@ -376,7 +376,7 @@ pub struct Motion {
     pub values: Curve,
 }
 
-/// Lets a host move by itself.
+/// Simulates a host on its own.
 pub fn motion(model: &'static ModelType) -> Result<Motion> {
     const STEP: f64 = 1e-3;
     let is_output = |column: &usize| model.table[*column].role.is_output();
@@ -398,11 +398,11 @@ pub fn motion(model: &'static ModelType) -> Result<Motion> {
     Ok(motion)
 }
 
-/// What acts on a host.
+/// Excitation of a host.
 enum Connection {
     Contact(Box<Contact>),
     Struts(Vec<Strut>),
-    /// It moves by itself.
+    /// None: it moves by itself.
     Nothing,
 }
 
@@ -421,8 +421,8 @@ impl Connection {
     fn name(&self) -> &'static str {
         match self {
             Connection::Contact(_) => "with Coulomb friction and stiction in the contact",
-            Connection::Struts(_) => "on linear struts (45 kN/m, 1900 N.s/m), let go 20 mm above rest",
-            Connection::Nothing => "as it moves by itself",
+            Connection::Struts(_) => "on linear struts (45 kN/m, 1900 N.s/m), released 20 mm above rest",
+            Connection::Nothing => "without external excitation",
         }
     }
 
@@ -434,7 +434,7 @@ impl Connection {
         }
     }
 
-    /// Number of steps in which there is something to see.
+    /// Number of steps worth showing.
     fn steps(&self) -> u32 {
         match self {
             Connection::Contact(_) => 40_000,
@@ -452,7 +452,7 @@ impl Connection {
     }
 }
 
-/// A linear spring and a linear damper, and the columns of the host that they are connected with.
+/// A linear spring and a linear damper, and the columns of the host to which they are connected.
 struct Strut {
     force: usize,
     length: usize,
@@ -466,7 +466,7 @@ impl Strut {
     const STIFFNESS: f64 = 45_000.0;
     const DAMPING: f64 = 1_900.0;
 
-    /// One for every strut force of a host at rest.
+    /// One strut for every strut force of a host at rest.
     fn all(host: &mut Instance) -> Result<Vec<Strut>> {
         host.refresh()?;
         let model = host.model();
@@ -529,7 +529,7 @@ mod tests {
     use catalogue::by_name;
 
     mod laws {
-        //! Laws that no shipped model is.
+        //! Laws unlike any shipped model.
         use stribeck::model::{Model, ModelType, real};
         use stribeck::number::Real;
 
@@ -603,7 +603,7 @@ mod tests {
         assert!(steady.growing.is_sorted_by(|a, b| a[0] < b[0]));
     }
 
-    /// What there is to see is in the figure, and not in a corner of it: v_0 or v_S is 1 mm/s in these laws.
+    /// The features of a curve fill the figure: v_0 or v_S is 1 mm/s in these laws.
     #[test]
     fn velocities_reach_beyond_the_bend() {
         for name in ["LuGre", "BrownMcPhee", "Karnopp"] {
@@ -625,7 +625,7 @@ mod tests {
             let bend = last_bend(&points(f64::tanh), 0.0).unwrap();
             assert!((2.0..3.2).contains(&(bend / scale)), "{bend}");
             assert_eq!(last_bend(&points(|u| 1.0 + 0.3 * u), 0.0), None);
-            // Viscous friction beside it does not matter.
+            // Additional viscous friction does not matter.
             let viscous = last_bend(&points(|u| u.tanh() + 0.01 * u), 0.0).unwrap();
             assert!((2.0..3.2).contains(&(viscous / scale)), "{viscous}");
         }
@@ -644,21 +644,21 @@ mod tests {
     }
 
     #[test]
-    fn a_delay_in_time_is_no_displacement() {
+    fn a_delay_in_time_is_not_a_displacement() {
         let law = Law::new(&laws::SLUGGISH, None).unwrap();
         assert!(law.response_time(2e-3).unwrap() > 0.05);
         assert_eq!(law.displacement_scale(2e-3).unwrap(), None);
     }
 
     #[test]
-    fn laws_without_memory_answer_at_once() {
+    fn laws_without_memory_respond_at_once() {
         for name in ["CoulombStiction", "Karnopp", "BrownMcPhee"] {
             assert_eq!(law(name).response_time(5e-3).unwrap(), 0.0, "{name}");
         }
     }
 
     #[test]
-    fn a_law_of_the_plane_is_looked_at_along_x() {
+    fn a_planar_law_is_observed_along_x() {
         let law = Law::new(&laws::PLANAR, None).unwrap();
         let steady = law.steady(1.0, 0.0).unwrap();
         assert!(steady.growing.iter().all(|[v, force]| *force == v.signum()));
@@ -678,7 +678,7 @@ mod tests {
     }
 
     #[test]
-    fn external_force_decides_at_rest() {
+    fn external_force_determines_the_force_at_rest() {
         let law = law("CoulombStiction");
         assert!(law.has_external_force());
         let upper = law.steady(0.01, 1e3).unwrap().growing;
@@ -709,7 +709,7 @@ mod tests {
     fn presets_change_the_curve() {
         static PRESET: Preset = Preset { name: "thesis", source: "", values: &[] };
         let model = by_name("LuGre").unwrap();
-        let known = model.presets.iter().find(|preset| preset.name != PRESET.name).expect("another preset than thesis");
+        let known = model.presets.iter().find(|preset| preset.name != PRESET.name).expect("a second preset");
         let [plain, preset] =
             [None, Some(known)].map(|preset| Law::new(model, preset).unwrap().run(0.0).settle(0.01).unwrap().force);
         assert_ne!(plain, preset);
@@ -733,7 +733,7 @@ mod tests {
         assert!((slips[0] - 0.73575).abs() < 1e-3, "{slips:?}");
     }
 
-    /// A car that is let go swings back to its rest: through it at 3.8 Hz, a quarter of a period later.
+    /// A released car swings back to its rest position: through it at 3.8 Hz, a quarter of a period later.
     #[test]
     fn cars_are_let_go() {
         for name in ["QuarterCar", "FourPostCar"] {

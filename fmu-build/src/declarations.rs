@@ -1,18 +1,18 @@
-//! What a C header declares: functions, types and constants. It reads the header that cbindgen and the tables give, not
-//! every C header.
+//! Declarations of a C header: functions, types and constants. Reads the header made from cbindgen's output and the
+//! tables, not every C header.
 
 /// Something that a C program can name.
 #[derive(Debug, PartialEq)]
 pub struct Declaration {
-    /// What it is.
+    /// Its kind.
     pub kind: Kind,
     /// Its name.
     pub name: String,
-    /// A function's or type's whole text in one line, a constant's value.
+    /// The whole text of a function or type in one line, or the value of a constant.
     pub text: String,
 }
 
-/// What a declaration declares.
+/// Kind of a declaration.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
     /// A function.
@@ -63,7 +63,7 @@ fn without_comments(header: &str) -> String {
     parts.fold(before, |text, part| text + part.split_once("*/").map_or("", |(_, after)| after))
 }
 
-/// The code between the semicolons that stand in no braces, with single spaces.
+/// The code between the semicolons outside braces, with single spaces.
 fn statements(code: &str) -> Vec<String> {
     let mut depth = 0;
     let ends = move |letter: char| {

@@ -1,4 +1,4 @@
-//! The tables of defaults in the page of the shock absorber.
+//! Tables of defaults on the page of the shock absorber.
 
 use std::fmt::Write;
 
@@ -56,7 +56,7 @@ impl Row {
         format!("`{}`", self.name.replace("[]", &format!("[1..{}]", self.elements.len())))
     }
 
-    /// The start values; equal ones at the end of an array are written once.
+    /// The start values; equal ones at the end of an array appear once.
     fn default(&self) -> String {
         let mut values: Vec<String> = self.elements.iter().map(|variable| text::start(variable)).collect();
         let last = values.last().cloned().unwrap_or_default();
@@ -112,7 +112,7 @@ fn laws(rows: &[Row]) -> Result<Vec<&'static ModelType>> {
     Ok(names(choices).into_iter().filter_map(catalogue::by_name).collect())
 }
 
-/// Names of the laws that follow a parameter: the one that it names, or all that know it and have none of their own.
+/// Names of the laws that use a parameter: the one in its name, or all that have it and no parameter of their own.
 fn known_by(laws: &[&ModelType], rows: &[Row], row: &Row) -> Vec<&'static str> {
     let steps: Vec<&str> = row.name.split('.').skip(1).collect();
     let (owner, name) = (steps[0], steps.join("."));
@@ -147,7 +147,7 @@ mod tests {
     }
 
     #[test]
-    fn parameters_of_laws_name_the_laws_that_know_them() {
+    fn parameters_of_laws_name_the_laws_that_use_them() {
         let laws = laws(&strut()).unwrap();
         let known = |name: &str| known_by(&laws, &strut(), &row(name));
         assert_eq!(known("friction.damping_velocity"), ["LuGre", "ElastoPlastic"]);
@@ -158,10 +158,10 @@ mod tests {
         assert!(known("friction.scale").is_empty());
     }
 
-    /// The numbers of the strut that have a source; it is named in the page.
+    /// Numbers of the strut that have a source, which the page names.
     const SOURCED: [&str; 4] = ["geom.stroke", "spring.k", "gas.p_ambient", "num.mass_ref"];
 
-    /// 0 and 1 are what switches a part off or leaves a force as it is.
+    /// 0 and 1 switch a part off or leave a force unchanged.
     #[test]
     fn numbers_without_a_source_are_marked_as_chosen() {
         for row in strut().iter().filter(|row| !row.is_of_laws()) {

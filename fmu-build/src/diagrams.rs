@@ -1,4 +1,4 @@
-//! The diagrams of a model's page, chosen by what the model does.
+//! The diagrams of a model's page, chosen by the model's behaviour.
 
 use anyhow::{Context, Result};
 use stribeck::catalogue::Family;
@@ -62,7 +62,7 @@ fn over_velocity(law: &Law) -> Result<(Figure, f64)> {
     let mut caption = format!("Friction force at held velocities{}", conditions(law));
     let mut lines = Vec::new();
     if let Some((curve, period)) = oscillation(law, range, &steady)? {
-        caption += &format!("; and while the velocity oscillates with a period of {}", duration(period));
+        caption += &format!(", and for a velocity that oscillates with a period of {}", duration(period));
         lines.push(line("oscillating velocity", Style::Second, curve));
     }
     if law.has_external_force() {
@@ -86,7 +86,7 @@ fn conditions(law: &Law) -> String {
 }
 
 fn duration(seconds: f64) -> String {
-    // The period is round, its product need not be.
+    // The period is a round number; its product need not be.
     let milliseconds = (1e6 * seconds).round() / 1e3;
     if seconds < 1.0 { format!("{} ms", text::number(milliseconds)) } else { format!("{} s", text::number(seconds)) }
 }
@@ -103,7 +103,7 @@ fn branches(steady: Steady, lines: &mut Vec<Line>) {
     }
 }
 
-/// Where a force from outside decides, the region of the friction forces that it can cause; elsewhere the curve.
+/// The region of the friction forces that an external force can cause, where it determines them; elsewhere the curve.
 fn external(law: &Law, range: f64, steady: &Steady, lines: &mut Vec<Line>) -> Result<()> {
     let [low, high] = curve::limits([&steady.growing], 1);
     let large = 1e3 * low.abs().max(high.abs()).max(1e-3);
@@ -116,7 +116,7 @@ fn external(law: &Law, range: f64, steady: &Steady, lines: &mut Vec<Line>) -> Re
     };
     let last = (0..upper.len()).rfind(is_free).unwrap_or(first);
     let region = upper[first..=last].iter().chain(lower[first..=last].iter().rev()).copied().collect();
-    lines.push(line("as the external force decides", Style::Region, region));
+    lines.push(line("determined by the external force", Style::Region, region));
     lines.push(line("sliding", Style::First, upper[..first].to_vec()));
     lines.push(line("sliding", Style::First, upper[last + 1..].to_vec()));
     Ok(())
@@ -132,7 +132,7 @@ fn oscillation(law: &Law, range: f64, steady: &Steady) -> Result<Option<(Curve, 
     };
     let oscillation = law.oscillation(range, period)?;
     let [held, moving] = [&steady.growing, &oscillation].map(|curve| curve::limits([curve], 1));
-    // A law that answers too violently to be drawn together.
+    // False for a response too violent to be drawn in the same figure.
     let is_fit = moving[1] - moving[0] < 4.0 * (held[1] - held[0]);
     Ok(is_fit.then_some((oscillation, period)))
 }
@@ -144,7 +144,7 @@ fn over_displacement(law: &Law, range: f64) -> Result<Option<Figure>> {
     let force = &law.model.table[law.force];
     let [low, high] = curve::limits([&lines[0].points], 0);
     let axes = [Axis::length("displacement", low.abs().max(high.abs())), axis(force, &lines, 1)];
-    let caption = "Pre-sliding: friction force for slow strokes to and fro that grow.".to_owned();
+    let caption = "Pre-sliding: friction force for slow reciprocating strokes of growing amplitude.".to_owned();
     Ok(Some(Figure { caption, axes, lines }))
 }
 
@@ -193,7 +193,7 @@ mod tests {
     fn lines_follow_from_the_behaviour() {
         assert_eq!(names("BrownMcPhee"), ["held velocity"]);
         assert_eq!(names("LuGre"), ["oscillating velocity", "held velocity"]);
-        assert_eq!(names("Karnopp"), ["as the external force decides", "sliding", "sliding"]);
+        assert_eq!(names("Karnopp"), ["determined by the external force", "sliding", "sliding"]);
     }
 
     #[test]
@@ -205,7 +205,7 @@ mod tests {
 
     /// The region of Karnopp's law is the band |v| <= v_0 between -f_s and f_s.
     #[test]
-    fn region_is_what_the_external_force_can_cause() {
+    fn region_holds_the_forces_that_the_external_force_can_cause() {
         let law = Law::new(by_name("Karnopp").unwrap(), None).unwrap();
         let (figure, range) = over_velocity(&law).unwrap();
         let region = &figure.lines[0].points;
@@ -214,7 +214,7 @@ mod tests {
         assert!((high - 1.4715).abs() < 1e-12 && (low + 1.4715).abs() < 1e-12, "{low} {high}");
     }
 
-    /// Every model with every preset: what a curve is drawn from is finite and moves.
+    /// The points of every curve of every model, with every preset, are finite and vary.
     #[test]
     fn all_models_with_all_presets_can_be_drawn() {
         for (model, _) in documented(Family::Friction) {

@@ -28,24 +28,24 @@ pub struct Axis {
     factor: f64,
 }
 
-/// What a curve stands for; decides its colour.
+/// Role of a curve; determines its colour.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Style {
     /// The main curve.
     First,
-    /// Another one.
+    /// A second one.
     Second,
-    /// One more.
+    /// A third one.
     Third,
     /// A filled region.
     Region,
 }
 
-/// A curve or a region with its name; curves of the same name share an entry of the legend.
+/// A curve or a region with its name; curves of the same name share a legend entry.
 pub struct Line {
     /// Name in the legend; none if empty.
     pub name: String,
-    /// How it is drawn.
+    /// Its style.
     pub style: Style,
     /// Its points.
     pub points: Curve,
@@ -53,7 +53,7 @@ pub struct Line {
 
 /// A diagram.
 pub struct Figure {
-    /// What it shows.
+    /// Its caption.
     pub caption: String,
     /// The axes: right, up.
     pub axes: [Axis; 2],
@@ -110,10 +110,10 @@ impl Scale {
     /// Ends on ticks; about `count` of them.
     fn new([low, high]: [f64; 2], [begin, end]: [f64; 2], count: f64) -> Scale {
         let step = tick_step((high - low) / count);
-        // A curve may touch the frame, but what is drawn thick should not lie on it.
+        // A curve may touch the frame, but its thick line should not lie on it.
         let room = 0.02 * (high - low);
         let (below, above) = (((low - room) / step).floor() * step, ((high + room) / step).ceil() * step);
-        // What is never negative stands on the axis.
+        // Values that are never negative start on the axis.
         let is_on_axis = low >= 0.0 && below < 0.0;
         Scale { low: if is_on_axis { 0.0 } else { below }, high: above, begin, end, step }
     }
@@ -135,7 +135,7 @@ impl Scale {
         (first..=last).map(move |k| k as f64 * step)
     }
 
-    /// Decimals that tell one tick from the next.
+    /// Decimals that distinguish one tick from the next.
     fn decimals(&self) -> usize {
         (-(self.step * 1.000_001).log10().floor()).max(0.0) as usize
     }
@@ -237,7 +237,7 @@ fn class_name(style: Style) -> &'static str {
     }
 }
 
-/// Leaves out points that nobody would miss: those less than a twentieth of a pixel off the line through others
+/// Removes points that make no visible difference: those less than a twentieth of a pixel off the line through others
 /// (the method of Ramer, Douglas and Peucker).
 fn thinned(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
     let mut kept = vec![false; points.len()];
@@ -306,7 +306,7 @@ mod tests {
         move |place| value_0 + (place - place_0) * (value_1 - value_0) / (place_1 - place_0)
     }
 
-    /// Reads the curve back from the drawing, with the ticks only, as a person with a ruler does.
+    /// Reads the curve back from the drawing, using only the ticks, as a person with a ruler does.
     fn read_back(svg: &str) -> Curve {
         let document = Document::parse(svg).unwrap();
         let (right, up) = (reader(ticks(&document, "x", "x")), reader(ticks(&document, "y", "y")));
@@ -315,14 +315,14 @@ mod tests {
         let points = path.split(['M', 'L']).skip(1);
         let point = |point: &str| {
             let (x, y) = point.split_once(' ').unwrap();
-            // The number stands a little below its line.
+            // The number is a little below its line.
             [right(x.parse().unwrap()), up(y.parse::<f64>().unwrap() + 4.0)]
         };
         points.map(point).collect()
     }
 
     #[test]
-    fn drawing_says_what_the_data_say() {
+    fn drawing_reproduces_the_data() {
         let points: Curve = (-50..=50).map(|k| [f64::from(k) * 1e-4, (f64::from(k) / 20.0).tanh() * 2e-3]).collect();
         let drawn = read_back(&svg(&figure(points)));
         assert!(drawn.len() > 10);
@@ -344,7 +344,7 @@ mod tests {
         for [velocity, force] in drawn {
             let mut law = BrownMcPhee { velocity: velocity * 1e-3, ..Default::default() };
             law.output();
-            // A fifth of a pixel, and what the slope makes of as much to the side.
+            // A fifth of a pixel upwards, and the effect of the slope for as much sideways.
             assert!((force - law.friction_force).abs() < 0.01, "{velocity} mm/s: {force} N, {}", law.friction_force);
         }
     }

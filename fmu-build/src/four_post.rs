@@ -19,7 +19,7 @@ const MAIN: &str = "SystemStructure";
 
 const CORNERS: [&str; 4] = ["fl", "fr", "rl", "rr"];
 
-/// The rear springs of the car, N/m: those that the rest position of `FourPostCar` belongs to.
+/// Stiffness of the car's rear springs, N/m, to which the rest position of `FourPostCar` belongs.
 const REAR_SPRING: f64 = 35_000.0;
 
 /// Adds the descriptions of all variants, and their parameter sets, to a package. Returns the models it needs.
@@ -136,7 +136,7 @@ mod tests {
     }
 
     #[test]
-    fn rear_struts_have_softer_springs_and_each_variant_its_damper() {
+    fn rear_struts_have_softer_springs_and_each_variant_has_its_damper() {
         let files = files();
         let model = shock_absorber().unwrap();
         let set = |name: &str| {
@@ -149,11 +149,11 @@ mod tests {
             assert_eq!(set(&format!("{damper}_rear")).name(), damper);
         }
         let top = |name: &str| set(name).get("damper.tab_f[11]").unwrap();
-        assert!((top("soft_front") / top("firm_front") - 0.6).abs() < 0.01, "the soft damper has six tenths");
+        assert!((top("soft_front") / top("firm_front") - 0.6).abs() < 0.01, "the soft damper: six tenths");
     }
 
     #[test]
-    fn connections_that_cannot_be_are_refused() {
+    fn impossible_connections_are_rejected() {
         let refusal = |change: &dyn Fn(&mut System)| {
             let mut system = system(&dampers(root()).unwrap()[0]).unwrap();
             change(&mut system);
@@ -163,11 +163,11 @@ mod tests {
             move |system: &mut System| system.connections[at][end].variable = variable.into()
         };
         assert_eq!(refusal(&rename(0, 0, "fl.height")), "Posts has no variable fl.height");
-        assert_eq!(refusal(&rename(0, 0, "fl.travel")), "posts: fl.travel is no output");
-        assert_eq!(refusal(&rename(0, 1, "fl.length")), "car: fl.length is no input");
+        assert_eq!(refusal(&rename(0, 0, "fl.travel")), "posts: fl.travel is not an output");
+        assert_eq!(refusal(&rename(0, 1, "fl.length")), "car: fl.length is not an input");
         assert_eq!(
             refusal(&rename(0, 0, "fl.post_velocity")),
-            "fl.post_velocity and fl.post_height are no physical quantities of the same unit"
+            "fl.post_velocity and fl.post_height are not physical quantities of the same unit"
         );
         assert_eq!(
             refusal(&|system| system.connections[5] = system.connections[0].clone()),

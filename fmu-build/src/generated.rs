@@ -1,4 +1,4 @@
-//! The committed files that derive from the tables: written on purpose, reviewed, and compared on every check.
+//! The committed files that are generated from the tables: written on request, reviewed, and compared on every check.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -11,7 +11,7 @@ use crate::{defaults, header, project, readme, xml};
 
 const DESCRIPTIONS: &str = "modelDescription";
 
-/// A file as it should be.
+/// A file with its expected contents.
 pub struct File {
     /// Path, relative to the root.
     pub path: PathBuf,
@@ -28,7 +28,7 @@ impl File {
         fs::read_to_string(root.join(&self.path)).ok() != self.text
     }
 
-    /// Makes the file what it should be.
+    /// Brings the file up to date.
     pub fn write(&self, root: &Path) -> Result<()> {
         let file = root.join(&self.path);
         let Some(text) = &self.text else {
@@ -41,15 +41,15 @@ impl File {
     }
 }
 
-/// What the tables give.
+/// Everything generated from the tables.
 pub struct Generated {
-    /// The files that differ from it.
+    /// The files that are out of date.
     pub stale: Vec<File>,
     /// The interface.
     pub interface: Interface,
 }
 
-/// Generates everything, and compares.
+/// Generates everything and compares it with the files.
 pub fn of(root: &Path) -> Result<Generated> {
     let mut descriptions = Vec::new();
     for model in catalogue::models() {
@@ -76,7 +76,7 @@ fn description(model: &str) -> PathBuf {
     Path::new(DESCRIPTIONS).join(format!("{model}.xml"))
 }
 
-/// Descriptions of models that are no more.
+/// Descriptions of models that no longer exist.
 fn left_over(root: &Path) -> Result<Vec<File>> {
     let folder = root.join(DESCRIPTIONS);
     if !folder.exists() {
@@ -110,7 +110,7 @@ mod tests {
     }
 
     #[test]
-    fn description_of_a_removed_model_is_left_over() {
+    fn description_of_a_removed_model_is_stale() {
         let root = tempfile::tempdir().unwrap();
         for name in ["LuGre", "Removed"] {
             File::new(description(name), String::new()).write(root.path()).unwrap();

@@ -1,4 +1,4 @@
-//! include/stribeck.h: the C functions and types as cbindgen finds them in the sources, and the tables of the models.
+//! include/stribeck.h: the C functions and types that cbindgen finds in the sources, and the tables of the models.
 
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -46,8 +46,8 @@ pub fn text(root: &Path) -> Result<String> {
     Ok(header)
 }
 
-/// The files that declare something for C. The others hold nothing for it, and those that only list modules would make
-/// cbindgen read these twice; one that declares something itself brings its modules along.
+/// The files that declare something for C. The others contain nothing for it, and those that only list modules would
+/// make cbindgen read these files twice; a file that itself declares something includes its modules.
 fn sources(root: &Path) -> Result<Vec<PathBuf>> {
     let mut sources = Vec::new();
     for folder in ["src/c_api", "src/fmi2"] {
@@ -69,8 +69,8 @@ fn version() -> String {
     format!("\n/** Version of the library that this header belongs to. */\n#define STRIBECK_VERSION \"{VERSION}\"")
 }
 
-/// The header as a C programmer reads it: without the marks of rustdoc and of unused arguments, with short comments in
-/// one line. What every function demands under the heading "Safety" the prologue says once.
+/// The header as a C programmer reads it: without the marks of rustdoc and of unused arguments, with short comments on
+/// one line. The prologue states once what every function demands under the heading "Safety".
 fn plain(header: &str) -> String {
     let mut text = String::new();
     let mut in_safety = false;
@@ -84,7 +84,7 @@ fn plain(header: &str) -> String {
         text.push_str(&if is_code { line.replace(" _", " ").replace("*_", "*") } else { line });
         text.push('\n');
     }
-    // The heading leaves its empty line behind.
+    // The heading leaves an empty line.
     let mut text = text.replace(" *\n */", " */");
     while text.contains("\n\n\n") {
         text = text.replace("\n\n\n", "\n\n");
@@ -92,7 +92,7 @@ fn plain(header: &str) -> String {
     with_short_comments(&text)
 }
 
-/// Comments of one sentence in one line, if it is not too long.
+/// Puts a comment of one sentence on one line, if it is not too long.
 fn with_short_comments(header: &str) -> String {
     let lines: Vec<&str> = header.lines().collect();
     let mut text = String::new();
@@ -160,7 +160,7 @@ fn write_model(text: &mut String, model: &ModelType, name: &str) -> Result<()> {
     Ok(())
 }
 
-/// Role, unit or type, help text, bound and start value; in two lines if one is too short.
+/// Role, unit or type, help text, bound and start value; on two lines if one is too short.
 fn comment(variable: &Variable) -> String {
     let role = match variable.role {
         Role::Input => "in",
@@ -203,7 +203,7 @@ fn snake(name: &str) -> String {
     snake
 }
 
-/// Items of the header that no comment explains, in words.
+/// Complaints about items of the header without a comment.
 pub fn without_comment(header: &str) -> Vec<String> {
     let mut bare = Vec::new();
     let (mut is_explained, mut in_comment, mut in_arguments) = (false, false, false);
@@ -224,7 +224,7 @@ pub fn without_comment(header: &str) -> Vec<String> {
     bare
 }
 
-/// Does the line begin an item? Everything does but what frames items: guards, includes, ends of lists.
+/// Whether the line begins an item. All lines do except those that frame items: guards, includes, ends of lists.
 fn is_item(line: &str) -> bool {
     let frames = ["#if", "#endif", "#include", "extern \"C\"", "}"];
     let is_frame = frames.iter().any(|frame| line.starts_with(frame));
@@ -237,7 +237,7 @@ mod tests {
     use stribeck::model::{Path as Name, integer, real};
 
     #[test]
-    fn comments_tell_role_unit_meaning_bound_and_default() {
+    fn comments_give_role_unit_meaning_bound_and_default() {
         let stiffness = real("N/m", 1e5).positive().named(Name::root("sigma_0"), Role::Tunable, "Stiffness.");
         assert_eq!(comment(&stiffness), "  /** tunable [N/m]: Stiffness. (> 0, default 100000) */");
         let count = integer(3).named(Name::root("count"), Role::State, "Count.");
@@ -260,7 +260,7 @@ mod tests {
     }
 
     #[test]
-    fn what_a_function_demands_in_rust_is_not_repeated() {
+    fn safety_conditions_of_rust_are_not_repeated() {
         let header =
             "/**\n * Frees. See [`f`].\n *\n * # Safety\n * As the module says.\n */\nvoid free(void *_a, int _b);\n";
         assert_eq!(plain(header), "/** Frees. See `f`. */\nvoid free(void *a, int b);\n");

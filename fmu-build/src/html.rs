@@ -1,7 +1,7 @@
 //! documentation/index.html of an FMU: the model's own page, its diagrams, and tables of its variables, presets and
 //! capabilities.
 //!
-//! The page stands alone: no script, no network, colours that follow the reader's choice of light or dark.
+//! The page is self-contained: no script, no network, and colours that follow the reader's choice of light or dark.
 
 use std::fmt::Write;
 
@@ -40,7 +40,7 @@ pub fn page(entry: &Entry) -> Result<String> {
     document(model, documentation, &Pictures { model: diagrams::html(model, family)?, presets })
 }
 
-/// Does a preset only repeat the start values?
+/// Whether a preset only repeats the start values.
 fn holds_start_values(model: &ModelType, preset: &Preset) -> bool {
     let is_start = |(name, value): &(&str, f64)| model.find(name).is_some_and(|at| model.table[at].start == *value);
     preset.values.iter().all(is_start)
@@ -118,12 +118,12 @@ fn choices(page: &mut String, model: &ModelType) {
     }
 }
 
-/// One table per preset, with the diagrams that its values give.
+/// One table per preset, with the diagrams for its values.
 fn presets(page: &mut String, model: &ModelType, pictures: &[String]) {
     if model.presets.is_empty() {
         return;
     }
-    push(page, format_args!("<h2>Presets</h2>\n<p>Sets of values; what they do not name keeps its start value.</p>\n"));
+    push(page, format_args!("<h2>Presets</h2>\n<p>Sets of values; other variables keep their start values.</p>\n"));
     for (at, preset) in model.presets.iter().enumerate() {
         push(page, format_args!("<h3><code>{}</code></h3>\n<p>{}</p>\n", preset.name, escape(preset.source)));
         let row = |(name, value): &(&str, f64)| {
@@ -140,15 +140,15 @@ fn presets(page: &mut String, model: &ModelType, pictures: &[String]) {
     }
 }
 
-/// What the capability flags of FMI 2.0 mean to a user.
+/// Meaning of the capability flags of FMI 2.0 for a user.
 fn meaning(capability: &str) -> &'static str {
     match capability {
-        "needsExecutionTool" => "The FMU is complete; it needs no other program.",
-        "canHandleVariableCommunicationStepSize" => "Each communication step may have another length.",
+        "needsExecutionTool" => "The FMU is self-contained; it needs no other program.",
+        "canHandleVariableCommunicationStepSize" => "Communication steps may differ in length.",
         "canInterpolateInputs" => "Inputs may move linearly within a step: fmi2SetRealInputDerivatives, order 1.",
         "maxOutputDerivativeOrder" => "fmi2GetRealOutputDerivatives gives exact first derivatives.",
         "canRunAsynchronuously" => "fmi2DoStep returns when the step is done.",
-        "canBeInstantiatedOnlyOncePerProcess" => "A process may hold any number of instances.",
+        "canBeInstantiatedOnlyOncePerProcess" => "A process may have any number of instances.",
         "canNotUseMemoryManagementFunctions" => "The memory callbacks of the importer are not used.",
         "canGetAndSetFMUstate" => "The state may be saved and restored between steps.",
         "canSerializeFMUstate" => "A saved state may be written to a file and read by another process.",
@@ -157,10 +157,10 @@ fn meaning(capability: &str) -> &'static str {
     }
 }
 
-/// What an importer that integrates finds.
+/// Capabilities in Model Exchange.
 fn exchange(model: &ModelType) -> String {
     if !model.model_exchange {
-        return "Not for Model Exchange: its memory is not a set of continuous states.".to_owned();
+        return "Co-simulation only: its memory cannot be expressed as continuous states.".to_owned();
     }
     let states = match model.continuous_states().count() {
         1 => "1 continuous state".to_owned(),
@@ -168,11 +168,11 @@ fn exchange(model: &ModelType) -> String {
     };
     let events = match model.event_indicators {
         0 => "no event indicators",
-        1 => "1 event indicator, where it jumps or bends",
-        count => &format!("{count} event indicators, where it jumps or bends"),
+        1 => "1 event indicator at its jumps and kinks",
+        count => &format!("{count} event indicators at its jumps and kinks"),
     };
     let mass = if model.find("mass").is_some() {
-        " <code>mass</code> must be 0 in Model Exchange, where no force is held over a step."
+        " <code>mass</code> must be 0 in Model Exchange, because no force is held over a step."
     } else {
         ""
     };
@@ -209,7 +209,7 @@ mod tests {
     use crate::specimen::{SPECIMEN, Specimen};
     use stribeck::model::Described;
 
-    /// Every page, and that of a model that has what no shipped model has.
+    /// Every page, and that of a model with features that no shipped model has.
     fn pages() -> impl Iterator<Item = (&'static ModelType, String)> {
         let specimen = document(&SPECIMEN, <Specimen as Described>::DOCUMENTATION, &Pictures::default()).unwrap();
         let of_entry = |entry: Entry| (entry.model, page(&entry).unwrap());
@@ -243,7 +243,7 @@ mod tests {
         }
     }
 
-    /// A line that begins with a sign would be taken for an item of a list, and its code for text.
+    /// A line that begins with a sign would be read as a list item, and its code as text.
     #[test]
     fn sentences_are_whole() {
         for (model, page) in pages() {
@@ -256,7 +256,7 @@ mod tests {
         }
     }
 
-    /// A reader without a network sees the same page: nothing is loaded but the icon, and nothing runs.
+    /// A reader without a network sees the same page: nothing but the icon is loaded, and nothing runs.
     #[test]
     fn pages_need_no_network() {
         for (model, page) in pages() {
@@ -277,7 +277,7 @@ mod tests {
 
     /// Every line of every block of equations is on the page as MathML, and as text beside it.
     #[test]
-    fn every_block_of_equations_is_set() {
+    fn every_block_of_equations_is_typeset() {
         for entry in entries() {
             let page = page(&entry).unwrap();
             let kept = entry.documentation.split(" # Example").next().unwrap();

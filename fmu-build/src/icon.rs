@@ -61,11 +61,11 @@ impl Scale {
     fn of(curve: &Curve, axis: usize) -> Result<Scale> {
         let values = || curve.iter().map(|point| point[axis]);
         let (min, max) = (values().fold(f64::INFINITY, f64::min), values().fold(f64::NEG_INFINITY, f64::max));
-        ensure!(max > min, "the curve does not move from {min}");
+        ensure!(max > min, "the curve is constant at {min}");
         Ok(Scale { middle: 0.5 * (min + max), half_range: 0.5 * (max - min) })
     }
 
-    /// Values far outside the curve, such as an origin that it never comes near, land on the edge.
+    /// Values far outside the curve, such as an origin that it never approaches, are placed on the edge.
     fn pixel(&self, value: f64) -> f32 {
         let share = ((value - self.middle) / self.half_range).clamp(-1.5, 1.5) as f32;
         0.5 * SIZE + share * (0.5 * SIZE - MARGIN)
@@ -110,7 +110,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn every_model_has_an_icon_and_twice_the_same() {
+    fn every_model_has_an_icon_that_can_be_reproduced() {
         for family in [Family::Friction, Family::ShockAbsorber, Family::Host] {
             for (model, _) in catalogue::documented(family) {
                 let icon = png(model, family).unwrap();

@@ -1,5 +1,5 @@
-//! The interface that hosts and programs rely on, as one list: the variables of every model as its description has
-//! them, and what the header declares. The committed list shows every change of it in review.
+//! The interface that hosts and programs rely on, as one list: the variables of every model as in its description, and
+//! the declarations of the header. The committed list makes every change visible in review.
 
 use anyhow::{Context, Result};
 use roxmltree::{Document, Node};
@@ -12,21 +12,21 @@ use crate::project::VERSION;
 /// The committed list.
 pub const FILE: &str = "interface.csv";
 
-/// The owner of what the header declares.
+/// The owner of the header's declarations.
 pub const HEADER: &str = "stribeck.h";
 
 /// Attributes of a description's root that hosts rely on. Those of `<ModelExchange>` and `<CoSimulation>` all count.
 const ROOT_ATTRIBUTES: [&str; 3] = ["fmiVersion", "modelName", "variableNamingConvention"];
 
-/// One line of the list. What an item does not have is empty.
+/// One line of the list. Properties that an item does not have are empty.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Row {
     /// A model or the header.
     pub owner: String,
-    /// What the line is about: `variable`, `choice`, `preset`, `log category`, `attribute`, `function`, `type` or
+    /// Kind of item: `variable`, `choice`, `preset`, `log category`, `attribute`, `function`, `type` or
     /// `constant`.
     pub item: String,
-    /// Name of the item; with the type before it, if it is a choice.
+    /// Name of the item; for a choice, preceded by its type.
     pub name: String,
     /// Value reference of a variable, number of a choice, value of an attribute or a constant, text of a declaration.
     pub value: String,
@@ -57,8 +57,8 @@ impl Row {
         Row { owner: owner.into(), item: item.into(), name: name.into(), value: value.into(), ..Row::default() }
     }
 
-    /// Is it a variable that stands behind the columns of a model: time, or the derivative of a state? Its reference
-    /// grows with the number of columns, and importers take it from the description.
+    /// Whether it is a variable after the columns of a model: time, or the derivative of a state. Its reference grows
+    /// with the number of columns, and importers read it from the description.
     pub fn follows_the_columns(&self) -> bool {
         self.causality == "independent" || self.name.starts_with("der(")
     }
@@ -134,7 +134,7 @@ fn attribute<'a>(node: Node<'a, '_>, name: &str) -> &'a str {
     node.attribute(name).unwrap_or_default()
 }
 
-/// Guids and the version are there to change.
+/// Guids and the version are meant to change.
 fn of_declaration(declaration: &Declaration) -> Row {
     let Declaration { kind, name, text } = declaration;
     let is_there_to_change = name.ends_with("_GUID") || name == "STRIBECK_VERSION";

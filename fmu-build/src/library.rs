@@ -19,24 +19,24 @@ pub struct Library {
     pub platform: Platform,
     /// The file.
     pub bytes: Vec<u8>,
-    /// The glibc that it needs at least, if it needs one.
+    /// The oldest glibc that it runs with, if it needs glibc.
     pub glibc: Option<String>,
 }
 
-/// Builds the library in release mode, and refuses it if it exports anything else than these functions or needs what a
-/// machine may lack. Its bytes depend on the sources and the tools only, not on where they lie.
+/// Builds the library in release mode, and rejects it if it exports anything other than these functions or needs
+/// something that a machine may lack. Its bytes depend only on the sources and the tools, not on their location.
 pub fn build(root: &Path, platform: Platform, exports: &[String]) -> Result<Library> {
     let targets = platform.targets.iter().copied().map(Some);
     let targets = if platform.is_host() { vec![None] } else { targets.collect() };
     let parts = targets.into_iter().map(|target| compile(root, platform, target));
     let mut files = parts.collect::<Result<Vec<_>>>()?;
     let bytes = if files.len() == 1 { files.remove(0) } else { universal::join(&files)? };
-    let glibc = check(root, platform, &bytes, exports).context("the library that was built is wrong")?;
+    let glibc = check(root, platform, &bytes, exports).context("the library that was built is not usable")?;
     Ok(Library { platform, bytes, glibc })
 }
 
-/// Refuses a library that exports anything else than these functions, needs what a machine may lack, or holds a path of
-/// this machine. Returns the glibc that it needs.
+/// Rejects a library that exports anything other than these functions, needs something that a machine may lack, or
+/// contains a path of this machine. Returns the glibc that it needs.
 pub fn check(root: &Path, platform: Platform, bytes: &[u8], exports: &[String]) -> Result<Option<String>> {
     let mut glibc = None;
     let parts = universal::parts(bytes)?.into_iter().map(binary::read).collect::<Result<Vec<_>>>()?;
@@ -47,12 +47,12 @@ pub fn check(root: &Path, platform: Platform, bytes: &[u8], exports: &[String]) 
     }
     let folders = remapped_paths(root)?.into_iter().map(|(folder, _)| folder);
     for path in folders.chain([target_folder(root), toolchain::sysroot()?]) {
-        ensure!(!contains(bytes, &path), "{}: holds the path {}", platform.name(), path.display());
+        ensure!(!contains(bytes, &path), "{}: contains the path {}", platform.name(), path.display());
     }
     Ok(glibc)
 }
 
-/// Folders of this machine that source paths in the library begin with, and what to write instead.
+/// Folders of this machine with which source paths in the library begin, and their replacements.
 fn remapped_paths(root: &Path) -> Result<Vec<(PathBuf, &'static str)>> {
     let mut paths = vec![
         (root.join("src"), "/stribeck/src"),
@@ -66,8 +66,8 @@ fn cargo_home() -> Option<PathBuf> {
     env::var_os("CARGO_HOME").map(PathBuf::from).or_else(|| Some(env::home_dir()?.join(".cargo")))
 }
 
-/// Other flags than those of `cargo build` would rebuild everything each time, so these builds have a folder of their
-/// own.
+/// Flags that differ from those of `cargo build` would rebuild everything each time, so these builds have their own
+/// folder.
 fn target_folder(root: &Path) -> PathBuf {
     env::var_os("CARGO_TARGET_DIR").map_or(root.join("target"), PathBuf::from).join("fmu")
 }
@@ -83,7 +83,7 @@ fn compile(root: &Path, platform: Platform, target: Option<Target>) -> Result<Ve
     let own = target.map_or(&[][..], Target::flags);
     cargo
         .args(["--release", "--lib", "--package", "stribeck"])
-        // Cargo does not optimise across crates as long as one of the kinds to build is a Rust library.
+        // Cargo does not optimise across crates if one of the crate types to build is a Rust library.
         .args(["--crate-type", "cdylib"])
         .arg("--message-format=json-render-diagnostics")
         .arg("--target-dir")
@@ -95,11 +95,11 @@ fn compile(root: &Path, platform: Platform, target: Option<Target>) -> Result<Ve
     let messages = stdout(&mut cargo)?;
     let mut messages = messages.lines().filter_map(|line| serde_json::from_str(line).ok());
     let file = messages.find_map(|message| artifact(&message, platform.suffix));
-    let file = file.with_context(|| format!("cargo named no *{} of the package stribeck", platform.suffix))?;
+    let file = file.with_context(|| format!("cargo did not report a *{} of the package stribeck", platform.suffix))?;
     fs::read(&file).with_context(|| format!("cannot read {}", file.display()))
 }
 
-/// What separates flags in cargo's encoding of a list of them.
+/// Separator of flags in cargo's encoding of a list.
 const SEPARATOR: &str = "\u{1f}";
 
 /// The flags that the user has set for rustc, in cargo's encoding.
@@ -144,7 +144,7 @@ fn artifact(message: &Value, suffix: &str) -> Option<PathBuf> {
     names.find(|name| name.ends_with(suffix)).map(PathBuf::from)
 }
 
-/// Runs a command, whose complaints go to the terminal, and returns what it prints.
+/// Runs a command, whose error output goes to the terminal, and returns its standard output.
 pub fn stdout(command: &mut Command) -> Result<String> {
     let name = command.get_program().to_string_lossy().into_owned();
     let output = command.stderr(Stdio::inherit()).output().with_context(|| format!("cannot run {name}"))?;

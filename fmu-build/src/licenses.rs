@@ -1,5 +1,5 @@
-//! The licences of everything that the library in an FMU is made of, as files in the FMU. Every text is a file of its
-//! owner: of this project, of a crate, or of the Rust toolchain.
+//! The licences of all parts of the library in an FMU, as files in the FMU. Every text is a file of its owner: this
+//! project, a crate, or the Rust toolchain.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -13,11 +13,11 @@ use crate::toolchain::{self, Addition};
 
 const FOLDER: &str = "documentation/licenses";
 
-/// How names of files begin that hold a licence, or what a licence wants handed on.
+/// Beginnings of the names of files that hold a licence, or notices that a licence requires to be passed on.
 const BEGINNINGS: [&str; 6] = ["LICENSE", "LICENCE", "COPYING", "COPYRIGHT", "NOTICE", "UNLICENSE"];
 
-/// Crates that are parts of the standard library of Rust 1.95, but not of its notices. Their licences are those that
-/// their manifests at crates.io name.
+/// Crates that are part of the standard library of Rust 1.95 but not of its notices. Their licences are those in their
+/// manifests at crates.io.
 const UNNAMED_BY_RUST: &str = "\
 rust.html may leave out these crates of the standard library: addr2line, adler2, miniz_oxide and object, which are
 used under the Apache License below, and memchr, which is in the public domain (Unlicense).";
@@ -36,17 +36,17 @@ pub fn files(root: &Path, parts: &Parts) -> Result<Files> {
     Ok(files)
 }
 
-/// What the other files are, and both licences of this project.
+/// Explanation of the other files, and both licences of this project.
 fn entry(root: &Path, additions: &[Addition]) -> Result<String> {
     let rule = "-".repeat(80);
     let line =
         |addition: &Addition| format!("{0}.txt: {0}, which the linker adds, {1}\n", addition.name, addition.license);
     let additions: String = additions.iter().map(line).collect();
     Ok(format!(
-        "Stribeck is licensed under the MIT licence or the Apache License 2.0, at your choice.\n\n\
-         The library in this FMU has other people's code in it: the crates in crates.txt, each with its licence, and\n\
+        "Stribeck is licensed under the MIT licence or the Apache License 2.0, at your option.\n\n\
+         The library in this FMU contains third-party code: the crates in crates.txt, each with its licence, and\n\
          parts of Rust's standard library, with the notices in rust.html and, for its tables of characters, the licence\n\
-         of Unicode in unicode.txt. ../sbom.cdx.json lists them for programs.\n\n\
+         of Unicode in unicode.txt. ../sbom.cdx.json lists them in machine-readable form.\n\n\
          {UNNAMED_BY_RUST}\n{additions}\n\
          {rule}\n\n{}\n{rule}\n\n{}",
         read(&root.join("LICENSE-MIT"))?,
@@ -54,7 +54,7 @@ fn entry(root: &Path, additions: &[Addition]) -> Result<String> {
     ))
 }
 
-/// A list of the crates, then each text once, with the crates that it comes from.
+/// A list of the crates, then each text once, with the crates from which it comes.
 fn of_crates(crates: &[Crate]) -> Result<String> {
     let mut list = String::from("Crates in the library, with the licences that their authors offer:\n\n");
     let mut texts: BTreeMap<String, Vec<String>> = BTreeMap::new();
@@ -88,7 +88,7 @@ fn texts_of(one: &Crate) -> Result<Vec<PathBuf>> {
 fn of_standard_library(name: &str) -> Result<Vec<u8>> {
     let file = toolchain::sysroot()?.join("share/doc/rust").join(name);
     fs::read(&file).with_context(|| {
-        let cure = "the Rust of https://rustup.rs has it, some others leave it out";
+        let cure = "the Rust of https://rustup.rs has it, some others do not";
         format!("cannot read {}, a licence of Rust's standard library: {cure}", file.display())
     })
 }
@@ -121,7 +121,7 @@ mod tests {
     }
 
     #[test]
-    fn equal_texts_stand_once_with_all_their_owners() {
+    fn equal_texts_appear_once_with_all_their_owners() {
         let files = [("LICENSE-MIT", "Permission."), ("notice.txt", "Thanks."), ("lib.rs", "code")];
         let (_a, a) = specimen("a", &files);
         let (_b, b) = specimen("b", &files[..1]);

@@ -1,4 +1,4 @@
-//! Writes the files that derive from the tables of the models, checks them, and packs FMUs.
+//! Writes the files that are generated from the tables of the models, checks them, and packs FMUs.
 
 mod archive;
 mod binary;
@@ -49,11 +49,11 @@ use crate::library::Library;
 use crate::package::{Entry, Packing};
 use crate::platform::{Choice, Platform};
 
-/// Writes what derives from the tables of Stribeck's models, and packs its FMUs.
+/// Generates files from the tables of Stribeck's models, and packs the FMUs.
 #[derive(Parser)]
 #[command(version)]
 struct Arguments {
-    /// Folder of the project, if it is another one than that of this program, such as a copy of it.
+    /// Project folder (default: the one this program was built from).
     #[arg(long, value_name = "FOLDER")]
     project: Option<PathBuf>,
     #[command(subcommand)]
@@ -62,44 +62,46 @@ struct Arguments {
 
 #[derive(Subcommand)]
 enum Command {
-    /// Write modelDescription/*.xml, include/stribeck.h, interface.csv and the tables in README.md and docs. Refuses
-    /// changes of the interface that break hosts, unless the version begins a new series.
+    /// Write modelDescription/*.xml, include/stribeck.h, interface.csv and the tables in README.md and docs. Reject
+    /// changes to the interface that break hosts, unless the version starts a new series.
     Generate,
     /// Write nothing; fail if one of these files is stale, a table breaks a rule, or a change breaks hosts.
     Check,
-    /// Write the documentation pages of the FMUs alone, to look at them.
+    /// Write only the documentation pages of the FMUs, for viewing.
     Pages {
-        /// Models whose page is wanted; all if none is named.
+        /// Models whose pages to write (default: all).
         models: Vec<String>,
         /// Folder for the pages.
         #[arg(long, default_value = "out/pages")]
         out: PathBuf,
     },
-    /// Build the library for this machine and write the four-post rig as SSP package, with its FMUs and parameter sets.
+    /// Build the library for this machine and write the four-post rig as an SSP package, with its FMUs and parameter
+    /// sets.
     Ssp {
         /// Folder for the package.
         #[arg(long, default_value = "dist")]
         out: PathBuf,
     },
-    /// Check a library that was built, as `pack` does: exports, needs, paths of this machine.
+    /// Check a built library as `pack` does: exports, imports, paths of this machine.
     Inspect {
-        /// The file.
+        /// The library file.
         library: PathBuf,
-        /// Platform that it is for.
+        /// Platform of the library.
         #[arg(long, value_name = "PLATFORM")]
         platform: Choice,
     },
     /// Build the library and pack one FMU per model.
     Pack {
-        /// Models to pack; all if none is named.
+        /// Models to pack (default: all).
         models: Vec<String>,
         /// Folder for the FMUs.
         #[arg(long, default_value = "dist")]
         out: PathBuf,
-        /// Platforms to build for; may be repeated. Those whose tools are missing are left out, with the cure.
+        /// Platforms to build for; repeatable. Those whose tools are missing are skipped, with the command that
+        /// installs them.
         #[arg(long, value_name = "PLATFORM", default_value = "host")]
         platform: Vec<Choice>,
-        /// Fail if a platform must be left out.
+        /// Fail if a platform must be skipped.
         #[arg(long)]
         strict: bool,
     },
@@ -119,9 +121,9 @@ fn main() -> ExitCode {
 
 /// Folder of the project: the given one, or that of this program.
 fn root_of(given: Option<PathBuf>) -> Result<PathBuf> {
-    let root = path::absolute(given.unwrap_or(project::root().into())).context("no folder of a project")?;
+    let root = path::absolute(given.unwrap_or(project::root().into())).context("cannot find the project folder")?;
     let has_manifest = root.join("Cargo.toml").is_file();
-    ensure!(has_manifest, "{} has no Cargo.toml: --project must name the folder of the project", root.display());
+    ensure!(has_manifest, "{} has no Cargo.toml: --project must name the project folder", root.display());
     Ok(root)
 }
 
@@ -140,7 +142,7 @@ fn generate(root: &Path) -> Result<()> {
     let Generated { stale, interface } = generated::of(root)?;
     match root.join(interface::FILE).exists() {
         true => compatibility::review(root, &interface)?,
-        false => println!("{} was missing, so the interface was compared with nothing", interface::FILE),
+        false => println!("{} was missing, so the interface was not compared", interface::FILE),
     }
     for file in &stale {
         file.write(root)?;
@@ -168,9 +170,9 @@ fn check(root: &Path) -> Result<()> {
     if !breaches.is_empty() {
         bail!("broken rules: {}", breaches.len());
     }
-    println!("figure: {} items of the interface are those of {}", interface.rows.len(), interface::FILE);
+    println!("figure: {} items of the interface agree with {}", interface.rows.len(), interface::FILE);
     println!(
-        "generated files are up to date, the tables keep the rules, and the interface is that of {}",
+        "generated files are up to date, the tables follow the rules, and the interface agrees with {}",
         interface::FILE
     );
     Ok(())
@@ -202,13 +204,13 @@ fn pack(root: &Path, models: &[String], out: &Path, choices: &[Choice], strict: 
         write(&entries, &Packing::new(root, libraries, date)?, &out)?;
     }
     for line in &left_out {
-        println!("left out: {line}");
+        println!("skipped: {line}");
     }
-    ensure!(!is_empty, "nothing to pack: every platform was left out");
+    ensure!(!is_empty, "nothing to pack: every platform was skipped");
     Ok(())
 }
 
-/// The platforms that this machine has the tools for, and what is missing for the others.
+/// The platforms for which this machine has the tools, and the missing tools of the others.
 fn buildable(root: &Path, platforms: &[Platform]) -> Result<(Vec<Platform>, Vec<String>)> {
     let (mut buildable, mut left_out) = (Vec::new(), Vec::new());
     for platform in platforms {
@@ -224,12 +226,12 @@ fn buildable(root: &Path, platforms: &[Platform]) -> Result<(Vec<Platform>, Vec<
 fn inspect(root: &Path, library: &Path, choice: Choice) -> Result<()> {
     let bytes = fs::read(library).with_context(|| format!("cannot read {}", library.display()))?;
     let exports = exports(root)?;
-    ensure!(choice != Choice::All, "--platform all: a library is for one platform, name that one");
+    ensure!(choice != Choice::All, "--platform all: a library is for one platform; name it");
     for platform in platform::platforms(&[choice])? {
         let checked = library::check(root, platform, &bytes, &exports);
-        checked.with_context(|| format!("{} is not as it should be", library.display()))?;
+        checked.with_context(|| format!("{} is not usable", library.display()))?;
     }
-    println!("{} is as it should be: {} functions", library.display(), exports.len());
+    println!("{} passes all checks: {} functions", library.display(), exports.len());
     Ok(())
 }
 
@@ -262,7 +264,7 @@ fn write(entries: &[Entry], packing: &Packing, out: &Path) -> Result<()> {
     Ok(())
 }
 
-/// The library refuses an FMU whose XML was written from another table.
+/// Fails if a generated file is stale: the library rejects an FMU whose XML was written from another table.
 fn refuse_stale(root: &Path) -> Result<()> {
     if let Some(file) = generated::of(root)?.stale.first() {
         bail!("{} is stale: run `cargo run -p fmu-build -- generate` and review the change", file.path.display());
@@ -277,7 +279,7 @@ fn ssp(root: &Path, out: &Path) -> Result<()> {
     let mut files = archive::Files::new();
     let models: Vec<String> = four_post::add_to(&mut files, root)?.into_iter().map(str::to_owned).collect();
     for entry in package::select(&models)? {
-        // libcosim and Ecos know no enumerations.
+        // libcosim and Ecos do not support enumerations.
         let bytes = packing.fmu(&entry, xml::Choices::Numbered)?;
         files.insert(ssp::fmu(entry.model.name), bytes);
     }

@@ -14,7 +14,7 @@ use crate::library::Library;
 use crate::xml::Choices;
 use crate::{html, icon, licenses, sbom, xml};
 
-/// A model with what its FMU says about it.
+/// A model with the documentation in its FMU.
 pub struct Entry {
     /// The model.
     pub model: &'static ModelType,
@@ -45,7 +45,7 @@ pub fn entries() -> Vec<Entry> {
     of(Family::Friction).chain(of(Family::ShockAbsorber)).chain(of(Family::Host)).collect()
 }
 
-/// What the FMUs of one packing have in common.
+/// Contents that the FMUs of one packing share.
 pub struct Packing {
     libraries: Vec<Library>,
     parts: Parts,
@@ -54,7 +54,7 @@ pub struct Packing {
 }
 
 impl Packing {
-    /// FMUs with these libraries, which carry this date.
+    /// A packing with these libraries and this date.
     pub fn new(root: &Path, libraries: Vec<Library>, date: Timestamp) -> Result<Packing> {
         let platforms: Vec<_> = libraries.iter().map(|library| library.platform).collect();
         let parts = Parts::of(root, &platforms)?;
@@ -95,7 +95,7 @@ impl Packing {
     }
 }
 
-/// Writes a file into a folder, which is made if it is not there, and returns the size of the file.
+/// Writes a file to a folder, which is created if necessary, and returns the size of the file.
 pub fn save(folder: &Path, name: &str, bytes: &[u8]) -> Result<usize> {
     let file = folder.join(name);
     fs::create_dir_all(folder).with_context(|| format!("cannot create {}", folder.display()))?;
@@ -103,7 +103,7 @@ pub fn save(folder: &Path, name: &str, bytes: &[u8]) -> Result<usize> {
     Ok(bytes.len())
 }
 
-/// Writes the documentation of one FMU alone: its page and its icon, in the places they have in the FMU.
+/// Writes only the documentation of one FMU: its page and its icon, in the places they have in the FMU.
 pub fn write_page(entry: &Entry, folder: &Path) -> Result<()> {
     let folder = folder.join(entry.model.name);
     let pages = folder.join("documentation");
@@ -124,7 +124,7 @@ mod tests {
     use crate::project::{release_date, root};
     use jiff::SignedDuration;
 
-    /// FMUs with libraries of these platforms, which are only carried: their tools need not be here.
+    /// FMUs with libraries of these platforms, which are only copied: their tools are not needed.
     fn packing(choices: &[Choice], date: Timestamp) -> Packing {
         let bytes: Vec<_> = (0..100_000_u32).flat_map(|number| (number / 7).to_le_bytes()).collect();
         let library = |platform| Library { platform, bytes: bytes.clone(), glibc: None };
@@ -150,8 +150,8 @@ mod tests {
         u16_at(bytes, at) | u16_at(bytes, at + 2) << 16
     }
 
-    /// Reads an archive as the format's description says (PKWARE, APPNOTE 4.3), without the library that wrote it, and
-    /// asserts the rules of FMI 2.0.5 section 2.3. Returns the names.
+    /// Reads an archive according to the specification of the format (PKWARE, APPNOTE 4.3), without the library that
+    /// wrote it, and asserts the rules of FMI 2.0.5 section 2.3. Returns the names.
     fn names_by_the_rules(zip: &[u8]) -> Vec<String> {
         let end = zip.len() - 22;
         assert_eq!(&zip[end..end + 4], b"PK\x05\x06", "the archive ends with the end record, without a comment");
@@ -169,7 +169,7 @@ mod tests {
                 let extra = u16_at(zip, if header == at { at + 30 } else { local + 28 });
                 assert_eq!(extra, 0, "no extra fields");
             }
-            assert_eq!(u16_at(zip, at + 40) >> 12, 0o10, "a regular file, no symbolic link");
+            assert_eq!(u16_at(zip, at + 40) >> 12, 0o10, "a regular file, not a symbolic link");
             let name = std::str::from_utf8(&zip[at + 46..at + 46 + u16_at(zip, at + 28)]).unwrap();
             assert!(name.is_ascii() && !name.contains('\\') && !name.contains(".."), "{name}");
             assert!(!name.starts_with(['/', '.']) && !name.ends_with('/'), "{name}");
@@ -201,7 +201,7 @@ mod tests {
     }
 
     #[test]
-    fn every_platform_has_its_folder_and_arm_two_of_them() {
+    fn every_platform_has_its_folder_and_arm_has_two() {
         let binaries = |choices: &[Choice]| -> Vec<String> {
             let files = packing(choices, release_date()).contents(&entries()[0], Choices::Named).unwrap();
             files.into_keys().filter(|path| path.starts_with("binaries/")).collect()
@@ -224,7 +224,7 @@ mod tests {
     }
 
     #[test]
-    fn unknown_models_are_refused_with_the_known_names() {
+    fn unknown_models_are_rejected_with_the_known_names() {
         let error = select(&["LuGre".into(), "Lugre".into()]).err().unwrap().to_string();
         assert!(error.starts_with("there is no model Lugre; there are ") && error.contains("LuGre"), "{error}");
         assert_eq!(select(&["LuGre".into()]).unwrap().len(), 1);

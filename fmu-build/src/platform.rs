@@ -1,4 +1,4 @@
-//! The platforms that an FMU can have a library for: what builds it, where it lies in the FMU, and what it may need.
+//! The platforms for which an FMU can have a library: its build tools, its place in the FMU, and its permitted imports.
 
 use std::env;
 
@@ -12,7 +12,7 @@ use crate::toolchain::{
     WINDOWS_X86_64,
 };
 
-/// What can be asked for on the command line.
+/// Choices on the command line.
 #[derive(Clone, Copy, Debug, PartialEq, ValueEnum)]
 pub enum Choice {
     /// This machine, built with its own tools.
@@ -23,9 +23,9 @@ pub enum Choice {
     Win64,
     /// macOS 11 or newer, on Intel's and on Apple's processors.
     Darwin64,
-    /// Linux on ARM, with glibc 2.17 or newer; its FMUs go to a folder of their own.
+    /// Linux on ARM, with glibc 2.17 or newer; its FMUs go to a separate folder.
     Aarch64Linux,
-    /// All of them but host.
+    /// All of them except host.
     All,
 }
 
@@ -36,9 +36,9 @@ pub struct Platform {
     pub folders: &'static [&'static str],
     /// Ending of the library's name, with the dot.
     pub suffix: &'static str,
-    /// What the compiler builds it for; nothing if this machine builds it for itself.
+    /// Targets of the compiler; none if the library is built for this machine.
     pub targets: &'static [Target],
-    /// What the parts of its library are for; only macOS loads a file with several parts.
+    /// Formats and processors of the parts of its library; only macOS loads a file with several parts.
     machines: &'static [Machine],
     /// Libraries that it may need, in lower case: those that every such system has.
     libraries: &'static [&'static str],
@@ -52,8 +52,8 @@ const LINUX64: Platform = Platform {
     libraries: &["libc.so.6", "libm.so.6", "libdl.so.2", "libpthread.so.0", "librt.so.1", "ld-linux-x86-64.so.2"],
 };
 
-/// FMI 2.0 has no folder for Linux on ARM. Importers there look in that of x86-64, as fmpy 0.3.32 does; the first folder
-/// is that of FMI 3.0.
+/// FMI 2.0 has no folder for Linux on ARM. Importers there look in that for x86-64, as fmpy 0.3.32 does; the first
+/// folder is that of FMI 3.0.
 const AARCH64_LINUX: Platform = Platform {
     folders: &["aarch64-linux", "linux64"],
     suffix: ".so",
@@ -79,7 +79,8 @@ const DARWIN64: Platform = Platform {
     libraries: &["/usr/lib/libsystem.b.dylib"],
 };
 
-/// The platforms of these choices, each once. What is asked for by name is not built with this machine's own tools too.
+/// The platforms of these choices, each once. A platform requested by name is not also built with this machine's own
+/// tools.
 pub fn platforms(choices: &[Choice]) -> Result<Vec<Platform>> {
     let mut platforms: Vec<Platform> = Vec::new();
     for choice in choices {
@@ -130,12 +131,12 @@ impl Platform {
         self.folders[0]
     }
 
-    /// Whether this machine builds the library for itself; it then runs here, and maybe not on older systems.
+    /// Whether this machine builds the library for itself; it then runs here, but possibly not on older systems.
     pub fn is_host(&self) -> bool {
         self.targets.is_empty()
     }
 
-    /// Rust's names of what its library is built for.
+    /// Rust's names of the targets of its library.
     pub fn triples(&self) -> Result<Vec<String>> {
         match self.is_host() {
             true => Ok(vec![toolchain::host()?]),
@@ -143,13 +144,13 @@ impl Platform {
         }
     }
 
-    /// Folder of its FMUs below that of all others; none if they share a file. Two processors cannot share `linux64`.
+    /// Subfolder of its FMUs; none if they share a file with the others. Two processors cannot share `linux64`.
     pub fn subfolder(&self) -> &'static str {
         let is_shared = self.is_host() || self.folders.len() == 1;
         if is_shared { "" } else { self.name() }
     }
 
-    /// Refuses a library whose parts are not one for each of its processors, in the format of its loader.
+    /// Rejects a library unless it has one part for each of its processors, in the format of its loader.
     pub fn check_machines(&self, parts: &[Binary]) -> Result<()> {
         let found: Vec<_> = parts.iter().map(|part| part.machine).collect();
         let is_it = found.len() == self.machines.len() && self.machines.iter().all(|machine| found.contains(machine));
@@ -157,7 +158,7 @@ impl Platform {
         Ok(())
     }
 
-    /// Refuses a library that not every importer on every such system can load.
+    /// Rejects a library that some importer on such a system cannot load.
     pub fn check(&self, binary: &Binary, exports: &[String]) -> Result<()> {
         let name = self.name();
         let extra: Vec<_> = binary.exports.iter().filter(|export| !exports.contains(export)).collect();
@@ -189,7 +190,7 @@ impl Platform {
         // The loader of macOS 26 refuses a library without one.
         ensure!(image.has_uuid, "{name}: has no UUID");
         let must_be_signed = processor == Architecture::Aarch64;
-        ensure!(image.is_signed || !must_be_signed, "{name}: is not signed, as Apple's processors demand");
+        ensure!(image.is_signed || !must_be_signed, "{name}: is not signed, which Apple's processors require");
         Ok(())
     }
 }
@@ -215,7 +216,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_named_is_built_for_old_systems_and_the_host_for_itself() {
+    fn named_platforms_are_built_for_old_systems_and_the_host_for_itself() {
         assert!(platforms(&[Choice::Host]).unwrap()[0].is_host());
         assert!(!platforms(&[Choice::Host, Choice::All]).unwrap().iter().any(Platform::is_host));
     }
@@ -228,7 +229,7 @@ mod tests {
     }
 
     #[test]
-    fn only_the_fmus_for_arm_linux_are_files_of_their_own() {
+    fn only_the_fmus_for_arm_linux_are_separate_files() {
         let all = platforms(&[Choice::All]).unwrap();
         let folders: Vec<_> = all.iter().map(Platform::subfolder).collect();
         assert_eq!(folders, ["", "", "", "aarch64-linux"]);
@@ -280,7 +281,7 @@ mod tests {
     }
 
     #[test]
-    fn needs_that_some_systems_lack_are_refused() {
+    fn imports_that_some_systems_lack_are_rejected() {
         for (platform, library) in [
             (LINUX64, "libgcc_s.so.1"),
             (AARCH64_LINUX, "ld-linux-x86-64.so.2"),
@@ -310,7 +311,7 @@ mod tests {
     }
 
     #[test]
-    fn images_that_macos_would_not_load_are_refused() {
+    fn images_that_macos_would_not_load_are_rejected() {
         let refused = |change: fn(&mut Image)| {
             let change = |binary: &mut Binary| change(binary.image.as_mut().unwrap());
             refusal(DARWIN64, change)

@@ -27,12 +27,12 @@ pub fn breaches(root: &Path) -> Result<Vec<String>> {
     Ok(breaches)
 }
 
-/// Names in the symbol tables of the documentation that are no variables of the model.
+/// Names in the symbol tables of the documentation that are not variables of the model.
 fn unknown_symbols(model: &ModelType, documentation: &str) -> Vec<String> {
     let known: Vec<_> = model.table.iter().map(|variable| without_indices(&variable.path.to_string())).collect();
     let names = names_in_symbol_tables(documentation).into_iter();
     let unknown = names.filter(|name| !known.contains(&without_indices(name)));
-    unknown.map(|name| format!("{}: the symbol table names `{name}`, which is no variable", model.name)).collect()
+    unknown.map(|name| format!("{}: the symbol table names `{name}`, which is not a variable", model.name)).collect()
 }
 
 /// `element[3].stiffness` and `element[i].stiffness` are the same row of a symbol table.
@@ -60,7 +60,7 @@ fn names_in_symbol_tables(documentation: &str) -> Vec<String> {
     names
 }
 
-/// Texts that a C header, XML or an old importer would not take, or that are no sentence.
+/// Texts that a C header, XML or an old importer would not accept, or that are not a sentence.
 fn unfit_texts(model: &ModelType) -> Vec<String> {
     let mut breaches = Vec::new();
     let mut examine = |owner: String, text: &str, ends: &[char]| {
@@ -85,7 +85,7 @@ fn unfit_texts(model: &ModelType) -> Vec<String> {
         examine(owner.clone(), variable.help, ends);
         if let Kind::Enumeration(choices) = variable.kind {
             for item in choices.items {
-                // A choice of models says what each model says of itself.
+                // A choice of models repeats the models' own descriptions.
                 let ends: &[char] = if is_summary(item.help) { &[] } else { &['.'] };
                 examine(format!("{owner} {}", item.name), item.help, ends);
             }
@@ -107,13 +107,13 @@ fn differing_variables(models: &[&ModelType]) -> Vec<String> {
         let (other, same) = *first.entry(variable.path.to_string()).or_insert((model, variable));
         if !is_same_quantity(variable.kind, same.kind) {
             let name = &variable.path;
-            breaches.push(format!("{name}: has another unit or type in {} than in {}", model.name, other.name));
+            breaches.push(format!("{name}: the unit or type in {} differs from that in {}", model.name, other.name));
         }
     }
     breaches
 }
 
-/// Equal units and types; which choices an enumeration offers may differ between models.
+/// Whether units and types are equal; the choices of an enumeration may differ between models.
 fn is_same_quantity(a: Kind, b: Kind) -> bool {
     match (a, b) {
         (Kind::Real(a), Kind::Real(b)) => a == b,
@@ -174,7 +174,7 @@ mod tests {
     fn breaches_are_found() {
         let odd = ModelType::of::<odd::Odd>();
         let symbols = unknown_symbols(&odd, <odd::Odd as stribeck::model::Described>::DOCUMENTATION);
-        assert_eq!(symbols, ["Odd: the symbol table names `wrong`, which is no variable"]);
+        assert_eq!(symbols, ["Odd: the symbol table names `wrong`, which is not a variable"]);
         let texts = unfit_texts(&odd);
         assert!(texts[0].starts_with("Odd velocity: help text must end with a full stop"), "{texts:?}");
         assert!(texts[1].starts_with("Odd level: help text must be one line of ASCII"), "{texts:?}");
@@ -182,7 +182,7 @@ mod tests {
         assert_eq!(texts.len(), 3);
         let lugre = stribeck::catalogue::by_name("LuGre").unwrap();
         let differing = differing_variables(&[lugre, &odd]);
-        assert_eq!(differing, ["velocity: has another unit or type in Odd than in LuGre"]);
+        assert_eq!(differing, ["velocity: the unit or type in Odd differs from that in LuGre"]);
     }
 
     #[test]

@@ -1,4 +1,4 @@
-//! What an FMU is made of, in the form that programs read: CycloneDX 1.5.
+//! The components of an FMU in machine-readable form: CycloneDX 1.5.
 
 use anyhow::{Context, Result};
 use cyclonedx_bom::external_models::spdx::SpdxExpression;
@@ -15,12 +15,12 @@ use crate::crates::{Crate, LIBRARY, Parts};
 use crate::project::{LICENSE, VERSION};
 use crate::toolchain::Addition;
 
-/// Its path in an FMU, with the ending that CycloneDX recommends.
+/// Its path in an FMU, with the file extension that CycloneDX recommends.
 pub const FILE: &str = "documentation/sbom.cdx.json";
 
 const STANDARD_LIBRARY: &str = "rust-std";
 
-/// The text for a model. It holds no date and no number of its own, so that equal contents give equal bytes.
+/// The text for a model. It contains no date and no serial number, so that equal contents give equal bytes.
 pub fn text(model: &ModelType, parts: &Parts) -> Result<String> {
     let Parts { crates, rust, additions } = parts;
     let fmu = format!("{}.fmu", model.name);
@@ -30,7 +30,7 @@ pub fn text(model: &ModelType, parts: &Parts) -> Result<String> {
     for addition in additions {
         components.push(of_addition(addition)?);
     }
-    let library = crates.iter().find(|one| one.name == LIBRARY).context("the library is none of its crates")?;
+    let library = crates.iter().find(|one| one.name == LIBRARY).context("the library is not among its crates")?;
     let added = additions.iter().map(|addition| addition.name.to_owned());
     let of_fmu = [library.id()].into_iter().chain(added).collect();
     let mut dependencies = vec![Dependency { dependency_ref: fmu.clone(), dependencies: of_fmu }];
@@ -59,7 +59,7 @@ fn component_of(model: &ModelType, id: String) -> Result<Component> {
 
 fn of_crate(one: &Crate) -> Result<Component> {
     let mut component = component(&one.name, &one.version, one.id(), &one.license)?;
-    // Only what has a checksum came from the registry.
+    // Only crates with a checksum came from the registry.
     if let Some(sha256) = &one.sha256 {
         let hash = Hash { alg: HashAlgorithm::SHA_256, content: HashValue(sha256.clone()) };
         component.hashes = Some(Hashes(vec![hash]));
@@ -69,7 +69,8 @@ fn of_crate(one: &Crate) -> Result<Component> {
 }
 
 fn of_standard_library(id: &str, rust: &str) -> Result<Component> {
-    // As https://github.com/rust-lang/rust says for `library`; its tables of characters are made of Unicode's data.
+    // As stated by https://github.com/rust-lang/rust for `library`; its tables of characters are made from Unicode's
+    // data.
     let mut component = component(STANDARD_LIBRARY, rust, id.into(), "(MIT OR Apache-2.0) AND Unicode-3.0")?;
     component.purl = Some(Purl::new("generic", STANDARD_LIBRARY, rust)?);
     Ok(component)
@@ -99,7 +100,7 @@ mod tests {
     use cyclonedx_bom::prelude::Validate;
     use serde_json::Value;
 
-    /// What is in the library of this machine, and in one for Windows.
+    /// Parts of the library of this machine, and of one for Windows.
     fn parts() -> Parts {
         let parts = Parts::of(root(), &platforms(&[Choice::Host]).unwrap()).unwrap();
         Parts { additions: WINDOWS_X86_64.additions(root()).unwrap(), ..parts }

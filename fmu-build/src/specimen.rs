@@ -1,4 +1,4 @@
-//! A model of the tests: it has every kind of column, nested names, and texts that must be escaped.
+//! A model for tests: it has every kind of column, nested names, and texts that must be escaped.
 
 use stribeck::model::{Law, Model, ModelType, boolean, integer, real};
 use stribeck::number::Real;

@@ -1,5 +1,5 @@
-//! A system of FMUs as package of SSP 1.0 (System Structure and Parameterization): components, the connections between
-//! them, and parameter sets. Several variants of a system may lie in one package, each in a description of its own.
+//! A system of FMUs as an SSP 1.0 package (System Structure and Parameterization): components, the connections between
+//! them, and parameter sets. One package may hold several variants of a system, each with its own description.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -17,7 +17,7 @@ use crate::project::VERSION;
 pub struct System {
     /// Name of the package.
     pub name: &'static str,
-    /// One line.
+    /// Description in one line.
     pub description: &'static str,
     /// End of the default experiment, s.
     pub stop_time: f64,
@@ -33,7 +33,7 @@ pub struct Component {
     pub name: String,
     /// Name of the model.
     pub model: &'static str,
-    /// Parameters, in a file of their own.
+    /// Parameters, in a separate file.
     pub parameters: Option<(String, ParameterSet)>,
 }
 
@@ -48,7 +48,7 @@ pub struct Port {
 
 impl System {
     /// Adds a description of this system, under a name, and its parameter sets to the files of a package. The one that
-    /// a tool opens has the name `SystemStructure`.
+    /// tools open is called `SystemStructure`.
     pub fn add_to(&self, files: &mut Files, name: &str) -> Result<()> {
         files.insert(format!("{name}.ssd"), self.description()?.into_bytes());
         for (file, set) in self.components.iter().filter_map(|component| component.parameters.as_ref()) {
@@ -100,17 +100,17 @@ impl System {
         Ok(text)
     }
 
-    /// Refuses connections that do not lead from an output to an input of the same quantity, and inputs that are
+    /// Rejects connections that do not lead from an output to an input of the same quantity, and inputs that are
     /// connected twice.
     fn check(&self) -> Result<()> {
         let mut connected = BTreeSet::new();
         for [from, to] in &self.connections {
             let [output, input] = [self.variable(from)?, self.variable(to)?];
-            ensure!(output.role.is_output(), "{}: {} is no output", from.component, from.variable);
-            ensure!(input.role == Role::Input, "{}: {} is no input", to.component, to.variable);
+            ensure!(output.role.is_output(), "{}: {} is not an output", from.component, from.variable);
+            ensure!(input.role == Role::Input, "{}: {} is not an input", to.component, to.variable);
             ensure!(
                 real_unit(output).is_some() && output.kind == input.kind,
-                "{} and {} are no physical quantities of the same unit",
+                "{} and {} are not physical quantities of the same unit",
                 from.variable,
                 to.variable
             );
@@ -150,7 +150,7 @@ impl System {
         Ok(text + "      </ssd:Component>\n")
     }
 
-    /// Connected inputs, and all outputs that are physical quantities: what is not connected can be looked at.
+    /// Connected inputs, and all outputs that are physical quantities: those not connected can still be observed.
     fn connectors(&self, component: &Component) -> Result<impl Iterator<Item = (&'static Variable, &'static Unit)>> {
         let is_connected = |variable: &Variable| {
             let name = variable.path.to_string();

@@ -1,4 +1,5 @@
-//! How a part of the shock absorber answers when it is moved: force over velocity, over travel, or over what it depends on.
+//! Response of a part of the shock absorber to motion: force over velocity, over travel, or over the input it depends
+//! on.
 
 use std::f64::consts::TAU;
 
@@ -8,13 +9,13 @@ use stribeck::model::{Kind, ModelType, Role};
 
 use crate::curve::Curve;
 
-/// Share of the travel and period of the motion.
+/// Fraction of the travel, and period of the motion.
 const STEPS: u32 = 1000;
 const PERIOD: f64 = 0.5;
 
 /// One cycle of a moved model.
 pub struct Sweep {
-    /// Column along the abscissa: what is moved.
+    /// Column along the abscissa: the moved input.
     pub across: usize,
     /// Column along the ordinate: the first output.
     pub answer: usize,
@@ -22,11 +23,11 @@ pub struct Sweep {
     pub curve: Curve,
 }
 
-/// What is moved, and how far to both sides of its start value.
+/// The moved input, and its amplitude about its start value.
 enum Motion {
-    /// A travel, and its velocity if that is an input, too.
+    /// A travel, and its velocity if that is also an input.
     Travel { travel: usize, velocity: Option<usize>, shown: usize, amplitude: f64 },
-    /// An input alone, slowly.
+    /// A single input, slowly.
     Slow { input: usize, amplitude: f64 },
 }
 
@@ -42,7 +43,7 @@ pub fn of(model: &'static ModelType) -> Result<Sweep> {
     }
     let start: Vec<f64> = instance.row().to_vec();
     let mut curve = Curve::new();
-    // The first cycle wears off how it began.
+    // The first cycle removes the effect of the initial state.
     for step in 0..=2 * STEPS {
         motion.put(&mut instance, &start, f64::from(step) * PERIOD / f64::from(STEPS));
         instance.step(motion.time_step())?;
@@ -57,9 +58,10 @@ impl Motion {
     fn of(model: &ModelType) -> Result<Motion> {
         let velocity = model.find("velocity");
         if let Some(travel) = model.find("length").or_else(|| model.find("compression")) {
-            // Force over velocity says most of a whole strut, force over travel of what stops a compression.
+            // Force over velocity shows most about a whole strut, force over travel about parts that stop a
+            // compression.
             let shown = velocity.filter(|_| model.find("length").is_some()).unwrap_or(travel);
-            // Over the stroke and a little beyond, where the travel begins at 0; else to both sides of the start.
+            // Over the stroke and a little beyond, if the travel begins at 0; else to both sides of the start.
             return Ok(Motion::Travel { travel, velocity, shown, amplitude: 0.02 });
         }
         if let Some(input) = velocity {
@@ -72,7 +74,7 @@ impl Motion {
         Ok(Motion::Slow { input, amplitude: 50.0 })
     }
 
-    /// What the force is shown over.
+    /// The abscissa of the force.
     fn shown(&self) -> usize {
         match *self {
             Motion::Travel { shown, .. } => shown,
@@ -95,7 +97,7 @@ impl Motion {
         }
     }
 
-    /// What is moved slowly has come to rest at each point.
+    /// Slow motion has settled at each point.
     fn time_step(&self) -> f64 {
         match self {
             Motion::Travel { .. } => PERIOD / f64::from(STEPS),

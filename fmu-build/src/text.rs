@@ -1,4 +1,4 @@
-//! How numbers, names and roles are spelled in all generated files.
+//! Spelling of numbers, names and roles in all generated files.
 
 use std::path::{Path, PathBuf};
 
@@ -31,12 +31,12 @@ pub fn bound(variable: &Variable) -> String {
     ends.into_iter().flatten().collect::<Vec<_>>().join(", ")
 }
 
-/// The start value as a reader expects it.
+/// The start value for readers.
 pub fn start(variable: &Variable) -> String {
     value(variable, variable.start)
 }
 
-/// A value as a reader expects it: true or false, the name of a choice, or a number.
+/// A value for readers: true or false, the name of a choice, or a number.
 pub fn value(variable: &Variable, value: f64) -> String {
     match variable.kind {
         Kind::Boolean => (value != 0.0).to_string(),
@@ -55,7 +55,7 @@ pub fn kind(variable: &Variable) -> &'static str {
     }
 }
 
-/// The name of the unit; empty for what has none.
+/// The name of the unit; empty if there is none.
 pub fn unit(variable: &Variable) -> &'static str {
     match variable.kind {
         Kind::Real(unit) => unit.name,
@@ -82,7 +82,7 @@ pub fn role(role: Role) -> &'static str {
 }
 
 /// The source file of a model, relative to the root of the project: the file under src/ whose name is the model's name
-/// but for capitals and underscores (`LuGre` is in `lugre.rs`, `BeltRig` in `belt_rig.rs`).
+/// apart from capitals and underscores (`LuGre` is in `lugre.rs`, `BeltRig` in `belt_rig.rs`).
 pub fn source_file(root: &Path, model: &ModelType) -> Result<PathBuf> {
     let wanted = model.name.to_lowercase();
     let is_wanted = |file: &PathBuf| stem(file).replace('_', "") == wanted;

@@ -1,4 +1,4 @@
-//! What Rust needs to build a shared library for another platform, and how it is told.
+//! Tools and flags that Rust needs to build a shared library for another platform.
 
 use std::env;
 use std::ffi::OsString;
@@ -13,12 +13,12 @@ use crate::library::stdout;
 /// One target of the compiler.
 #[derive(Clone, Copy)]
 pub struct Target {
-    /// Rust's name of it.
+    /// Its name in Rust.
     pub triple: &'static str,
     linker: Linker,
 }
 
-/// Who links the library.
+/// The linker of the library.
 #[derive(Clone, Copy)]
 enum Linker {
     /// cargo-zigbuild with Zig's linker, which knows the functions of old versions of glibc.
@@ -29,7 +29,7 @@ enum Linker {
     RustLld,
 }
 
-/// What a linker puts into a library of its own accord.
+/// A component that a linker adds to a library.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Addition {
     /// Name.
@@ -57,14 +57,14 @@ pub const OLDEST_GLIBC: &str = "2.17";
 /// The oldest macOS: the first one on Apple's processors.
 pub const OLDEST_MACOS: &str = "11.0";
 
-/// Where programs that are linked to the library look for it: in folders of their own choice.
+/// Name of the library for programs linked to it, which search for it in folders of their own choice.
 pub const MACOS_NAME: &str = "@rpath/libstribeck.dylib";
 
-/// Names that the library needs of macOS, without the underscore that Mach-O puts before them.
+/// Names that the library needs from macOS, without the underscore that Mach-O puts before them.
 const MACOS_NAMES: &str = include_str!("macos_names.txt");
 
 impl Target {
-    /// What is missing on this machine, each with its cure.
+    /// The tools missing on this machine, each with the command that installs it.
     pub fn missing(self, root: &Path) -> Result<Vec<String>> {
         let mut missing = Vec::new();
         if !self.has_standard_library()? {
@@ -82,12 +82,12 @@ impl Target {
         Ok(names.into_iter().any(|name| name.starts_with("libstd-") && name.ends_with(".rlib")))
     }
 
-    /// What its linker adds to the library.
+    /// Additions of its linker to the library.
     pub fn additions(self, root: &Path) -> Result<Vec<Addition>> {
         self.linker.additions(root)
     }
 
-    /// The program that does what cargo does.
+    /// The program to call as cargo.
     pub fn cargo(self) -> OsString {
         if matches!(self.linker, Linker::Zig) { "cargo-zigbuild".into() } else { cargo() }
     }
@@ -105,7 +105,7 @@ impl Target {
         match self.linker {
             Linker::Zig => &[],
             Linker::MinGw => &["-Clink-arg=-Wl,--no-insert-timestamp"],
-            // -S leaves out what only a debugger needs, the paths of object files among it.
+            // -S omits data for debuggers, including the paths of object files.
             Linker::RustLld => &[
                 "-Clinker=rust-lld",
                 "-Clinker-flavor=ld64.lld",
@@ -116,7 +116,7 @@ impl Target {
         }
     }
 
-    /// Environment of the build. Writes what it names to `folder`.
+    /// Environment of the build. Writes the files that it names to `folder`.
     pub fn environment(self, folder: &Path) -> Result<Vec<(&'static str, OsString)>> {
         if !matches!(self.linker, Linker::RustLld) {
             return Ok(Vec::new());
@@ -128,15 +128,15 @@ impl Target {
 }
 
 impl Linker {
-    /// Code that unwinds the stack, functions that glibc has in no shared library (fstat64 before version 2.33), and what
-    /// starts a library on Windows. That for macOS adds nothing: its libraries are lists of names.
+    /// Code that unwinds the stack, functions that glibc has in no shared library (fstat64 before version 2.33), and
+    /// the start-up code of a library on Windows. The linker for macOS adds nothing: its libraries are lists of names.
     fn additions(self, root: &Path) -> Result<Vec<Addition>> {
         let of = |name, license, notices| Addition { name, license, notices };
         Ok(match self {
             Linker::Zig => {
                 let zig = zig_folder(root)?;
                 let unwind = zig.join("lib").join("libunwind").join("LICENSE.TXT");
-                // The terms stand in the source of each such function, with the exception for programs linked to it.
+                // The terms are in the source of each such function, with the exception for programs linked to it.
                 let glibc = zig.join("lib").join("libc").join("glibc").join("io").join("fstat64-2.32.c");
                 vec![
                     of("glibc", "LGPL-2.1-or-later WITH GCC-exception-2.0-note", glibc),
@@ -166,17 +166,17 @@ impl Linker {
                 let python = programs(root).join("python");
                 Some(format!("Zig as linker: {} -m pip install cargo-zigbuild ziglang", python.display()))
             }
-            Linker::Zig if !self.has_notices(root) => Some(
-                "the licences of Zig, which Python's package ziglang has beside its program: install that one".into(),
-            ),
+            Linker::Zig if !self.has_notices(root) => {
+                Some("the licences of Zig, which come with the Python package ziglang: install it".into())
+            }
             Linker::MinGw if !runs(root, "x86_64-w64-mingw32-gcc", &["--version"]) => {
                 Some("the linker for Windows: apt-get install gcc-mingw-w64-x86-64-win32".into())
             }
             Linker::MinGw if !self.has_notices(root) => {
-                Some("the licences of MinGW-w64, which Debian and Ubuntu have in /usr/share/doc: pack there".into())
+                Some("the licences of MinGW-w64, in /usr/share/doc of Debian and Ubuntu: pack there".into())
             }
             Linker::RustLld if !has_rust_lld()? => {
-                Some("rust-lld, which other Rusts than that of https://rustup.rs leave out: install that one".into())
+                Some("rust-lld, which only the Rust of https://rustup.rs includes: install that one".into())
             }
             Linker::Zig | Linker::MinGw | Linker::RustLld => None,
         })
@@ -208,22 +208,22 @@ pub fn version() -> Result<String> {
     of_rustc("release")
 }
 
-/// What the compiler says of itself.
+/// A property that the compiler reports.
 fn of_rustc(property: &str) -> Result<String> {
     let text = stdout(rustc().args(["--version", "--verbose"]))?;
     let mut properties = text.lines().filter_map(|line| line.split_once(": "));
     let found = properties.find(|(name, _)| *name == property);
-    Ok(found.with_context(|| format!("rustc does not name its {property}"))?.1.into())
+    Ok(found.with_context(|| format!("rustc does not report its {property}"))?.1.into())
 }
 
 fn has_rust_lld() -> Result<bool> {
     let programs = sysroot()?.join("lib").join("rustlib").join(host()?).join("bin");
     let name = |tool: &str| programs.join(format!("{tool}{}", env::consts::EXE_SUFFIX));
-    // The latter strips what the former links.
+    // The latter strips the output of the former.
     Ok(name("rust-lld").is_file() && name("rust-objcopy").is_file())
 }
 
-/// Programs of the Python environment that tasks.py makes.
+/// Programs of the Python environment that tasks.py creates.
 fn programs(root: &Path) -> PathBuf {
     root.join(".venv").join(if cfg!(windows) { "Scripts" } else { "bin" })
 }
@@ -232,14 +232,14 @@ fn programs(root: &Path) -> PathBuf {
 pub fn search_path(root: &Path) -> Result<OsString> {
     let given = env::var_os("PATH").unwrap_or_default();
     let folders = std::iter::once(programs(root)).chain(env::split_paths(&given));
-    env::join_paths(folders).context("the search path cannot name .venv")
+    env::join_paths(folders).context("the search path cannot include .venv")
 }
 
-/// Folder of Zig, which cargo-zigbuild takes from Python's packages or from the search path.
+/// Folder of Zig, which cargo-zigbuild finds among Python's packages or in the search path.
 fn zig_folder(root: &Path) -> Result<PathBuf> {
     let path = search_path(root)?;
     let package = &["-m", "ziglang", "env"][..];
-    // On Windows an environment of Python has no python3.
+    // On Windows a Python environment has no python3.
     for (program, arguments) in [("python3", package), ("python", package), ("zig", &["env"])] {
         let mut command = Command::new(program);
         let output = command.args(arguments).current_dir(root).env("PATH", &path).stderr(Stdio::null()).output();
@@ -248,10 +248,10 @@ fn zig_folder(root: &Path) -> Result<PathBuf> {
             return Ok(root.join(folder));
         }
     }
-    bail!("`zig env` names no folder: the licences of what Zig adds to a library are there")
+    bail!("`zig env` does not report the folder with the licences of Zig's additions to a library")
 }
 
-/// What the line `.lib_dir = "..."` of `zig env` lies in; older versions write JSON.
+/// The parent folder of the one in the line `.lib_dir = "..."` of `zig env`; older versions write JSON.
 fn folder_of_zig(line: &str) -> Option<PathBuf> {
     let (name, rest) = line.split_once([':', '='])?;
     let path = rest.trim().strip_prefix('"')?.split('"').next()?;
@@ -266,8 +266,8 @@ fn runs(root: &Path, program: &str, arguments: &[&str]) -> bool {
     command.status().is_ok_and(|status| status.success())
 }
 
-/// Writes text-based libraries, which tell the linker what macOS has. Rust asks for all four, but the library needs only
-/// the first one: on macOS two others are parts of it, and no function of the last one is called.
+/// Writes text-based libraries, which list the functions of macOS for the linker. Rust requires all four, but the
+/// library needs only the first one: on macOS two others are parts of it, and no function of the last one is called.
 fn write_macos_libraries(folder: &Path) -> Result<()> {
     let libraries = folder.join("usr").join("lib");
     fs::create_dir_all(&libraries).with_context(|| format!("cannot create {}", libraries.display()))?;
@@ -298,7 +298,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn folder_of_zig_is_found_in_both_forms_of_its_answer() {
+    fn folder_of_zig_is_found_in_both_forms_of_the_output() {
         let folder = Some(PathBuf::from("/opt/zig"));
         assert_eq!(folder_of_zig("    .lib_dir = \"/opt/zig/lib\","), folder);
         assert_eq!(folder_of_zig(" \"lib_dir\": \"/opt/zig/lib\","), folder);
@@ -307,7 +307,7 @@ mod tests {
     }
 
     #[test]
-    fn linkers_say_what_they_add_and_for_macos_nothing() {
+    fn linkers_name_their_additions_and_that_for_macos_has_none() {
         assert_eq!(MACOS_X86_64.additions(Path::new("/")).unwrap(), []);
         let names: Vec<_> = WINDOWS_X86_64.additions(Path::new("/")).unwrap().iter().map(|one| one.name).collect();
         assert_eq!(names, ["libgcc", "mingw-w64"]);

@@ -6,13 +6,13 @@ use pulldown_cmark::{CodeBlockKind, Event, HeadingLevel, Options, Parser, Tag, T
 use crate::mathematics::{self, Part, Symbols};
 use crate::text;
 
-/// The model's text as HTML, one heading level down, and without the example: it is in Rust, and this reader has an
-/// FMU. The diagrams stand before the first heading.
+/// The model's text as HTML, one heading level down, and without the example, which is in Rust, whereas this reader has
+/// an FMU. The diagrams come before the first heading.
 pub fn html(model: &str, documentation: &str, diagrams: &str) -> Result<String> {
     let events = without_example(events(documentation));
     let mut setter = Setter { symbols: symbols(&events), ..Setter::default() };
     let mut set: Vec<Event> = events.into_iter().flat_map(|event| setter.set(event)).collect();
-    ensure!(setter.faults.is_empty(), "{model}: no equation: {}", setter.faults.join("; "));
+    ensure!(setter.faults.is_empty(), "{model}: not an equation: {}", setter.faults.join("; "));
     let is_heading = |event: &Event| matches!(event, Event::Start(Tag::Heading { .. }));
     let at = set.iter().position(is_heading).unwrap_or(set.len());
     set.insert(at, Event::Html(diagrams.into()));
@@ -21,7 +21,7 @@ pub fn html(model: &str, documentation: &str, diagrams: &str) -> Result<String> 
     Ok(page)
 }
 
-/// The parts of the text; a paragraph is one run of text, wherever its lines end.
+/// The parts of the text; a paragraph is one run of text, regardless of line ends.
 fn events(documentation: &str) -> Vec<Event<'_>> {
     let parts = Parser::new_ext(documentation, Options::ENABLE_TABLES);
     let joined = parts.map(|event| match event {
@@ -75,7 +75,7 @@ fn symbols(events: &[Event]) -> Symbols {
     symbols
 }
 
-/// Where in the text an event stands.
+/// Place of an event in the text.
 #[derive(Default)]
 struct Place {
     in_head: bool,
@@ -139,10 +139,10 @@ impl Setter {
         self.place.enter(&event);
         match event {
             Event::Text(text) if self.place.in_equations => vec![self.block(&text)],
-            // The block brings its own elements.
+            // The block has its own elements.
             Event::Start(Tag::CodeBlock(_)) if self.place.in_equations => Vec::new(),
             Event::End(TagEnd::CodeBlock) if was_equations => Vec::new(),
-            // A dash stands where there is no symbol.
+            // A dash means that there is no symbol.
             Event::Text(text) if self.place.is_symbol() && &*text != "-" => vec![self.symbol(&text)],
             Event::Text(text) if self.place.is_unit() => vec![Event::Text(text::typeset_unit(&text).into())],
             Event::Text(text) if self.place.is_prose() => self.prose(&text),
@@ -203,7 +203,7 @@ mod tests {
     fn faults_name_model_and_line() {
         let text = format!("```text\nf = (a\n```\n\n{}", TABLE.replace("v_0 |", "v_ 0 |"));
         let fault = html("Model", &text, "").unwrap_err().to_string();
-        assert!(fault.starts_with("Model: no equation: '(' is never closed in `f = (a`; "), "{fault}");
+        assert!(fault.starts_with("Model: not an equation: '(' is never closed in `f = (a`; "), "{fault}");
         assert!(fault.contains("in the symbol `v_ 0`"), "{fault}");
     }
 

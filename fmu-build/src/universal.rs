@@ -36,8 +36,8 @@ pub fn parts(file: &[u8]) -> Result<Vec<&[u8]>> {
     if !file.starts_with(&FAT_MAGIC.to_be_bytes()) {
         return Ok(vec![file]);
     }
-    let rows = MachOFatFile32::parse(file).context("no universal file")?.arches();
-    rows.iter().map(|row| row.data(file).context("a part of the universal file is cut off")).collect()
+    let rows = MachOFatFile32::parse(file).context("not a universal file")?.arches();
+    rows.iter().map(|row| row.data(file).context("a part of the universal file is truncated")).collect()
 }
 
 /// A part begins on a page of its processor: 4 KiB on Intel, 16 KiB on Apple's.
@@ -45,12 +45,12 @@ fn page_size_exponent(processor: u32) -> Result<u32> {
     match processor {
         CPU_X86_64 => Ok(12),
         CPU_ARM64 => Ok(14),
-        _ => bail!("processor {processor:#x}: macOS runs on x86-64 and ARM64"),
+        _ => bail!("processor {processor:#x}: macOS runs only on x86-64 and ARM64"),
     }
 }
 
 fn first_words(part: &[u8]) -> Result<[u32; 3]> {
-    let bytes = part.first_chunk::<12>().context("a part of a universal file is cut off")?;
+    let bytes = part.first_chunk::<12>().context("a part of a universal file is truncated")?;
     let word = |at: usize| u32::from_le_bytes([bytes[at], bytes[at + 1], bytes[at + 2], bytes[at + 3]]);
     Ok([word(0), word(4), word(8)])
 }
@@ -90,14 +90,14 @@ mod tests {
         assert_eq!((intel.align(), apple.align()), (12, 14));
         assert_eq!(super::parts(&joined).unwrap(), parts);
         assert_eq!(super::parts(&parts[0]).unwrap(), [&parts[0]]);
-        assert!(super::parts(&joined[..70_000]).unwrap_err().to_string().contains("cut off"));
+        assert!(super::parts(&joined[..70_000]).unwrap_err().to_string().contains("truncated"));
     }
 
     #[test]
     fn other_files_are_refused() {
         let refused = |part: Vec<u8>| join(&[part]).unwrap_err().to_string();
         assert!(refused(b"\x7fELF\x02\x01\x01\0\0\0\0\0".to_vec()).contains("64-bit Mach-O"));
-        assert!(refused(vec![0xcf, 0xfa]).contains("cut off"));
+        assert!(refused(vec![0xcf, 0xfa]).contains("truncated"));
         assert!(refused(part(12, 100)).contains("processor 0xc"));
     }
 }

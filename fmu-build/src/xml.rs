@@ -1,5 +1,5 @@
-//! modelDescription.xml of FMI 2.0.5, written from a model's table. The order of the elements is that of the standard's
-//! schema, which is a sequence.
+//! modelDescription.xml of FMI 2.0.5, written from a model's table. The order of the elements is prescribed by the
+//! schema of the standard.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::io;
@@ -19,7 +19,7 @@ use crate::text::{limits, number};
 type Xml = Writer<Vec<u8>>;
 type Attributes = Vec<(&'static str, String)>;
 
-/// What `<ModelExchange>` promises.
+/// Capabilities declared in `<ModelExchange>`.
 pub const EXCHANGE_CAPABILITIES: [(&str, &str); 6] = [
     ("needsExecutionTool", "false"),
     ("canBeInstantiatedOnlyOncePerProcess", "false"),
@@ -29,7 +29,7 @@ pub const EXCHANGE_CAPABILITIES: [(&str, &str); 6] = [
     ("providesDirectionalDerivative", "true"),
 ];
 
-/// What `<CoSimulation>` promises.
+/// Capabilities declared in `<CoSimulation>`.
 pub const CAPABILITIES: [(&str, &str); 10] = [
     ("needsExecutionTool", "false"),
     ("canHandleVariableCommunicationStepSize", "true"),
@@ -43,12 +43,12 @@ pub const CAPABILITIES: [(&str, &str); 10] = [
     ("providesDirectionalDerivative", "true"),
 ];
 
-/// How a description declares enumerations. A library takes both: FMI 2.0 sets choices as integers.
+/// Form of enumerations in a description. A library accepts both: FMI 2.0 sets choices as integers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Choices {
     /// As enumerations, whose choices have names.
     Named,
-    /// As integers, for importers that know no enumerations.
+    /// As integers, for importers that do not support enumerations.
     Numbered,
 }
 
@@ -86,7 +86,7 @@ fn leaf(xml: &mut Xml, name: &'static str, attributes: Attributes) -> io::Result
     Ok(())
 }
 
-/// A tag with its attributes; one per line if there are many, so that a change of one is a change of one line.
+/// A tag with its attributes; one per line if there are many, so that changing one changes one line.
 fn element<'a>(xml: &'a mut Xml, name: &'static str, attributes: &Attributes) -> ElementWriter<'a, Vec<u8>> {
     let is_long = attributes.len() > 8;
     attributes.iter().fold(xml.create_element(name), |tag, (key, value)| {
@@ -218,7 +218,7 @@ fn log_categories(xml: &mut Xml) -> io::Result<()> {
     })
 }
 
-/// Forty seconds show several cycles of stick-slip of the thesis' benchmark with the default parameters (chosen).
+/// Forty seconds show several stick-slip cycles of the thesis' benchmark with the default parameters (chosen).
 fn default_experiment(xml: &mut Xml) -> io::Result<()> {
     let attributes = [("startTime", 0.0), ("stopTime", 40.0), ("tolerance", 1e-6), ("stepSize", 1e-3)];
     leaf(xml, "DefaultExperiment", attributes.map(|(name, value)| (name, number(value))).into())
@@ -238,7 +238,7 @@ fn model_variables(xml: &mut Xml, model: &ModelType, choices: Choices) -> io::Re
     })
 }
 
-/// The variable behind the independent one that is the time derivative of a state.
+/// The variable after the independent one that is the time derivative of a state.
 fn derivative(xml: &mut Xml, model: &ModelType, place: usize, state: usize) -> io::Result<()> {
     let variable = &model.table[state];
     let (name, help) = (format!("der({})", variable.path), format!("Time derivative of {}.", variable.path));
@@ -323,7 +323,7 @@ fn start(variable: &Variable) -> String {
 
 fn model_structure(xml: &mut Xml, model: &ModelType) -> io::Result<()> {
     let columns = model.table.len();
-    // An entry that names no dependencies depends on all.
+    // An entry without dependencies depends on all.
     let has_elements = dependencies::has_elements(model);
     let is_input = |column: usize| model.table[column].role == Role::Input;
     let dependencies = dependencies::of(model, |column| !has_elements || is_input(column));
@@ -390,7 +390,7 @@ mod tests {
     use roxmltree::{Document, Node};
     use std::sync::LazyLock;
 
-    /// Runs a test on the description of every model and of one with all that no shipped model has yet.
+    /// Runs a test on the description of every model and of one with all features that no shipped model has yet.
     fn on_every_description(test: impl Fn(&ModelType, &Document)) {
         static TEXTS: LazyLock<Vec<(&ModelType, String)>> = LazyLock::new(|| {
             let models = stribeck::catalogue::models().chain([&SPECIMEN]);
@@ -446,7 +446,7 @@ mod tests {
     }
 
     #[test]
-    fn elements_stand_in_the_order_of_the_schema() {
+    fn elements_are_in_the_order_of_the_schema() {
         on_every_description(|model, document| {
             let children: Vec<_> = document
                 .root_element()
@@ -505,7 +505,7 @@ mod tests {
     }
 
     #[test]
-    fn start_values_are_given_where_the_standard_wants_them_and_lie_within_their_limits() {
+    fn start_values_are_given_where_required_and_lie_within_their_limits() {
         on_every_description(|_, document| {
             for (node, declaration) in variables(document) {
                 let initial = node.attribute("initial");
@@ -578,7 +578,7 @@ mod tests {
         });
     }
 
-    /// A derivative is that of a continuous state, in a unit that is the state's per second.
+    /// A derivative is that of a continuous state, in the state's unit per second.
     #[test]
     fn derivatives_are_those_of_continuous_states() {
         on_every_description(|_, document| {
@@ -603,7 +603,7 @@ mod tests {
     }
 
     #[test]
-    fn dependencies_are_on_what_is_known() {
+    fn dependencies_are_on_known_values() {
         on_every_description(|_, document| {
             let variables = variables(document);
             let states = variables.iter().filter_map(|(_, declaration)| number_of(*declaration, "derivative"));
@@ -640,7 +640,7 @@ mod tests {
     }
 
     #[test]
-    fn every_kind_of_variable_is_written_as_the_standard_wants_it() {
+    fn every_kind_of_variable_is_written_as_the_standard_requires() {
         let text = model_description(&SPECIMEN, release_date(), Choices::Named).unwrap();
         for line in [
             "<Boolean start=\"true\"/>",

@@ -1,4 +1,4 @@
-"""The FMUs that `python3 tasks.py platforms` has packed, and wine as the tests need it."""
+"""The FMUs packed by `python3 tasks.py platforms`, and wine as needed by the tests."""
 
 import os
 import subprocess
@@ -14,7 +14,7 @@ exec {wine} "$1" "$2"
 
 
 def pytest_sessionstart() -> None:
-    """Refuses to run without FMUs."""
+    """Fails without FMUs."""
     for folder in (FMUS, FMUS / ARM, FMUS_OF_COPY):
         if not models_in(folder):
             pytest.exit(f"no FMUs in {folder}: run `python3 tasks.py platforms`", returncode=1)
@@ -33,7 +33,7 @@ def wine() -> dict[str, str]:
         "WINEDEBUG": "-all",
         "PATH": f"{programs}{os.pathsep}{os.environ['PATH']}",
     }
-    # Makes the prefix at the first time.
+    # Creates the prefix the first time.
     subprocess.run([WINE, "wineboot", "-i"], check=True, capture_output=True, env={**os.environ, **environment})
     return environment
 

@@ -1,4 +1,4 @@
-"""The library for macOS, as far as Linux can look at it: its parts, its signature, and its code, made to run here.
+"""The library for macOS, as far as Linux can examine it: its parts, its signature, and its code, made to run here.
 
 Facts about the format: Apple's headers `mach-o/loader.h`, `mach-o/fixup-chains.h` and `kern/cs_blobs.h`."""
 
@@ -14,7 +14,7 @@ PAGE = 16384
 SIGNATURE, CODE_DIRECTORY = 0xFADE0CC0, 0xFADE0C02
 SHA256 = 2
 
-# Functions that Linux has by another name, or that `macos.c` makes.
+# Functions that have another name on Linux, or that `macos.c` provides.
 OTHER_NAMES = {
     "__bzero": "bzero",
     "__error": "__errno_location",
@@ -45,7 +45,7 @@ def part_of(library: Path, part: MachO.Binary) -> bytes:
 
 
 def pages_that_differ(code: bytes, signature: bytes) -> tuple[int, int]:
-    """How many pages of the code have another hash than their signature says, and how many there are."""
+    """Number of code pages whose hash differs from their signature, and number of all pages."""
     magic, _, count = struct.unpack_from(">3I", signature)
     assert magic == SIGNATURE
     offsets = [struct.unpack_from(">2I", signature, 12 + 8 * number)[1] for number in range(count)]
@@ -64,7 +64,7 @@ def pages_that_differ(code: bytes, signature: bytes) -> tuple[int, int]:
 
 
 def function(symbol: str) -> str:
-    """What stands for a function of macOS on Linux."""
+    """The replacement for a macOS function on Linux."""
     name = symbol.removeprefix("_")
     if name in OTHER_NAMES:
         return OTHER_NAMES[name]
@@ -72,7 +72,7 @@ def function(symbol: str) -> str:
 
 
 def image_of(part: MachO.Binary) -> bytes:
-    """The part as it lies in memory, from address 0 on."""
+    """The part as it is in memory, from address 0."""
     ends = [segment.virtual_address + segment.virtual_size for segment in part.segments]
     image = bytearray(max(ends))
     for segment in part.segments:
@@ -82,7 +82,7 @@ def image_of(part: MachO.Binary) -> bytes:
 
 
 def pointers(part: MachO.Binary, image: bytes) -> dict[int, str]:
-    """What the loader writes: at which address which expression of an assembler."""
+    """The values written by the loader: addresses, each with an assembler expression."""
     found = {}
     for relocation in part.relocations:
         (target,) = struct.unpack_from("<Q", image, relocation.address)
@@ -93,14 +93,14 @@ def pointers(part: MachO.Binary, image: bytes) -> dict[int, str]:
 
 
 def thread_template(part: MachO.Binary) -> int:
-    """Address of the first values of the variables that each thread has for itself."""
+    """Address of the initial values of thread-local variables."""
     kinds = (MachO.Section.TYPE.THREAD_LOCAL_REGULAR, MachO.Section.TYPE.THREAD_LOCAL_ZEROFILL)
     return min(section.virtual_address for section in part.sections if section.type in kinds)
 
 
 def write_assembly(part: MachO.Binary, folder: Path) -> Path:
     """The part as a source for the assembler of Linux: the same bytes, at the same distances from each other, and
-    functions of Linux or of `macos.c` in the place of those of macOS."""
+    functions of Linux or of `macos.c` in place of those of macOS."""
     image = image_of(part)
     bytes_of_image = folder / "image.bin"
     bytes_of_image.write_bytes(image)

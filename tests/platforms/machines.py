@@ -1,4 +1,4 @@
-"""What runs the packed libraries on this machine: its processor, wine and qemu."""
+"""Machines that run the packed libraries here: this machine's processor, wine and qemu."""
 
 import os
 import shlex
@@ -16,12 +16,12 @@ COPY = OUT / "copy"
 FMUS_OF_COPY = OUT / "fmus-of-copy"
 ARM = "aarch64-linux"
 MAC_ARM = "darwin64 on Apple's processors"
-WINE = Path("/usr/lib/wine/wine64")  # Debian's package puts it nowhere else
+WINE = Path("/usr/lib/wine/wine64")  # the only place in Debian's package
 WINE_FILES = OUT / "wine"
 
 
 def run(command: list[str | Path], environment: dict[str, str] | None = None) -> str:
-    """Runs a command that must succeed in silence, and returns what it prints."""
+    """Runs a command that must succeed without error output, and returns its output."""
     words = [str(word) for word in command]
     settings = {**os.environ, **(environment or {})}
     done = subprocess.run(words, capture_output=True, text=True, timeout=300, env=settings)
@@ -47,7 +47,7 @@ class Machine:
         return program
 
     def run(self, program: Path, *arguments: str | Path) -> str:
-        """What the program prints, with plain ends of lines."""
+        """The output of the program, with plain line ends."""
         output = run([*self.runner, program, *arguments], self.environment)
         return output.replace("\r\n", "\n")
 
@@ -65,7 +65,7 @@ def for_linux(library: Path, processor: str, compiler: list[str]) -> Path:
 
 
 def library_of(fmu: Path, platform: str, suffix: str, folder: Path) -> Path:
-    """The library of an FMU as a file of the name under which programs look for it."""
+    """The library of an FMU as a file with the name under which programs search for it."""
     library = folder / platform / ("stribeck.dll" if suffix == ".dll" else f"libstribeck{suffix}")
     library.parent.mkdir(parents=True, exist_ok=True)
     with zipfile.ZipFile(fmu) as archive:

@@ -1,4 +1,4 @@
-/* What the library for macOS calls there and Linux has not, so that its code runs on Linux, in one thread. */
+/* Functions that the library for macOS calls and Linux lacks, so that its code runs on Linux, in one thread. */
 #define _GNU_SOURCE
 #include <math.h>
 #include <stdint.h>
@@ -40,7 +40,7 @@ int macos_number_of_thread(void *thread, uint64_t *number) {
 }
 
 void macos_absent(void) {
-    fputs("a function of macOS was called that Linux has not\n", stderr);
+    fputs("a function of macOS was called that Linux lacks\n", stderr);
     abort();
 }
 

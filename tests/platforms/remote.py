@@ -1,4 +1,5 @@
-"""Runs an FMU in fmpy and writes its outputs: remote.py FMU FILE. In a process of its own: a lost server hangs it."""
+"""Runs an FMU in fmpy and writes its outputs: remote.py FMU FILE. In a separate process, because a lost server hangs
+it."""
 
 import sys
 from pathlib import Path

@@ -1,4 +1,4 @@
-"""What can be checked of the packed libraries without running them, and that the checks of the packer can fail."""
+"""Checks of the packed libraries that do not run them, and proof that the checks of the packer can fail."""
 
 import os
 import shutil
@@ -38,7 +38,7 @@ def packer() -> Path:
 
 
 def inspect(packer: Path, library: Path, platform: str) -> str | None:
-    """What the packer says against a library."""
+    """The complaint of the packer about a library."""
     command = [packer, "inspect", library, "--platform", platform]
     done = subprocess.run(command, cwd=PROJECT, capture_output=True, text=True)
     return None if done.returncode == 0 else done.stderr
@@ -49,10 +49,10 @@ def load_command(number: int, *words: int) -> bytes:
     return struct.pack(f"<{1 + len(words)}I", number, *words)
 
 
-# In each library: what is replaced by what, and what must be said then.
+# For each library: the replaced bytes, their replacement, and the expected message.
 # In the tree of names of Mach-O `fmi2DoStep` is cut into pieces.
 NAME = (b"oStep\0", b"oStap\0", "exports")
-PATH = (b"", os.fsencode(PROJECT / "src"), "holds the path")
+PATH = (b"", os.fsencode(PROJECT / "src"), "contains the path")
 MISTAKES = {
     "linux64": [
         NAME,
@@ -76,7 +76,7 @@ MISTAKES = {
 
 
 @pytest.mark.parametrize("platform", SUFFIXES)
-def test_the_packer_takes_its_library_and_refuses_a_doctored_one(packer, libraries, platform, tmp_path):
+def test_the_packer_accepts_its_library_and_rejects_a_doctored_one(packer, libraries, platform, tmp_path):
     assert inspect(packer, libraries[platform], platform) is None
     good = libraries[platform].read_bytes()
     for old, new, complaint in MISTAKES[platform]:
@@ -87,7 +87,7 @@ def test_the_packer_takes_its_library_and_refuses_a_doctored_one(packer, librari
         assert said is not None, complaint
         assert complaint in said
         assert str(doctored) in said
-    print(f"figure: {platform}: {len(MISTAKES[platform])} doctored libraries refused")
+    print(f"figure: {platform}: {len(MISTAKES[platform])} doctored libraries rejected")
 
 
 # Format and processor of a library, as the packer names them.
@@ -100,7 +100,7 @@ MACHINES = {
 
 
 @pytest.mark.parametrize("platform", SUFFIXES)
-def test_a_library_of_another_platform_is_refused(packer, libraries, platform):
+def test_a_library_of_another_platform_is_rejected(packer, libraries, platform):
     for other in SUFFIXES.keys() - {platform}:
         said = inspect(packer, libraries[other], platform)
         assert said is not None, other
@@ -108,7 +108,7 @@ def test_a_library_of_another_platform_is_refused(packer, libraries, platform):
 
 
 @pytest.mark.parametrize("processor", ["Intel", "Apple"])
-def test_half_a_library_for_macos_is_refused(packer, libraries, processor, tmp_path):
+def test_half_a_library_for_macos_is_rejected(packer, libraries, processor, tmp_path):
     half = tmp_path / "half"
     half.write_bytes(part_of(libraries["darwin64"], processors(libraries["darwin64"])[processor]))
     found = {"Intel": "MachO for X86_64", "Apple": "MachO for Aarch64"}[processor]
@@ -123,13 +123,13 @@ def test_a_library_is_not_for_all_platforms(packer, libraries):
 def test_functions_that_glibc_has_in_no_shared_library_bring_its_licence(folder):
     with zipfile.ZipFile(folder / f"{models_in(folder)[0]}.fmu") as archive:
         library = next(name for name in archive.namelist() if name.startswith("binaries/linux64/"))
-        # What glibc 2.17 has in its place: the function of that name is linked in.
+        # glibc 2.17 has another function in its place: the one of that name is linked in.
         assert b"__fxstat64\0" in archive.read(library)
         assert b"GNU Lesser General Public" in archive.read("documentation/licenses/glibc.txt")
         assert b'"LGPL-2.1-or-later WITH GCC-exception-2.0-note"' in archive.read("documentation/sbom.cdx.json")
 
 
-def test_needs_of_the_linux_library(libraries):
+def test_imports_of_the_linux_library(libraries):
     library = ELF.parse(str(libraries["linux64"]))
     versions = {
         tuple(map(int, version.name.removeprefix("GLIBC_").split(".")))
@@ -141,7 +141,7 @@ def test_needs_of_the_linux_library(libraries):
     assert "libgcc_s.so.1" not in library.libraries
 
 
-def test_needs_of_the_windows_library(libraries):
+def test_imports_of_the_windows_library(libraries):
     library = PE.parse(str(libraries["win64"]))
     names = sorted(needed.name for needed in library.imports)
     print(f"figure: win64 imports: {', '.join(names)}")
@@ -149,8 +149,8 @@ def test_needs_of_the_windows_library(libraries):
 
 
 @pytest.mark.parametrize("options", [[], ["--strict"]], ids=["", "strict"])
-def test_a_missing_linker_is_told_with_its_cure(packer, tmp_path, options):
-    """On a search path with nothing but Rust."""
+def test_a_missing_linker_is_reported_with_the_command_that_installs_it(packer, tmp_path, options):
+    """On a search path with only Rust."""
     for program in ("cargo", "rustc"):
         (tmp_path / program).symlink_to(shutil.which(program))
     command = [packer, "pack", *options, "--platform", "win64", "--out", tmp_path / "dist"]
@@ -163,7 +163,7 @@ def test_a_missing_linker_is_told_with_its_cure(packer, tmp_path, options):
 
 
 @pytest.mark.parametrize("processor", ["Intel", "Apple"])
-def test_macos_finds_what_its_loader_wants(libraries, processor):
+def test_macos_finds_what_its_loader_requires(libraries, processor):
     parts = processors(libraries["darwin64"])
     assert set(parts) == {"Intel", "Apple"}
     part = parts[processor]

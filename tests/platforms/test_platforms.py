@@ -16,7 +16,8 @@ from machines import ARM, COPY, FMUS, FMUS_OF_COPY, MAC_ARM
 
 MODELS = models_in(FMUS)
 PLATFORMS = ["linux64", "win64", ARM]
-# On Apple's processors a logger gets its arguments otherwise than on Linux, so there only what logs nothing is run.
+# On Apple's processors a logger gets its arguments differently than on Linux, so only programs without log messages run
+# there.
 MAC = ["darwin64", MAC_ARM]
 EXAMPLES = PROJECT / "examples" / "c"
 PROGRAMS = PROJECT / "tests" / "c"
@@ -71,7 +72,7 @@ def test_a_copy_of_the_project_in_another_folder_gives_the_same_bytes():
 
 
 @pytest.mark.parametrize("platform", [*PLATFORMS, "darwin64"])
-def test_a_host_loads_the_library_and_meets_every_function(machines, platform):
+def test_a_host_loads_the_library_and_reaches_every_function(machines, platform):
     machine = machines[platform]
     loads = [] if platform == "win64" else ["-lm", "-ldl"]
     program = machine.compile(PROGRAMS / "fmi_test.c", *loads)
@@ -100,7 +101,7 @@ def test_all_models_have_the_results_of_linux(machines, platform):
 
 
 def simulate(fmu, file, environment):
-    """Outputs of a run in fmpy. The process and what it started end with it, or after a minute."""
+    """Outputs of a run in fmpy. The process and its children end with it, or after a minute."""
     script = Path(__file__).with_name("remote.py")
     python_path = os.pathsep.join([str(PROJECT / "examples" / "fmpy"), os.environ.get("PYTHONPATH", "")])
     settings = {**os.environ, **environment, "PYTHONPATH": python_path}

@@ -1,7 +1,7 @@
 //! A block of equations as a table: left sides, right sides, conditions and numbers.
 //!
 //! Two or more spaces divide a line into cells: the equation, the condition under which it holds, and its number in
-//! brackets. A cell that begins or ends with an operator belongs to its neighbour; a cell behind a comma is another
+//! brackets. A cell that begins or ends with an operator belongs to its neighbour; a cell after a comma is another
 //! equation. A line that begins with a relation or a sign continues the one before, as does an indented one without a
 //! relation.
 
@@ -14,7 +14,7 @@ use super::token::{self, Token, Word};
 const WIDE_SPACE: &str = "<mspace width=\"2em\"/>";
 const NARROW_SPACE: &str = "<mspace width=\"1em\"/>";
 
-/// The block as HTML with its plain text below; or what is wrong with its lines.
+/// The block as HTML with its plain text below, or the errors in its lines.
 pub fn block(text: &str, symbols: &Symbols) -> Result<String, Vec<String>> {
     let mut faults = Vec::new();
     let mut rows = Vec::new();
@@ -35,7 +35,7 @@ pub fn block(text: &str, symbols: &Symbols) -> Result<String, Vec<String>> {
     ))
 }
 
-/// A line of the text, or several that belong together.
+/// A line of the text, or several lines that belong together.
 struct Line {
     indent: usize,
     cells: Vec<Cell>,
@@ -69,7 +69,7 @@ impl Line {
     }
 }
 
-/// The lines, those put together that only make sense together.
+/// The lines; those that only make sense together are joined.
 fn lines(text: &str) -> Vec<Line> {
     let lines: Vec<&str> = text.lines().filter(|line| !line.trim().is_empty()).collect();
     let margin = lines.iter().map(|line| line.len() - line.trim_start().len()).min().unwrap_or_default();
@@ -85,7 +85,7 @@ fn lines(text: &str) -> Vec<Line> {
     found
 }
 
-/// Does the line stand where the condition of the last one stands?
+/// Whether the line begins where the condition of the last one begins.
 fn is_wrapped_condition(last: &Line, line: &Line) -> bool {
     last.cells.last().is_some_and(|cell| last.has_condition() && line.indent >= cell.column) && !line.has_condition()
 }
@@ -109,7 +109,7 @@ fn join(last: &mut Line, line: Line, to_condition: bool) {
     last.number = last.number.take().or(line.number);
 }
 
-/// Divides a line at wide gaps, unless an operator or an open bracket reaches across.
+/// Divides a line at wide gaps, unless an operator or an open bracket spans the gap.
 fn cells(line: &str) -> Vec<Cell> {
     let mut cells: Vec<Cell> = Vec::new();
     let mut column = 0;
@@ -136,12 +136,12 @@ fn is_torn(left: &str, right: &str) -> bool {
         || right.starts_with(":=")
 }
 
-/// Open brackets at the end.
+/// Number of open brackets at the end.
 fn depth(text: &str) -> i32 {
     text.chars().map(|c| if "([{".contains(c) { 1 } else { -i32::from(")]}".contains(c)) }).sum()
 }
 
-/// Is it the number of an equation, such as `(5.1)` or `(7.30), (7.31)`?
+/// Whether it is the number of an equation, such as `(5.1)` or `(7.30), (7.31)`.
 pub fn is_number(text: &str) -> bool {
     let is_one = |part: &str| {
         let inner = part.trim().strip_prefix('(').and_then(|part| part.strip_suffix(')')).unwrap_or_default();
@@ -157,7 +157,7 @@ fn leads_with_operator(text: &str) -> bool {
     matches!(token::tokens(text).ok().as_deref(), Some([first, ..]) if matches!(first.word, Word::Operator(_)))
 }
 
-/// Is there a relation outside of brackets?
+/// Whether there is a relation outside brackets.
 fn has_relation(text: &str) -> bool {
     let mut depth = 0;
     token::tokens(text).unwrap_or_default().iter().any(|token| {
@@ -189,7 +189,7 @@ impl Row {
         let Row { left, right, condition, number } = self;
         let (left, right) = (math(left), math(right));
         let right = match condition.as_str() {
-            // What has no condition has more room.
+            // A cell without a condition has more room.
             "" => format!("<td class=\"right\" colspan=\"2\">{right}</td>"),
             condition => format!("<td class=\"right\">{right}</td><td class=\"condition\">{}</td>", math(condition)),
         };
@@ -200,7 +200,7 @@ impl Row {
 fn row(line: &Line, symbols: &Symbols) -> Result<Row, String> {
     let mut row = Row { number: line.number.clone().unwrap_or_default(), ..Row::default() };
     let mut cells: Vec<&str> = line.cells.iter().map(|cell| without_brackets(&cell.text, symbols)).collect();
-    // A name before an equation says when it holds, as a condition behind it does.
+    // A name before an equation says when it holds, as a condition after it does.
     if cells.len() > 1 && (cells[0].ends_with(':') || is_wordy(cells[0], symbols)) {
         cells.rotate_left(1);
     }
@@ -264,7 +264,7 @@ fn starts_with_relation(text: &str) -> bool {
     )
 }
 
-/// A line that begins with a relation or a sign; a sign stands further to the right.
+/// A line that begins with a relation or a sign; a sign is indented further.
 fn continuation(text: &str, symbols: &Symbols) -> Result<String, String> {
     let tokens = token::tokens(text)?;
     let Some(Word::Operator(sign)) = tokens.first().map(|token| &token.word) else { return Ok(String::new()) };
@@ -329,7 +329,7 @@ fn pieces(text: &str, symbols: &Symbols) -> Result<Vec<Piece>, String> {
     Ok(pieces)
 }
 
-/// An equation between words (`ends` says at which end there are some), which may be an operand of its relations.
+/// An equation between words (`ends` tells at which end there are words), which may be operands of its relations.
 fn mathematics(mut words: &[&str], ends: [bool; 2], symbols: &Symbols) -> Result<Vec<Piece>, String> {
     let mut pieces = Vec::new();
     if let [first, rest @ ..] = words
@@ -354,7 +354,7 @@ fn mathematics(mut words: &[&str], ends: [bool; 2], symbols: &Symbols) -> Result
     Ok(pieces)
 }
 
-/// The relation, if the word is nothing else.
+/// The relation, if the word is only that.
 fn relation(word: &str) -> Option<&'static str> {
     match token::tokens(word).ok()?.as_slice() {
         [Token { word: Word::Operator(sign), .. }] if grammar::is_relation(sign) => Some(sign),
@@ -362,7 +362,7 @@ fn relation(word: &str) -> Option<&'static str> {
     }
 }
 
-/// Words keep a space to their neighbours.
+/// Words are separated from their neighbours by a space.
 fn elements(pieces: &[Piece]) -> String {
     let element = |piece: &Piece| match piece {
         Piece::Equation(node) => mathml::elements(node, Fractions::Tall),

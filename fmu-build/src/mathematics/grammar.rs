@@ -1,8 +1,8 @@
-//! The grammar of the equations in the documentation: ASCII text to a tree.
+//! Grammar of the equations in the documentation: from ASCII text to a tree.
 //!
 //! Juxtaposition multiplies. `a b / c` is the quotient of the whole product, `a b/c` (without spaces) that of its last
-//! factor. A name right before a bracket is a function, a known function such as `tanh` also takes the next factor
-//! without brackets. `'` derives, `_` begins a subscript, `|` and `|` enclose an absolute value.
+//! factor. A name right before a bracket is a function; a known function such as `tanh` also takes the next factor
+//! without brackets. `'` is a derivative, `_` begins a subscript, `|` and `|` enclose an absolute value.
 
 use super::Symbols;
 use super::token::{self, Derivative, Token, Word, is_letter};
@@ -20,7 +20,7 @@ pub enum Node {
     Differential(String),
     /// Something with a subscript, an exponent or primes.
     Scripted {
-        /// What carries them.
+        /// The base that carries them.
         base: Box<Node>,
         /// Subscripts in a row.
         below: Vec<Node>,
@@ -43,11 +43,11 @@ pub enum Node {
     Application(Box<Node>, Box<Node>),
     /// Factors.
     Product(Vec<Node>),
-    /// Operands and operators by turns; it may begin with a sign.
+    /// Alternating operands and operators; may begin with a sign.
     Chain(Vec<Node>),
     /// An operator or a relation.
     Operator(&'static str),
-    /// Things separated by commas or semicolons, which are operators here, or by words.
+    /// Parts separated by commas or semicolons, which are operators here, or by words.
     List(Vec<Node>),
     /// `and` or `or` within brackets.
     Words(&'static str),
@@ -60,10 +60,10 @@ const FUNCTIONS: [&str; 32] = [
     "tan", "tanh", "trunc",
 ];
 
-/// Operators that are written large, with limits.
+/// Large operators with limits.
 const LARGE: [(&str, &str); 3] = [("sum", "\u{2211}"), ("prod", "\u{220f}"), ("int", "\u{222b}")];
 
-/// Is it the name of a function?
+/// Whether it is the name of a function.
 pub fn is_function(name: &str) -> bool {
     FUNCTIONS.contains(&name) || large(name).is_some()
 }
@@ -81,7 +81,7 @@ pub fn is_differential(name: &str) -> bool {
     name.strip_prefix('d').is_some_and(is_letter)
 }
 
-/// Parses a text; the error says what is wrong with it.
+/// Parses a text.
 pub fn parse(text: &str, symbols: &Symbols) -> Result<Node, String> {
     let tokens = token::tokens(text)?;
     let mut parser = Parser { tokens: &tokens, at: 0, bars: 0, symbols };
@@ -92,7 +92,7 @@ pub fn parse(text: &str, symbols: &Symbols) -> Result<Node, String> {
     }
 }
 
-/// A word as the reader of an error wants to see it.
+/// A word as shown in an error.
 fn spelled(word: &Word) -> String {
     match word {
         Word::Number(text) | Word::Name(text) => format!("'{text}'"),
@@ -107,7 +107,7 @@ fn spelled(word: &Word) -> String {
     }
 }
 
-/// Is it a relation such as = or <, which binds less than a sum?
+/// Whether it is a relation such as = or <, which binds less tightly than a sum.
 pub fn is_relation(operator: &str) -> bool {
     !matches!(operator, "+" | "\u{2212}" | "\u{22c5}" | "\u{b1}" | "\u{2213}" | "\u{2026}")
 }
@@ -119,7 +119,7 @@ fn is_sign(operator: &str) -> bool {
 struct Parser<'a> {
     tokens: &'a [Token],
     at: usize,
-    /// Open bars within the innermost bracket.
+    /// Number of open bars within the innermost bracket.
     bars: usize,
     symbols: &'a Symbols,
 }
@@ -220,7 +220,7 @@ impl<'a> Parser<'a> {
         match word {
             Word::Name(name) => conjunction(name).is_none(),
             Word::Number(_) | Word::Derivative(_) | Word::Open(_) => true,
-            // Within bars, one that stands apart from what it follows and close to what follows opens another pair.
+            // Within bars, a bar with a space before it and none after it opens another pair.
             Word::Bar => self.bars == 0 || self.is_spaced(self.at) && !self.is_spaced(self.at + 1),
             _ => false,
         }
@@ -300,7 +300,7 @@ impl<'a> Parser<'a> {
         }
     }
 
-    /// The argument of a function in brackets, and what is attached to them.
+    /// The argument of a function in brackets, and their subscripts and exponents.
     fn argument(&mut self) -> Result<Node, String> {
         self.at += 1;
         let fence = self.bracket('(')?;
@@ -311,7 +311,7 @@ impl<'a> Parser<'a> {
         let of = if derivative.of.is_empty() { None } else { Some(Box::new(parse(&derivative.of, self.symbols)?)) };
         let by = Box::new(Node::Letter(derivative.by.clone()));
         let node = Node::Derivative(derivative.order.clone(), of, by);
-        // The value of a derivative at an instant: dx/dt(0).
+        // The value of a derivative at a point in time: dx/dt(0).
         if matches!(self.peek(), Some(Word::Open('('))) && !self.is_spaced(self.at) {
             let argument = self.argument()?;
             return Ok(Node::Application(Box::new(node), Box::new(argument)));
@@ -351,7 +351,7 @@ impl<'a> Parser<'a> {
         }
     }
 
-    /// Subscripts, primes and an exponent behind a base.
+    /// Subscripts, primes and an exponent after a base.
     fn scripted(&mut self, base: Node) -> Result<Node, String> {
         let (mut below, mut above, mut primes) = (Vec::new(), None, 0);
         loop {
@@ -384,7 +384,7 @@ impl<'a> Parser<'a> {
         })
     }
 
-    /// A number, a letter or a bracket, with a sign before it if need be.
+    /// A number, a letter or a bracket, possibly with a sign before it.
     fn exponent(&mut self) -> Result<Node, String> {
         if let Some(Word::Operator(sign)) = self.peek()
             && is_sign(sign)
@@ -411,7 +411,7 @@ impl<'a> Parser<'a> {
                 let is_plain = below.is_empty();
                 Ok(if is_plain { base } else { Node::Scripted { base: Box::new(base), below, above: None, primes: 0 } })
             }
-            other => Err(format!("{} is no exponent", spelled(other))),
+            other => Err(format!("{} is not an exponent", spelled(other))),
         }
     }
 
@@ -423,7 +423,7 @@ impl<'a> Parser<'a> {
     }
 }
 
-/// What stands in the brackets, if the whole stands in brackets.
+/// The contents of the brackets, if they enclose the whole.
 pub fn bare(node: Node) -> Node {
     match node {
         Node::Fence('(', inner, ')') | Node::Fence('{', inner, '}') => *inner,
@@ -447,7 +447,7 @@ mod tests {
     use stribeck::friction::{BrownMcPhee, LuGre};
     use stribeck::model::{Law, Model};
 
-    /// The value of an equation whose letters have values: another reader of the tree than the typesetter.
+    /// The value of an equation whose letters have values: a second reader of the tree besides the typesetter.
     fn value(node: &Node, of: &dyn Fn(&str) -> f64) -> f64 {
         let value = |node: &Node| value(node, of);
         match node {
@@ -574,7 +574,7 @@ mod tests {
         assert_eq!(fault("x^"), "an exponent is missing at the end");
         assert_eq!(fault("stiffness x"), "'stiffness' is neither a symbol nor a function");
         assert_eq!(fault("sigam_0 x"), "'sigam_0' is neither a symbol nor a function");
-        assert_eq!(fault("a # b"), "'#' is no part of an equation");
+        assert_eq!(fault("a # b"), "'#' is not part of an equation");
     }
 
     #[test]

@@ -1,14 +1,14 @@
-//! Equations as MathML Core, the part of MathML that today's browsers draw.
+//! Equations as MathML Core, the part of MathML that present browsers support.
 
 use super::grammar::Node;
 use super::token::greek;
 
-/// How fractions are set.
+/// Form of fractions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Fractions {
     /// One above the other.
     Tall,
-    /// In the line, with a slash: in running text, and inside other fractions.
+    /// On the line, with a slash: in running text, and inside other fractions.
     Flat,
 }
 
@@ -47,7 +47,7 @@ pub fn text(words: &str) -> String {
     format!("<mtext>{}</mtext>", escape(words).replace(' ', "\u{a0}"))
 }
 
-/// Text as it stands in XML.
+/// Text as written in XML.
 pub fn escape(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
 }
@@ -74,7 +74,7 @@ fn number(text: &str) -> String {
     if mantissa == "1" { power } else { format!("<mrow><mn>{mantissa}</mn><mo>\u{d7}</mo>{power}</mrow>") }
 }
 
-/// Letters that say what a symbol is of stand upright, those that count are slanted.
+/// Letters of descriptive subscripts are upright, those of indices are slanted.
 fn subscript(text: &str) -> String {
     let mut parts = Vec::new();
     let mut rest = text;
@@ -135,7 +135,7 @@ fn derivative(order: &str, of: Option<&Node>, by: &Node, fractions: Fractions) -
     quotient(&above, &format!("<mrow>{UPRIGHT_D}{by}</mrow>"), fractions)
 }
 
-/// A tall fraction does without the brackets of its halves; inside it, fractions are flat.
+/// A tall fraction drops the brackets of its halves; inside it, fractions are flat.
 fn fraction(above: &Node, below: &Node, fractions: Fractions) -> String {
     let half = |node: &Node| match (fractions, node) {
         (Fractions::Tall, Node::Fence('(', inner, ')')) => elements(inner, Fractions::Flat),
@@ -153,7 +153,7 @@ fn quotient(above: &str, below: &str, fractions: Fractions) -> String {
     }
 }
 
-/// Brackets grow with what is tall; a subscript or an exponent alone is not.
+/// Brackets grow with tall contents; a subscript or an exponent alone does not count as tall.
 fn fence([open, close]: [char; 2], inner: &Node, fractions: Fractions) -> String {
     let stretchy = fractions == Fractions::Tall && has_fraction(inner);
     let side =
@@ -185,7 +185,7 @@ fn begins_with_bracket(node: &Node) -> bool {
     }
 }
 
-/// Factors close together, but for the names of functions, and with a dot between numbers.
+/// Factors close together, except for the names of functions, and with a dot between numbers.
 fn product(factors: &[Node], fractions: Fractions) -> String {
     let mut text = String::new();
     for (at, factor) in factors.iter().enumerate() {
@@ -225,7 +225,7 @@ mod tests {
     }
 
     #[test]
-    fn small_equations_as_they_should_be() {
+    fn small_equations_are_correct() {
         for (text, expected) in [
             ("v", "<mi>v</mi>"),
             ("f_C", "<msub><mi>f</mi><mi mathvariant=\"normal\">C</mi></msub>"),
@@ -275,7 +275,7 @@ mod tests {
     }
 
     #[test]
-    fn functions_keep_a_distance_from_what_is_not_in_brackets() {
+    fn functions_keep_a_distance_from_arguments_without_brackets() {
         let space = "<mspace width=\"0.17em\"/>";
         assert_eq!(
             mathml("sgn v", Fractions::Tall),

@@ -19,7 +19,7 @@ pub use prose::{Part, prose, symbol};
 pub struct Symbols(BTreeSet<String>);
 
 impl Symbols {
-    /// Is it one of them?
+    /// Whether it is one of them.
     pub fn contains(&self, name: &str) -> bool {
         self.0.contains(name)
     }
@@ -39,7 +39,7 @@ impl Symbols {
         self.insert(name);
     }
 
-    /// Adds the letters in an equation. Whole words are symbols only if a symbol table says so.
+    /// Adds the letters in an equation. Whole words are symbols only if they are in a symbol table.
     pub fn add_letters(&mut self, text: &str) {
         let mut symbols = Symbols::default();
         text.split_whitespace().for_each(|word| symbols.add(word));

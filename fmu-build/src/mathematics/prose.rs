@@ -1,7 +1,7 @@
 //! Symbols and short equations in running text.
 //!
-//! Nothing marks them there, so they are told from words by what they are made of, and set only if there is something
-//! in them that cannot be a word: a symbol of the page, a subscript, a derivative, a relation.
+//! They are not marked, so they are distinguished from words by their parts, and typeset only if one of these cannot be
+//! a word: a symbol of the page, a subscript, a derivative, a relation.
 
 use super::Symbols;
 use super::block::is_number;
@@ -9,10 +9,10 @@ use super::grammar::{self, is_differential, is_function};
 use super::mathml::{self, Fractions};
 use super::token::{self, Token, Word, greek, is_letter};
 
-/// An equation in running text has no more words than this.
+/// Maximum number of words of an equation in running text.
 const LONGEST: usize = 40;
 
-/// Letters of units; a number and a unit are no product.
+/// Letters of units; a number and a unit are not a product.
 const UNITS: [&str; 22] = [
     "m", "s", "kg", "N", "J", "W", "Hz", "kHz", "rad", "mm", "um", "nm", "ms", "us", "kN", "mN", "Pa", "MPa", "K", "g",
     "min", "h",
@@ -27,12 +27,12 @@ fn inline(elements: &str) -> String {
     format!("<math>{elements}</math>")
 }
 
-/// A paragraph in parts: text that stays as it is, and MathML.
+/// Part of a paragraph: unchanged text or MathML.
 #[derive(Debug, PartialEq)]
 pub enum Part {
     /// Plain text, not escaped.
     Text(String),
-    /// An equation: as it is written, and as HTML.
+    /// An equation: its text, and its HTML.
     Equation(String, String),
 }
 
@@ -60,13 +60,13 @@ pub fn prose(text: &str, symbols: &Symbols) -> Vec<Part> {
     parts
 }
 
-/// Begin and end of each word.
+/// Beginning and end of each word.
 fn words(text: &str) -> Vec<(usize, usize)> {
     let begin = |word: &str| word.as_ptr() as usize - text.as_ptr() as usize;
     text.split_whitespace().map(|word| (begin(word), begin(word) + word.len())).collect()
 }
 
-/// The longest equation that begins with a word: begin, end and elements.
+/// The longest equation that begins with a word: beginning, end and elements.
 fn equation(text: &str, words: &[(usize, usize)], at: usize, symbols: &Symbols) -> Option<(usize, usize, String)> {
     let spelled: Vec<&str> = words.iter().map(|(begin, end)| &text[*begin..*end]).collect();
     let last = words.len().min(at + LONGEST);
@@ -79,7 +79,7 @@ fn equation(text: &str, words: &[(usize, usize)], at: usize, symbols: &Symbols) 
     })
 }
 
-/// Without the punctuation of the sentence, and without brackets whose other half is elsewhere.
+/// The range without the punctuation of the sentence, and without brackets whose other half is elsewhere.
 fn trimmed(text: &str, mut begin: usize, mut end: usize) -> (usize, usize) {
     loop {
         let part = &text[begin..end];
@@ -94,14 +94,14 @@ fn trimmed(text: &str, mut begin: usize, mut end: usize) -> (usize, usize) {
     }
 }
 
-/// With the brackets and the punctuation that no line end may part from it.
+/// The range with the brackets and the punctuation that no line break may separate from it.
 fn with_punctuation(text: &str, begin: usize, end: usize) -> (usize, usize) {
     let before = text[..begin].len() - text[..begin].trim_end_matches('(').len();
     let after = text[end..].len() - text[end..].trim_start_matches(['.', ',', ';', ':', ')', '?']).len();
     (begin - before, end + after)
 }
 
-/// Could the word be part of an equation?
+/// Whether the word could be part of an equation.
 fn may_be_mathematics(words: &[&str], at: usize, is_first: bool, symbols: &Symbols) -> bool {
     let word = words[at].trim_matches(['.', ',', ';', ':', '?']);
     // A number in brackets refers to an equation.
@@ -112,7 +112,7 @@ fn may_be_mathematics(words: &[&str], at: usize, is_first: bool, symbols: &Symbo
     {
         return false;
     }
-    // An article, unless an operator stands beside it.
+    // An article, unless an operator is beside it.
     if matches!(word, "a" | "A" | "I") {
         let is_operator = |at: usize| words.get(at).is_some_and(|word| is_operator(word));
         return is_operator(at + 1) || at > 0 && is_operator(at - 1);
@@ -133,7 +133,7 @@ fn is_operator(word: &str) -> bool {
     tokens.first().is_some_and(|token| matches!(token.word, Word::Operator(_) | Word::Slash))
 }
 
-/// Is the word a unit behind a number, or one that is divided by another?
+/// Whether the word is a unit after a number, or a unit divided by another.
 fn is_unit(words: &[&str], at: usize, symbols: &Symbols) -> bool {
     let word = words[at].trim_matches(['.', ',', ';', ':', '(', ')']);
     let atoms = || word.split(['/', '.', '^', '2', '3']).filter(|atom| !atom.is_empty() && *atom != "1");
@@ -148,7 +148,7 @@ fn is_unit(words: &[&str], at: usize, symbols: &Symbols) -> bool {
     }
 }
 
-/// Is there something in it that cannot be a word?
+/// Whether something in it cannot be a word.
 fn is_certain(text: &str, symbols: &Symbols) -> bool {
     let tokens = token::tokens(text).unwrap_or_default();
     let is_name = |token: &Token| matches!(token.word, Word::Name(_) | Word::Derivative(_));
@@ -165,7 +165,7 @@ fn is_certain(text: &str, symbols: &Symbols) -> bool {
     })
 }
 
-/// Is the word of a block of equations a plain one? An article is one if its neighbours are.
+/// Whether a word in a block of equations is a plain one. An article is one if its neighbours are.
 pub fn is_prose(words: &[&str], at: usize, symbols: &Symbols) -> bool {
     let is_plain = |word: &str| {
         let word = word.trim_end_matches(['.', ',', ';', ':', '?']);
@@ -241,7 +241,7 @@ mod tests {
     }
 
     #[test]
-    fn an_article_is_no_factor() {
+    fn an_article_is_not_a_factor() {
         assert_eq!(found("needs a v_0 above"), "v_0");
         assert_eq!(found("with 1 + a = f_s"), "1 + a = f_s");
     }

@@ -7,7 +7,7 @@ pub enum Word {
     Number(String),
     /// Letters and digits, such as `sigma`, `tanh` or `x1`.
     Name(String),
-    /// What follows an underscore: letters and digits, `+` or `-`; empty if a bracket follows.
+    /// A subscript after an underscore: letters and digits, `+` or `-`; empty if a bracket follows.
     Subscript(String),
     /// A derivative such as `d2x/dt2`.
     Derivative(Derivative),
@@ -34,22 +34,22 @@ pub enum Word {
 pub struct Derivative {
     /// `2` for a second derivative, empty for a first one.
     pub order: String,
-    /// What is derived; empty in `d/dt`.
+    /// The function; empty in `d/dt`.
     pub of: String,
-    /// By what.
+    /// The variable.
     pub by: String,
 }
 
-/// A word with its surroundings.
+/// A word and whether a space precedes it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Token {
     /// The word.
     pub word: Word,
-    /// Is there white space before it?
+    /// Whether there is white space before it.
     pub spaced: bool,
 }
 
-/// Spelling and characters of the operators; of two that begin alike the longer one stands first.
+/// Spelling and characters of the operators; of two that begin alike the longer one comes first.
 const OPERATORS: [(&str, &str); 23] = [
     ("<=>", "\u{21d4}"),
     ("...", "\u{2026}"),
@@ -124,7 +124,7 @@ pub fn is_letter(name: &str) -> bool {
     name.len() == 1 && name.bytes().all(|byte| byte.is_ascii_alphabetic()) || greek(name).is_some()
 }
 
-/// The words of a text; the error names what is no part of an equation.
+/// The words of a text; the error names a character that is not part of an equation.
 pub fn tokens(text: &str) -> Result<Vec<Token>, String> {
     let mut tokens = Vec::new();
     let mut rest = text;
@@ -162,7 +162,7 @@ fn word(text: &str) -> Result<(Word, usize), String> {
         '^' => Word::Power,
         '/' => Word::Slash,
         '\'' => Word::Prime,
-        _ => return Err(format!("'{first}' is no part of an equation")),
+        _ => return Err(format!("'{first}' is not part of an equation")),
     };
     Ok((word, 1))
 }
@@ -258,7 +258,7 @@ mod tests {
     }
 
     #[test]
-    fn derivatives_are_told_from_quotients() {
+    fn derivatives_are_distinguished_from_quotients() {
         assert_eq!(words("d2x/dt2"), [derivative("2", "x", "t")]);
         assert_eq!(words("d^2x/dt^2"), [derivative("2", "x", "t")]);
         assert_eq!(words("df_f/dt"), [derivative("", "f_f", "t")]);
