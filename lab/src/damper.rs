@@ -1,4 +1,4 @@
-//! `stribeck damper`: from a damper test to a parameter set.
+//! `stribeck damper`: turns a damper test into a parameter set.
 
 use std::path::PathBuf;
 
@@ -7,24 +7,24 @@ use lab::dyno::{Damper, DynoError, ForceSign, Options, Test, find_damper};
 
 #[derive(Args)]
 pub struct Arguments {
-    /// Table with the columns velocity and force, perhaps displacement and temperature; units in brackets.
+    /// Table with the columns velocity and force, optionally displacement and temperature; units in brackets.
     pub file: PathBuf,
     /// Parameter set to write: set.csv or set.ssv.
     #[arg(long)]
     out: Option<PathBuf>,
-    /// Points of the damper table, 0 included (3 to 16).
+    /// Number of points of the damper table, including 0 (3 to 16).
     #[arg(long, default_value_t = Options::default().points)]
     points: usize,
     /// Velocity and displacement in the file are positive in compression.
     #[arg(long)]
     compression_positive: bool,
-    /// Refuse a file whose force has another sign than this one.
+    /// Reject a file unless its force has this sign.
     #[arg(long)]
     force_sign: Option<Sign>,
-    /// Speed below which samples tell friction from damping, in m/s.
+    /// Speed below which samples distinguish friction from damping, in m/s.
     #[arg(long, default_value_t = Options::default().low_speed)]
     low_speed: f64,
-    /// Gas force, in N, mean of both ends of the stroke: tells the friction of the two directions apart.
+    /// Gas force, in N, mean of both ends of the stroke; separates the friction of the two directions.
     #[arg(long)]
     gas_force: Option<f64>,
 }
@@ -65,7 +65,7 @@ pub fn run(arguments: &Arguments) -> Result<(), DynoError> {
     Ok(())
 }
 
-/// What was found, in words and numbers.
+/// Report of the results.
 fn report(test: &Test, damper: &Damper) -> String {
     let mut text = format!("{} samples; the force is the {}\n\n", test.velocity.len(), damper.force_sign);
     text += "velocity (extension > 0)   resistance\n";
@@ -77,7 +77,7 @@ fn report(test: &Test, damper: &Damper) -> String {
         let level = friction.level;
         text += &format!("friction    {:.1} N, standard deviation {:.1} N", level.value, level.deviation);
         text += &friction.asymmetry.map_or_else(
-            || "; the same in both directions, for want of the gas force\n".into(),
+            || "; the same in both directions, because the gas force is not given\n".into(),
             |asymmetry| {
                 let [compression, extension] = [1.0 + asymmetry, 1.0 - asymmetry].map(|share| share * level.value);
                 format!("; {compression:.1} N in compression, {extension:.1} N in extension\n")
@@ -104,7 +104,7 @@ mod tests {
     use lab::dyno::{Estimate, Friction};
 
     #[test]
-    fn reports_say_what_was_found_and_what_was_not() {
+    fn reports_name_what_was_found_and_what_was_not() {
         let test = Test { velocity: vec![0.0; 7], ..Test::default() };
         let level = Estimate { value: 20.0, deviation: 0.5 };
         let damper = Damper {
@@ -124,6 +124,6 @@ mod tests {
         assert!(!text.contains("gas force"), "{text}");
         assert!(text.ends_with("warning: too warm\n"), "{text}");
         let damper = Damper { friction: Some(Friction { level, asymmetry: None }), ..damper };
-        assert!(report(&test, &damper).contains("for want of the gas force"));
+        assert!(report(&test, &damper).contains("because the gas force is not given"));
     }
 }

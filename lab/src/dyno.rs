@@ -1,7 +1,7 @@
-//! Damper files: what a damper dynamometer has measured becomes a parameter set of the shock absorber.
+//! Damper files: turns the measurements of a damper dynamometer into a parameter set of the shock absorber.
 //!
-//! The damper is moved to and fro without its spring and without side load; the file has velocity and force, either of
-//! whole strokes (a loop test) or at the peaks of several speeds (a peak-velocity plot).
+//! The damper is driven back and forth without its spring and without side load; the file has velocity and force,
+//! either of whole strokes (a loop test) or at the peaks of several speeds (a peak-velocity plot).
 //!
 //! # Equations
 //! With the resistance r (the force that has the sign of the velocity) and the velocity v, positive in extension:
@@ -19,21 +19,21 @@
 //! | x, x_c | m    | displacement and its centre, positive in extension                                  |
 //! | g      | N/m  | force in proportion to displacement: gradient of the gas force, lag of the oil      |
 //!
-//! At v = 0 a polynomial through the samples below the low speed is extended to rest, on each side. g comes from the
-//! gap between the two branches of a stroke at equal speed, and is removed first. All fits are by least squares with
-//! Tukey's weights, so that single wild samples do not count; the standard deviations are those of the fits.
+//! At v = 0 a polynomial through the samples below the low speed is extrapolated to rest, on each side. g comes from
+//! the gap between the two branches of a stroke at equal speed, and is removed first. All fits are by least squares
+//! with Tukey's weights, so that single outliers do not count; the standard deviations are those of the fits.
 //!
 //! # Sign
-//! Dynamometers differ: [`Options::compression_positive`] turns velocity and displacement. A damper takes energy out,
-//! so the sign of the force can be found in the file; [`Options::force_sign`] demands one.
+//! Dynamometers differ: [`Options::compression_positive`] reverses velocity and displacement. A damper dissipates
+//! energy, so the sign of the force can be found in the file; [`Options::force_sign`] requires one.
 //!
 //! # Limits
-//! * F_g and alpha enter the same mean: alpha is told only if the gas force is known ([`Options::gas_force`]).
-//! * Below breakaway friction is not yet developed. With displacement, samples within a millimetre after the end of a
-//!   stroke are left out of the fits at low speed; without it they make the friction look smaller.
-//! * g is that of middle speeds. Oil lags in proportion to the slope of F_d, so where the damper bends much, a part of
-//!   the lag at low speed counts as friction: test slowly, with long strokes.
-//! * The level above sliding (stiction) is not seen in such tests: see [`Damper::parameter_set`].
+//! * F_g and alpha enter the same mean: alpha is found only if the gas force is known ([`Options::gas_force`]).
+//! * Below breakaway, friction is not yet fully developed. With displacement, samples within a millimetre after the end
+//!   of a stroke are excluded from the fits at low speed; without it they make the friction look smaller.
+//! * g is that of middle speeds. Oil lags in proportion to the slope of F_d, so where the characteristic bends
+//!   strongly, part of the lag at low speed counts as friction: test slowly, with long strokes.
+//! * The static level (stiction) is not visible in such tests: see [`Damper::parameter_set`].
 //!
 //! # Source
 //! The equation is a balance of forces. Weights: A. E. Beaton, J. W. Tukey, "The fitting of power series, meaning
@@ -63,12 +63,12 @@ const WARM_UP: f64 = 10.0;
 /// Travel after the end of a stroke in which friction develops, m (chosen: several times the breakaway travel).
 const BREAKAWAY: f64 = 1e-3;
 
-/// How the force in the file is counted.
+/// Sign convention of the force in the file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ForceSign {
     /// The force has the sign of the velocity in the file.
     Resistance,
-    /// The force has the opposite sign: it is what the damper does to the machine.
+    /// The force has the opposite sign: it is the action of the damper on the machine.
     Reaction,
 }
 
@@ -81,18 +81,18 @@ impl fmt::Display for ForceSign {
     }
 }
 
-/// What must be known beside the file.
+/// Information in addition to the file.
 #[derive(Clone, Copy, Debug)]
 pub struct Options {
     /// Velocity and displacement in the file are positive in compression.
     pub compression_positive: bool,
     /// Sign of the force that the file must have; found in the file if not given.
     pub force_sign: Option<ForceSign>,
-    /// Points of the table, 0 included: 3 to [`MOST_POINTS`].
+    /// Number of points of the table, including 0: 3 to [`MOST_POINTS`].
     pub points: usize,
-    /// Speed below which samples tell friction from damping, m/s.
+    /// Speed below which samples distinguish friction from damping, m/s.
     pub low_speed: f64,
-    /// Gas force, N, mean of both ends of the stroke, if known: only then can the asymmetry of friction be told.
+    /// Gas force, N, mean of both ends of the stroke, if known: only then can the asymmetry of friction be found.
     pub gas_force: Option<f64>,
 }
 
@@ -121,28 +121,28 @@ pub struct Friction {
     pub asymmetry: Option<f64>,
 }
 
-/// What a file tells about a damper.
+/// Properties of a damper found in a file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Damper {
     /// Velocity in m/s, positive in extension, and resistance of the damper in N, without friction and gas force.
     pub table: Vec<(f64, f64)>,
-    /// Friction, if the samples tell it.
+    /// Friction, if the samples determine it.
     pub friction: Option<Friction>,
-    /// Gas force, N, mean of both ends of the stroke, positive pushes the eyes apart, if the samples tell it.
+    /// Gas force, N, mean of both ends of the stroke, positive pushes the eyes apart, if the samples determine it.
     pub gas_force: Option<Estimate>,
     /// Resistance in proportion to displacement, N/m, if the file has strokes with displacement.
     pub gradient: Option<Estimate>,
-    /// How the force in the file is counted.
+    /// Sign convention of the force in the file.
     pub force_sign: ForceSign,
     /// Root mean square of the difference between the samples and table, friction and gas force, N.
     pub rms_error: f64,
     /// Largest difference, N.
     pub max_error: f64,
-    /// What the user should know.
+    /// Warnings for the user.
     pub warnings: Vec<String>,
 }
 
-/// Why no damper was found in a test.
+/// Reason why no damper was found in a test.
 #[derive(Debug, Error)]
 pub enum DynoError {
     /// The file cannot be read.
@@ -155,7 +155,7 @@ pub enum DynoError {
         name: &'static str,
         /// Its value.
         value: f64,
-        /// What it must be.
+        /// The condition.
         wanted: &'static str,
     },
     /// There are too few samples in one direction.
@@ -175,20 +175,22 @@ pub enum DynoError {
         /// Share of the samples in which the signs agree.
         percent: f64,
     },
-    /// The force has the other sign.
+    /// The force has the opposite sign.
     #[error(
-        "the force in the file is the {found}, not the {wanted}: set the force sign to {found}, or turn the velocity"
+        "the force in the file is the {found}, not the {wanted}: set the force sign to {found}, or reverse the velocity"
     )]
     ForceSign {
-        /// What the file has.
+        /// The sign in the file.
         found: ForceSign,
-        /// What was demanded.
+        /// The required sign.
         wanted: ForceSign,
     },
-    /// Displacement and velocity do not belong together.
-    #[error("the displacement falls where the velocity is positive: the two columns count in opposite directions")]
+    /// Displacement and velocity do not match.
+    #[error(
+        "the displacement decreases while the velocity is positive: the two columns have opposite sign conventions"
+    )]
     Displacement,
-    /// Squares of velocities or forces are no numbers any more, or table points coincide.
+    /// Squares of velocities or forces overflow, or table points coincide.
     #[error("speeds up to {speed:e} m/s and forces up to {force:e} N are too large or too small to compute with")]
     OutOfRange {
         /// The highest speed, m/s.
@@ -196,7 +198,7 @@ pub enum DynoError {
         /// The largest force, N.
         force: f64,
     },
-    /// The result is no parameter set of the shock absorber.
+    /// The result is not a parameter set of the shock absorber.
     #[error(transparent)]
     Set(#[from] SetError),
     /// The library has no such model.
@@ -204,7 +206,7 @@ pub enum DynoError {
     NoModel(&'static str),
 }
 
-/// One sample, turned to this project's signs.
+/// One sample, with this project's signs.
 #[derive(Clone, Copy)]
 struct Sample {
     velocity: f64,
@@ -221,8 +223,8 @@ impl Sample {
 /// Finds the damper in a test.
 ///
 /// # Errors
-/// Refused: options outside their range, a direction without samples, signs that contradict each other, numbers too large
-/// or too small to compute with.
+/// Options outside their range, a direction without samples, contradictory signs, or numbers too large or too small to
+/// compute with.
 pub fn find_damper(test: &Test, options: &Options) -> Result<Damper, DynoError> {
     check(options)?;
     let force_sign = force_sign(test, options)?;
@@ -230,15 +232,15 @@ pub fn find_damper(test: &Test, options: &Options) -> Result<Damper, DynoError> 
     let mut warnings = warnings_of(test);
     let gradient = if test.displacement.is_some() { remove_gradient(&mut samples) } else { None };
     if test.displacement.is_some() && gradient.is_none() {
-        warnings.push("the displacement does not tell the two branches of a stroke apart: not used".into());
+        warnings.push("the displacement does not separate the two branches of a stroke: not used".into());
     }
     let rest = sides_at_rest(&samples, options.low_speed, gradient.is_some());
     let (friction, gas_force) = match rest {
         Ok(sides) => friction_and_gas(sides, options.gas_force, &mut warnings),
         Err(direction) => {
             warnings.push(format!(
-                "too few samples below {} m/s in {direction}: friction and gas force cannot be told, the table \
-                 contains them; the set leaves the friction at its defaults",
+                "too few samples below {} m/s in {direction}: friction and gas force cannot be separated from \
+                 damping; the table includes them, and the set keeps the default friction",
                 options.low_speed
             ));
             (None, None)
@@ -275,8 +277,8 @@ fn median(mut values: Vec<f64>) -> f64 {
     values[values.len() / 2]
 }
 
-/// Sign of the force, in agreement with the option. Velocity and force stay as they are in the file here: turning both
-/// changes nothing.
+/// Sign of the force, in agreement with the option. Velocity and force are used as in the file: reversing both changes
+/// nothing.
 fn force_sign(test: &Test, options: &Options) -> Result<ForceSign, DynoError> {
     let half = |direction: f64| test.velocity.iter().fold(0.0, |most: f64, v| most.max(direction * v)) / 2.0;
     let at_speed = |direction: f64| -> Vec<f64> {
@@ -312,13 +314,13 @@ fn force_sign(test: &Test, options: &Options) -> Result<ForceSign, DynoError> {
     }
 }
 
-/// Positive if the displacement mostly grows while the velocity is positive.
+/// Positive if the displacement mostly increases while the velocity is positive.
 fn climb(velocity: &[f64], displacement: &[f64]) -> f64 {
     let moves = displacement.windows(2).zip(velocity.windows(2));
     moves.map(|(x, v)| (x[1] - x[0]) * (v[0] + v[1])).sum()
 }
 
-/// The samples in this project's signs. Those at rest tell nothing.
+/// The samples with this project's signs. Those at rest are not used.
 fn samples(test: &Test, options: &Options, force_sign: ForceSign) -> Vec<Sample> {
     let motion = if options.compression_positive { -1.0 } else { 1.0 };
     let force = if force_sign == ForceSign::Reaction { -motion } else { motion };
@@ -356,8 +358,9 @@ fn top_speed(samples: &[Sample]) -> f64 {
     samples.iter().fold(0.0, |most, sample| sample.velocity.abs().max(most))
 }
 
-/// Takes the force in proportion to displacement out of the samples, and returns its slope: from the speeds at which
-/// both branches of a stroke are far apart in displacement. None if displacement and velocity do not vary separately.
+/// Removes the force in proportion to displacement from the samples and returns its slope, found at the speeds at which
+/// both branches of a stroke are far apart in displacement. None if displacement and velocity do not vary
+/// independently.
 fn remove_gradient(samples: &mut [Sample]) -> Option<Estimate> {
     const FEWEST: usize = 20; // chosen: a loop has more samples, a peak-velocity plot less
     let (centre, stroke) = centre_and_stroke(samples);
@@ -396,9 +399,10 @@ fn mean(first: Estimate, second: Estimate) -> Estimate {
     Estimate { value: (first.value + second.value) / 2.0, deviation: first.deviation.hypot(second.deviation) / 2.0 }
 }
 
-/// Resistance at rest when coming from extension and from compression; else the direction that has too few samples.
+/// Resistance at rest, approached from extension and from compression; else the direction that has too few samples.
 fn sides_at_rest(samples: &[Sample], low_speed: f64, with_displacement: bool) -> Result<[Estimate; 2], &'static str> {
-    // A fifth of the range at most: further up the damper bends. Close to rest the sign of the velocity is noise.
+    // At most a fifth of the range: further up the characteristic bends. Close to rest the sign of the velocity is
+    // noise.
     let window = low_speed.min(0.2 * top_speed(samples));
     let (centre, stroke) = centre_and_stroke(samples);
     let developed = |sample: &Sample| {
@@ -446,7 +450,7 @@ fn friction_and_gas(
     (Some(Friction { level, asymmetry: Some(asymmetry) }), Some(Estimate { value: known, deviation: 0.0 }))
 }
 
-/// What is no hydraulic damping.
+/// The part of the force that is not hydraulic damping.
 struct Offset {
     gas: f64,
     friction: Option<Friction>,
@@ -480,7 +484,7 @@ fn table(samples: &[Sample], offset: &Offset, points: usize, warnings: &mut Vec<
     compression.chain([(0.0, 0.0)]).chain(extension).collect()
 }
 
-/// Speed and hydraulic resistance of one direction, both positive, in the order of speed.
+/// Speed and hydraulic resistance of one direction, both positive, sorted by speed.
 fn hydraulic(samples: &[Sample], offset: &Offset, is_extension: bool) -> Vec<(f64, f64)> {
     let side = samples.iter().filter(|sample| sample.is_extension() == is_extension);
     let speed_and_force = |sample: &Sample| {
@@ -492,12 +496,12 @@ fn hydraulic(samples: &[Sample], offset: &Offset, is_extension: bool) -> Vec<(f6
     side
 }
 
-/// The curve through samples in the order of speed: their own points if they are few, else local fits at speeds that
+/// The curve through samples sorted by speed: the samples themselves if they are few, else local fits at speeds that
 /// are denser near rest.
 fn curve(samples: Vec<(f64, f64)>) -> Vec<(f64, f64)> {
     const FITS: usize = 24; // chosen
-    const SLOWEST: f64 = 0.02; // of the highest speed; below it noise decides (chosen)
-    // One wild velocity must not stretch the table.
+    const SLOWEST: f64 = 0.02; // of the highest speed; below it noise dominates (chosen)
+    // A single outlier must not stretch the table.
     let top = samples[(samples.len() - 1) * 199 / 200].0;
     let groups = groups(&samples, 0.005 * top);
     if groups.len() <= 2 * FITS {
@@ -512,12 +516,12 @@ fn curve(samples: Vec<(f64, f64)>) -> Vec<(f64, f64)> {
     (1..=FITS).filter(|number| speed(*number) >= SLOWEST * top).filter_map(fit).collect()
 }
 
-/// The `slots` points of a curve, beside its first, whose connection by straight lines is nearest to all its points;
-/// the last is always one of them. By dynamic programming.
+/// The `slots` points of a curve, in addition to its first, whose connection by straight lines is nearest to all its
+/// points; the last is always one of them. Found by dynamic programming.
 fn polyline(curve: &[(f64, f64)], slots: usize) -> Vec<(f64, f64)> {
     let last = curve.len() - 1;
     let slots = slots.min(last);
-    // Sum of the squares left by the best line that ends in a point, and the point before it; one row per line more.
+    // Sum of squares of the best polyline that ends in a point, and the point before it; one row per number of lines.
     let mut rows = vec![vec![(f64::INFINITY, 0); curve.len()]];
     rows[0][0].0 = 0.0;
     for slot in 1..=slots {
@@ -545,7 +549,7 @@ fn misfit(points: &[(f64, f64)]) -> f64 {
     points.iter().map(|point| (point.1 - linear(&line, point.0)).powi(2)).sum()
 }
 
-/// Samples of nearly equal speed, each group as its medians.
+/// Samples grouped by nearly equal speed, each group replaced by its medians.
 fn groups(sorted: &[(f64, f64)], width: f64) -> Vec<(f64, f64)> {
     let mut groups = Vec::new();
     let mut rest = sorted;
@@ -569,7 +573,7 @@ fn errors(samples: &[Sample], offset: &Offset, table: &[(f64, f64)]) -> [f64; 2]
 }
 
 impl Damper {
-    /// Is every number finite, and does the table rise from each point to the next?
+    /// Whether every number is finite and the table rises from each point to the next.
     fn is_sound(&self) -> bool {
         let level = self.friction.map(|friction| friction.level);
         let asymmetry = self.friction.and_then(|friction| friction.asymmetry);

@@ -1,4 +1,4 @@
-//! `stribeck`: the bench. Looks at models without an importer, and reads the files of dampers and tyres.
+//! `stribeck`: the bench. Lists and shows models without an importer, and reads files of dampers and tyres.
 
 mod damper;
 mod tyre;
@@ -10,7 +10,7 @@ use lab::parameter_set::text_of;
 use stribeck::catalogue;
 use stribeck::model::{Kind, ModelType, Variable};
 
-/// Friction force models: look at them without an importer, and read the files of dampers and tyres.
+/// Lists and shows friction force models without an importer, and reads files of dampers and tyres.
 #[derive(Parser)]
 #[command(name = "stribeck", version)]
 struct Arguments {

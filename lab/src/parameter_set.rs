@@ -12,7 +12,7 @@ use stribeck::model::{Fault, Kind, ModelType, Variable};
 use stribeck::unit::DisplayUnit;
 use thiserror::Error;
 
-/// Values for variables of one model. What it holds, the model admits.
+/// Values for variables of one model, all of which the model accepts.
 ///
 /// ```
 /// use lab::parameter_set::ParameterSet;
@@ -30,7 +30,7 @@ pub struct ParameterSet {
     values: Vec<(usize, f64)>,
 }
 
-/// Why a set was refused.
+/// Reason why a set was rejected.
 #[derive(Debug, Error)]
 pub enum SetError {
     /// The model has no such variable.
@@ -38,7 +38,7 @@ pub enum SetError {
     Unknown {
         /// The model.
         model: &'static str,
-        /// What was asked for.
+        /// The requested name.
         name: String,
     },
     /// The variable is a result.
@@ -52,17 +52,17 @@ pub enum SetError {
     /// The name of the set has characters that no XML file can hold.
     #[error("the set's name {0:?}: must have no control characters")]
     Name(String),
-    /// The variable stands there twice.
+    /// The variable occurs twice.
     #[error("'{0}' is given twice")]
     Twice(String),
-    /// The text does not stand for a value of this variable.
+    /// The text is not a value of this variable.
     #[error("{name} = '{text}': must be {wanted}")]
     Kind {
         /// The variable.
         name: String,
-        /// What stands there.
+        /// The given text.
         text: String,
-        /// What could stand there.
+        /// The accepted values.
         wanted: String,
     },
     /// The unit is neither that of the variable nor one of its display units.
@@ -70,21 +70,21 @@ pub enum SetError {
     Unit {
         /// The variable.
         name: String,
-        /// What stands there.
+        /// The given text.
         unit: String,
-        /// What could stand there.
+        /// The accepted values.
         wanted: String,
     },
-    /// The value is outside its bound, or values do not go together.
+    /// The value is outside its bound, or values are inconsistent.
     #[error(transparent)]
     Fault(#[from] Fault),
-    /// The CSV text is not one.
-    #[error("no table with the columns variable, value and perhaps unit: {0}")]
+    /// The CSV text is not a parameter set.
+    #[error("not a table with the columns variable, value and optionally unit: {0}")]
     Csv(#[from] csv::Error),
     /// The XML text is not a parameter set.
-    #[error("no SSP parameter set: {0}")]
+    #[error("not an SSP parameter set:  {0}")]
     Ssv(String),
-    /// The ending of the file's name says nothing.
+    /// The file has an unknown extension.
     #[error("{}: the name must end in .csv or .ssv", .0.display())]
     Ending(PathBuf),
     /// The file cannot be read or written.
@@ -95,7 +95,7 @@ pub enum SetError {
         /// Why.
         source: std::io::Error,
     },
-    /// The file was read, but its contents were refused.
+    /// The file was read, but its contents were rejected.
     #[error("{}: {source}", path.display())]
     Contents {
         /// The file.
@@ -182,13 +182,13 @@ impl ParameterSet {
     pub fn to_csv(&self) -> String {
         let mut table = String::from("variable,value,unit\n");
         for (variable, value) in self.values() {
-            // Names, numbers and units hold neither commas nor quotes.
+            // Names, numbers and units contain neither commas nor quotes.
             table += &format!("{},{},{}\n", variable.path, text_of(variable, value), unit_of(variable));
         }
         table
     }
 
-    /// Reads what [`ParameterSet::to_csv`] writes. The unit may be left out; display units of the model are converted.
+    /// Reads what [`ParameterSet::to_csv`] writes. The unit may be omitted; display units of the model are converted.
     pub fn from_csv(model: &'static ModelType, name: &str, text: &str) -> Result<ParameterSet, SetError> {
         #[derive(serde::Deserialize)]
         struct Line {
@@ -218,7 +218,7 @@ impl ParameterSet {
         ssv::read(model, text)
     }
 
-    /// Writes a file; the ending of its name says in which form.
+    /// Writes a file; its extension selects the format.
     pub fn save(&self, path: &Path) -> Result<(), SetError> {
         let text = match Form::of(path)? {
             Form::Csv => self.to_csv(),
@@ -227,7 +227,7 @@ impl ParameterSet {
         fs::write(path, text).map_err(|source| SetError::File { path: path.into(), source })
     }
 
-    /// Reads a file; the ending of its name says in which form. A CSV file gives the set its own name.
+    /// Reads a file; its extension selects the format. A set from a CSV file is named after the file.
     pub fn load(model: &'static ModelType, path: &Path) -> Result<ParameterSet, SetError> {
         let form = Form::of(path)?;
         let text = fs::read_to_string(path).map_err(|source| SetError::File { path: path.into(), source })?;
@@ -240,7 +240,7 @@ impl ParameterSet {
     }
 }
 
-/// The form of a file.
+/// The format of a file.
 enum Form {
     Csv,
     Ssv,
@@ -288,7 +288,7 @@ fn unit_of(variable: &Variable) -> &'static str {
     }
 }
 
-/// The number that a text stands for, in the variable's own unit.
+/// The number given by a text, in the variable's own unit.
 fn value_of(variable: &Variable, text: &str, unit: &str) -> Result<f64, SetError> {
     let number = match variable.kind {
         Kind::Real(_) => text.parse::<f64>().ok(),
@@ -309,7 +309,7 @@ fn value_of(variable: &Variable, text: &str, unit: &str) -> Result<f64, SetError
     Ok(display_unit(variable, unit)?.map_or(number, |display| (number - display.offset) / display.factor))
 }
 
-/// What a text must be to be a value of this variable.
+/// Description of the texts that are values of this variable.
 fn wanted_value(variable: &Variable) -> String {
     match variable.kind {
         Kind::Real(_) => "a number".into(),
@@ -322,7 +322,7 @@ fn wanted_value(variable: &Variable) -> String {
     }
 }
 
-/// The display unit of that name; none if the name is that of the variable's own unit or empty.
+/// The display unit of that name; none if the name is empty or that of the variable's own unit.
 fn display_unit(variable: &Variable, name: &str) -> Result<Option<&'static DisplayUnit>, SetError> {
     if name.is_empty() || name == unit_of(variable) {
         return Ok(None);
@@ -334,7 +334,7 @@ fn display_unit(variable: &Variable, name: &str) -> Result<Option<&'static Displ
     let refuse = || {
         let units = [unit_of(variable)].into_iter().chain(display.iter().map(|display| display.name));
         let units: Vec<&str> = units.filter(|name| !name.is_empty()).collect();
-        let wanted = if units.is_empty() { "left out".into() } else { units.join(" or ") };
+        let wanted = if units.is_empty() { "omitted".into() } else { units.join(" or ") };
         SetError::Unit { name: variable.path.to_string(), unit: name.to_owned(), wanted }
     };
     display.iter().find(|display| display.name == name).map(Some).ok_or_else(refuse)
@@ -361,7 +361,7 @@ mod tests {
     }
 
     #[test]
-    fn both_forms_give_back_every_bit() {
+    fn both_formats_preserve_every_bit() {
         let set = karnopp();
         assert_eq!(ParameterSet::from_csv(set.model(), set.name(), &set.to_csv()).unwrap(), set);
         assert_eq!(ParameterSet::from_ssv(set.model(), &set.to_ssv()).unwrap(), set);
@@ -370,7 +370,7 @@ mod tests {
     }
 
     #[test]
-    fn files_say_by_their_ending_what_they_are() {
+    fn file_extensions_select_the_format() {
         let folder = tempfile::tempdir().unwrap();
         let set = ParameterSet::new(model("LuGre"), "rubber", [("mu_s", 0.9)]).unwrap();
         for name in ["rubber.csv", "other.SSV"] {
@@ -386,7 +386,7 @@ mod tests {
         assert!(refusal(ParameterSet::load(set.model(), &wrong)).ends_with("wrong.csv: LuGre has no variable 'mu'"));
     }
 
-    /// What another XML parser sees: the names, types and units of the standard.
+    /// Another XML parser finds the names, types and units of the standard.
     #[test]
     fn parameter_sets_have_the_elements_of_the_standard() {
         let text = karnopp().to_ssv();
@@ -426,7 +426,7 @@ mod tests {
     }
 
     #[test]
-    fn mistakes_are_refused_by_name_value_and_limit() {
+    fn mistakes_are_rejected_with_name_value_and_limit() {
         let read = |line: &str| {
             refusal(ParameterSet::from_csv(model("Karnopp"), "x", &format!("variable,value,unit\n{line}\n")))
         };
@@ -440,11 +440,11 @@ mod tests {
             ("exchange,Both,", "exchange = 'Both': must be one of Sequential, Parallel"),
             ("exchange,3,", "exchange = 3: must be >= 1 and <= 2"),
             ("velocity,1,km/h", "velocity: unit 'km/h', must be m/s or mm/s"),
-            ("exchange,1,s", "exchange: unit 's', must be left out"),
+            ("exchange,1,s", "exchange: unit 's', must be omitted"),
         ] {
             assert_eq!(read(line), answer);
         }
-        assert!(read("mu_s").starts_with("no table with the columns variable, value"));
+        assert!(read("mu_s").starts_with("not a table with the columns variable, value"));
         let fault = ParameterSet::new(model("Karnopp"), "x", [("mu_s", 0.1), ("mu_k", 0.2)]);
         assert!(refusal(fault).contains("mu_s"), "values that do not go together");
         assert!(refusal(ParameterSet::new(model("Karnopp"), "x", [("exchange", 1.5)])).contains("exchange = 1.5"));
@@ -452,7 +452,7 @@ mod tests {
 
     /// Found by fuzzing: a line end in the name became a space when the set was written and read again.
     #[test]
-    fn names_that_no_file_can_hold_are_refused() {
+    fn names_that_no_file_can_hold_are_rejected() {
         for name in ["a\nb", "a\t", "\u{1}", "\u{ffff}"] {
             let refused = refusal(ParameterSet::new(model("Karnopp"), name, [("mu_s", 0.3)]));
             assert_eq!(refused, format!("the set's name {name:?}: must have no control characters"));
@@ -464,16 +464,16 @@ mod tests {
     }
 
     #[test]
-    fn xml_that_is_no_parameter_set_is_refused() {
+    fn xml_that_is_not_a_parameter_set_is_rejected() {
         let read = |text: &str| refusal(ParameterSet::from_ssv(model("Karnopp"), text));
         let good = karnopp().to_ssv();
-        assert!(read("").starts_with("no SSP parameter set: "));
-        assert!(read(&good[..good.len() / 2]).starts_with("no SSP parameter set: "));
+        assert!(read("").starts_with("not an SSP parameter set:  "));
+        assert!(read(&good[..good.len() / 2]).starts_with("not an SSP parameter set:  "));
         assert!(
             read(&good.replace("version=\"1.0\" name", "version=\"2.0\" name")).contains("version '2.0', must be 1.0")
         );
-        assert!(read(&good.replace("ssv:Integer", "ssv:Boolean")).contains("exchange is no Boolean"));
-        assert!(read(&good.replace("ssv:Integer", "ssv:Binary")).starts_with("no SSP parameter set: "));
-        assert!(read(&good.replace("ssv:ParameterSet", "ssv:Other")).starts_with("no SSP parameter set: "));
+        assert!(read(&good.replace("ssv:Integer", "ssv:Boolean")).contains("exchange is not of type Boolean"));
+        assert!(read(&good.replace("ssv:Integer", "ssv:Binary")).starts_with("not an SSP parameter set:  "));
+        assert!(read(&good.replace("ssv:ParameterSet", "ssv:Other")).starts_with("not an SSP parameter set:  "));
     }
 }

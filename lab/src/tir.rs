@@ -1,8 +1,8 @@
 //! Tyre property files (`.tir`) with coefficients of the Magic Formula, as values for the variables of a car.
 //!
-//! Read are files for version 5 of the formula: `FITTYP` 5, 6 or 21, or the formats `PAC2002`, `MF_05` and `MF-TYRE`.
-//! Coefficients that a file does not have are 0 and scale factors 1, as the format has it; no value of the built-in tyre
-//! remains. Vertical stiffness and damping are taken for the tyres of both axles.
+//! Files for version 5 of the formula are supported: `FITTYP` 5, 6 or 21, or the formats `PAC2002`, `MF_05` and
+//! `MF-TYRE`. Missing coefficients are 0 and missing scale factors 1, as the format prescribes; no value of the
+//! built-in tyre remains. Vertical stiffness and damping are used for the tyres of both axles.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -13,18 +13,18 @@ use thiserror::Error;
 
 use crate::parameter_set::{ParameterSet, SetError};
 
-/// What a file says.
+/// Contents of a file.
 #[derive(Debug)]
 pub struct TyreFile {
     /// Values for the tyres of `DoubleTrackCar`.
     pub set: ParameterSet,
     /// Keys of the format that the model does not use.
     pub unused: Vec<String>,
-    /// What had to be assumed.
+    /// Assumptions that had to be made.
     pub notes: Vec<String>,
 }
 
-/// Why a file was refused.
+/// Reason why a file was rejected.
 #[derive(Debug, Error)]
 pub enum TirError {
     /// The file cannot be read.
@@ -42,9 +42,9 @@ pub enum TirError {
         name: String,
         /// Number of the line, from 1.
         line: usize,
-        /// What stands there.
+        /// Its text.
         text: String,
-        /// What is wrong with it.
+        /// The fault.
         why: String,
     },
     /// Something is missing.
@@ -52,10 +52,10 @@ pub enum TirError {
     Missing {
         /// The file.
         name: String,
-        /// What.
+        /// The missing item.
         why: String,
     },
-    /// The values do not go together.
+    /// The values are inconsistent.
     #[error("{name}: {source}")]
     Set {
         /// The file.
@@ -72,7 +72,7 @@ pub fn read(path: &Path) -> Result<TyreFile, TirError> {
     parse(&path.display().to_string(), &String::from_utf8_lossy(&bytes))
 }
 
-/// Reads the text of a file; `name` is for its errors.
+/// Reads the text of a file; `name` appears in errors.
 pub fn parse(name: &str, text: &str) -> Result<TyreFile, TirError> {
     let fail = |Refusal { line, text, why }: Refusal| TirError::Line { name: name.into(), line, text, why };
     let missing = |why: String| TirError::Missing { name: name.into(), why };
@@ -81,7 +81,7 @@ pub fn parse(name: &str, text: &str) -> Result<TyreFile, TirError> {
     let format = format(&entries).map_err(fail)?;
     reader
         .notes
-        .push(format.ok_or_else(|| missing("neither FITTYP nor PROPERTY_FILE_FORMAT says its version".into()))?);
+        .push(format.ok_or_else(|| missing("neither FITTYP nor PROPERTY_FILE_FORMAT gives the version".into()))?);
     for entry in &entries {
         reader.take(entry).map_err(|why| fail(entry.refused(why)))?;
     }
@@ -106,7 +106,7 @@ fn car() -> &'static ModelType {
 /// Without these there is no lateral force.
 const REQUIRED: [&str; 6] = ["FNOMIN", "UNLOADED_RADIUS", "PCY1", "PDY1", "PKY1", "PKY2"];
 
-/// Sections whose keys describe what the model does not have.
+/// Sections whose keys describe features that the model does not have.
 const UNUSED_SECTIONS: [&str; 10] = [
     "MDI_HEADER",
     "SHAPE",
@@ -123,8 +123,8 @@ const UNUSED_SECTIONS: [&str; 10] = [
 /// Sections with tables, whose lines have no keys.
 const TABLE_SECTIONS: [&str; 4] = ["MDI_HEADER", "SHAPE", "DEFLECTION_LOAD_CURVE", "BOTTOMING_CURVE"];
 
-/// Keys of the other sections that the model does not use: relaxation, inertia, rim, rolling radius, simulation, pressure,
-/// and the overturning couple and rolling resistance beyond version 5.2.
+/// Keys of the other sections that the model does not use: relaxation, inertia, rim, rolling radius, simulation,
+/// pressure, and the overturning couple and rolling resistance beyond version 5.2.
 #[rustfmt::skip]
 const UNUSED_KEYS: [&str; 65] = [
     "LENGTH", "FORCE", "ANGLE", "MASS", "TIME", "PRESSURE",
@@ -136,7 +136,7 @@ const UNUSED_KEYS: [&str; 65] = [
     "QSX4", "QSX5", "QSX6", "QSX7", "QSX8", "QSX9", "QSX10", "QSX11",
 ];
 
-/// Keys of later versions, with the value at which they say what version 5.2 says.
+/// Keys of later versions, with the value at which they agree with version 5.2.
 const LATER_KEYS: [(&str, f64); 12] = [
     ("PKY4", 2.0),
     ("PKY5", 0.0),
@@ -163,7 +163,7 @@ struct Entry<'a> {
     value: &'a str,
 }
 
-/// A line that is refused.
+/// A rejected line.
 struct Refusal {
     line: usize,
     text: String,
@@ -182,7 +182,7 @@ impl Entry<'_> {
     }
 }
 
-/// All lines with keys. Sections, keys and values are no longer than a line; comments begin with $ or !.
+/// All lines with keys. Sections, keys and values do not span lines; comments begin with $ or !.
 fn entries(text: &str) -> Result<Vec<Entry<'_>>, Refusal> {
     let mut entries: Vec<Entry> = Vec::new();
     let mut section = String::new();
@@ -205,7 +205,7 @@ fn entries(text: &str) -> Result<Vec<Entry<'_>>, Refusal> {
             return Err(refused("must be KEY = value".into()));
         };
         if section.is_empty() {
-            return Err(refused("stands before the first section".into()));
+            return Err(refused("is before the first section".into()));
         }
         let key = key.trim().to_uppercase();
         if let Some(other) = entries.iter().find(|other| other.key == key && other.section == section) {
@@ -216,7 +216,7 @@ fn entries(text: &str) -> Result<Vec<Entry<'_>>, Refusal> {
     Ok(entries)
 }
 
-/// A value without quotes and without the comment behind it.
+/// A value without quotes and without the comment after it.
 fn value(text: &str) -> Result<&str, String> {
     let text = text.trim();
     if let Some(rest) = text.strip_prefix('\'') {
@@ -230,7 +230,7 @@ fn value(text: &str) -> Result<&str, String> {
 
 fn only_comment(text: &str) -> Result<(), String> {
     let text = text.trim();
-    if text.is_empty() || text.starts_with(['$', '!']) { Ok(()) } else { Err(format!("'{text}' is too much")) }
+    if text.is_empty() || text.starts_with(['$', '!']) { Ok(()) } else { Err(format!("unexpected '{text}'")) }
 }
 
 /// SI units per unit of the file.
@@ -262,13 +262,13 @@ impl Units {
             ("kn", 1e3),
             ("pound_force", 4.448_221_615_260_5),
         ];
-        // The coefficients of the formula are for angles in radians, whatever the file says of its ranges.
+        // The coefficients of the formula are for angles in radians, whatever unit the file gives for its ranges.
         const ANGLES: &[(&str, f64)] = &[("radians", 1.0), ("radian", 1.0), ("rad", 1.0)];
         const TIMES: &[(&str, f64)] = &[("second", 1.0), ("seconds", 1.0), ("sec", 1.0), ("s", 1.0)];
         let mut notes = Vec::new();
         let mut unit = |key: &str, known: &[(&str, f64)]| {
             let Some(entry) = entries.iter().find(|entry| entry.section == "UNITS" && entry.key == key) else {
-                notes.push(format!("no unit of {key}: taken as {}", known[0].0));
+                notes.push(format!("no unit of {key}: assumed to be {}", known[0].0));
                 return Ok(1.0);
             };
             let factor = known.iter().find(|(name, _)| name.eq_ignore_ascii_case(entry.value));
@@ -292,13 +292,13 @@ impl Units {
     }
 }
 
-/// What the file says of its version, if it is one that can be read. `None` if it says nothing.
+/// The version of the file, if it is supported. `None` if the file does not give one.
 fn format(entries: &[Entry]) -> Result<Option<String>, Refusal> {
     let of = |key: &str| entries.iter().find(|entry| entry.section == "MODEL" && entry.key == key);
     if let Some(entry) = of("FITTYP") {
         let version = entry.number().map_err(|why| entry.refused(why))?;
         if ![5.0, 6.0, 21.0].contains(&version) {
-            let why = "only 5, 6 and 21 stand for version 5 of the Magic Formula for cars; 60 and more for version 6";
+            let why = "only 5, 6 and 21 mean version 5 of the Magic Formula for cars; 60 and above mean version 6";
             return Err(entry.refused(why.into()));
         }
         return Ok(Some(format!("FITTYP = {version}: read as Magic Formula 5.2")));
@@ -311,7 +311,7 @@ fn format(entries: &[Entry]) -> Result<Option<String>, Refusal> {
     Ok(Some(format!("PROPERTY_FILE_FORMAT = {}: read as Magic Formula 5.2", entry.value.to_uppercase())))
 }
 
-/// What has been read so far.
+/// The entries read so far.
 #[derive(Default)]
 struct Reader {
     units: Units,
@@ -329,14 +329,14 @@ impl Reader {
         self.values.iter().find(|(other, _)| other == name).map(|(_, value)| *value)
     }
 
-    /// Takes an entry; the error says why not.
+    /// Adds an entry, or returns why it is rejected.
     fn take(&mut self, entry: &Entry) -> Result<(), String> {
         let key = entry.key.as_str();
         if key == "TYRESIDE" {
             self.put_side(entry.value)?;
         }
         if UNUSED_SECTIONS.contains(&entry.section.as_str()) || UNUSED_KEYS.contains(&key) {
-            // Units, format and side have been heeded.
+            // Units, format and side have already been used.
             if !["UNITS", "MODEL", "MDI_HEADER"].contains(&entry.section.as_str()) {
                 self.unused.push(entry.key.clone());
             }
@@ -365,7 +365,7 @@ impl Reader {
 
     fn put(&mut self, name: String, value: f64) -> Result<(), String> {
         let car = car();
-        let column = car.find(&name).ok_or("is no key of the format")?;
+        let column = car.find(&name).ok_or("unknown key")?;
         let variable = &car.table[column];
         if !variable.admits(value) {
             return Err(variable.fault(value).to_string());
@@ -382,7 +382,7 @@ impl Reader {
             "LEFT" | "SYMMETRIC" => 1.0,
             "RIGHT" => 2.0,
             "UNKNOWN" => {
-                self.notes.push("TYRESIDE unknown: taken as LEFT".into());
+                self.notes.push("TYRESIDE unknown: assumed to be LEFT".into());
                 1.0
             }
             _ => return Err("must be LEFT, RIGHT, SYMMETRIC or UNKNOWN".into()),
@@ -390,7 +390,7 @@ impl Reader {
         self.put("tyre.side".into(), number)
     }
 
-    /// Gives what the file does not have the value that it then has in the format: scale factors 1, coefficients 0.
+    /// Gives missing entries the values prescribed by the format: scale factors 1, coefficients 0.
     fn fill(&mut self) {
         self.notes.append(&mut self.units.notes);
         let absent: Vec<String> = car().table.iter().map(|variable| variable.path.to_string()).collect();
@@ -404,17 +404,17 @@ impl Reader {
                 _ if name.starts_with("tyre.l") => 1.0,
                 _ => 0.0,
             };
-            self.notes.push(format!("{}: not in the file, taken as {value}", name["tyre.".len()..].to_uppercase()));
+            self.notes.push(format!("{}: not in the file, set to {value}", name["tyre.".len()..].to_uppercase()));
             self.values.push((name, value));
         }
     }
 
-    /// Refuses coefficients for other axes.
+    /// Rejects coefficients for other axes.
     fn check_axes(&self) -> Result<(), String> {
         let [pky1, pky2] = ["PKY1", "PKY2"].map(|key| self.value(&tyre_variable(key)).unwrap_or_default());
         if pky1 * pky2 > 0.0 {
             return Err(format!(
-                "PKY1 = {pky1}, PKY2 = {pky2}: the cornering stiffness must be negative, as the axes of the format have it"
+                "PKY1 = {pky1}, PKY2 = {pky2}: the cornering stiffness must be negative with the axes of the format"
             ));
         }
         Ok(())
@@ -427,7 +427,7 @@ mod tests {
 
     const SAMPLE: &str = include_str!("../../examples/tyres/formula_student.tir");
 
-    /// A file with the least that is needed, and `more` at its end.
+    /// A minimal file, with `more` at its end.
     fn small(more: &str) -> String {
         let units = "[UNITS]\nLENGTH = 'meter'\nFORCE = 'newton'\nANGLE = 'radians'\nMASS = 'kg'\nTIME = 'second'\n";
         let model = "[MODEL]\nPROPERTY_FILE_FORMAT = 'PAC2002'\nTYRESIDE = 'LEFT'\nLONGVL = 16.7\n";
@@ -463,13 +463,13 @@ mod tests {
     }
 
     #[test]
-    fn what_a_file_does_not_have_is_neutral_and_not_built_in() {
+    fn missing_entries_are_neutral_and_not_built_in() {
         let text = small("");
         for (name, value) in [("tyre.pdy1", 1.5), ("tyre.pey1", 0.0), ("tyre.lmuy", 1.0), ("tyre.lhy", 1.0)] {
             assert_eq!(get(&text, name), value, "{name}");
         }
         let notes = parse("x.tir", &text).unwrap().notes;
-        assert!(notes.contains(&"LFZO: not in the file, taken as 1".into()), "{notes:?}");
+        assert!(notes.contains(&"LFZO: not in the file, set to 1".into()), "{notes:?}");
     }
 
     #[test]
@@ -526,9 +526,9 @@ mod tests {
     }
 
     #[test]
-    fn wrong_lines_are_refused_with_number_and_text() {
+    fn wrong_lines_are_rejected_with_number_and_text() {
         for (more, answer) in [
-            ("PDYl = 1", "x.tir:20: PDYl = 1: is no key of the format"),
+            ("PDYl = 1", "x.tir:20: PDYl = 1: unknown key"),
             ("PEY1 = 0.1.2", "x.tir:20: PEY1 = 0.1.2: must be a finite number"),
             ("PEY1 = inf", "x.tir:20: PEY1 = inf: must be a finite number"),
             ("PEY1 = nan $", "x.tir:20: PEY1 = nan $: must be a finite number"),
@@ -538,32 +538,32 @@ mod tests {
             ("pcy1 = 1.4", "x.tir:20: pcy1 = 1.4: PCY1 is given twice, first in line 16"),
             ("[X]\nPCY1 = 1.4", "x.tir:21: PCY1 = 1.4: is given twice, in two sections"),
             ("[X", "x.tir:20: [X: the section has no ]"),
-            ("[X] Y", "x.tir:20: [X] Y: 'Y' is too much"),
+            ("[X] Y", "x.tir:20: [X] Y: unexpected 'Y'"),
             ("PKY4 = 1.8", "x.tir:20: PKY4 = 1.8: is of a later version; in version 5.2 it is 2"),
             ("LMUY = 0", "x.tir:20: LMUY = 0: tyre.lmuy = 0: must be > 0 and finite"),
         ] {
             assert_eq!(refusal(&small(more)), answer);
         }
-        assert_eq!(refusal("A = 1"), "x.tir:1: A = 1: stands before the first section");
+        assert_eq!(refusal("A = 1"), "x.tir:1: A = 1: is before the first section");
         assert_eq!(get(&small("PKY4 = 2"), "tyre.pky1"), -30.0);
     }
 
     #[test]
-    fn other_versions_units_and_axes_are_refused() {
+    fn other_versions_units_and_axes_are_rejected() {
         let change = |from: &str, to: &str| {
             let text = small("");
             assert!(text.contains(from), "{from}");
             refusal(&text.replace(from, to))
         };
         let version = change("PROPERTY_FILE_FORMAT = 'PAC2002'", "FITTYP = 61");
-        assert!(version.starts_with("x.tir:8: FITTYP = 61: only 5, 6 and 21 stand for version 5"), "{version}");
+        assert!(version.starts_with("x.tir:8: FITTYP = 61: only 5, 6 and 21 mean version 5"), "{version}");
         assert_eq!(
             change("'PAC2002'", "'FTIRE'"),
             "x.tir:8: PROPERTY_FILE_FORMAT = 'FTIRE': must be one of PAC2002, MF_05, MF-TYRE"
         );
         assert_eq!(
             change("PROPERTY_FILE_FORMAT = 'PAC2002'\n", ""),
-            "x.tir: neither FITTYP nor PROPERTY_FILE_FORMAT says its version"
+            "x.tir: neither FITTYP nor PROPERTY_FILE_FORMAT gives the version"
         );
         assert_eq!(change("'radians'", "'deg'"), "x.tir:4: ANGLE = 'deg': must be one of radians, radian, rad");
         assert!(change("'meter'", "'furlong'").starts_with("x.tir:2: LENGTH = 'furlong': must be one of meter, "));

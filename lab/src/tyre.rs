@@ -1,4 +1,4 @@
-//! `stribeck tyre`: a tyre property file becomes a parameter set.
+//! `stribeck tyre`: turns a tyre property file into a parameter set.
 
 use std::path::PathBuf;
 
@@ -6,17 +6,17 @@ use lab::parameter_set::SetError;
 use lab::tir::{self, TirError, TyreFile};
 use thiserror::Error;
 
-/// What to read and where to write.
+/// Input and output files.
 #[derive(clap::Args)]
 pub struct Arguments {
     /// The tyre property file (.tir), with coefficients of the Magic Formula 5.
     file: PathBuf,
-    /// Parameter set to write, .csv or .ssv; without it, the set is shown.
+    /// Parameter set to write, .csv or .ssv; without it, the set is printed.
     #[arg(long)]
     out: Option<PathBuf>,
 }
 
-/// Why there is no set.
+/// Reason why there is no set.
 #[derive(Debug, Error)]
 pub enum TyreError {
     /// The file cannot be read.
@@ -27,7 +27,7 @@ pub enum TyreError {
     Set(#[from] SetError),
 }
 
-/// The set goes to the file or to standard output, what else there is to say to standard error.
+/// Writes the set to the file or to standard output, and messages to standard error.
 pub fn run(arguments: &Arguments) -> Result<(), TyreError> {
     let TyreFile { set, unused, notes } = tir::read(&arguments.file)?;
     for note in notes {

@@ -19,7 +19,7 @@ pub struct Test {
     pub temperature: Option<Vec<f64>>,
 }
 
-/// Why a file is no damper test.
+/// Reason why a file is not a damper test.
 #[derive(Debug, Error)]
 pub enum FileError {
     /// The file cannot be read.
@@ -33,7 +33,7 @@ pub enum FileError {
     /// The rows of the table do not fit its heading.
     #[error("no table: {0}")]
     Table(#[from] csv::Error),
-    /// A column that must be there is not.
+    /// A required column is missing.
     #[error("no column '{wanted}'; there are {found}")]
     Column {
         /// The column.
@@ -49,19 +49,19 @@ pub enum FileError {
     Unit {
         /// The column.
         column: &'static str,
-        /// What stands there.
+        /// Its text.
         unit: String,
         /// The units that are known.
         wanted: String,
     },
-    /// A cell is no finite number.
+    /// A cell is not a finite number.
     #[error("line {line}, {column}: '{text}' is not a finite number")]
     Number {
         /// Line of the file.
         line: u64,
         /// The column.
         column: &'static str,
-        /// What stands there.
+        /// Its text.
         text: String,
     },
     /// The table has no rows.
@@ -69,7 +69,7 @@ pub enum FileError {
     Empty,
 }
 
-/// A quantity, with the units in which files have it: SI value = factor (value + offset). The first unit is the SI one.
+/// A quantity, with its possible units in files: SI value = factor (value + offset). The first unit is the SI one.
 struct Quantity {
     name: &'static str,
     units: &'static [(&'static str, f64, f64)],
@@ -86,7 +86,7 @@ const TEMPERATURE: Quantity = Quantity {
     units: &[("K", 1.0, 0.0), ("degC", 1.0, 273.15), ("C", 1.0, 273.15), ("degF", 5.0 / 9.0, 459.67)],
 };
 
-/// A column of the file that is wanted.
+/// A required column of the file.
 struct Column {
     at: usize,
     name: &'static str,
@@ -98,13 +98,13 @@ impl Test {
     /// Reads a file.
     pub fn load(path: &Path) -> Result<Test, FileError> {
         let bytes = fs::read(path).map_err(|source| FileError::Unreadable { path: path.into(), source })?;
-        // Files of old programs are not UTF-8; what counts in them is ASCII.
+        // Files of old programs are not UTF-8; the relevant parts are ASCII.
         Test::parse(&String::from_utf8_lossy(&bytes))
     }
 
     /// Reads a table: a heading that names the columns `velocity`, `force`, `displacement`, `temperature`, each with
     /// its unit in brackets if it is not the SI unit, then rows. Other columns are ignored. The separator (tab,
-    /// semicolon or comma) is that of the heading; where it is no comma, numbers may have a decimal comma. `#` begins a
+    /// semicolon or comma) is that of the heading; unless it is a comma, numbers may have a decimal comma. `#` begins a
     /// comment.
     ///
     /// ```
@@ -158,7 +158,7 @@ impl Column {
         if found.next().is_some() {
             return Err(FileError::Twice(quantity.name));
         }
-        // A degree sign counts for nothing, whatever its encoding.
+        // A degree sign is ignored, whatever its encoding.
         let unit: String = unit.chars().filter(|letter| letter.is_ascii() && !letter.is_whitespace()).collect();
         let known = quantity.units.iter().find(|known| unit.is_empty() || known.0 == unit);
         let Some((_, factor, offset)) = known else {
@@ -227,7 +227,7 @@ mod tests {
     }
 
     #[test]
-    fn mistakes_are_refused_with_their_place() {
+    fn mistakes_are_rejected_with_their_place() {
         assert_eq!(refusal("speed,force\n1,2\n"), "no column 'velocity'; there are speed, force");
         assert_eq!(refusal(""), "no column 'velocity'; there are ");
         assert_eq!(refusal("velocity,force\n"), "the table has no rows");

@@ -1,4 +1,4 @@
-//! Least squares that wild samples do not spoil, and monotone regression.
+//! Robust least squares and monotone regression.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -23,7 +23,7 @@ pub fn regress<const COLUMNS: usize>(rows: &[[f64; COLUMNS]], values: &[f64]) ->
         sizes.sort_by(f64::total_cmp);
         let scale = sizes[sizes.len() / 2] / 0.6745;
         if scale <= 1e-12 * values.amax() {
-            break; // the majority is met exactly
+            break; // the majority is fitted exactly
         }
         weights = residuals.map(|residual| (1.0 - (residual / (CUTOFF * scale)).powi(2)).max(0.0).powi(2));
         let Some(next) = solve(&design, &values, &weights) else { break };
@@ -106,7 +106,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn wild_samples_do_not_move_a_line() {
+    fn outliers_do_not_move_a_line() {
         let mut random = fastrand::Rng::with_seed(5);
         let mut samples: Vec<(f64, f64)> = (0..200).map(|i| f64::from(i) * 0.01).map(|v| (v, 3.0 + 2.0 * v)).collect();
         for sample in &mut samples {
@@ -142,13 +142,13 @@ mod tests {
     }
 
     #[test]
-    fn exact_data_are_met_exactly_and_dependent_columns_refused() {
+    fn exact_data_are_fitted_exactly_and_dependent_columns_rejected() {
         let parabola: Vec<(f64, f64)> =
             (1..20).map(|i| f64::from(i) * 0.1).map(|v| (v, 1.0 - v + 4.0 * v * v)).collect();
         let estimate = local(&parabola, 0.0).unwrap();
         assert!((estimate.value - 1.0).abs() < 1e-12 && estimate.deviation < 1e-9, "{estimate:?}");
         assert!(regress(&[[1.0, 2.0]; 9], &[1.0; 9]).is_none());
-        assert!(local(&[(1.0, 2.0), (2.0, 3.0)], 0.0).is_none(), "two samples tell no deviation");
+        assert!(local(&[(1.0, 2.0), (2.0, 3.0)], 0.0).is_none(), "two samples give no deviation");
         assert!(local(&[], 0.0).is_none());
     }
 

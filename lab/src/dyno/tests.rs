@@ -1,4 +1,4 @@
-//! Dampers that are known give tests; from the tests the dampers must come back.
+//! Round trip: simulate tests of known dampers and recover their parameters.
 
 use std::f64::consts::TAU;
 use std::path::PathBuf;
@@ -28,7 +28,7 @@ impl Known {
         self.hydraulic(velocity) + friction - (self.gas - self.gas_rate * displacement)
     }
 
-    /// Turns with an amplitude of 20 mm, one at each peak velocity.
+    /// Cycles with an amplitude of 20 mm, one at each peak velocity.
     fn strokes(&self, peaks: &[f64], samples: usize, seed: u64) -> Test {
         let mut random = fastrand::Rng::with_seed(seed);
         let mut test = Test { displacement: Some(Vec::new()), ..Test::default() };
@@ -45,7 +45,7 @@ impl Known {
         test
     }
 
-    /// One sample per speed and direction, as the peaks of many turns give it.
+    /// One sample per speed and direction, as given by the peaks of many cycles.
     fn peaks(&self, speeds: &[f64]) -> Test {
         let velocity: Vec<f64> = speeds.iter().flat_map(|speed| [*speed, -speed]).collect();
         let force = velocity.iter().map(|velocity| self.resistance(*velocity, 0.0)).collect();
@@ -63,7 +63,7 @@ fn refusal(test: &Test, options: &Options) -> String {
     find_damper(test, options).unwrap_err().to_string()
 }
 
-/// Every point of the table lies on the law, within a part of the force there.
+/// Every point of the table lies on the law, within a fraction of the force there.
 fn assert_table(damper: &Damper, law: impl Fn(f64) -> f64, part: f64, least: f64) {
     for (velocity, force) in &damper.table {
         let wanted = law(*velocity);
@@ -79,7 +79,7 @@ fn strokes_without_noise_give_back_table_friction_and_gas() {
     let damper = find(&KNOWN.strokes(&PEAKS, 500, 1));
     assert_table(&damper, |v| KNOWN.hydraulic(v), 0.002, 0.3);
     let friction = damper.friction.unwrap();
-    // The law bends below the low speed: its third derivative leaves a third of a newton.
+    // The law bends below the low speed: its third derivative causes an error of a third of a newton.
     assert!((friction.level.value - 22.0).abs() < 0.5, "{friction:?}");
     assert_eq!(friction.asymmetry, None);
     assert!((damper.gas_force.unwrap().value - 160.0).abs() < 0.2, "{:?}", damper.gas_force);
@@ -88,7 +88,7 @@ fn strokes_without_noise_give_back_table_friction_and_gas() {
     assert!(damper.warnings.is_empty(), "{:?}", damper.warnings);
 }
 
-/// Over many noisy tests the estimates scatter about the truth as their standard deviations say.
+/// Over many noisy tests the estimates scatter about the truth according to their standard deviations.
 #[test]
 fn standard_deviations_cover_the_truth() {
     let noisy = Known { noise: 2.0, ..KNOWN };
@@ -106,7 +106,7 @@ fn standard_deviations_cover_the_truth() {
 }
 
 #[test]
-fn wild_samples_do_not_count() {
+fn outliers_do_not_count() {
     let mut test = Known { noise: 1.0, ..KNOWN }.strokes(&PEAKS, 400, 3);
     for force in test.force.iter_mut().step_by(37) {
         *force += 400.0;
@@ -114,11 +114,11 @@ fn wild_samples_do_not_count() {
     let damper = find(&test);
     assert_table(&damper, |v| KNOWN.hydraulic(v), 0.02, 4.0);
     assert!((damper.friction.unwrap().level.value - 22.0).abs() < 1.0);
-    assert!(damper.max_error > 350.0, "the wild samples are seen in the largest difference");
+    assert!(damper.max_error > 350.0, "the outliers appear in the largest difference");
 }
 
 #[test]
-fn known_gas_force_tells_the_directions_apart() {
+fn known_gas_force_separates_the_directions() {
     let known = Known { friction: [35.0, 21.0], noise: 1.0, ..KNOWN };
     let test = known.strokes(&PEAKS, 400, 4);
     let damper = find_damper(&test, &Options { gas_force: Some(160.0), ..Options::default() }).unwrap();
@@ -131,10 +131,10 @@ fn known_gas_force_tells_the_directions_apart() {
     assert!(wrong.warnings[0].contains("would make friction negative"), "{:?}", wrong.warnings);
 }
 
-/// Oil that gives way makes the force lag. With a linear damper the lag goes with the displacement, and all of it is
-/// told from friction, which it would more than double.
+/// Compressible oil makes the force lag. With a linear damper the lag is proportional to the displacement, and all of
+/// it is separated from friction, which it would more than double.
 #[test]
-fn lag_of_the_oil_is_no_friction() {
+fn lag_of_the_oil_is_not_friction() {
     let [peak, amplitude, delay] = [0.3, 0.02, 1e-3];
     let damping = |velocity: f64| velocity * if velocity > 0.0 { 4000.0 } else { 2500.0 };
     let mut test = Test { displacement: Some(Vec::new()), ..Test::default() };
@@ -171,7 +171,7 @@ fn developing_friction_is_left_out() {
     assert!((damper.friction.unwrap().level.value - 22.0).abs() < 1.0, "{:?}", damper.friction);
     let blind = Test { displacement: None, ..test };
     let without = find(&blind).friction.unwrap().level.value;
-    assert!(without < 21.5, "{without}: the page says that it looks smaller without displacement");
+    assert!(without < 21.5, "{without}: the documentation says that it looks smaller without displacement");
 }
 
 #[test]
@@ -203,7 +203,7 @@ fn peaks_of_many_speeds_give_back_friction() {
     assert_table(&damper, |v| KNOWN.hydraulic(v), 0.02, 2.0);
 }
 
-/// The five points that the search finds are as good as the best of all choices.
+/// The five points found by the search are as good as the best of all choices.
 #[test]
 fn polyline_is_the_best_choice_of_points() {
     let curve: Vec<(f64, f64)> = (0..=10).map(f64::from).map(|v| (v, (v * 0.4).sin() + 0.1 * v)).collect();
@@ -223,7 +223,7 @@ fn polyline_is_the_best_choice_of_points() {
 }
 
 #[test]
-fn signs_are_found_and_contradictions_refused() {
+fn signs_are_found_and_contradictions_rejected() {
     let test = KNOWN.strokes(&PEAKS, 300, 6);
     let wanted = find(&test);
     let turned = |values: &[f64]| values.iter().map(|value| -value).collect::<Vec<f64>>();
@@ -247,20 +247,20 @@ fn signs_are_found_and_contradictions_refused() {
     assert_eq!(find_damper(&test, &demanded).unwrap(), wanted);
     assert!(refusal(&reaction, &demanded).starts_with("the force in the file is the reaction, not the resistance"));
     let half_turned = Test { velocity: turned(&test.velocity), ..test.clone() };
-    assert!(refusal(&half_turned, &Options::default()).starts_with("the displacement falls where"));
+    assert!(refusal(&half_turned, &Options::default()).starts_with("the displacement decreases while"));
     let mut random = fastrand::Rng::with_seed(8);
     let noise = Test { force: test.force.iter().map(|_| random.f64()).collect(), ..test };
     assert!(refusal(&noise, &Options::default()).contains("neither a resistance (100 %) nor a reaction (0 %)"));
 }
 
 #[test]
-fn data_that_cannot_tell_are_said_so() {
+fn inconclusive_data_are_reported() {
     let mut warm = KNOWN.strokes(&PEAKS, 300, 9);
     warm.temperature = Some((0..warm.velocity.len()).map(|at| 293.15 + 45.0 * at as f64 / 899.0).collect());
     assert!(find(&warm).warnings[0].starts_with("the temperature runs from 20.0 to 65.0 degC"));
 
     let still = Test { displacement: Some(vec![0.01; 900]), ..KNOWN.strokes(&PEAKS, 300, 9) };
-    assert!(find(&still).warnings[0].starts_with("the displacement does not tell the two branches"));
+    assert!(find(&still).warnings[0].starts_with("the displacement does not separate the two branches"));
 
     let smooth = Known { friction: [-5.0, -5.0], ..KNOWN }.strokes(&PEAKS, 300, 9);
     let damper = find(&smooth);
@@ -276,7 +276,7 @@ fn data_that_cannot_tell_are_said_so() {
 }
 
 #[test]
-fn half_tests_and_bad_options_are_refused() {
+fn half_tests_and_bad_options_are_rejected() {
     let test = KNOWN.strokes(&PEAKS, 300, 10);
     let keep = |test: &Test, keep: fn(f64) -> bool| {
         let pairs = test.velocity.iter().zip(&test.force).filter(|pair| keep(*pair.0));
@@ -303,7 +303,7 @@ fn example(name: &str) -> Test {
     Test::load(&root.join("../examples/dampers").join(name)).unwrap()
 }
 
-/// The law from which the example was made: the damper table of the defaults.
+/// The law from which the example was computed: the damper table of the defaults.
 fn default_damping(velocity: f64) -> f64 {
     let speeds = [0.0, 0.05, 0.1, 0.25, 0.5, 1.0];
     let forces = if velocity > 0.0 {
@@ -328,7 +328,7 @@ fn shipped_examples_give_back_their_dampers() {
     assert_eq!(soft.force_sign, ForceSign::Reaction);
 }
 
-/// The shock absorber with the set gives the force of the damper that was measured.
+/// The shock absorber with the set gives the force of the measured damper.
 #[test]
 fn the_shock_absorber_with_the_set_has_the_measured_force() {
     use stribeck::instance::Instance;
@@ -341,7 +341,7 @@ fn the_shock_absorber_with_the_set_has_the_measured_force() {
         for (variable, value) in set.values() {
             absorber.put(column(&variable.path.to_string()), value);
         }
-        // No side load, so that the preloads alone make the friction.
+        // No side load, so that only the preloads cause friction.
         absorber.put(column("side.offset_m"), 0.0);
         absorber.put(column("velocity"), velocity);
         absorber.step(0.1).unwrap();
@@ -365,7 +365,7 @@ fn the_shock_absorber_with_the_set_has_the_measured_force() {
 
 /// Found by fuzzing: squares overflow, deviations become infinite, or the points of a table coincide.
 #[test]
-fn numbers_beyond_all_dampers_are_refused() {
+fn unphysical_numbers_are_rejected() {
     const SAMPLES: [(i32, i32); 12] = [
         (-500, -900),
         (-250, -500),

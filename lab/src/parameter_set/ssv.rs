@@ -31,7 +31,7 @@ pub fn write(set: &ParameterSet) -> String {
             }
             Kind::Integer => format!("Integer value=\"{value}\""),
             Kind::Boolean => format!("Boolean value=\"{}\"", text_of(variable, value)),
-            // FMI 2.0 sets choices by their number, and libcosim and Ecos refuse a file that holds an ssv:Enumeration.
+            // FMI 2.0 sets choices by their number, and libcosim and Ecos reject a file with an ssv:Enumeration.
             Kind::Enumeration(_) => {
                 description = format!(" description=\"{}\"", text_of(variable, value));
                 format!("Integer value=\"{value}\"")
@@ -121,14 +121,14 @@ pub fn read(model: &'static ModelType, text: &str) -> Result<ParameterSet, SetEr
             Kind::Enumeration(_) => ["Enumeration", "Integer"].contains(&element),
         };
         if !fits {
-            return Err(SetError::Ssv(format!("{} is no {element}", parameter.name)));
+            return Err(SetError::Ssv(format!("{} is not of type {element}", parameter.name)));
         }
         values.push((column, value_of(variable, value.trim(), &unit)?));
     }
     ParameterSet::of_columns(model, &document.name, values)
 }
 
-/// Local name of the root element, which the deserializer does not look at.
+/// Local name of the root element, which the deserializer does not check.
 fn root_name(text: &str) -> Result<String, quick_xml::Error> {
     let mut reader = Reader::from_str(text);
     loop {
