@@ -6,16 +6,16 @@
     python3 tasks.py bench    the benchmarks
     python3 tasks.py pack     the FMUs into dist/
     python3 tasks.py setup    .venv with the Python packages
-    python3 tasks.py clean    remove what the other tasks have made
+    python3 tasks.py clean    remove the output of the other tasks
 
-    python3 tasks.py trust    all that docs/trust.md lists, with its figures: the tasks below, one after the other
-    python3 tasks.py faults   importers, and faults of hosts, in full
+    python3 tasks.py trust    everything in docs/trust.md, with its figures: the tasks below, one after another
+    python3 tasks.py faults   importers and faults of the host, in full
     python3 tasks.py platforms  the FMUs for Linux, Windows and macOS, run under wine and qemu
     python3 tasks.py fuzz     new inputs for interfaces and file readers, two minutes for each target
-    python3 tasks.py coverage the branches that the tests take
-    python3 tasks.py broken   copies broken on purpose, and the tests that notice
-    python3 tasks.py mutants  many small changes of the laws, and how many of them the tests notice
-    python3 tasks.py supply   licences, sources and known faults of the crates, with cargo-deny
+    python3 tasks.py coverage the branches covered by the tests
+    python3 tasks.py broken   deliberately broken copies, and the tests that fail
+    python3 tasks.py mutants  many small changes to the laws, and how many of them the tests catch
+    python3 tasks.py supply   licences, sources and known vulnerabilities of the crates, with cargo-deny
 
 On Windows: py tasks.py demo
 """
@@ -38,7 +38,7 @@ ROOT = Path(__file__).resolve().parent
 VENV = ROOT / ".venv"
 REQUIREMENTS = ROOT / "requirements.txt"
 CONSTRAINTS = ROOT / "constraints.txt"
-# Cargo's tools that only single tasks need are built here, with these versions.
+# Cargo tools that only some tasks need are built here, in these versions.
 TOOLS = ROOT / "target" / "tools"
 COVERAGE_TOOL = "cargo-llvm-cov@0.9.1"
 MUTATION_TOOL = "cargo-mutants@27.1.0"
@@ -61,10 +61,10 @@ TARGETS = [
     "x86_64-apple-darwin",
     "aarch64-apple-darwin",
 ]
-# What Miri runs: memory, states as bytes, instances of the test model, and a whole life of every model.
+# Tests for Miri: memory, states as bytes, instances of the test model, and a complete run of every model.
 UNDER_MIRI = ["guid::", "memory::", "number::", "probe::", "serial::", "fmi2::tests::child"]
-# Programs, files and libraries that tasks need, and the packages of Debian and Ubuntu they are in. First what the tests
-# need: the German locale is made of a file, Ecos calls unzip, exudyn is linked to libraries for its window.
+# Programs, files and libraries that tasks need, and the packages of Debian and Ubuntu that contain them. First those
+# for the tests: the German locale is made from a file, Ecos calls unzip, exudyn is linked to libraries for its window.
 TEST_PROGRAMS = {
     "localedef": "libc-bin",
     "/usr/share/i18n/locales/de_DE": "locales",
@@ -72,9 +72,9 @@ TEST_PROGRAMS = {
     "libGL.so.1": "libgl1",
     "libX11.so.6": "libx11-6",
 }
-# What the task faults needs beside that.
+# Those for the task faults.
 FAULT_PROGRAMS = {"valgrind": "valgrind", "gcc": "gcc", **TEST_PROGRAMS}
-# What builds for other platforms, and runs what was built.
+# Those that build for other platforms and run the results.
 PLATFORM_PROGRAMS = {
     "x86_64-w64-mingw32-gcc": "gcc-mingw-w64-x86-64-win32",
     "/usr/lib/wine/wine64": "wine64",
@@ -84,13 +84,13 @@ PLATFORM_PROGRAMS = {
 
 
 class TaskError(Exception):
-    """A step did not succeed; the text says which one, and what to do."""
+    """A step failed; the text says which one, and what to do."""
 
 
 def run(*command: str | Path, **environment: str) -> None:
     """Runs a command in the project's folder; a failure ends the task."""
     words = [str(word) for word in command]
-    # The search path is long, and says little.
+    # The search path is long and of little interest.
     settings = [f"{name}={value}" for name, value in environment.items() if name != "PATH"]
     shown = shlex.join(settings + words)
     print(f"\n> {shown if len(shown) < 300 else shown[:300] + ' ...'}", flush=True)
@@ -103,8 +103,8 @@ def run(*command: str | Path, **environment: str) -> None:
 
 
 def figures(*command: str | Path, **environment: str) -> tuple[list[str], int]:
-    """Runs a command as `run` does. Returns what it prints behind `figure:` or cargo's `test result:`, and its exit
-    code: what a command has found before it failed is worth knowing too."""
+    """Runs a command as `run` does. Returns the text that it prints after `figure:` or cargo's `test result:`, and its
+    exit code: results before a failure are of interest too."""
     words = [str(word) for word in command]
     print(f"\n> {shlex.join(words)}", flush=True)
     found = []
@@ -127,7 +127,7 @@ def need(program: str, cure: str) -> None:
 def need_rust() -> None:
     """Ends the task if Rust, or the linker it needs, is missing."""
     need("cargo", "install Rust from https://rustup.rs")
-    # On Windows cargo finds Microsoft's linker by itself, outside the search path.
+    # On Windows cargo finds Microsoft's linker itself, outside the search path.
     if not WINDOWS:
         need_c_compiler()
 
@@ -142,7 +142,7 @@ def need_c_compiler() -> None:
 
 
 def files(folders: list[str], *endings: str) -> list[Path]:
-    """All files with these endings below the folders, generated ones left out."""
+    """All files with these extensions below the folders, except generated ones."""
     found = [
         path.relative_to(ROOT)
         for folder in folders
@@ -156,8 +156,8 @@ def files(folders: list[str], *endings: str) -> list[Path]:
 
 
 def setup() -> None:
-    """Makes .venv; again only if the packages to install or the Python version have changed."""
-    if sys.version_info < (3, 11):  # noqa: UP036 - whoever starts it may have an older one
+    """Creates .venv, again only if the packages to install or the Python version have changed."""
+    if sys.version_info < (3, 11):  # noqa: UP036 - the user may have an older one
         raise TaskError(f"Python 3.11 or newer is needed, this is {sys.version.split()[0]}: install it from python.org")
     stamp = VENV / "installed.txt"
     packages = [path.read_text(encoding="utf-8") for path in (REQUIREMENTS, CONSTRAINTS)]
@@ -174,7 +174,7 @@ def setup() -> None:
 
 
 def setup_platforms() -> None:
-    """Installs what builds and runs the libraries of all platforms."""
+    """Installs the tools that build and run the libraries of all platforms."""
     if platform.system() != "Linux" or platform.machine() != "x86_64":
         raise TaskError("this task needs Linux on x86-64; elsewhere `fmu-build pack --platform all` packs what it can")
     need("rustup", "this task needs the Rust of https://rustup.rs, which has standard libraries for other platforms")
@@ -185,7 +185,7 @@ def setup_platforms() -> None:
 
 
 def is_here(name: str) -> bool:
-    """Is this program, file or library here?"""
+    """Whether this program, file or library is here."""
     if ".so" in name:
         try:
             ctypes.CDLL(name)
@@ -201,7 +201,7 @@ def missing_files(packages: dict[str, str]) -> list[str]:
 
 
 def install_missing(packages: dict[str, str]) -> None:
-    """Installs what is missing. Only root can do it."""
+    """Installs missing packages. Only root can do it."""
     missing = missing_files(packages)
     if not missing:
         return
@@ -215,7 +215,7 @@ def install_missing(packages: dict[str, str]) -> None:
     print(f"\n{cure}; trying that now", flush=True)
     run("apt-get", *patience, "update")
     run(*install, DEBIAN_FRONTEND="noninteractive")
-    # An image may leave out what a package of it has in /usr/share.
+    # A container image may omit files of its packages in /usr/share.
     if missing_files(packages):
         raise TaskError(f"{', '.join(missing_files(packages))} not found after {shlex.join(install)}")
 
@@ -231,7 +231,7 @@ def pack_for_all(project: Path, fmus: Path) -> None:
 
 
 def platforms() -> None:
-    """Packs the FMUs for all platforms, twice in different folders, and runs what this machine can run of them."""
+    """Packs the FMUs for all platforms, twice in different folders, and runs those that this machine can run."""
     need_rust()
     setup_platforms()
     out = ROOT / "out" / "platforms"
@@ -239,14 +239,14 @@ def platforms() -> None:
     for folder in (copy, out / "fmus", out / "fmus-of-copy"):
         shutil.rmtree(folder, ignore_errors=True)
     shutil.copytree(ROOT, copy, ignore=shutil.ignore_patterns(".git", ".venv", "dist", "out", "target"))
-    # Most of the time a single processor optimises the whole of a library.
+    # Most of the time a single processor optimises a whole library.
     with ThreadPoolExecutor() as both:
         list(both.map(pack_for_all, [ROOT, copy], [out / "fmus", out / "fmus-of-copy"]))
     run(PYTHON, "-m", "pytest", "-rP", "tests/platforms")
 
 
 def pack() -> None:
-    """Builds the library and packs every model as an FMU into dist/, and the four-post rig as SSP package."""
+    """Builds the library and packs every model as an FMU into dist/, and the four-post rig as an SSP package."""
     need_rust()
     run("cargo", "run", "--package", "fmu-build", "--", "pack", "--out", "dist")
     run("cargo", "run", "--package", "fmu-build", "--", "ssp", "--out", "dist")
@@ -281,7 +281,7 @@ def test() -> None:
         install_missing(TEST_PROGRAMS)
     check_style()
     run("cargo", "test", "--workspace")
-    # Here each benchmark runs once, to see that it runs.
+    # Here each benchmark runs once, to check that it runs.
     run("cargo", "test", "--package", "stribeck", "--bench", "stribeck")
     run("cargo", "doc", "--no-deps", "--workspace", RUSTDOCFLAGS="-Dwarnings")
     run("cargo", "run", "--package", "fmu-build", "--", "check")
@@ -292,7 +292,8 @@ def test() -> None:
 
 
 def setup_faults() -> None:
-    """Installs what the task faults needs. Miri and the sanitizers are parts of nightly Rust; any one will do."""
+    """Installs the tools for the task faults. Miri and the sanitizers are parts of nightly Rust; any version will
+    do."""
     if platform.system() != "Linux" or platform.machine() != "x86_64":
         raise TaskError("this task needs Linux on x86-64")
     need("rustup", "this task needs the Rust of https://rustup.rs, which has nightly versions")
@@ -304,7 +305,7 @@ def setup_faults() -> None:
 
 
 def summarise(commands: list[list[str | Path]], **environment: str) -> None:
-    """Runs all the commands, also if one fails, and prints their figures at the end."""
+    """Runs all the commands, even if one fails, and prints their figures at the end."""
     found, failed = [], []
     for command in commands:
         shown = shlex.join(map(str, command))
@@ -314,17 +315,17 @@ def summarise(commands: list[list[str | Path]], **environment: str) -> None:
             lines, status = [f"cannot run {command[0]}: {error}"], 1
         if status != 0:
             failed.append(f"exit code {status}: {shown}")
-            # As a figure, so that the task trust has it too if this is one of its parts.
+            # As a figure, so that the task trust shows it too if this is one of its parts.
             print(f"figure: FAILED with exit code {status}: {shown}", flush=True)
         found += ["", shown if status == 0 else f"FAILED with exit code {status}: {shown}"]
         found += [f"    {line}" for line in lines]
-    print("\n\nWhat was tried, and what came of it:", *found, sep="\n")
+    print("\n\nResults of the tests:", *found, sep="\n")
     if failed:
         raise TaskError("; ".join(failed))
 
 
 def faults() -> None:
-    """What importers and faults of hosts do to the library, in full, with the figures at the end."""
+    """Tests with importers and faults of the host, in full, with the figures at the end."""
     need_rust()
     need_c_compiler()
     setup_faults()
@@ -340,26 +341,26 @@ def faults() -> None:
         ["cargo", "+nightly", "miri", "test", "--package", "stribeck", "--lib", "--", *UNDER_MIRI],
         ["cargo", "+nightly", "miri", "test", "--package", "stribeck", "--test", "life"],
     ]
-    # Under Miri there is no second process, in which the test of panics runs otherwise. It would vary the last digits
-    # of functions such as exp from call to call.
+    # Miri cannot start the second process in which the test of panics otherwise runs. By default it varies the last
+    # digits of functions such as exp from call to call.
     summarise(commands, MIRIFLAGS="-Zmiri-env-set=STRIBECK_TEST_PANICS=1 -Zmiri-deterministic-floats")
 
 
 def trust() -> None:
-    """All that docs/trust.md lists, one task after the other, and their figures at the end."""
+    """Everything in docs/trust.md, one task after another, with the figures at the end."""
     parts = [faults, platforms, fuzz, coverage, broken, mutants, supply]
     summarise([[sys.executable, "tasks.py", part.__name__] for part in parts])
 
 
 def setup_tool(tool: str) -> dict[str, str]:
-    """Builds a tool of cargo, unless it is there; the environment in which cargo finds it."""
+    """Builds a cargo tool, unless it exists; returns the environment in which cargo finds it."""
     run("cargo", "install", "--quiet", "--locked", "--root", TOOLS, tool)
     return {"PATH": f"{TOOLS / 'bin'}{os.pathsep}{os.environ['PATH']}"}
 
 
 def supply() -> None:
-    """What deny.toml demands of the crates of the library and of the workspace; then the faults that are known, also
-    of the crates that only tests use."""
+    """The rules of deny.toml for the crates of the library and of the workspace; then known vulnerabilities, including
+    those of crates that only tests use."""
     need_rust()
     tools = setup_tool(SUPPLY_TOOL)
     library = ["cargo", "deny", "--locked", "--manifest-path", "Cargo.toml", "--exclude-dev"]
@@ -378,48 +379,48 @@ def supply() -> None:
         run(*workspace, "fetch", "db", **tools)
     except TaskError as error:
         raise TaskError(
-            "advisories NOT CHECKED, everything else passed: the list of known faults (github.com/RustSec/advisory-db) "
-            "could not be fetched; repeat this where github.com can be reached"
+            "advisories NOT CHECKED, everything else passed: the list of known vulnerabilities "
+            "(github.com/RustSec/advisory-db) could not be fetched; repeat this where github.com is reachable"
         ) from error
     for crates in (workspace, *for_tests):
         run(*crates, "--offline", "check", "advisories", **tools)
-    print("figure: no known fault in a crate", flush=True)
+    print("figure: no known vulnerability in a crate", flush=True)
 
 
 def coverage() -> None:
-    """Which branches the tests take."""
+    """Branches covered by the tests."""
     if platform.system() != "Linux":
         raise TaskError("this task needs Linux: it calls the library from programs that gcc links")
     need_rust()
     need("rustup", "this task needs the Rust of https://rustup.rs, which has the tools of LLVM")
     run("rustup", "component", "add", "llvm-tools")
     environment = setup_tool(COVERAGE_TOOL)
-    # Rust counts branches in unstable builds only; the compiler is the same.
+    # Rust counts branches only in unstable builds; the compiler is the same.
     build = {**environment, "RUSTC_BOOTSTRAP": "1", "CARGO_PROFILE_DEV_DEBUG": "0"}
-    # Else counters and test programs of earlier sources count too.
+    # Otherwise counters and test programs of earlier sources would count too.
     run("cargo", "llvm-cov", "clean", "--workspace", **build)
     run("cargo", "llvm-cov", "--branch", "--no-report", "--package", "stribeck", "--lib", "--tests", **build)
     run(sys.executable, "tests/coverage.py")
 
 
 def broken() -> None:
-    """Copies of the library that are broken on purpose, and the tests that notice."""
+    """Deliberately broken copies of the library, and the tests that fail."""
     need_rust()
     need("git", "it lists what to copy, and applies the patches")
     run(sys.executable, "tests/broken/patches.py")
 
 
 def mutants() -> None:
-    """Many small changes of the laws, and how many of them the tests notice."""
+    """Many small changes to the laws, and how many of them the tests catch."""
     need_rust()
     if WINDOWS:
-        raise TaskError("this task bounds processor times, which Windows does not")
+        raise TaskError("this task limits processor times, which Windows does not support")
     need("git", "it lists what to copy")
     run(sys.executable, "tests/broken/mutants.py", **setup_tool(MUTATION_TOOL))
 
 
 def fuzz() -> None:
-    """Coverage-guided fuzzing under the address sanitizer. What is found is in target/fuzz/found."""
+    """Coverage-guided fuzzing under the address sanitizer. Findings are in target/fuzz/found."""
     need_rust()
     need_c_compiler()
     run(sys.executable, "fuzz/run.py", "--long", "120")
@@ -432,13 +433,13 @@ def bench() -> None:
 
 
 def clean() -> None:
-    """Removes everything that the tasks have made."""
+    """Removes all output of the tasks."""
     for folder in (VENV, ROOT / "dist", ROOT / "out", ROOT / "target"):
         print(f"removing {folder}")
         shutil.rmtree(folder, ignore_errors=True)
 
 
-# What each task does, as it says when it starts. The times are those of a first run on two cores.
+# Description of each task, printed when it starts. The times are those of a first run on two cores.
 TASKS = {
     demo: "install the Python packages, build and pack the FMUs, run each of them, draw the results: 5 to 9 minutes, "
     "then about 2",
@@ -447,18 +448,18 @@ TASKS = {
     pack: "build the library and pack every model as an FMU into dist/: 1 to 2 minutes",
     setup: "install the Python packages of requirements.txt into .venv: about a minute",
     clean: "remove .venv, dist, out and target",
-    trust: "try all that docs/trust.md lists and print the figures: one to two hours",
-    faults: "try what importers and hosts may do to the library, in full, and print the figures: 10 to 20 minutes",
+    trust: "run everything in docs/trust.md and print the figures: one to two hours",
+    faults: "test the library with importers and faults of the host, in full, and print the figures: 10 to 20 minutes",
     platforms: "pack for all platforms twice, compare, run the libraries under wine and qemu; as root it installs what "
     "it needs with apt: 15 to 30 minutes",
     fuzz: "try new inputs for interfaces and file readers, two minutes for each of seven targets: 10 to 20 minutes",
-    coverage: "install cargo-llvm-cov, run the Rust and C tests with counters, print which branches they take: "
+    coverage: "install cargo-llvm-cov, run the Rust and C tests with counters, print the covered branches: "
     "8 to 15 minutes",
-    broken: "break copies of the library on purpose and show which tests notice: 5 to 10 minutes",
+    broken: "deliberately break copies of the library and show which tests fail: 5 to 10 minutes",
     mutants: "install cargo-mutants, change the friction laws in more than 200 small ways, one at a time, and count "
-    "how many the tests notice: 10 to 20 minutes",
-    supply: "check licences, bans and sources of the crates, and their known faults if github.com can be reached: 5 to "
-    "10 minutes, then seconds",
+    "how many the tests catch: 10 to 20 minutes",
+    supply: "check licences, bans and sources of the crates, and known vulnerabilities if github.com is reachable: "
+    "5 to 10 minutes, then seconds",
 }
 
 

@@ -4,10 +4,10 @@
  *     LD_LIBRARY_PATH=target/release ./belt
  *     LD_LIBRARY_PATH=target/release ./belt Wojewoda step=1e-5 mu_s=0.14 rig.belt_velocity=0.2
  *
- * The program couples two models: BeltRig, a spring-held block on a belt, and a friction law that is named on the
- * command line (LuGre unless told otherwise); laws in the plane and in space slide along x. Variables of the law, and
- * with `rig.` those of the rig, follow as name=value. On the way it shows how to list the models, how to find variables
- * by name, how to save a state and come back to it, and what a refused value looks like.
+ * The program couples two models: BeltRig, a spring-held block on a belt, and a friction law named on the command line
+ * (default: LuGre); laws in the plane and in space slide along x. Variables of the law, and with `rig.` those of the
+ * rig, follow as name=value. The program also shows how to list the models, find variables by name, save and restore a
+ * state, and handle a rejected value.
  */
 #include <stdbool.h>
 #include <stdint.h>
@@ -17,17 +17,17 @@
 
 #include "stribeck.h"
 
-/* Communication step unless the command line has another. The coupling is explicit, so the step must resolve the
- * steepest slope of the law. With this one, and default parameters, the period of most laws is right within 0.1 %; but
- * FrictionalLag and Wojewoda need 1e-5 s. */
+/* Communication step, unless given on the command line. The coupling is explicit, so the step must resolve the
+ * steepest slope of the law. With this one, and default parameters, the period of most laws is correct to within 0.1 %,
+ * but FrictionalLag and Wojewoda need 1e-5 s. */
 static const double STEP = 1e-4;     /* s */
 static const double DURATION = 40.0; /* s */
 static const double GRAVITY = 9.81;  /* m/s2 */
 
 /* ---------------------------------------------------------------------- errors */
 
-/* Every function that can fail returns a status. What went wrong, in words, is kept by the model it happened to. An
- * example may stop at the first error; a library would pass the status on. */
+/* Every function that can fail returns a status; the model keeps the error message. An example may stop at the first
+ * error; a library would pass the status on. */
 static void check(stribeck_status status, const stribeck_model *model, const char *what) {
     if (status == STRIBECK_OK) {
         return;
@@ -45,8 +45,8 @@ static stribeck_model *create(const char *name) {
 
 /* ---------------------------------------------------------------------- variables */
 
-/* A variable is addressed by its column. Look the name up once and use the number in the loop: a set is then a bound
- * check and a store. */
+/* A variable is addressed by its column. Look the name up once and use the number in the loop: setting a value is then
+ * a bound check and a store. */
 static uint32_t column(stribeck_model *model, const char *variable) {
     uint32_t found = 0;
     check(stribeck_find(model, variable, &found), model, variable);
@@ -59,7 +59,7 @@ static bool has(stribeck_model *model, const char *variable) {
     return stribeck_find(model, variable, &found) == STRIBECK_OK;
 }
 
-/* Laws in the plane and in space have vectors, of which the component along the belt is taken. */
+/* Laws in the plane and in space have vectors, of which the component along the belt is used. */
 static uint32_t column_along(stribeck_model *model, const char *line, const char *x) {
     return column(model, has(model, line) ? line : x);
 }
@@ -90,7 +90,7 @@ typedef struct {
     stribeck_model *rig;
     stribeck_model *friction;
     double step;
-    bool wants_external_force; /* laws with true stiction hold what pulls at the block */
+    bool wants_external_force; /* laws with true stiction balance the forces on the block */
     bool wants_acceleration;   /* laws with one curve for speeding up and one for slowing down */
 
     /* Columns of the friction law, */
@@ -120,7 +120,7 @@ static void find_columns(belt *system) {
     system->mass = column(system->rig, "mass");
 }
 
-/* Sets what the command line has as name=value, either of the rig or of the law; the step is neither's. */
+/* Sets the name=value arguments, either of the rig or of the law; the step belongs to neither. */
 static void configure(belt *system, bool of_rig, int count, char **settings) {
     for (int i = 0; i < count; i++) {
         char name[64];
@@ -163,7 +163,7 @@ static belt assemble(const char *law, int count, char **settings) {
         exit(EXIT_FAILURE);
     }
     double mass = get(system.rig, system.mass);
-    /* A law that is told the mass can bring the block to rest and hold it; one that is not lets it chatter. */
+    /* A law that knows the mass can bring the block to rest and hold it; otherwise the block chatters. */
     if (has(system.friction, "mass")) {
         set_named(system.friction, "mass", mass);
     }
@@ -173,14 +173,14 @@ static belt assemble(const char *law, int count, char **settings) {
     return system;
 }
 
-/* Friction first, with the motion at the start of the step; then the rig, with the new force. This order is what the
- * laws call a sequential exchange. */
+/* Friction first, with the motion at the start of the step; then the rig, with the new force. The laws call this order
+ * a sequential exchange. */
 static void step(const belt *system) {
     set(system->friction, system->velocity, get(system->rig, system->rig_velocity));
     if (system->wants_external_force) {
         set(system->friction, system->external_force, get(system->rig, system->rig_external_force));
     }
-    /* The acceleration depends on the force that is asked for: it can only be that of the last one. */
+    /* The acceleration depends on the force being computed, so only that of the last force is available. */
     if (system->wants_acceleration) {
         double resultant = get(system->rig, system->rig_external_force) - get(system->rig, system->rig_friction_force);
         set(system->friction, system->acceleration, resultant / get(system->rig, system->mass));
@@ -195,7 +195,7 @@ static void dismantle(belt *system) {
     stribeck_free(system->rig);
 }
 
-/* ---------------------------------------------------------------------- what is reported */
+/* ---------------------------------------------------------------------- the report */
 
 /* Kinetic energy of the block and energy of the spring. */
 static double mechanical_energy(const belt *system) {
@@ -204,7 +204,7 @@ static double mechanical_energy(const belt *system) {
     return 0.5 * get_named(system->rig, "mass") * v * v + 0.5 * get_named(system->rig, "stiffness") * x * x;
 }
 
-/* Runs to `end` and prints each instant at which the block turns back. Returns the work of the belt on the block. */
+/* Runs to `end` and prints each time at which the block reverses. Returns the work of the belt on the block. */
 static double run(const belt *system, double end) {
     double work = 0.0;
     long steps = (long)((end - stribeck_time(system->rig)) / system->step + 0.5);
@@ -215,7 +215,7 @@ static double run(const belt *system, double end) {
         /* The belt feels +friction_force, so it pulls the block with -friction_force. */
         work -= get(system->rig, system->rig_friction_force) * get(system->rig, system->belt_velocity) * system->step;
         if (before > 0.0 && after <= 0.0) {
-            /* Between two steps the velocity is as good as linear. */
+            /* Between two steps the velocity is practically linear. */
             double t = stribeck_time(system->rig) + system->step * after / (before - after);
             printf("  maximum at t = %8.4f s   position = %.5f m\n", t, get(system->rig, system->position));
         }
@@ -231,7 +231,7 @@ static void list_models(void) {
     printf("\n");
 }
 
-/* A value outside its bounds is refused, and nothing changes: the model can be used on. */
+/* A value outside its bounds is rejected and nothing changes: the model remains usable. */
 static void show_refusal(stribeck_model *friction) {
     double before = get_named(friction, "mu_k");
     if (stribeck_set_by_name(friction, "mu_k", -0.1) == STRIBECK_OK || get_named(friction, "mu_k") != before) {
@@ -242,7 +242,7 @@ static void show_refusal(stribeck_model *friction) {
     printf("\nrefused, as it should be: %s\n", stribeck_last_error(friction));
 }
 
-/* Everything a model remembers, as bytes: good for a step that is tried and taken back, and for a file. */
+/* The complete state of a model, as bytes: for a step that is tried and undone, or for a file. */
 typedef struct {
     size_t size;
     void *bytes;
@@ -272,7 +272,7 @@ int main(int argc, char **argv) {
     printf("\n%s on the belt, %g s in steps of %g s:\n", law, DURATION, system.step);
     double work = run(&system, DURATION / 2.0);
 
-    /* Halfway, remember both models. */
+    /* Halfway, save both models. */
     snapshot rig = save(system.rig);
     snapshot friction = save(system.friction);
 
@@ -282,10 +282,10 @@ int main(int argc, char **argv) {
     printf("\nwork of the belt     %9.6f J\n", work);
     printf("dissipated           %9.6f J\n", dissipated);
     printf("gained by the block  %9.6f J\n", end - start);
-    /* The force is held over a step while the rig moves on: the balance closes to the first order in the step. */
+    /* The force is held over a step while the rig moves: the balance closes to first order in the step. */
     printf("not accounted for    %9.2g J\n", work - dissipated - (end - start));
 
-    /* Back to half-time, and the same second half again: the same bits, not just nearly the same numbers. */
+    /* Back to half-time, and the same second half again: bit-identical, not just nearly the same. */
     double position = get(system.rig, system.position);
     restore(system.rig, &rig);
     restore(system.friction, &friction);

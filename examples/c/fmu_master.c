@@ -3,12 +3,11 @@
  *     cc -Iinclude examples/c/fmu_master.c -Ltarget/release -lstribeck -lm -o fmu_master
  *     LD_LIBRARY_PATH=target/release ./fmu_master
  *
- * The FMI functions are linked directly, so there is no archive to unpack and no XML to read: the header knows the
- * value references and the GUID. With an .fmu file the calls are the same, on functions found with dlsym or
- * GetProcAddress.
+ * The FMI functions are linked directly, so there is no archive to unpack and no XML to read: the header has the value
+ * references and the GUID. With an .fmu file the calls are the same, on functions found with dlsym or GetProcAddress.
  *
- * Coulomb friction jumps at rest. A master that only asks for a force sees it alternate between two levels while the
- * block should stick. The model CoulombStiction can do better if it is told the mass that it has to hold. The program
+ * Coulomb friction jumps at rest. A master that only reads the force gets one that alternates between two levels while
+ * the block should stick. The model CoulombStiction does better if it knows the mass that it has to hold. The program
  * runs both ways and counts.
  */
 #include <math.h>
@@ -45,14 +44,14 @@ static void check(fmi2Status status, const char *call) {
     }
 }
 
-/* A slave, initialised and ready to step. `mass` is what it has to hold; 0 if it is not told. */
+/* A slave, initialised and ready to step. `mass` is the mass that it has to hold; 0 if it does not know it. */
 static fmi2Component start_slave(double mass) {
     /* The slave copies the structure; it may go away when fmi2Instantiate returns. Memory functions are not needed. */
     fmi2CallbackFunctions callbacks = {.logger = logger};
     fmi2Component slave = fmi2Instantiate("friction", fmi2CoSimulation, STRIBECK_COULOMB_STICTION_GUID, NULL,
                                           &callbacks, fmi2False, fmi2True);
     if (slave == NULL) {
-        fprintf(stderr, "fmi2Instantiate refused: header and library do not belong together\n");
+        fprintf(stderr, "fmi2Instantiate failed: header and library do not match\n");
         exit(EXIT_FAILURE);
     }
     const fmi2ValueReference start[] = {STRIBECK_COULOMB_STICTION_NORMAL_FORCE, STRIBECK_COULOMB_STICTION_MU_S,
@@ -65,7 +64,7 @@ static fmi2Component start_slave(double mass) {
     return slave;
 }
 
-/* What a run is judged by. */
+/* Results of a run. */
 typedef struct {
     double first_slip;    /* time at which the block first leaves the belt */
     double furthest;      /* largest position */
@@ -100,7 +99,7 @@ static result run(double mass) {
         check(fmi2GetReal(slave, force_reference, 1, force), "fmi2GetReal");
         check(fmi2GetBoolean(slave, sticking_reference, 1, sticking), "fmi2GetBoolean");
 
-        /* Our side: the block, one step of the semi-implicit Euler method. */
+        /* The master's side: the block, one step of the semi-implicit Euler method. */
         v += STEP * (spring - force[0]) / MASS;
         x += STEP * v;
 

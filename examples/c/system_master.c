@@ -3,7 +3,7 @@
  *     cc -Iinclude examples/c/system_master.c -ldl -o system_master
  *     ./system_master system.txt
  *
- * The text file says what to run, one fact per line; components count from 0, variables are value references:
+ * The text file describes the system, one fact per line; components count from 0, variables are value references:
  *
  *     step 0.001                        communication step in s
  *     steps 1000                        how many
@@ -13,8 +13,8 @@
  *     signal 1 3 0.1 0.2 ...            values of input 3 of component 1, one per step
  *     watch 1 7                         print variable 7 of component 1 after each step
  *
- * All components step with the values of the last communication point; then outputs become inputs (Jacobi). Every
- * step prints one line. The first call that fails ends the run.
+ * All components step with the values of the last communication point; then outputs become inputs (Jacobi). Every step
+ * prints one line. The first failing call ends the run.
  */
 #include <stdarg.h>
 #include <stdio.h>
@@ -107,7 +107,7 @@ static void *load(const char *path) {
     return library;
 }
 
-/* Puts the address of a function where a function pointer is kept. */
+/* Stores the address of a function in a function pointer. */
 static void find(void *library, const char *name, void *target) {
 #ifdef _WIN32
     FARPROC found = GetProcAddress((HMODULE)library, name);
@@ -135,7 +135,7 @@ static component instantiate(const char *guid, const char *path) {
     fmi2CallbackFunctions callbacks = {.logger = logger};
     made.slave = made.instantiate(path, fmi2CoSimulation, guid, NULL, &callbacks, fmi2False, fmi2True);
     if (made.slave == NULL) {
-        fail("fmi2Instantiate refused", path);
+        fail("fmi2Instantiate failed", path);
     }
     return made;
 }
@@ -150,7 +150,7 @@ static void initialise(const component *made) {
 
 static void expect(int found, int wanted, const char *keyword) {
     if (found != wanted) {
-        fail("the file has a wrong line", keyword);
+        fail("the file has an invalid line", keyword);
     }
 }
 
@@ -262,7 +262,7 @@ int main(int argc, char **argv) {
     for (size_t i = 0; i < system.components; i++) {
         initialise(&system.component[i]);
     }
-    /* At the start, values pass through every component on their way. */
+    /* At the start, values propagate through all components. */
     for (size_t i = 0; i < system.components; i++) {
         exchange(&system);
     }

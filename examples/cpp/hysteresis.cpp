@@ -1,4 +1,4 @@
-// Pre-sliding hysteresis: a contact that is moved to and fro by 20 micrometres, with Stribeck's C interface from C++17.
+// Pre-sliding hysteresis: a contact moved back and forth by 20 micrometres, with Stribeck's C interface from C++17.
 //
 //     c++ -std=c++17 -Iinclude examples/cpp/hysteresis.cpp -Ltarget/release -lstribeck -o hysteresis
 //     LD_LIBRARY_PATH=target/release ./hysteresis loop.csv
@@ -22,7 +22,7 @@
 
 #include "stribeck.h"
 
-// A model that frees itself and throws what it refuses. The whole wrapper: take it along.
+// A model that frees itself and throws errors as exceptions. This is the complete wrapper: copy it.
 class Model {
   public:
     explicit Model(const std::string &name) {
@@ -126,7 +126,7 @@ static void run(const char *path) {
     std::ofstream csv(path);
     Bench bench(csv);
     bench.move_by(Bench::amplitude, true);
-    // The first loops remember how the motion began; each forgets most of what the one before remembered.
+    // The first loops depend on the initial state; each loop removes most of that dependence.
     for (int loop = 0; loop < 10; ++loop) {
         bench.loop(true);
     }
@@ -142,7 +142,7 @@ static void run(const char *path) {
               << "the loop is in             " << path << '\n';
 }
 
-// What the library refuses arrives as an exception that names the variable, its value and the limit.
+// A rejected value throws an exception that names the variable, its value and the limit.
 static void show_refusal() {
     Model law("Dahl");
     try {

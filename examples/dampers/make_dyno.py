@@ -1,14 +1,14 @@
 #!/usr/bin/env python3
-"""Makes dyno.csv and dyno_soft.csv: what a damper dynamometer records of two dampers, for `stribeck damper`.
+"""Makes dyno.csv and dyno_soft.csv: records of two dampers on a dynamometer, for `stribeck damper`.
 
     python examples/dampers/make_dyno.py [folder]
 
-The data are computed, not measured, but have what measured data have. Both dampers are driven through strokes of
-20 mm to both sides of the middle, one turn at each of three speeds; spring and side load are absent.
+The data are computed, not measured, but have the features of measured data. Both dampers are driven through strokes of
+20 mm to both sides of the middle, one cycle at each of three speeds; spring and side load are absent.
 
     dyno.csv        damper table of the shock absorber's defaults, 25 N of friction; positive in extension
-    dyno_soft.csv   six tenths of that damping, 12 N of friction, as a dynamometer writes it that counts compression
-                    positive and records what the damper does to the machine; semicolons and decimal commas
+    dyno_soft.csv   six tenths of that damping, 12 N of friction, as written by a dynamometer that counts compression
+                    positive and records the force of the damper on the machine; semicolons and decimal commas
 
 Friction is a LuGre model with 1.2 times the level before sliding, the gas spring that of the shock absorber's defaults,
 the load cell has noise of 1 N. All sizes are chosen. The seeds are fixed, so the files are the same each time.
@@ -26,7 +26,7 @@ SPEEDS = [-1.0, -0.5, -0.25, -0.1, -0.05, 0.0, 0.05, 0.1, 0.25, 0.5, 1.0]  # m/s
 RESISTANCE = [-1150.0, -700.0, -430.0, -210.0, -110.0, 0.0, 180.0, 340.0, 640.0, 950.0, 1500.0]  # N
 
 AMPLITUDE = 0.020  # m
-PEAKS = [0.05, 0.25, 1.0]  # highest speed of each turn, m/s
+PEAKS = [0.05, 0.25, 1.0]  # highest speed of each cycle, m/s
 SAMPLES = 400  # per turn
 SUBSTEPS = 20  # steps of the bristle per sample
 NOISE = 1.0  # N
@@ -38,7 +38,7 @@ STRIBECK = 1e-3  # m/s
 
 @dataclass(frozen=True)
 class Recording:
-    """A damper and how its dynamometer writes."""
+    """A damper and the format of its dynamometer."""
 
     name: str
     damping: float
@@ -74,7 +74,7 @@ def bristle_force(velocity: numpy.ndarray, step: float, level: float, deflection
 def record(recording: Recording) -> dict[str, numpy.ndarray]:
     """The channels in this project's signs: positive in extension, force as resistance."""
     random = numpy.random.default_rng(recording.seed)
-    # The machine has made some turns before: the bristle is bent as at the end of a compression.
+    # The machine has made some cycles before: the bristle is bent as at the end of a compression.
     deflection = -recording.friction / BRISTLE
     turns = []
     for peak in PEAKS:
@@ -94,7 +94,7 @@ def record(recording: Recording) -> dict[str, numpy.ndarray]:
 def text_of(recording: Recording) -> str:
     """The text of the file."""
     channels = record(recording)
-    # In both signs a resistance keeps the sign of the velocity; the second machine records the opposite of it.
+    # With either sign, a resistance has the sign of the velocity; the second machine records its opposite.
     sign = -1.0 if recording.compression_positive else 1.0
     columns = [
         sign * 1e3 * channels["velocity"],

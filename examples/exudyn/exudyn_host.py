@@ -1,4 +1,4 @@
-"""The quarter car in exudyn, and how a strut is coupled with it."""
+"""The quarter car in exudyn, and its coupling with a strut."""
 
 import exudyn
 import numpy
@@ -64,7 +64,7 @@ class QuarterCar:
         self.system.CreatePrismaticJoint(itemNumbers=[outer, inner], position=list(point), axis=[0.0, 0.0, 1.0])
 
     def hinge(self, arm: int, front: Point, rear: Point) -> None:
-        """The bearings of a wishbone on the body of the car."""
+        """The bearings of a wishbone on the car body."""
         middle, axis = 0.5 * numpy.add(front, rear), numpy.subtract(front, rear)
         axis /= numpy.linalg.norm(axis)
         self.system.CreateRevoluteJoint(itemNumbers=[self.car, arm], position=list(middle), axis=list(axis))
@@ -74,7 +74,7 @@ class QuarterCar:
         self.system.CreateSphericalJoint(itemNumbers=[first, second], position=list(point))
 
     def lower_arm(self, s: Suspension) -> int:
-        """The lower arm and the tie rod of a wheel; returns the arm."""
+        """Adds the lower arm and the tie rod of a wheel; returns the arm."""
         arm = self.body(s.lower_arm)
         self.hinge(arm, s.lower_front, s.lower_rear)
         self.ball(arm, self.wheel, s.lower_ball)
@@ -86,7 +86,7 @@ class QuarterCar:
         return arm
 
     def double_wishbone(self, s: Suspension) -> None:
-        """A strut without mass between body and lower arm."""
+        """A massless strut between body and lower arm."""
         self.wheel = self.body(s.upright)
         self.rod = self.lower_arm(s)
         upper = self.body(s.upper_arm)
@@ -102,7 +102,7 @@ class QuarterCar:
         self.ball(arm, self.rod, s.rod_eye)
 
     def macpherson(self, s: Suspension) -> None:
-        """A strut whose tube is bolted to the upright and whose rod is held by the car."""
+        """A strut whose tube is bolted to the upright and whose rod is attached to the car."""
         self.wheel = self.tube = self.body(s.upright)
         self.lower_arm(s)
         self.rod = self.body(s.rod)
@@ -124,17 +124,17 @@ class QuarterCar:
         )
 
     def wrench(self, length: float) -> Wrench:
-        """Reaction of the tube on the rod, as exudyn has computed it last."""
+        """Reaction of the tube on the rod, as last computed by exudyn."""
         if self.telescope is None:
             return UNLOADED
         kinds = exudyn.OutputVariableType
         force = self.system.GetObjectOutput(self.telescope, kinds.ForceLocal)
         moment = self.system.GetObjectOutput(self.telescope, kinds.TorqueLocal)
-        # The force is what the rod does to the tube, but the moment is what the tube does to the rod: found by statics.
+        # The force is that of the rod on the tube, but the moment is that of the tube on the rod: found by statics.
         return Wrench.in_rod_eye(-force, moment, length)
 
     def tyre(self) -> None:
-        """The vertical force of the road on the wheel; for exudyn forces are positive that pull two bodies together."""
+        """The vertical force of the road on the wheel; in exudyn, forces that pull two bodies together are positive."""
 
         def pull(_system, time, _item, displacement, velocity, _stiffness, _damping, _offset):
             return [0.0, 0.0, -TYRE.load(TYRE.radius + displacement[2], velocity[2], *BUMP.at(time))]
@@ -148,7 +148,7 @@ class QuarterCar:
         )
 
     def strut(self, tension: float = 0.0, pull=0) -> int:
-        """The strut between its eyes, with a tension that is set from outside or with a function for it."""
+        """The strut between its eyes, with a tension that is set externally or given by a function."""
         return self.system.CreateSpringDamper(
             itemNumbers=[self.tube, self.rod],
             localPosition0=self.local(self.tube, self.suspension.tube_eye),
@@ -197,17 +197,17 @@ class Coupling:
         return True
 
     def implicitly(self) -> None:
-        """The force is computed anew in each iteration."""
+        """The force is recomputed in each iteration."""
         self.connector = self.car.strut(pull=self.iterate)
         self.car.system.SetPostStepUserFunction(self.accept)
 
     def iterate(self, _system, time: float, _item, extension: float, velocity: float, *_linear: float) -> float:
-        """The tension of the strut at the end of the step, as far as the iteration knows it."""
+        """The tension of the strut at the end of the step, for the values of the current iteration."""
         length = self.car.suspension.length() + extension
         return -self.strut.attempt(length, velocity, time - self.accepted, self.wrench)
 
     def accept(self, _system, time: float) -> bool:
-        """After a step. The last iteration may have been one with disturbed values, for the Jacobian."""
+        """After a step. The last iteration may have used perturbed values, for the Jacobian."""
         length, velocity = self.car.look(self.connector)
         force = self.strut.attempt(length, velocity, time - self.accepted, self.wrench)
         self.strut.accept()
@@ -217,7 +217,7 @@ class Coupling:
         return True
 
     def weigh(self, length: float) -> None:
-        """Takes the side loads for the next step."""
+        """Reads the side loads for the next step."""
         if self.side_loads:
             self.wrench = self.car.wrench(length)
 
@@ -271,5 +271,5 @@ def simulate(
         {"explicit": connection.explicitly, "implicit": connection.implicitly}[coupling]()
         car.system.Assemble()
         if not car.system.SolveDynamic(settings(step, steps)):
-            raise CouplingError(f"exudyn gives up at {connection.accepted:.4f} s: try a smaller --step")
+            raise CouplingError(f"exudyn failed at {connection.accepted:.4f} s: try a smaller --step")
     return connection.recorder.run(label, car.suspension.length())

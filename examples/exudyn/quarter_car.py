@@ -9,8 +9,8 @@ The car and the bump are those of examples/mujoco/quarter_car.py. Writes <out>.c
                           last accepted point and steps it with the length and velocity of the iteration (default)
                explicit   the FMU steps once, and its force is held over the step
 
-With --native the same law runs in Python, at the same place: the implicit runs then agree to all printed digits. With
---side-loads the reaction between tube and rod goes into the FMU, for --suspension telescope and macpherson.
+With --native the same law runs in Python, in the same place: the implicit runs then agree to all printed digits. With
+--side-loads the reaction between tube and rod is passed to the FMU, for --suspension telescope and macpherson.
 """
 
 import sys
@@ -28,11 +28,11 @@ from suspension import strut_parameters
 
 
 def program() -> None:
-    """Runs what the command line asks for."""
+    """Runs the simulations selected on the command line."""
     parser = quarter_car_options(__doc__, out="out/exudyn_quarter_car")
     parser.add_argument("--coupling", choices=("implicit", "explicit"), default="implicit")
     parser.add_argument("--suspension", choices=SUSPENSIONS, default="double-wishbone")
-    parser.add_argument("--side-loads", action="store_true", help="feed the reaction between tube and rod to the strut")
+    parser.add_argument("--side-loads", action="store_true", help="pass the reaction between tube and rod to the strut")
     options = parser.parse_args()
     suspension = SUSPENSIONS[options.suspension]
 

@@ -1,10 +1,10 @@
-"""The belt benchmark in closed form, and what is measured of a computed motion to compare with it.
+"""The belt benchmark in closed form, and the measurement of a computed motion for comparison.
 
 A block of mass m on a belt of velocity v_b, held by a spring k: m d2x/dt2 = -k x - f_f(v), v = dx/dt - v_b, starting
 from x = 0 at rest on the belt. With kinetic level f_C and static level f_s, w = sqrt(k / m) and D = (f_s - f_C) / k:
 
     stick   x = x_on + v_b t until k x = f_s
-    slip    x = f_C / k + D cos w t + (v_b / w) sin w t until the block has the velocity of the belt again
+    slip    x = f_C / k + D cos w t + (v_b / w) sin w t until the block reaches the velocity of the belt again
 """
 
 from dataclasses import dataclass
@@ -14,8 +14,8 @@ import numpy
 
 GRAVITY = 9.81  # m/s2
 
-# Two runs agree if their times differ by less. The coupling is of first order: a run is twice as far from a converged
-# one as from the run with half its step.
+# Two runs agree if their times differ by less than this. The coupling is of first order: a run is twice as far from a
+# converged one as from the run with half its step.
 AGREEMENT = 5e-3
 
 # The benchmark of F. Novais, MSc thesis, University of Minho (2024), Table 6.1; SI units.
@@ -41,8 +41,8 @@ class Cycle:
 
 
 def compared_time(cycle: Cycle, is_random: bool) -> float:
-    """What two runs of a law are compared by: the last period; if there is none, or if it scatters because the law is
-    random, the instant of the first maximum."""
+    """The time by which two runs of a law are compared: the last period; if there is none, or if it scatters because
+    the law is random, the time of the first maximum."""
     return cycle.first_maximum if is_random or isnan(cycle.period) else cycle.period
 
 
@@ -81,16 +81,16 @@ def without_stiction(mass, stiffness, belt_velocity, mu_k, normal_force) -> Cycl
 
 
 def maxima(time: numpy.ndarray, position: numpy.ndarray) -> tuple[numpy.ndarray, numpy.ndarray]:
-    """Instants and heights of the maxima of an oscillation, between the samples.
+    """Times and heights of the maxima of an oscillation, between the samples.
 
-    One maximum for each excursion above the middle of the range, so that ripple does not count; a parabola through the
-    highest sample and its neighbours gives the rest. An excursion that the record cuts off is left out.
+    One maximum for each excursion above the middle of the range, so that ripple does not count; each is found by a
+    parabola through the highest sample and its neighbours. An excursion truncated by the record is omitted.
     """
     settled = position[int(numpy.argmax(position)) :]
     middle = 0.5 * (settled.min() + settled.max())
     crossings = numpy.diff((position > middle).astype(int))
     begins, ends = numpy.flatnonzero(crossings > 0) + 1, numpy.flatnonzero(crossings < 0) + 1
-    # A record that begins above the middle has cut off its first excursion.
+    # The first excursion of a record that begins above the middle is truncated.
     ends = ends[ends > begins[0]] if len(begins) else ends
     found = [_vertex(time, position, begin, end) for begin, end in zip(begins, ends, strict=False)]
     instants, heights = zip(*found, strict=True) if found else ((), ())
@@ -106,7 +106,7 @@ def _vertex(time: numpy.ndarray, position: numpy.ndarray, begin: int, end: int) 
 
 
 def measure(time: numpy.ndarray, position: numpy.ndarray, sticking: numpy.ndarray) -> Cycle:
-    """The cycle of a computed motion that starts at rest on the belt; NaN for what did not happen.
+    """The cycle of a computed motion that starts at rest on the belt; NaN for events that did not happen.
 
     The period is the distance between the last two maxima of the position, `x_max` the height of the last one, and
     `x_min` the lowest position after the first.

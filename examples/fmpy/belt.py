@@ -4,16 +4,16 @@
     python examples/fmpy/belt.py --model LuGre --set mu_s=0.2 --step 5e-4
     python examples/fmpy/belt.py --model LuGre Dahl Liang --rig belt_velocity=0.05 --rig stiffness=4
 
-Writes <out>.csv and <out>.png; several models share the picture, and each has a table <out>_<model>.csv. The start
-values are those of the benchmark in F. Novais, MSc thesis, University of Minho (2024): m = 1 kg, k = 2 N/m,
-v_b = 0.1 m/s, mu_k = 0.1, mu_s = 0.15. Unless told otherwise the block starts at rest on the belt, and presses on it
-with its weight. Models in the plane and in space slide along x. `--exchange` is the order of the co-simulation:
+Writes <out>.csv and <out>.png; several models share the picture, and each has its own table <out>_<model>.csv. The
+start values are those of the benchmark in F. Novais, MSc thesis, University of Minho (2024): m = 1 kg, k = 2 N/m,
+v_b = 0.1 m/s, mu_k = 0.1, mu_s = 0.15. By default the block starts at rest on the belt, and presses on it with its
+weight. Models in the plane and in space slide along x. `--exchange` is the order of the co-simulation:
 
     sequential   the friction FMU steps first, the rig then steps with its force (Gauss-Seidel)
     feedthrough  the force is read as soon as the inputs are set, then both step
     parallel     both step, then exchange all values (Jacobi): what most masters do
 
-Each run is repeated with half the step, and said to be too coarse where that changes its period.
+Each run is repeated with half the step, and reported as too coarse if that changes its period.
 """
 
 import argparse
@@ -45,7 +45,7 @@ from prepared import Clock, Flag, Reals, make
 
 EXCHANGES = ("sequential", "feedthrough", "parallel")
 
-# What is recorded of the rig at each communication point, in this order.
+# Recorded variables of the rig at each communication point, in this order.
 RECORDED = ("position", "block_velocity", "velocity", "external_force", "der(block_velocity)")
 
 # Inputs of friction models, and the variable of the rig that is passed on to them. The belt does not accelerate.
@@ -56,8 +56,8 @@ CONNECTIONS = {"velocity": "velocity", "external_force": "external_force", "acce
 class BeltRun:
     """The computed motion: one entry of each array per recorded communication point, in SI units.
 
-    `friction_force` is the force on which the rig takes its next step, `acceleration` the one with which it begins
-    that step. `velocity` is that of the block relative to the belt, `block_velocity` the one relative to the ground.
+    `friction_force` is the force with which the rig takes its next step, `acceleration` that at the beginning of this
+    step. `velocity` is that of the block relative to the belt, `block_velocity` that relative to the ground.
     """
 
     model: str
@@ -91,7 +91,7 @@ class Coupling:
         self.clock = Clock(step)
         inputs = dict(zip(friction.along_x(*CONNECTIONS), CONNECTIONS.values(), strict=True))
         passed_on = {name: source for name, source in inputs.items() if name in friction.names("input")}
-        # What one FMU gives lies where the other one takes it from.
+        # The outputs of one FMU and the inputs of the other share memory.
         self.to_friction = Reals(friction, *passed_on)
         self.from_rig = Reals(rig, *passed_on.values(), values=self.to_friction.values)
         self.force = Reals(friction, *friction.along_x("friction_force"))
@@ -101,7 +101,7 @@ class Coupling:
         self.friction_step, self.rig_step = self.clock.do_step(friction), self.clock.do_step(rig)
 
     def calls(self, exchange: str) -> list:
-        """What is called in each step, up to the step of the rig."""
+        """The calls of each step, up to the step of the rig."""
         inform, force = [self.from_rig.get, self.to_friction.set], [self.force.get, self.to_rig.set]
         return {
             "sequential": [*inform, self.friction_step, *force],
@@ -110,7 +110,7 @@ class Coupling:
         }[exchange]
 
     def record(self) -> list[float]:
-        """The state of the rig, the force on which it takes its next step, and whether the contact sticks."""
+        """The state of the rig, the force with which it takes its next step, and whether the contact sticks."""
         make(self.recorded.get, self.sticking.get)
         return [*self.recorded.values, self.force.values[0], self.sticking.values[0]]
 
@@ -133,7 +133,7 @@ class Coupling:
 
 
 def connected(names: Mapping[str, object], inputs: list[str], source: str) -> None:
-    """Refuses start values that the first step would replace without a word."""
+    """Rejects start values that the first step would silently replace."""
     for name in names:
         if name in inputs:
             raise CouplingError(f"{name} comes from {source}: it cannot be set")
@@ -149,8 +149,8 @@ def rig_values(rig_path: Path, chosen: Mapping[str, object]) -> dict[str, float]
 
 
 def friction_values(friction_path: Path, mass: float, exchange: str, chosen: Mapping[str, object]) -> dict[str, object]:
-    """Values of the law: the weight of the block, and what a law that holds a body at rest must be told, its mass and
-    how values are exchanged; `chosen` counts more.
+    """Values of the law: the weight of the block and, for a law that holds a body at rest, its mass and the order of
+    exchange; `chosen` takes precedence.
     """
     connected(chosen, [*CONNECTIONS, "velocity_x"], "BeltRig")
     values = {"normal_force": mass * GRAVITY}
@@ -160,7 +160,7 @@ def friction_values(friction_path: Path, mass: float, exchange: str, chosen: Map
 
 
 def is_random(model: str, fmu_dir: Path = FMUS) -> bool:
-    """Is the motion of a law a matter of chance, which a step of another length draws anew?"""
+    """Whether the motion of a law is random, with other random numbers for another step."""
     return "seed" in variables_of(friction_path_of(model, fmu_dir))
 
 
@@ -170,10 +170,10 @@ def limit_of_step(
     parameters: Mapping[str, object] | None = None,
     rig: Mapping[str, object] | None = None,
 ) -> float:
-    """Largest communication step at which a block at rest on the belt does not chatter; infinite if any will do.
+    """Largest communication step at which a block at rest on the belt does not chatter; infinite if there is no limit.
 
-    A law that knows the mass looks ahead to the end of the step. Otherwise a force that is exchanged once per step is
-    stable below 2 m / (df/dv), with the slope of the law at rest.
+    A law that knows the mass looks ahead to the end of the step. Otherwise a force exchanged once per step is stable
+    below 2 m / (df/dv), with the slope of the law at rest.
     """
     friction_path = friction_path_of(model, fmu_dir)
     mass = rig_values(path_of("BeltRig", fmu_dir), rig or {})["mass"]
@@ -222,7 +222,7 @@ def arguments() -> argparse.Namespace:
         action="append",
         default=[],
         metavar="NAME=VALUE",
-        help="mass, stiffness, belt_velocity, position or block_velocity of BeltRig; may be repeated",
+        help="mass, stiffness, belt_velocity, position or block_velocity of BeltRig; repeatable",
     )
     parser.add_argument("--step", type=positive, default=1e-3, help="communication step in s (default: 1e-3)")
     parser.add_argument("--time", type=positive, default=40.0, help="simulated time in s (default: 40)")
@@ -231,7 +231,7 @@ def arguments() -> argparse.Namespace:
 
 
 def summary(cycle: Cycle) -> str:
-    """Says in words what was measured."""
+    """Describes the measured values in words."""
     if math.isnan(cycle.first_slip):
         return "the block never slips"
     if math.isnan(cycle.period):
@@ -240,12 +240,12 @@ def summary(cycle: Cycle) -> str:
 
 
 def cycle_of(run: BeltRun) -> Cycle:
-    """What is measured of a run."""
+    """The measured values of a run."""
     return measure(run.time, run.position, run.sticking)
 
 
 def report(options: argparse.Namespace, run: BeltRun) -> None:
-    """Prints what was measured, and whether the step was short enough."""
+    """Prints the measured values, and whether the step was short enough."""
     parameters, rig = dict(options.set), dict(options.rig)
     print(f"{run.model}: {summary(cycle_of(run))}")
     limit = limit_of_step(run.model, options.fmus, parameters, rig)
@@ -259,7 +259,7 @@ def report(options: argparse.Namespace, run: BeltRun) -> None:
 
 
 def program() -> None:
-    """Runs what the command line asks for."""
+    """Runs the simulations selected on the command line."""
     options = arguments()
     parameters, rig = dict(options.set), dict(options.rig)
     models = list(dict.fromkeys(options.model))

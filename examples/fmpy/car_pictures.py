@@ -1,4 +1,4 @@
-"""The pictures of the programs with a car."""
+"""Pictures for the programs with a car."""
 
 from collections.abc import Sequence
 from pathlib import Path
@@ -16,7 +16,7 @@ COLOURS = [GREY, BLUE, RED, "#2e8b57", "#b7791f", "#6b4fa0"]
 
 
 def _look(at: int) -> dict[str, object]:
-    """Colour and line of the run at a place."""
+    """Colour and line style of a run by its position."""
     return {"color": COLOURS[at % len(COLOURS)], "linewidth": 1.1 if at else 1.4}
 
 
@@ -57,7 +57,7 @@ def _loops(runs: Sequence, last: float, corner: str, velocity: Axes, displacemen
         force, look = run[f"{corner}force"][part], _look(at)
         velocity.plot(speed, force, label=run.label, **look)
         displacement.plot(1e3 * (length - length[0])[part], force, **look)
-        # In the sense of the motion, as the laws have it.
+        # Positive in the direction of motion, as in the laws.
         friction.plot(speed, -run[f"{corner}force_friction"][part], **look)
 
 
@@ -127,7 +127,7 @@ def draw_lane_change(runs: Sequence, path: Path) -> None:
             (load, "fl.tyre_load", "tyre load\nfl [N]", 1.0),
         ],
     )
-    # The same once more, so close that what is left at the end fills half of it.
+    # The same signal, enlarged so that its value at the end fills half of the panel.
     left = 2.0 * max(0.01, *(DEGREES * abs(run["roll"][-1]) for run in runs))
     rest.set_ylim(-left, left)
     _loops(runs, runs[0].time[-1], "fl.", *loops)
@@ -136,9 +136,9 @@ def draw_lane_change(runs: Sequence, path: Path) -> None:
 
 
 def draw_course(runs: Sequence, course: Sequence, width: float, path: Path) -> None:
-    """The track of the car, which is so wide, between the cones, and how it was steered."""
+    """The track of a car of the given width between the cones, and the steering angle."""
     figure = Figure(figsize=(13, 6), layout="constrained")
-    figure.suptitle("The way through the cones", x=0.01, ha="left")
+    figure.suptitle("Path through the cones", x=0.01, ha="left")
     track, steering = figure.subplots(2, 1, height_ratios=[1.6, 1], sharex=True)
     labelled(track, "", "to the left [m]")
     labelled(steering, "forward [m]", "steering angle [deg]")

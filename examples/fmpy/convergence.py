@@ -1,4 +1,4 @@
-"""How short a step a law needs on the belt: it is halved until the law agrees with itself."""
+"""The step that a law needs on the belt: it is halved until the results agree."""
 
 import math
 import time
@@ -18,7 +18,7 @@ RECORDING = 1e-3
 
 @dataclass(frozen=True)
 class Converged:
-    """A run whose step is short enough, and what shows it: what was measured of it, and with half the step."""
+    """A run whose step is short enough, with the measured value that shows it, and that with half the step."""
 
     run: BeltRun
     step: float
@@ -29,20 +29,20 @@ class Converged:
 
     @property
     def difference(self) -> float:
-        """Of the run from the one with half its step."""
+        """Relative difference of the run from the one with half its step."""
         return self.value / self.finer - 1.0
 
 
 def measured(run: BeltRun, random: bool) -> float:
-    """What the run is compared by."""
+    """The value by which the run is compared."""
     value = compared_time(measure(run.time, run.position, run.sticking), random)
     if math.isnan(value):
-        raise CouplingError(f"{run.model}: the block never turns back in {run.time[-1]:g} s, nothing can be compared")
+        raise CouplingError(f"{run.model}: the block never reverses in {run.time[-1]:g} s, so nothing can be compared")
     return value
 
 
 def first_step(model: str, fmu_dir: Path = FMUS) -> float:
-    """A step that is well below the one at which a block at rest would chatter."""
+    """A step well below that at which a block at rest would chatter."""
     step, limit = LONGEST, limit_of_step(model, fmu_dir)
     while step > 0.5 * limit:
         step *= 0.5
@@ -50,12 +50,12 @@ def first_step(model: str, fmu_dir: Path = FMUS) -> float:
 
 
 def remarks_on(model: str, fmu_dir: Path = FMUS) -> list[str]:
-    """What a reader of the table should know of a law."""
+    """Remarks on a law for readers of the table."""
     variables = variables_of(friction_path_of(model, fmu_dir))
     remarks = {
         "velocity_x": "along x",
-        "acceleration": "its force jumps with the acceleration, which is that of one step before",
-        "seed": "bonds at random: here not the period, which scatters, but the instant of the first maximum",
+        "acceleration": "its force jumps with the acceleration, which is that of the previous step",
+        "seed": "random bonds: compared by the time of the first maximum, since the period scatters",
     }
     return [remark for name, remark in remarks.items() if name in variables]
 

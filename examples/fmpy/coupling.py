@@ -1,4 +1,4 @@
-"""What the example programs share: open an FMU, address its variables by name, show what it has to say."""
+"""Functions shared by the example programs: open an FMU, address its variables by name, show its messages."""
 
 import argparse
 import difflib
@@ -24,7 +24,7 @@ FMUS = PROJECT / "dist"
 
 
 class CouplingError(Exception):
-    """Something is wrong with what the user asked for; the text says what, and what would be right."""
+    """An error in the user's input; the text says what is wrong and what would be right."""
 
 
 @dataclass(frozen=True)
@@ -39,7 +39,7 @@ class Fmu:
         return [variable.name for variable in self.description.modelVariables if variable.causality == causality]
 
     def references(self, *names: str) -> list[int]:
-        """Value references of variables: what FMI's get and set functions ask for. Look them up once, not per step."""
+        """Value references of variables, as FMI's get and set functions require. Look them up once, not per step."""
         variables = _by_name(self.description)
         _refuse_unknown(self.description, names, "variable", list(variables))
         return [variables[name].valueReference for name in names]
@@ -67,12 +67,12 @@ def models_in(folder: Path = FMUS) -> list[str]:
 
 
 def friction_models_in(folder: Path = FMUS) -> list[str]:
-    """Names of the models that give a friction force for a sliding velocity along a line."""
+    """Names of the models that compute a friction force from a sliding velocity along a line."""
     return [model for model in models_in(folder) if _is_friction_model(path_of(model, folder))]
 
 
 def laws_in(folder: Path = FMUS) -> list[str]:
-    """Names of all friction models, also of those in the plane and in space."""
+    """Names of all friction models, including those in the plane and in space."""
     return [model for model in models_in(folder) if _is_law(path_of(model, folder))]
 
 
@@ -80,7 +80,7 @@ def friction_path_of(model: str, folder: Path = FMUS) -> Path:
     """The file of a friction model's FMU."""
     path = path_of(model, folder)
     if not _is_law(path):
-        raise CouplingError(f"{model} is no friction model; there are {', '.join(laws_in(folder))}")
+        raise CouplingError(f"{model} is not a friction model; there are {', '.join(laws_in(folder))}")
     return path
 
 
@@ -90,17 +90,18 @@ def variables_of(path: Path) -> dict[str, ScalarVariable]:
 
 
 def numbers_of(path: Path, parameters: Mapping[str, object]) -> dict[str, object]:
-    """Parameters of an FMU as numbers, also those that are given as text or as the name of a choice;
-    what it does not have or cannot read is refused."""
+    """Parameters of an FMU as numbers, including those given as text or as the name of a choice; unknown names and
+    invalid values are rejected."""
     return _start_values(fmpy.read_model_description(str(path)), parameters)
 
 
 @contextmanager
 def open_fmu(path: Path, parameters: Mapping[str, object] | None = None) -> Iterator[Fmu]:
-    """Extracts, instantiates and initialises an FMU; at the end terminates it, frees it and deletes what was extracted.
+    """Extracts, instantiates and initialises an FMU; at the end terminates it, frees it and deletes the extracted
+    files.
 
-    `parameters` are set before the initialisation, where also fixed ones may be. If the FMU refuses a call inside the
-    `with` block, the reason it logged becomes the text of a `CouplingError`.
+    `parameters` are set before the initialisation, when fixed ones may still be set. If a call inside the `with` block
+    fails, the reason that the FMU logged becomes the text of a `CouplingError`.
     """
     description = fmpy.read_model_description(str(path))
     values = _start_values(description, parameters or {})
@@ -112,7 +113,7 @@ def open_fmu(path: Path, parameters: Mapping[str, object] | None = None) -> Iter
             unzipDirectory=str(folder),
             instanceName=description.modelName,
         )
-        # Without loggingOn many FMUs are silent about their errors; those of this project are not.
+        # Without loggingOn many FMUs do not report their errors; those of this project do.
         slave.instantiate(callbacks=_CALLBACKS, loggingOn=True)
         try:
             _initialise(slave, description, values)
@@ -121,7 +122,7 @@ def open_fmu(path: Path, parameters: Mapping[str, object] | None = None) -> Iter
         finally:
             slave.freeInstance()
     except FMICallException as error:
-        # The exception may come from another FMU that is open at the same time: then it is not ours to explain.
+        # The exception may come from another FMU that is open at the same time: then leave it alone.
         if not _latest_message or _latest_message[0][0] != description.modelName:
             raise
         raise CouplingError(": ".join(_latest_message[0])) from error
@@ -138,7 +139,7 @@ def _initialise(slave: FMU2Slave, description: ModelDescription, values: dict[st
 
 def _start_values(description: ModelDescription, parameters: Mapping[str, object]) -> dict[str, object]:
     variables = _by_name(description)
-    # Start values of inputs and states may be set as well; parameters come first in the answer to a wrong name.
+    # Start values of inputs and states may be set as well; parameters come first in the message for a wrong name.
     settable = [name for name, variable in variables.items() if variable.start is not None]
     settable.sort(key=lambda name: variables[name].causality != "parameter")
     _refuse_unknown(description, parameters, "parameter", settable)
@@ -146,7 +147,7 @@ def _start_values(description: ModelDescription, parameters: Mapping[str, object
 
 
 def _value(variable: ScalarVariable, value: object) -> object:
-    """The value of a parameter, which may be given as text, and for an enumeration as the name of a choice."""
+    """The value of a parameter, which may be given as text, or for an enumeration as the name of a choice."""
     choices = {item.name: item.value for item in (variable.declaredType.items or [])} if variable.declaredType else {}
     if value in choices:
         return choices[value]
@@ -163,7 +164,7 @@ def _by_name(description: ModelDescription) -> dict[str, ScalarVariable]:
 
 def _is_friction_model(path: Path, axis: str = "") -> bool:
     causality = {name: variable.causality for name, variable in variables_of(path).items()}
-    # A contact whose law is chosen is a part of the shock absorber.
+    # A contact with a choice of laws is a part of the shock absorber.
     is_law = "friction.model" not in causality
     return is_law and causality.get(f"velocity{axis}") == "input" and causality.get(f"friction_force{axis}") == "output"
 
@@ -180,7 +181,7 @@ def _refuse_unknown(description: ModelDescription, names: object, kind: str, kno
 
 
 def _meant(name: str, known: list[str]) -> str:
-    """The names that are nearest to one that is not known."""
+    """A hint with the known names nearest to an unknown one."""
     folded = {one.lower(): one for one in known}
     near = [folded[one] for one in difflib.get_close_matches(name.lower(), folded)]
     return f". Did you mean {' or '.join(near)}?" if near else ""
@@ -191,7 +192,7 @@ _latest_message: deque[tuple[str, str]] = deque(maxlen=1)
 
 
 def _show(_environment: int, instance: bytes, _status: int, category: bytes, message: bytes) -> None:
-    """Prints a log message of an FMU and remembers it as the reason of a call that fails."""
+    """Prints a log message of an FMU and keeps it as the reason of a failing call."""
     name, kind, text = instance.decode(), category.decode(), message.decode()
     _latest_message.append((name, text))
     print(f"{name}: {text} [{kind}]", file=sys.stderr)
@@ -212,14 +213,14 @@ def _callbacks() -> fmi2CallbackFunctions:
     return callbacks
 
 
-# One record for all FMUs: fmpy's formatting library remembers the last logger it was given, for the whole process.
+# One record for all FMUs: fmpy's formatting library keeps the last logger set, for the whole process.
 _CALLBACKS = _callbacks()
 
 
 def command_line(
     about: str, model: str, out: str, of: str = "the friction model", several: bool = False
 ) -> argparse.ArgumentParser:
-    """The options that all programs have; `of` says what the parameters belong to."""
+    """The options that all programs have; `of` names the owner of the parameters."""
     parser = argparse.ArgumentParser(description=about, formatter_class=argparse.RawDescriptionHelpFormatter)
     if several:
         parser.add_argument("--model", nargs="+", default=[model], help=f"friction models (default: {model})")
@@ -231,10 +232,10 @@ def command_line(
         action="append",
         default=[],
         metavar="NAME=VALUE",
-        help=f"parameter of {of}; may be repeated",
+        help=f"parameter of {of}; repeatable",
     )
     parser.add_argument("--fmus", type=Path, default=FMUS, help="folder of the FMUs (default: dist)")
-    parser.add_argument("--out", default=out, help=f"result files, without ending (default: {out})")
+    parser.add_argument("--out", default=out, help=f"result files, without extension (default: {out})")
     return parser
 
 
@@ -274,7 +275,7 @@ def not_negative(text: str) -> float:
 
 
 def write_csv(path: Path, columns: Mapping[str, numpy.ndarray]) -> None:
-    """Writes columns under headings that carry their units, such as `velocity [m/s]`."""
+    """Writes columns under headings with units, such as `velocity [m/s]`."""
     path.parent.mkdir(parents=True, exist_ok=True)
     table = numpy.column_stack(list(columns.values()))
     with path.open("w", encoding="utf-8", newline="\n") as file:
@@ -282,7 +283,7 @@ def write_csv(path: Path, columns: Mapping[str, numpy.ndarray]) -> None:
 
 
 def main(program) -> int:
-    """Runs a program; what the user can put right is said in one line, without a traceback."""
+    """Runs a program; errors that the user can correct are reported in one line, without a traceback."""
     try:
         program()
     except CouplingError as error:

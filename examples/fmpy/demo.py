@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Runs the FMUs in dist/ and draws the results in out/: every friction FMU on the belt, one of them along a recorded
+"""Runs the FMUs in dist/ and draws the results to out/: every friction FMU on the belt, one of them along a recorded
 motion, and a car on four posts with and without friction in its struts.
 """
 
@@ -28,8 +28,8 @@ FREQUENCY = 2.0
 
 def run_on_belt(models: list[str]) -> list[BeltRun]:
     """Runs the models and prints a line of the table for each."""
-    print(f"Block on a moving belt, {TIME:g} s; each law against itself. The step is halved until the last period")
-    print(f"changes by {AGREEMENT:.1%} at most: then it is within {2.0 * AGREEMENT:.0%} of that of a converged run.\n")
+    print(f"Block on a moving belt, {TIME:g} s. The step of each law is halved until the last period")
+    print(f"changes by at most {AGREEMENT:.1%}; it is then within {2.0 * AGREEMENT:.0%} of that of a converged run.\n")
     print(f"{'model':19} {'step':>11} {'period':>10} {'at half step':>13} {'difference':>11} {'steps/s':>9}  remarks")
     runs = []
     for model in models:

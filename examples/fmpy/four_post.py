@@ -4,15 +4,15 @@
     python examples/fmpy/four_post.py --frequency 2 --stroke 0.04 --delay 90 --levels 0 20 50
     python examples/fmpy/four_post.py --laws BrownMcPhee LuGre Dahl
 
-Couples FourPostCar and four ShockAbsorbers. Each post rises by the stroke and comes down, the rear ones later by the
-delay. Writes
+Couples FourPostCar and four ShockAbsorbers. Each post rises by the stroke and returns; the rear ones are delayed.
+Writes
 
     <out>_<level>.csv     the motion for each level of friction
-    <out>.png             the same side by side
+    <out>.png             the motions side by side
     <out>_laws.png        friction over velocity for each law at the highest level
     <out>_laws.csv        evaluations and run time of each law, absolute and relative to the lowest
 
-The laws run in steps of their own: as short as --tolerance demands, so that a steep law needs more of them.
+The laws run with individual steps, as short as --tolerance requires, so a steep law needs more of them.
 """
 
 import argparse
@@ -45,7 +45,7 @@ CORNERS = ("fl.", "fr.", "rl.", "rr.")
 
 @dataclass(frozen=True)
 class Cycle:
-    """What is measured in the last cycle, in SI units; heave, pitch and travel from lowest to highest."""
+    """The measured values of the last cycle, in SI units; heave, pitch and travel are peak to peak."""
 
     heave: float
     pitch: float
@@ -56,12 +56,12 @@ class Cycle:
 
 
 def posts(frequency: float, stroke: float, delay: float) -> Excitation:
-    """Posts that rise by `stroke` and come down, the rear ones later by the angle `delay` in rad."""
+    """Posts that rise by `stroke` and return, the rear ones delayed by the angle `delay` in rad."""
     angular = 2.0 * math.pi * frequency
     names = [f"{corner}{name}" for corner in CORNERS for name in ("post_height", "post_velocity")]
 
     def post(angle: float) -> list[float]:
-        # A post waits at the bottom until its turn has come.
+        # A post waits at the bottom until its motion begins.
         if angle < 0.0:
             return [0.0, 0.0]
         return [0.5 * stroke * (1.0 - math.cos(angle)), 0.5 * stroke * angular * math.sin(angle)]
@@ -101,8 +101,8 @@ def measure(run: Run, frequency: float) -> Cycle:
 
 
 def report(runs: Sequence[Run], frequency: float) -> None:
-    """Prints what is measured of each run."""
-    print("last period; travel of the strut and tyre load front left, work of the friction in all struts:\n")
+    """Prints the measured values of each run."""
+    print("last period; strut travel and tyre load front left, friction work of all struts:\n")
     heading = ["heave [mm]", "pitch [deg]", "travel [mm]", "fastest [m/s]", "friction [J]", "least load [N]"]
     print(f"{'':12}" + " ".join(f"{name:>14}" for name in heading))
     for run in runs:
@@ -115,7 +115,7 @@ def arguments() -> argparse.Namespace:
     """Reads the command line."""
     parser = options_of(__doc__, out="out/four_post")
     parser.add_argument("--frequency", type=positive, default=2.0, help="frequency of the posts in Hz (default: 2)")
-    parser.add_argument("--stroke", type=positive, default=0.04, help="how high the posts rise in m (default: 0.04)")
+    parser.add_argument("--stroke", type=positive, default=0.04, help="stroke of the posts in m (default: 0.04)")
     parser.add_argument("--delay", type=number, default=90.0, help="delay of the rear posts in degrees (default: 90)")
     parser.add_argument("--time", type=positive, default=4.0, help="simulated time in s (default: 4)")
     add_laws(parser)
@@ -126,7 +126,7 @@ def arguments() -> argparse.Namespace:
 
 
 def program() -> None:
-    """Runs what the command line asks for."""
+    """Runs the simulations selected on the command line."""
     options = arguments()
     check_laws(options)
     delay = math.radians(options.delay)

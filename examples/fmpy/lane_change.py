@@ -7,18 +7,18 @@
 Couples DoubleTrackCar and four ShockAbsorbers. `--steer` is
 
     open-loop   two periods of a sine of 3.6 degrees at 0.9 Hz, the second one mirrored, with a pause of 0.35 s (chosen)
-    path        a driver who follows a way through the cones of ISO 3888-2
+    path        a driver who follows a path through the cones of ISO 3888-2
 
 Writes
 
     <out>_<level>.csv     the motion for each level of friction
-    <out>.png             the same side by side
-    <out>_path.png        the way through the cones, for `--steer path`
+    <out>.png             the motions side by side
+    <out>_path.png        the path through the cones, for `--steer path`
     <out>_laws.png        friction over velocity for each law at the highest level
     <out>_laws.csv        evaluations and run time of each law, absolute and relative to the lowest
 
-After the manoeuvre the struts hold the body where friction lets it come to rest: some roll is left, which springs and
-dampers alone cannot do.
+After the manoeuvre the struts hold the body where friction brings it to rest: some roll remains, which springs and
+dampers alone cannot cause.
 """
 
 import argparse
@@ -51,13 +51,13 @@ from vehicle import (
 # Open loop: when the car begins to steer, and the sine (chosen).
 BEGIN, AMPLITUDE, FREQUENCY, PAUSE = 0.5, math.radians(3.6), 0.9, 0.35
 
-# The driver (chosen): where he leaves a lane and has arrived in the next one, in m before its end and after its
-# begin; how far he looks ahead, in s, and how much he steers for what is missing there, in rad/m.
+# The driver (chosen): where he leaves a lane, in m before its end, and reaches the next one, in m after its beginning;
+# his preview time in s; and his steering per lateral deviation there, in rad/m.
 LEAVING, ARRIVING, PREVIEW, GAIN = 2.7, 5.7, 0.16, 0.3
 
 
 def open_loop(time: float, _seen: Mapping[str, float]) -> list[float]:
-    """Steering angle of two single sines, the second one the other way round."""
+    """Steering angle of two single sines, the second one mirrored."""
     period = 1.0 / FREQUENCY
     for begin, sign in ((BEGIN, 1.0), (BEGIN + period + PAUSE, -1.0)):
         if 0.0 < time - begin < period:
@@ -67,7 +67,8 @@ def open_loop(time: float, _seen: Mapping[str, float]) -> list[float]:
 
 @dataclass(frozen=True)
 class Lane:
-    """A lane between cones: where it begins and ends, and its right and left edge; from where the car starts, in m."""
+    """A lane between cones: its beginning and end, and its right and left edge; from the starting point of the car, in
+    m."""
 
     begin: float
     end: float
@@ -76,7 +77,7 @@ class Lane:
 
     @property
     def middle(self) -> float:
-        """How far to the left the middle is."""
+        """Lateral position of the middle, positive to the left."""
         return 0.5 * (self.right + self.left)
 
     def cones(self) -> list[tuple[float, float]]:
@@ -84,7 +85,7 @@ class Lane:
         return [(x, y) for x in numpy.linspace(self.begin, self.end, 6) for y in (self.right, self.left)]
 
     def clearance(self, x: numpy.ndarray, y: numpy.ndarray) -> float:
-        """Least distance of points of a track from the edges; negative outside."""
+        """Smallest distance of the points of a track from the edges; negative outside."""
         inside = (x >= self.begin) & (x <= self.end)
         return float(numpy.minimum(y - self.right, self.left - y)[inside].min(initial=math.inf))
 
@@ -92,8 +93,8 @@ class Lane:
 def lanes(width: float, run_up: float = 20.0) -> list[Lane]:
     """The track of ISO 3888-2 for a car of a width, after a run-up in the middle of the first lane.
 
-    Lanes of 12, 11 and 12 m with gaps of 13.5 and 12.5 m; the second lane begins 1 m to the left of the first. That the
-    third one has its right edge in line with the first is chosen.
+    Lanes of 12, 11 and 12 m with gaps of 13.5 and 12.5 m; the second lane begins 1 m to the left of the first. The
+    right edge of the third one is in line with that of the first (chosen).
     """
     first, second, third = 1.1 * width + 0.25, width + 1.0, max(3.0, 1.3 * width + 0.25)
     right = -0.5 * first
@@ -103,7 +104,7 @@ def lanes(width: float, run_up: float = 20.0) -> list[Lane]:
 
 
 def way(course: Sequence[Lane], x: float) -> float:
-    """How far to the left the way through the lanes is: from middle to middle in half cosines."""
+    """Lateral position of the path through the lanes: from middle to middle in half cosines."""
     y = course[0].middle
     for old, new in itertools.pairwise(course):
         leaving, arriving = old.end - LEAVING, new.begin + ARRIVING
@@ -113,7 +114,8 @@ def way(course: Sequence[Lane], x: float) -> float:
 
 
 def driver(course: Sequence[Lane], speed: float):
-    """Steers for the gap between the way ahead and where the car would be there without steering."""
+    """Steers in proportion to the distance between the path ahead and the position that the car would reach without
+    steering."""
 
     def steer(_time: float, seen: Mapping[str, float]) -> list[float]:
         distance = PREVIEW * speed
@@ -124,7 +126,7 @@ def driver(course: Sequence[Lane], speed: float):
 
 
 def clearance(run: Run, course: Sequence[Lane], width: float) -> float:
-    """Least distance of the car's sides from the cones, at its axles; negative if it knocks one over."""
+    """Smallest distance of the car's sides from the cones, at its axles; negative if it hits one."""
     sides = []
     for ahead, side in itertools.product((0.8, -0.8), (0.5 * width, -0.5 * width)):
         x = run["position_x"] + ahead * numpy.cos(run["yaw_angle"]) - side * numpy.sin(run["yaw_angle"])
@@ -134,14 +136,14 @@ def clearance(run: Run, course: Sequence[Lane], width: float) -> float:
 
 
 def run_lane_change(choice: Choice, steer=open_loop, time: float = 5.0, step: float = 1e-3, label: str = "") -> Run:
-    """The car at constant speed, from straight running."""
+    """The car at constant speed, starting straight ahead."""
     return run_car(DOUBLE_TRACK_CAR, Excitation(["steering_angle"], steer), choice, time, step, label=label)
 
 
 def report(runs: Sequence[Run]) -> None:
-    """Prints roll, what is left of it at the end, and the largest changes against the first run."""
-    heading = ["most roll [deg]", "left [deg]", "lateral [g]", "strut [N]", "tyre load [N]", "track [mm]"]
-    print(f"most roll, roll at {runs[0].time[-1]:g} s, and the largest change against the first, front left:\n")
+    """Prints the largest roll, the roll at the end, and the largest differences from the first run."""
+    heading = ["max. roll [deg]", "left [deg]", "lateral [g]", "strut [N]", "tyre load [N]", "track [mm]"]
+    print(f"largest roll, roll at {runs[0].time[-1]:g} s, and largest difference from the first run, front left:\n")
     print(f"{'':12}" + " ".join(f"{name:>15}" for name in heading))
     first = runs[0]
     for run in runs:
@@ -165,7 +167,7 @@ def arguments() -> argparse.Namespace:
 
 
 def program() -> None:
-    """Runs what the command line asks for."""
+    """Runs the simulations selected on the command line."""
     options = arguments()
     check_laws(options)
     course = lanes(options.width)

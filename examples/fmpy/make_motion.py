@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""Makes motion.csv: what the instruments of a reciprocating friction rig record, for replay.py.
+"""Makes motion.csv: the records of a reciprocating friction rig, for replay.py.
 
     python examples/fmpy/make_motion.py [file]
 
-The data are computed, not measured, but have what measured data have:
+The data are computed, not measured, but have the features of measured data:
 
     motion         a crank of 5 mm (stroke 10 mm) and a rod of 20 mm, so that the strokes are not sinusoidal; ten turns
                    at 1 Hz, from rest to rest, with a motor whose speed varies by 1 % four times per turn

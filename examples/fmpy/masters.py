@@ -1,12 +1,12 @@
-"""Runs a system of FMUs that is packed as SSP, in four masters.
+"""Runs a system of FMUs from an SSP package in four masters.
 
     jacobi     a plain script: all FMUs step, then all values are exchanged (Jacobi)
     ecos       Ecos, which exchanges in the same order
-    libcosim   libcosim, which does too
-    fmpy       the SSP runner of FMPy, begun with the start values of the FMUs and not with zeros
+    libcosim   libcosim, in the same order as well
+    fmpy       the SSP runner of FMPy, started with the start values of the FMUs instead of zeros
 
-A variant is another description in the package: `firm` stands for firm.ssd and its parameter sets. Ecos and libcosim
-come as Python packages for Linux on x86-64 (requirements.txt).
+A variant is another description in the package: `firm` means firm.ssd and its parameter sets. Ecos and libcosim are
+available as Python packages for Linux on x86-64 (requirements.txt).
 """
 
 import ctypes
@@ -46,14 +46,14 @@ class Component:
 
 @dataclass(frozen=True)
 class System:
-    """A description that has been read. Connections lead from an output to an input, as (component, variable)."""
+    """A parsed description. Connections lead from an output to an input, as (component, variable)."""
 
     folder: Path
     components: list[Component]
     connections: list[tuple[tuple[str, str], tuple[str, str]]]
 
     def parameter_set(self) -> str | None:
-        """Name that the parameter sets of all components have."""
+        """Common name of the parameter sets of all components."""
         names = {component.parameter_set for component in self.components} - {None}
         if len(names) > 1:
             raise CouplingError(f"the parameter sets have different names: {', '.join(sorted(names))}")
@@ -68,7 +68,7 @@ def variants(package: Path) -> list[str]:
 
 @contextmanager
 def unpacked(package: Path, variant: str = MAIN) -> Iterator[System]:
-    """Unpacks a package for a while. Its main description is then that of the variant, which every tool finds."""
+    """Unpacks a package temporarily, with the description of the variant as the main one, which every tool finds."""
     if variant not in variants(package):
         raise CouplingError(f"{package} has no variant '{variant}'; there are {', '.join(variants(package))}")
     with tempfile.TemporaryDirectory() as name:
@@ -133,7 +133,7 @@ def couple_jacobi(system: System, step: float, steps: int, watched: Sequence[str
                 target.setReal(variable, value)
 
         eyes = [(fmus[part].slave, fmus[part].references(name)) for part, name in map(split, watched)]
-        # At the start, values pass through every component on their way.
+        # At the start, values propagate through all components.
         for _ in fmus:
             exchange()
         rows = []
@@ -148,7 +148,7 @@ def couple_jacobi(system: System, step: float, steps: int, watched: Sequence[str
 
 
 def run_ecos(package: Path, variant: str, step: float, steps: int, watched: Sequence[str]) -> Record:
-    """Ecos applies parameter sets by their name only."""
+    """Ecos selects parameter sets only by their name."""
     load_threads()
     from ecospy import EcosSimulation
 
@@ -166,7 +166,8 @@ def run_ecos(package: Path, variant: str, step: float, steps: int, watched: Sequ
 
 
 def run_libcosim(package: Path, variant: str, step: float, steps: int, watched: Sequence[str]) -> Record:
-    """libcosim counts time in nanoseconds. What fails is told by its calls; its log calls sound descriptions errors."""
+    """libcosim counts time in nanoseconds. Failures are reported by its calls; its log shows errors for valid
+    descriptions."""
     from libcosimpy.CosimExecution import CosimExecution
     from libcosimpy.CosimLogging import CosimLogLevel, log_output_level
     from libcosimpy.CosimObserver import CosimObserver
@@ -192,7 +193,8 @@ def run_libcosim(package: Path, variant: str, step: float, steps: int, watched: 
 def run_fmpy(package: Path, variant: str, step: float, steps: int, watched: Sequence[str]) -> Record:
     """FMPy's runner ignores parameter bindings, and sets every input to 0 in the first step.
 
-    It runs so, too, but without struts in that step, and with another car: both are mended here.
+    The package runs like that as well, but with strut lengths of 0 in that step and with the default car; both are
+    corrected here.
     """
     with unpacked(package, variant) as system:
         main = Path(shutil.make_archive(str(system.folder / "main"), "zip", system.folder))
@@ -211,7 +213,7 @@ def run_fmpy(package: Path, variant: str, step: float, steps: int, watched: Sequ
         with mock.patch.object(fmpy_runner, "instantiate_fmu", instantiate_with_start_values):
             result = fmpy_runner.simulate_ssp(
                 str(main),
-                # Half a step less: sums of steps are not exact.
+                # Half a step less, because sums of steps are not exact.
                 stop_time=(steps - 0.5) * step,
                 step_size=step,
                 parameter_set=ParameterSet(parameters=values),

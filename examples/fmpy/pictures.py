@@ -1,4 +1,4 @@
-"""The pictures of the example programs."""
+"""Pictures for the example programs."""
 
 from pathlib import Path
 
@@ -13,7 +13,7 @@ PALE = "#e8eef5"
 
 
 def labelled(axes: Axes, across: str, up: str) -> Axes:
-    """Labels axes and gives them the look that all pictures share."""
+    """Labels axes and gives them the common style of all pictures."""
     axes.set_xlabel(across)
     axes.set_ylabel(up)
     axes.grid(color="#d9dde3", linewidth=0.6)
@@ -23,7 +23,7 @@ def labelled(axes: Axes, across: str, up: str) -> Axes:
 
 
 def over_time(time: numpy.ndarray, *rows: Axes) -> None:
-    """Gives axes that stand above each other the same time axis, with numbers at the lowest one."""
+    """Gives stacked axes the same time axis, with numbers at the lowest one."""
     for axes in rows:
         axes.set_xlim(time[0], time[-1])
         axes.tick_params(labelbottom=axes is rows[-1])
@@ -65,7 +65,7 @@ def draw_belt(run, path: Path) -> None:
         frameon=False,
     )
     law.plot(1e3 * run.velocity, run.friction_force, color=RED, linewidth=1.2)
-    # Linear within 1 mm/s, where friction laws do most of what they do, logarithmic outside.
+    # Linear within 1 mm/s, where friction laws vary most, logarithmic outside.
     law.set_xscale("symlog", linthresh=1.0, linscale=1.0)
     law.set_xlim(min(-1e3, 1e3 * run.velocity.min()), max(1e1, 1e3 * run.velocity.max()))
     law.xaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
@@ -120,7 +120,8 @@ def draw_replay(result, path: Path) -> None:
 
 
 def draw_comparison(runs, path: Path) -> None:
-    """Position of the block over time, one small picture per friction model; many models stand in several columns."""
+    """Position of the block over time, one small picture per friction model; many models are shown in several
+    columns."""
     columns = 1 if len(runs) <= 8 else 4
     rows = -(-len(runs) // columns)
     figure = Figure(figsize=(12 if columns == 1 else 16, 1.3 * rows + 1.2), layout="constrained")

@@ -1,4 +1,4 @@
-"""FMI functions with their arguments prepared once: a step of a loop takes a seventh of the time that fmpy's take."""
+"""FMI functions with arguments prepared once: a step of a loop takes a seventh of the time of fmpy's functions."""
 
 import ctypes
 import functools
@@ -6,7 +6,7 @@ import functools
 from coupling import Fmu
 from fmpy.fmi1 import FMICallException
 
-# The largest status with which a run goes on: OK is 0, a warning 1.
+# The largest status with which a run continues: OK is 0, a warning 1.
 WARNING = 1
 
 # A function of an FMU that needs no more arguments and returns its status.
@@ -21,7 +21,7 @@ def prepared(fmu: Fmu, name: str, *arguments) -> Call:
 
 
 def make(*calls: Call) -> None:
-    """Makes calls one after the other; the first that fails ends the run."""
+    """Makes calls one after another; the first failing one ends the run."""
     for call in calls:
         status = call()
         if status > WARNING:
@@ -29,7 +29,7 @@ def make(*calls: Call) -> None:
 
 
 class Reals:
-    """Real variables of an FMU; `values` holds what was got, or what is to be set."""
+    """Real variables of an FMU; `values` holds the values read or to be set."""
 
     def __init__(self, fmu: Fmu, *names: str, values: ctypes.Array | None = None):
         references = fmu.references(*names)
@@ -56,5 +56,5 @@ class Clock:
         self.step, self.time = ctypes.c_double(step), ctypes.c_double(0.0)
 
     def do_step(self, fmu: Fmu) -> Call:
-        """The step of an FMU from `time` on; what was before is not asked for again."""
+        """The step of an FMU from `time`; it never goes back to an earlier time."""
         return prepared(fmu, "fmi2DoStep", self.time, self.step, ctypes.c_int(1))

@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""A quarter car on a sine road: what the friction of the strut does to the ride, for several levels of friction.
+"""A quarter car on a sine road: effect of strut friction on the ride, for several levels of friction.
 
     python examples/fmpy/quarter_car.py --levels 0 20 50 --amplitude 2e-3
     python examples/fmpy/quarter_car.py --frequencies 1 2 3.9 5 --set gas.enabled=0
 
-Couples QuarterCar and ShockAbsorber. At each frequency the car runs until the motion repeats itself; its first harmonic
-is then compared with the road's. Writes
+Couples QuarterCar and ShockAbsorber. At each frequency the car runs until the motion is periodic; its first harmonic is
+then compared with that of the road. Writes
 
     <out>.csv             body motion and strut travel over road motion, for each frequency and level
     <out>_<level>.csv     the motion at --loop Hz
@@ -13,7 +13,7 @@ is then compared with the road's. Writes
     <out>_loops.png       force over velocity and over displacement at --loop Hz
 
 Friction carries the car over small bumps like a rigid rod: less travel and less body motion below the resonance of the
-body on its spring, but more above it, where the body begins to swing on the tyre. No damper can do both.
+body on its spring, but more above it, where the body begins to oscillate on the tyre. No damper has both effects.
 """
 
 import argparse
@@ -28,13 +28,13 @@ from coupling import main, positive, write_csv
 from tqdm import tqdm
 from vehicle import QUARTER_CAR, Choice, Excitation, Run, choices_of, options_of, run_car, write_runs
 
-# Periods that are measured, after those in which the motion settles (chosen).
+# Measured periods, after those in which the motion settles (chosen).
 MEASURED, SETTLING = 4, 4
 
 
 @dataclass(frozen=True)
 class Transmission:
-    """Amplitude of body height and of travel between body and wheel over that of the road, at each frequency."""
+    """Amplitudes of body height and of travel between body and wheel, relative to the road, at each frequency."""
 
     label: str
     frequency: numpy.ndarray
@@ -53,7 +53,7 @@ def sine_road(frequency: float, amplitude: float) -> Excitation:
 
 
 def run_road(choice: Choice, frequency: float, amplitude: float, step: float, label: str = "") -> Run:
-    """The motion until it repeats itself, and the periods after that; a period is a whole number of steps."""
+    """The motion until it is periodic, and the periods after that; a period is a whole number of steps."""
     period = 1.0 / frequency
     fitting = period / math.ceil(period / step - 1e-9)
     periods = MEASURED + max(SETTLING, math.ceil(frequency))
@@ -61,7 +61,7 @@ def run_road(choice: Choice, frequency: float, amplitude: float, step: float, la
 
 
 def harmonic(run: Run, signal: numpy.ndarray, frequency: float) -> float:
-    """Amplitude of the first harmonic in the periods that are measured."""
+    """Amplitude of the first harmonic in the measured periods."""
     settled = run.time > run.time[-1] - (MEASURED - 1e-9) / frequency
     turning = numpy.exp(-2j * math.pi * frequency * run.time[settled])
     return 2.0 * abs(numpy.mean(signal[settled] * turning))
@@ -94,7 +94,7 @@ def arguments() -> argparse.Namespace:
 
 
 def program() -> None:
-    """Runs what the command line asks for."""
+    """Runs the simulations selected on the command line."""
     options = arguments()
     choices = choices_of(options)
     found = [
@@ -112,7 +112,7 @@ def program() -> None:
     written = write_runs(loops, options.out)
     draw_transmissibility(found, options.amplitude, picture)
     draw_loops(loops, options.loop, MEASURED, Path(f"{options.out}_loops.png"))
-    print("body and travel over the road, each of amplitude over amplitude:\n")
+    print("body and travel relative to the road, as ratios of amplitudes:\n")
     print(f"{'f [Hz]':>7} " + " ".join(f"{one.label:>15}" for one in found))
     for at, frequency in enumerate(options.frequencies):
         print(f"{frequency:7.2f} " + " ".join(f"  {one.body[at]:6.3f} {one.travel[at]:6.3f}" for one in found))

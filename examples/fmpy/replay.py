@@ -5,7 +5,7 @@
 
 Writes <out>.csv and <out>.png. The file must have the columns `time [s]`, `position [m]`, `velocity [m/s]` and
 `normal_force [N]`; others are ignored. Between two samples the inputs move linearly (fmi2SetRealInputDerivatives), if
-the FMU can do that; with --hold they keep their values until the next sample.
+the FMU supports it; with --hold they keep their values until the next sample.
 """
 
 import argparse
@@ -51,7 +51,7 @@ class Replay:
 
 
 def read_motion(path: Path) -> Motion:
-    """Reads a motion; what is wrong with a file is said with its line."""
+    """Reads a motion; errors in a file are reported with the line."""
     try:
         with Path(path).open(encoding="utf-8-sig", newline="") as file:
             lines = list(csv.reader(file))
@@ -71,7 +71,7 @@ def read_motion(path: Path) -> Motion:
     backwards = numpy.flatnonzero(numpy.diff(motion.time) <= 0.0)
     if len(backwards):
         before, after = motion.time[backwards[0] : backwards[0] + 2]
-        raise CouplingError(f"{path}, line {backwards[0] + 3}: time {after} s does not come after {before} s")
+        raise CouplingError(f"{path}, line {backwards[0] + 3}: time {after} s is not after {before} s")
     return motion
 
 
@@ -128,7 +128,7 @@ def arguments() -> argparse.Namespace:
 
 
 def program() -> None:
-    """Runs what the command line asks for."""
+    """Runs the simulation selected on the command line."""
     options = arguments()
     motion = read_motion(options.motion)
     result = replay(friction_path_of(options.model, options.fmus), motion, dict(options.set), options.hold)

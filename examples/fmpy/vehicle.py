@@ -1,7 +1,7 @@
-"""A car FMU on its ShockAbsorber FMUs: what the programs that move it have in common.
+"""A car FMU with its ShockAbsorber FMUs: functions shared by the programs that use it.
 
-The car gives the length of each strut and its rate, the strut answers with a force; both are FMUs and are connected by
-the names of their variables. In each communication step the struts go first, then the car with their forces.
+The car gives the length of each strut and its rate, and the strut returns a force; both are FMUs, connected by the
+names of their variables. In each communication step the struts step first, then the car with their forces.
 """
 
 import argparse
@@ -33,10 +33,10 @@ from tqdm import tqdm
 
 STRUT = "ShockAbsorber"
 
-# What is read from each strut; the first one acts on the car.
+# Outputs read from each strut; the first one acts on the car.
 RECORDED = ["force", "force_friction"]
 
-# Times and what was read and set, step by step.
+# Times, and the values read and set, step by step.
 Steps = Iterator[tuple[float, list[float]]]
 
 BAR = "{l_bar}{bar}| {n:.2f} of {total:g} s [{elapsed}]"
@@ -50,7 +50,7 @@ LAWS = ["Threlfall", "BrownMcPhee", "Dahl", "LuGre", "ElastoPlastic", "MaxwellSl
 
 @dataclass(frozen=True)
 class Excitation:
-    """What moves the car: inputs of its FMU, and their values at a time, given what the car's outputs are."""
+    """Excitation of the car: inputs of its FMU, and their values at a time, given the car's outputs."""
 
     names: Sequence[str]
     values: Callable[[float, Mapping[str, float]], list[float]]
@@ -75,14 +75,15 @@ DOUBLE_TRACK_CAR = Layout("DoubleTrackCar", FOUR_CORNERS, REAR_SPRING)
 
 @dataclass(frozen=True)
 class Choice:
-    """What a user chooses: the folder of the FMUs, parameters of all struts or of an axle's, parameters of the car."""
+    """The user's choices: the folder of the FMUs, parameters of all struts or of those of an axle, parameters of the
+    car."""
 
     fmus: Path
     struts: Mapping[str, object] = field(default_factory=dict)
     car: Mapping[str, object] = field(default_factory=dict)
 
     def of_axle(self, layout: Layout, axle: str) -> dict[str, object]:
-        """Parameters of the struts of an axle; a name with the axle's prefix counts more than one without."""
+        """Parameters of the struts of an axle; a name with the axle's prefix takes precedence over one without."""
         others = tuple(prefix for prefix in layout.axles if prefix)
         common = {name: value for name, value in self.struts.items() if not (others and name.startswith(others))}
         own = {name.removeprefix(axle): self.struts[name] for name in self.struts if axle and name.startswith(axle)}
@@ -97,7 +98,7 @@ def friction(model: str, level: float) -> dict[str, object]:
 
 @dataclass(frozen=True)
 class Run:
-    """A computed motion, in SI units: signals by their names, and what it took to compute it."""
+    """A computed motion, in SI units: signals by their names, and the computational effort."""
 
     label: str
     time: numpy.ndarray
@@ -125,7 +126,7 @@ class Coupled:
         self.excitation = excitation
         self.seen_names = real_outputs(car)
         self.seen = car.references(*self.seen_names)
-        # Where length and velocity of each strut are among the outputs of the car.
+        # Positions of the length and velocity of each strut among the outputs of the car.
         self.motions = [
             [self.seen_names.index(f"{corner}{name}") for name in ("length", "velocity")] for corner in struts
         ]
@@ -140,7 +141,7 @@ class Coupled:
         self.units |= units_of(car, [*self.seen_names, *excitation.names])
         self.saved = [fmi2FMUstate() for _ in self.slaves]
         self.evaluations = 0
-        # Some outputs, such as tyre loads, follow from what excites the car, so that must be there from the beginning.
+        # Some outputs, such as tyre loads, depend on the excitation, so it must be set from the beginning.
         self.car.setReal(self.moved, self._excite(0.0, self.look()))
 
     def look(self) -> list[float]:
@@ -153,7 +154,7 @@ class Coupled:
         return numpy.array([seen[velocity] for _, velocity in self.motions])
 
     def step(self, time: float, step: float) -> list[float]:
-        """One step of the struts, then one of the car; returns what was read and set, named by `names`."""
+        """One step of the struts, then one of the car; returns the values read and set, in the order of `names`."""
         seen, answers = self.look(), []
         for strut, motion in zip(self.struts, self.motions, strict=True):
             strut.setReal(self.strut_inputs, [seen[at] for at in motion])
@@ -163,9 +164,9 @@ class Coupled:
         return seen + answers + self._move(time, step, seen, answers[:: len(RECORDED)])
 
     def _move(self, time: float, step: float, seen: list[float], forces: list[float]) -> list[float]:
-        """Steps the car; the forces of its struts are held, while what excites it moves on a straight line.
+        """Steps the car; the forces of its struts are held, while the excitation varies linearly.
 
-        Returns what excites it at the beginning.
+        Returns the excitation at the beginning.
         """
         begin, end = (self._excite(at, seen) for at in (time, time + step))
         self.car.setReal(self.forces, forces)
@@ -176,21 +177,21 @@ class Coupled:
         return begin
 
     def _excite(self, time: float, seen: list[float]) -> list[float]:
-        """What excites the car at a time."""
+        """The excitation of the car at a time."""
         return self.excitation.values(time, dict(zip(self.seen_names, seen, strict=True)))
 
     def save(self) -> None:
-        """Remembers where everything is."""
+        """Saves the state of everything."""
         for slave, state in zip(self.slaves, self.saved, strict=True):
             slave.fmi2GetFMUstate(slave.component, byref(state))
 
     def restore(self) -> None:
-        """Goes back to where everything was."""
+        """Restores the saved state."""
         for slave, state in zip(self.slaves, self.saved, strict=True):
             slave.setFMUState(state)
 
     def free(self) -> None:
-        """Forgets where everything was."""
+        """Frees the saved state."""
         for slave, state in zip(self.slaves, self.saved, strict=True):
             slave.freeFMUState(state)
 
@@ -208,17 +209,17 @@ def units_of(fmu: Fmu, names: Sequence[str]) -> dict[str, str]:
 
 
 def fixed_steps(coupled: Coupled, end: float, step: float) -> Steps:
-    """Goes to the end in equal steps of about `step`."""
+    """Runs to the end in equal steps of about `step`."""
     steps = max(1, round(end / step))
     for at in range(steps):
         yield end * at / steps, coupled.step(end * at / steps, end / steps)
 
 
 def controlled_steps(coupled: Coupled, end: float, longest: float, tolerance: float) -> Steps:
-    """Goes to the end in steps that change the struts' velocities with an error below `tolerance` (m/s) each.
+    """Runs to the end in steps with an error of the struts' velocities below `tolerance` (m/s) each.
 
-    Each step is made once as a whole and once in halves, which are kept. The difference is the error; it grows with the
-    square of the step since the forces are held.
+    Each step is made once as a whole and once in halves, which are kept. The difference is the error; it is
+    proportional to the square of the step because the forces are held.
     """
     time, step = 0.0, longest
     try:
@@ -258,7 +259,7 @@ def coupled_fmus(layout: Layout, excitation: Excitation, choice: Choice) -> Iter
 
 
 def number_of(layout: Layout, name: str, chosen: Mapping[str, object], fmus: Path) -> float:
-    """A parameter of the car: what the user chose, or its default."""
+    """A parameter of the car: the user's choice, or its default."""
     return float(chosen.get(name, variables_of(path_of(layout.car, fmus))[name].start))
 
 
@@ -279,13 +280,14 @@ def run_car(
     tolerance: float | None = None,
     label: str = "",
 ) -> Run:
-    """Moves a car from rest until `end`, in steps of `step`; with a `tolerance` in as short ones as that demands."""
+    """Moves a car from rest until `end`, in steps of `step`, or with a `tolerance`, in steps as short as it
+    requires."""
     with coupled_fmus(layout, excitation, choice) as coupled:
         steps = (
             fixed_steps(coupled, end, step) if tolerance is None else controlled_steps(coupled, end, step, tolerance)
         )
         begin, times, rows = clock.perf_counter(), [], []
-        # The bar is silent where nobody watches.
+        # The bar is hidden if the output is not a terminal.
         with tqdm(total=end, desc=label, unit="s", bar_format=BAR, disable=None, leave=False) as bar:
             for time, row in steps:
                 bar.update(time - bar.n)
@@ -308,7 +310,7 @@ def options_of(about: str, out: str) -> argparse.ArgumentParser:
         action="append",
         default=[],
         metavar="NAME=VALUE",
-        help="parameter of the car; may be repeated",
+        help="parameter of the car; repeatable",
     )
     parser.add_argument(
         "--strut-file",
@@ -337,12 +339,12 @@ def options_of(about: str, out: str) -> argparse.ArgumentParser:
 
 
 def choices_of(options: argparse.Namespace) -> dict[str, Choice]:
-    """What the command line asks for, once for each level of friction, by a label for it."""
+    """The choices of the command line, once for each level of friction, by its label."""
     return {label_of(level): choice_of(options, options.model, level) for level in options.levels}
 
 
 def choice_of(options: argparse.Namespace, model: str, level: float) -> Choice:
-    """What the command line asks for, with a law and a level of its own."""
+    """The choices of the command line, with the given law and level."""
     struts = options.strut_file | friction(model, level) | dict(options.set)
     return Choice(options.fmus, struts, options.car_file | dict(options.car))
 
@@ -360,7 +362,7 @@ def parameter_set(text: str) -> dict[str, str]:
 
 
 def label_of(level: float) -> str:
-    """How a level of friction is called."""
+    """Label of a level of friction."""
     return f"{level:g} N" if level > 0.0 else "no friction"
 
 
@@ -379,24 +381,25 @@ def add_laws(parser: argparse.ArgumentParser) -> None:
         nargs="*",
         default=LAWS,
         metavar="LAW",
-        help=f"laws that are compared at the highest level, none to leave it out (default: {' '.join(LAWS)})",
+        help=f"laws to compare at the highest level, none to skip the comparison (default: {' '.join(LAWS)})",
     )
     parser.add_argument(
         "--tolerance",
         type=positive,
         default=1e-4,
-        help="error of the velocity of a strut in a step of that comparison in m/s (default: 1e-4)",
+        help="error of a strut's velocity per step in that comparison in m/s (default: 1e-4)",
     )
 
 
 def check_laws(options: argparse.Namespace) -> None:
-    """Refuses laws that do not exist before anything runs."""
+    """Rejects laws that do not exist before anything runs."""
     for law in options.laws:
         numbers_of(path_of(STRUT, options.fmus), {"friction.model": law})
 
 
 def run_laws(layout: Layout, excitation: Excitation, options: argparse.Namespace) -> list[Run]:
-    """The same motion with each of several laws, in steps of its own, up to ten times as long as the others'."""
+    """The same motion with each of several laws, each with its own steps, up to ten times as long as in the other
+    runs."""
     level, longest = max(options.levels), 10.0 * options.step
     return [
         run_car(layout, excitation, choice_of(options, law, level), options.time, longest, options.tolerance, law)
@@ -407,7 +410,7 @@ def run_laws(layout: Layout, excitation: Excitation, options: argparse.Namespace
 def report_laws(runs: Sequence[Run], last: float, out: str) -> list[Path]:
     """Prints and writes evaluations of the law and run time, absolute and relative to the lowest; draws the laws.
 
-    `last` is how many seconds at the end are drawn. Returns the files.
+    The last `last` seconds are drawn. Returns the files.
     """
     heading = ["law", "evaluations", "run time [s]", "evaluations, relative", "run time, relative"]
     fewest, shortest = min(run.evaluations for run in runs), min(run.seconds for run in runs)

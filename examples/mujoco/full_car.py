@@ -4,13 +4,13 @@
     python examples/mujoco/full_car.py --test four-post
     python examples/mujoco/full_car.py --test lane-change --law LuGre --set friction.scale=1.5
 
-    --test four-post     the wheels stand on posts that move up and down, the rear axle later than the front one
-           lane-change   at 72 km/h one lane to the left and back: a sine of the steering, a pause, and its mirror image
+    --test four-post     the wheels stand on posts that move up and down, at the rear axle with a delay
+           lane-change   at 72 km/h one lane to the left and back: a sine of the steering angle, a pause, its mirror
 
-Each test is run with friction and without it. Writes <out>_<test>.csv of each run, and <out>_<test>.png.
+Each test is run with and without friction. Writes <out>_<test>.csv of each run, and <out>_<test>.png.
 
-Tyres are forces: a spring and damper upwards that cannot pull; on the posts springs and dampers sideways; on the road
-the Magic Formula with relaxation sideways, and at the rear axle what holds the speed. The wheels do not spin.
+Tyres are forces: vertically a spring and damper that cannot pull; laterally springs and dampers on the posts, and the
+Magic Formula with relaxation on the road; at the rear axle also a force that holds the speed. The wheels do not spin.
 """
 
 import argparse
@@ -36,15 +36,15 @@ from magic_formula import LateralTyre
 from report import cases_of, steps_of, strut_options
 from suspension import CORNERS, DOUBLE_WISHBONE, SPRUNG_MASS, TYRE, Body, strut_parameters
 
-# Chosen: a car of middle size whose corners carry the same mass as the quarter cars.
+# Chosen: a medium-sized car whose corners carry the same mass as the quarter cars.
 CAR = Body(4.0 * SPRUNG_MASS, (0.0, 0.0, 0.55), (480.0, 2100.0, 2300.0))
 FRONT, REAR = 1.35, -1.35
 SPEED = 20.0
 LATERAL = LateralTyre()
 
-# Contact patch on a post, chosen: stiff enough that the car does not walk about.
+# Contact patch on a post, chosen: stiff enough that the car does not drift.
 PATCH_STIFFNESS, PATCH_DAMPING = 1.0e5, 1.0e3
-# Force per deviation from the speed that is to be held, chosen.
+# Force per deviation from the set speed, chosen.
 CRUISE = 5.0e3
 
 CAR_COLUMNS = {
@@ -120,7 +120,7 @@ class LaneChange:
 
 
 class Wheel:
-    """One corner: the tyre's forces on the wheel and what is read from the strut."""
+    """One corner: the tyre's forces on the wheel and the measurements of the strut."""
 
     def __init__(self, model: mujoco.MjModel, data: mujoco.MjData, name: str):
         self.model, self.data, self.name = model, data, name
@@ -182,7 +182,7 @@ class FullCar:
         self.wheels = [Wheel(self.model, self.data, name) for name in CORNERS]
         self.car = self.model.body("car").id
         self.rack = self.model.equality("rack").id
-        # Distance of the tie rod from the steering axis, which leads through both ball joints.
+        # Distance of the tie rod from the steering axis, which passes through both ball joints.
         s = DOUBLE_WISHBONE
         share = (s.tie_rod_end[2] - s.lower_ball[2]) / (s.upper_ball[2] - s.lower_ball[2])
         self.steering_arm = s.lower_ball[0] + share * (s.upper_ball[0] - s.lower_ball[0]) - s.tie_rod_end[0]
@@ -190,10 +190,10 @@ class FullCar:
             self.data.qvel[0] = SPEED
 
     def advance(self, struts: list[Strut], time: float) -> list[float]:
-        """One step; returns what the columns of the table want to know at its beginning."""
+        """One step; returns the values for the columns of the table at its beginning."""
         mujoco.mj_step1(self.model, self.data)
         angle = self.manoeuvre.steering(time)
-        # The rack lies behind the axle: to the right steers to the left.
+        # The rack is behind the axle: moving it to the right steers to the left.
         self.model.eq_data[self.rack, 0] = -self.steering_arm * angle
         row = [time, *self.pose(), angle]
         for wheel, strut in zip(self.wheels, struts, strict=True):
@@ -206,7 +206,8 @@ class FullCar:
         return row
 
     def pose(self) -> list[float]:
-        """Place, angles and velocity of the body: roll lifts the left side, pitch lowers the nose."""
+        """Position, angles and velocity of the body: positive roll lifts the left side, positive pitch lowers the
+        nose."""
         turned = self.data.xmat[self.car].reshape(3, 3)
         x, y, z = self.data.xipos[self.car]
         roll = math.atan2(turned[2, 1], turned[2, 2])
@@ -244,11 +245,11 @@ def summary(run: Mapping[str, numpy.ndarray], manoeuvre: FourPost | LaneChange) 
     if isinstance(manoeuvre, FourPost):
         settled = run["time"] > run["time"][-1] - 2.0 / manoeuvre.frequency
         heave, pitch = (numpy.ptp(run[name][settled]) for name in ("heave", "pitch"))
-        return f"heave {1e3 * heave:.2f} mm, pitch {math.degrees(pitch):.3f} degrees from peak to peak"
+        return f"heave {1e3 * heave:.2f} mm, pitch {math.degrees(pitch):.3f} degrees, peak to peak"
     before = run["roll"][run["time"] < manoeuvre.start][-1]
     roll = numpy.degrees(run["roll"] - before)
     return (
-        f"largest roll {numpy.abs(roll).max():.3f} degrees, left over at the end {roll[-1]:.4f} degrees, "
+        f"largest roll {numpy.abs(roll).max():.3f} degrees, at the end {roll[-1]:.4f} degrees, "
         f"lane {run['position_y'].max():.2f} m, "
         f"lateral acceleration {numpy.abs(lateral_acceleration(run)).max():.2f} m/s^2"
     )
@@ -263,7 +264,7 @@ def arguments() -> argparse.Namespace:
 
 
 def program() -> None:
-    """Runs what the command line asks for."""
+    """Runs the simulations selected on the command line."""
     options = arguments()
     manoeuvre, time = {"four-post": (FourPost(), 5.0), "lane-change": (LaneChange(), 8.0)}[options.test]
     runs = {}

@@ -1,8 +1,8 @@
 """MuJoCo models of the suspensions in examples/multibody/suspension.py, as MJCF text.
 
-The frames of all bodies lie in the origin of the design position, so that every point is written as it stands in the
-table. Loops are closed by `connect` (a ball joint), tie rods by the length of a tendon. MuJoCo keeps both with stiff
-springs, which here give by some micrometres.
+The frames of all bodies are at the origin in the design position, so that every point is written as in the table. Loops
+are closed by `connect` (a ball joint), tie rods by the length of a tendon. MuJoCo enforces both with stiff springs,
+which here deflect by some micrometres.
 """
 
 from collections.abc import Iterable
@@ -56,7 +56,7 @@ def joint(name: str, kind: str, point: Iterable[float], axis: Iterable[float] = 
 
 
 def body(name: str, inertia: Body, *inside: str) -> str:
-    """A rigid body with its joints, sites and the bodies that hang on it."""
+    """A rigid body with its joints, sites and child bodies."""
     pose = f'<inertial pos="{text(inertia.centre)}" mass="{inertia.mass}" diaginertia="{text(inertia.inertia)}"/>'
     return "\n".join([f'<body name="{name}">', pose, *inside, "</body>"])
 
@@ -73,7 +73,7 @@ def strut(name: str, parts: Parts) -> None:
 
 
 def side_load_sensors(name: str, parts: Parts) -> None:
-    """Force and moment between tube and rod in the eye of the rod, in the axes (m, n, a) of its site."""
+    """Force and moment between tube and rod at the eye of the rod, in the axes (m, n, a) of its site."""
     for kind in ("force", "torque"):
         parts.sensors.append(f'<{kind} name="{name}.{kind}" site="{name}.rod_eye"/>')
 
@@ -115,7 +115,7 @@ def double_wishbone(name: str, s: Suspension, telescopic: bool = False) -> Parts
 
 
 def macpherson(name: str, s: Suspension) -> Parts:
-    """A strut whose tube is bolted to the upright and whose rod is held by the body `car`: it guides the wheel."""
+    """A strut whose tube is bolted to the upright and whose rod is attached to the body `car`: it guides the wheel."""
     parts = Parts()
     wheel = body(
         f"{name}.upright",

@@ -1,4 +1,4 @@
-"""The quarter car in MuJoCo: what examples/mujoco/quarter_car.py and the plugin's script drive over the bump."""
+"""The quarter car in MuJoCo, used by examples/mujoco/quarter_car.py and the plugin's script."""
 
 import mjcf
 import mujoco
@@ -17,7 +17,7 @@ SUSPENSIONS = {
 
 
 class QuarterCar:
-    """The model, and what is read from it and written to it at each communication point."""
+    """The model, and the values read from it and written to it at each communication point."""
 
     def __init__(self, suspension: Suspension, parts: mjcf.Parts, step: float):
         self.suspension = suspension
@@ -39,10 +39,10 @@ class QuarterCar:
         return float(self.data.site_xpos[self.centre, 2]), float(motion[5])
 
     def wrench(self, length: float) -> Wrench:
-        """Reaction of the tube on the rod, which MuJoCo has computed in the step before."""
+        """Reaction of the tube on the rod, which MuJoCo computed in the previous step."""
         if self.model.nsensor == 0:
             return UNLOADED
-        # The sensors give what the outer body, here the tube, does to the inner one that carries them.
+        # The sensors give the action of the outer body, here the tube, on the inner one that carries them.
         return Wrench.in_rod_eye(self.data.sensor("fl.force").data, self.data.sensor("fl.torque").data, length)
 
     def push(self, force: float) -> None:
@@ -50,7 +50,7 @@ class QuarterCar:
         self.data.ctrl[0] = force
 
     def move(self, time: float) -> None:
-        """Goes one step ahead, on the road that is below the wheel at a time."""
+        """Makes one step, with the road below the wheel at a time."""
         load = TYRE.load(*self.wheel_motion(), *BUMP.at(time))
         arm = self.data.site_xpos[self.centre] - self.data.xipos[self.wheel]
         self.data.xfrc_applied[self.wheel] = [0.0, 0.0, load, *numpy.cross(arm, (0.0, 0.0, load))]

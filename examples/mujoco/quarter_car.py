@@ -3,15 +3,16 @@
 
     python examples/mujoco/quarter_car.py --set friction.scale=0.5 --step 5e-4
 
-The car stands until it has come to rest, then the wheel runs over a bump of 5 cm. Every run is made with friction and
-without it, unless --no-friction asks for the latter alone. Writes <out>.csv, <out>.png.
+The car stands until it is at rest, then the wheel runs over a bump of 5 cm. Every run is made with and without
+friction, or with --no-friction only without. Writes <out>.csv, <out>.png.
 
     --suspension double-wishbone   the strut is a force between body and lower arm (default)
                  telescope         the same; tube and rod have mass and hang in universal joints
                  macpherson        the tube is bolted to the upright: real side loads
                  guided            the wheel slides in a straight guide: the quarter car of textbooks
 
-With --side-loads the reaction between tube and rod, as MuJoCo computes it, goes into the FMU: friction grows with it.
+With --side-loads the reaction between tube and rod, as computed by MuJoCo, is passed to the FMU: friction grows with
+it.
 """
 
 import sys
@@ -29,10 +30,10 @@ from suspension import strut_parameters
 
 
 def program() -> None:
-    """Runs what the command line asks for."""
+    """Runs the simulations selected on the command line."""
     parser = quarter_car_options(__doc__, out="out/mujoco_quarter_car")
     parser.add_argument("--suspension", choices=SUSPENSIONS, default="double-wishbone")
-    parser.add_argument("--side-loads", action="store_true", help="feed the reaction between tube and rod to the strut")
+    parser.add_argument("--side-loads", action="store_true", help="pass the reaction between tube and rod to the strut")
     options = parser.parse_args()
     suspension = SUSPENSIONS[options.suspension][0]
 

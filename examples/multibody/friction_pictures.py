@@ -1,4 +1,4 @@
-"""The pictures of the multibody examples: runs with and without friction on top of each other."""
+"""Pictures for the multibody examples: runs with and without friction, superimposed."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -13,7 +13,7 @@ from pictures import BLUE, GREY, RED, labelled, over_time, save
 
 @dataclass(frozen=True)
 class Quantity:
-    """A column of a run, as it is to be shown."""
+    """A column of a run and how to show it."""
 
     column: str
     label: str
@@ -33,7 +33,7 @@ def draw_runs(
 ) -> None:
     """Quantities over time on the left, one quantity over another on the right.
 
-    Of two runs the first one, with friction, is red and lies on top. A column `road_height` goes into the first row.
+    Of two runs the first one, with friction, is red and on top. A column `road_height` is drawn in the first row.
     """
     figure = Figure(figsize=(12, 7.2), layout="constrained")
     figure.suptitle(title, x=0.02, horizontalalignment="left")

@@ -1,7 +1,7 @@
 """The strut of the multibody examples: the ShockAbsorber FMU, or the same law written here to check the coupling.
 
-Both have the same two faces. A host with an explicit solver calls `advance` once per step. A host that iterates over
-the step calls `attempt` as often as it likes, always from the last accepted point, and `accept` at the end.
+Both have the same two interfaces. A host with an explicit solver calls `advance` once per step. A host that iterates
+over the step calls `attempt` as often as it needs, always from the last accepted point, and `accept` at the end.
 """
 
 import math
@@ -17,7 +17,8 @@ from coupling import FMUS, CouplingError, Fmu, open_fmu, path_of
 
 @dataclass(frozen=True)
 class Wrench:
-    """Transverse force and moment of the tube on the rod, reduced to the eye of the tube: what bends the strut."""
+    """Transverse force and moment of the tube on the rod, reduced to the eye of the tube: the bending load of the
+    strut."""
 
     force_m: float = 0.0
     force_n: float = 0.0
@@ -26,7 +27,8 @@ class Wrench:
 
     @classmethod
     def in_rod_eye(cls, force: Sequence[float], moment: Sequence[float], length: float) -> "Wrench":
-        """From force and moment in the eye of the rod, in the axes m, n and a, the axis from the tube to the rod."""
+        """From force and moment at the eye of the rod, in the axes m, n and a, where a points from the tube to the
+        rod."""
         return cls(force[0], force[1], moment[0] - length * force[1], moment[1] + length * force[0])
 
 
@@ -37,7 +39,7 @@ class Strut(ABC):
     """A force law between two eyes. Forces push the eyes apart, velocities are positive when they move apart."""
 
     def advance(self, length: float, velocity: float, step: float, wrench: Wrench = UNLOADED) -> float:
-        """Goes one step ahead with inputs that are held, and returns the force."""
+        """Makes one step with held inputs and returns the force."""
         force = self.attempt(length, velocity, step, wrench)
         self.accept()
         return force
@@ -48,7 +50,7 @@ class Strut(ABC):
 
     @abstractmethod
     def accept(self) -> None:
-        """Makes the end of the last attempt the point from which the next one starts."""
+        """Makes the end of the last attempt the starting point of the next one."""
 
     @abstractmethod
     def friction(self) -> float:
@@ -60,7 +62,7 @@ class Strut(ABC):
 
 
 class FmuStrut(Strut):
-    """The ShockAbsorber FMU. Saved and restored only where the host iterates: a copy of its state costs time."""
+    """The ShockAbsorber FMU. Saved and restored only if the host iterates, because copying its state takes time."""
 
     def __init__(self, fmu: Fmu):
         self.slave = fmu.slave
@@ -96,12 +98,12 @@ class FmuStrut(Strut):
         return self.seen[3], self.seen[4]
 
     def close(self) -> None:
-        """Frees what was saved."""
+        """Frees the saved state."""
         if self.saved:
             self.slave.freeFMUState(self.saved)
 
     def _save(self) -> None:
-        # Given a state, an FMU writes into it: nothing is allocated from the second time on.
+        # An FMU overwrites a given state: nothing is allocated from the second time on.
         self.slave.fmi2GetFMUstate(self.slave.component, byref(self.saved))
 
     def _step(self, length: float, velocity: float, step: float, wrench: Wrench) -> float:
@@ -114,7 +116,7 @@ class FmuStrut(Strut):
         return self.seen[0]
 
 
-# Parameters of the law inside the host, what it asks of others, and those that do not matter to it.
+# Parameters of the law inside the host, required values of others, and parameters that it ignores.
 NATIVE = (
     "geom.length_extended",
     "spring.k",
@@ -140,9 +142,9 @@ WITHOUT_EFFECT = ("geom.", "bump.gap", "side.offset_m")
 
 
 class NativeStrut(Strut):
-    """Spring, damper with two slopes and LuGre friction at two contacts: what a user would write into the host.
+    """Spring, damper with two slopes and LuGre friction at two contacts, as a user would program them in the host.
 
-    It knows nothing of side loads, gas and stops. The LuGre state is advanced exactly for a held velocity, as in
+    It has no side loads, gas or stops. The LuGre state is advanced exactly for a held velocity, as in
 
         z(t + h) = z_ss + (z(t) - z_ss) exp(-sigma_0 |v| h / g),   z_ss = g sgn(v) / sigma_0
         g = F_C + (F_S - F_C) exp(-(v / v_S)^2)
@@ -168,7 +170,7 @@ class NativeStrut(Strut):
 
     def attempt(self, length: float, velocity: float, step: float, wrench: Wrench = UNLOADED) -> float:
         if wrench != UNLOADED:
-            raise CouplingError("the law inside the host does not know side loads: use the FMU")
+            raise CouplingError("the law inside the host has no side loads: use the FMU")
         for at, levels in enumerate(self.levels):
             self.attempted[at], self.forces[at] = self._bristles(self.deflections[at], *levels, velocity, step)
         damping = self.compression_damping if velocity < 0.0 else self.rebound_damping

@@ -6,9 +6,9 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True)
 class LateralTyre:
-    """Coefficients as they are named in tyre files; those of a racing tyre, from TUM's Open-Car-Dynamics (Apache-2.0).
+    """Coefficients with their names in tyre files; those of a racing tyre, from TUM's Open-Car-Dynamics (Apache-2.0).
 
-    Slip angles are positive when the wheel moves to the left of where it points; the force then points to the right.
+    Slip angles are positive when the wheel moves to the left of its heading; the force then points to the right.
     Source of the formula: H. B. Pacejka, "Tyre and Vehicle Dynamics", 2nd edition (2006), section 4.3.2.
     """
 

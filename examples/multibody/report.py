@@ -1,4 +1,4 @@
-"""What the quarter cars of all multibody examples have in common: command line, record, figures, CSV and picture."""
+"""Functions shared by the quarter cars of all multibody examples: command line, record, figures, CSV and picture."""
 
 import argparse
 from collections.abc import Mapping
@@ -58,7 +58,7 @@ class Run:
         return self.design_length - float(self.length.min())
 
     def drawn(self) -> dict[str, numpy.ndarray]:
-        """What the picture shows, by name."""
+        """The quantities in the picture, by name."""
         return {**{name: getattr(self, name) for name in COLUMNS}, "compression": self.design_length - self.length}
 
     def summary(self) -> str:
@@ -82,7 +82,7 @@ class Recorder:
         self.rows.append([values[name] for name in COLUMNS])
 
     def run(self, label: str, design_length: float) -> Run:
-        """What was recorded."""
+        """The recorded run."""
         return Run(label, design_length, *numpy.array(self.rows).T)
 
 
@@ -107,10 +107,10 @@ def strut_options(about: str, out: str) -> argparse.ArgumentParser:
         action="append",
         default=[],
         metavar="NAME=VALUE",
-        help="parameter of the ShockAbsorber; may be repeated",
+        help="parameter of the ShockAbsorber; repeatable",
     )
     parser.add_argument("--fmus", type=Path, default=FMUS, help="folder of the FMUs (default: dist)")
-    parser.add_argument("--out", default=out, help=f"result files, without ending (default: {out})")
+    parser.add_argument("--out", default=out, help=f"result files, without extension (default: {out})")
     return parser
 
 
@@ -122,7 +122,7 @@ def quarter_car_options(about: str, out: str) -> argparse.ArgumentParser:
 
 
 def cases_of(options: argparse.Namespace, parameters: Mapping[str, object]) -> dict[str, dict[str, object]]:
-    """Parameters of the run with friction, if it is wanted, and of the one without."""
+    """Parameters of the run with friction, if requested, and of the one without."""
     chosen = {**parameters, "friction.model": options.law, **dict(options.set)}
     without = {"without friction": {**chosen, "friction.model": "None"}}
     return without if options.no_friction else {"with friction": chosen, **without}

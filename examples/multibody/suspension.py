@@ -1,8 +1,8 @@
 """The car that all multibody examples share: hardpoints, bodies, tyre, road and the parameters of the strut.
 
 Axes as in ISO 8855: x forward, y left, z up, origin on the ground below the middle of the axle. All points are those of
-the left corner in the design position; the right corner is its mirror image. The numbers are chosen: a road car of
-middle size, one corner of which carries 350 kg.
+the left corner in the design position; the right corner is its mirror image. The numbers are chosen: a medium-sized
+road car, one corner of which carries 350 kg.
 """
 
 import math
@@ -75,7 +75,7 @@ class Suspension:
         return numpy.column_stack([*self.transverse(), self.axis()])
 
     def length(self) -> float:
-        """Distance of the eyes in the design position."""
+        """Distance between the eyes in the design position."""
         return math.dist(self.rod_eye, self.tube_eye)
 
     def unsprung_mass(self) -> float:
@@ -83,7 +83,7 @@ class Suspension:
         return self.upright.mass + self.lower_arm.mass + self.upper_arm.mass
 
 
-# Tube bolted to the upright, rod held by the body: the strut guides the wheel, so that it is bent by the load.
+# Tube bolted to the upright, rod attached to the body: the strut guides the wheel, so the load bends it.
 MACPHERSON = Suspension(
     tube_eye=(-0.01, 0.62, 0.30),
     rod_eye=(-0.03, 0.56, 0.74),
@@ -95,7 +95,7 @@ MACPHERSON = Suspension(
 
 DOUBLE_WISHBONE = Suspension()
 
-# Straight up and down: with it a multibody code computes the quarter car of textbooks.
+# Straight up and down: with this guide a multibody code computes the quarter car of textbooks.
 GUIDED = Suspension(tube_eye=(0.0, 0.75, 0.75), rod_eye=(0.0, 0.75, 0.31), spring_force=3800.0)
 
 
@@ -124,7 +124,7 @@ class Tyre:
 
 @dataclass(frozen=True)
 class Bump:
-    """A rise of the road with the shape of one period of a cosine."""
+    """A bump with the shape of one period of a cosine."""
 
     height: float = 0.05
     start: float = 2.0
@@ -145,9 +145,9 @@ BUMP = Bump()
 
 
 def strut_parameters(suspension: Suspension) -> dict[str, object]:
-    """Parameters of the ShockAbsorber that fits a suspension, by the names they have in its FMU.
+    """Parameters of the ShockAbsorber for a suspension, by their names in its FMU.
 
-    60 kN/m, friction 60 N, 120 N before it slides, half of it at either contact; side loads add to it.
+    60 kN/m, friction 60 N, static friction 120 N, half at each contact; side loads add to it.
     """
     length = suspension.length()
     return {
@@ -174,7 +174,7 @@ def strut_parameters(suspension: Suspension) -> dict[str, object]:
         "c2.preload_k": 30.0,
         "c2.preload_s": 60.0,
         "side.offset_m": 0.0,
-        # At rest at the start. A host that iterates asks for the first force with a velocity that is not 0.
+        # At rest at the start: a host that iterates requests the first force at a non-zero velocity.
         "init.friction_state": "Zero",
     }
 

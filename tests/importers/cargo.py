@@ -22,7 +22,8 @@ def libclang() -> Path:
 
 
 def environment() -> dict[str, str]:
-    """The variables that tell the crate's build where libclang is, and the compiler's own headers, which it lacks."""
+    """The variables that give the crate's build the path of libclang, and the compiler's own headers, which it
+    lacks."""
     if "LIBCLANG_PATH" in os.environ:
         return dict(os.environ)
     command = [os.environ.get("CC", "cc"), "-print-file-name=include"]
@@ -31,7 +32,7 @@ def environment() -> dict[str, str]:
 
 
 def main(task: str, *arguments: str) -> int:
-    """Runs cargo; what it builds is with everything else in target."""
+    """Runs cargo; its output is with everything else in target."""
     target = os.environ.get("CARGO_TARGET_DIR", FOLDER.parents[1] / "target")
     command = ["cargo", task, "--locked", "--manifest-path", FOLDER / "Cargo.toml", "--target-dir", target]
     return subprocess.run([*command, *arguments], env=environment()).returncode

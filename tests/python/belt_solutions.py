@@ -1,6 +1,7 @@
-"""The belt benchmark solved without the library: the periods that laws must have, each by a road of its own.
+"""The belt benchmark solved without the library: the correct periods of the laws, each by an independent method.
 
-Forces and velocities here are those of the block against the belt while it lags: v < 0, and `level` is what holds it.
+Forces and velocities here are those of the block relative to the belt while it lags: v < 0, and `level` is the force
+that holds it.
 """
 
 import math
@@ -31,7 +32,7 @@ OSCILLATING = ["Ambrosio", "Bernard", "Coulomb", "Dahl", "Dankowicz", "RooneyDer
 
 
 def frictional_lag(time_lag=0.005, stribeck_velocity=1e-3, step=1e-4) -> float:
-    """The delay differential equation of a slip from the static level on, by the midpoint rule; then the belt carries
+    """The delay differential equation of a slip from the static level, by the midpoint rule; then the belt carries
     the block to the static level again."""
     delay = round(time_lag / step)
     speeds, position, velocity = [0.0] * (delay + 1), STATIC / STIFFNESS, -1e-12
@@ -54,8 +55,8 @@ def _curves(velocity: float, stop: float, decay=500.0) -> tuple[float, float]:
 
 
 def _slide(level, start, end=40.0):
-    """Slides until the velocity of the belt is reached, if ever; returns instants of the maxima of the position, and
-    instant, position and velocity at the end."""
+    """Slides until the velocity of the belt is reached, if ever; returns the times of the maxima of the position, and
+    time, position and velocity at the end."""
 
     def motion(_, state):
         position, velocity = state
@@ -89,9 +90,9 @@ def wojewoda(sigma_0=1e5) -> float:
 
 
 def _breakaway(at, deflection, sigma_0) -> tuple[float, float, float]:
-    """Instant, position and velocity at which a block that rests on the belt has strained the contact to f_s.
+    """Time, position and velocity at which a block at rest on the belt has strained the contact to f_s.
 
-    With y the way against the belt: m d2y/dt2 = -(k + sigma_0) y - c_0 - k v_b t.
+    With y the displacement against the belt: m d2y/dt2 = -(k + sigma_0) y - c_0 - k v_b t.
     """
     start, position, _ = at
     total = STIFFNESS + sigma_0
@@ -112,8 +113,8 @@ def _breakaway(at, deflection, sigma_0) -> tuple[float, float, float]:
 
 
 def non_reversible() -> float:
-    """Between its two curves the law contradicts itself: what it gives changes the sign of the acceleration on which
-    it depends. An acceleration that is one step old lets both alternate; their mean moves the block.
+    """Between its two curves the law contradicts itself: its force changes the sign of the acceleration on which it
+    depends. With an acceleration that is one step old both alternate; their mean moves the block.
     """
 
     def level(pull, velocity):

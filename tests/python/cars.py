@@ -1,6 +1,6 @@
-"""Cars on their struts as plain differential equations, solved by scipy: the other road for the tests of the hosts.
+"""Cars on their struts as plain differential equations, solved by scipy: an independent reference for the hosts.
 
-Nothing here steps or exchanges: body, wheels, tyres and the bristles of a lumped LuGre friction are one system of
+There are no steps or exchanges: body, wheels, tyres and the bristles of a lumped LuGre friction are one system of
 equations, integrated at tight tolerances. Heights are deviations from rest. Axes of ISO 8855: pitch nose down, roll
 right side down, corner height z - X pitch + Y roll.
 """
@@ -33,14 +33,14 @@ class Car:
     tyre_damping: float = 95.8
 
     def strut_forces(self, travel: numpy.ndarray, rate: numpy.ndarray) -> numpy.ndarray:
-        """What the struts push more than at rest, without friction; travel of the body above the wheels."""
+        """Additional strut forces compared with rest, without friction; travel of the body above the wheels."""
         lengths, velocities = REST_LENGTH + self.motion_ratio * travel, self.motion_ratio * rate
         pairs = zip(self.struts, lengths, velocities, strict=True)
         moving = [sum(strut.elastic(length, velocity).values()) for strut, length, velocity in pairs]
         return numpy.array(moving) - [sum(strut.elastic(REST_LENGTH, 0.0).values()) for strut in self.struts]
 
     def tyre_forces(self, gap: numpy.ndarray, gap_rate: numpy.ndarray) -> numpy.ndarray:
-        """Tyre loads for a road that comes `gap` nearer to the wheels."""
+        """Tyre loads for a road that is `gap` closer to the wheels."""
         return numpy.maximum(0.0, self.tyre_load + self.tyre_stiffness * gap + self.tyre_damping * gap_rate)
 
 
@@ -74,13 +74,13 @@ Road = Callable[[float], tuple[numpy.ndarray, numpy.ndarray]]
 
 
 def _pieces(car: Car, state: numpy.ndarray) -> list[numpy.ndarray]:
-    """Of a state: body, its rates, wheels, their rates, bristles, what a lateral model adds."""
+    """Parts of a state: body, its rates, wheels, their rates, bristles, states of a lateral model."""
     body, wheels = len(car.inertia), len(car.motion_ratio)
     return numpy.split(state, numpy.cumsum([body, body, wheels, wheels, wheels]))
 
 
 def solve(car: Car, road: Road, level: float, times: numpy.ndarray, plane=None, longest: float = 2e-3) -> Solution:
-    """Solves the motion from rest; `plane` is what moves the car in the plane of the road."""
+    """Solves the motion from rest; `plane` is the motion of the car in the plane of the road."""
 
     def forces(time, state):
         body, body_rate, wheels, wheel_rate, bristles, _ = _pieces(car, state)
@@ -133,7 +133,7 @@ def quarter_car(**strut) -> Car:
 
 
 # Positions of the corners fl, fr, rl, rr before and left of the body's centre of mass: wheelbase 1.528 m, tracks 1.22
-# and 1.20 m; the body's mass is what the axles carry less the wheels, 2 x 52.91 kg in front and 2 x 58.69 kg behind.
+# and 1.20 m; the body's mass is the load of the axles less the wheels, 2 x 52.91 kg in front and 2 x 58.69 kg behind.
 FRONT_MASS, REAR_MASS, WHEELBASE = 2 * 52.91, 2 * 58.69, 1.528
 X = WHEELBASE * numpy.array([REAR_MASS, REAR_MASS, -FRONT_MASS, -FRONT_MASS]) / (FRONT_MASS + REAR_MASS)
 Y = numpy.array([0.61, -0.61, 0.60, -0.60])
@@ -173,7 +173,7 @@ def magic_formula(side_slip: numpy.ndarray, load: numpy.ndarray) -> numpy.ndarra
 class Plane:
     """A steered car at constant speed; its state is y, yaw, lateral velocity, yaw rate and four side slips.
 
-    The body takes the lateral force of an axle at the roll centre, and what is left of it turns the axle.
+    The lateral force of an axle acts on the body at the roll centre, and its remaining moment tilts the axle.
     """
 
     steering: Callable[[float], float]
@@ -216,7 +216,7 @@ def sine_road(frequency: float, amplitude: float) -> Road:
 
 
 def posts(frequency: float, stroke: float, delay: float) -> Road:
-    """Four posts that rise by `stroke` and come down; the rear ones later by the angle `delay`."""
+    """Four posts that rise by `stroke` and return; the rear ones delayed by the angle `delay`."""
     angular, phases = 2.0 * numpy.pi * frequency, numpy.array([0.0, 0.0, delay, delay])
     return lambda time: (
         0.5 * stroke * (1.0 - numpy.cos(angular * time - phases)),
@@ -225,5 +225,5 @@ def posts(frequency: float, stroke: float, delay: float) -> Road:
 
 
 def fundamental(time: numpy.ndarray, signal: numpy.ndarray, frequency: float) -> float:
-    """Amplitude of the first harmonic over whole periods of equally spaced samples, the last one left out."""
+    """Amplitude of the first harmonic over whole periods of equally spaced samples, without the last one."""
     return 2.0 * abs(numpy.mean((signal * numpy.exp(-2j * numpy.pi * frequency * time))[:-1]))

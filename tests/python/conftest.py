@@ -1,4 +1,4 @@
-"""What the tests share: the packed FMUs, which must be those of the sources, and runs on the belt, computed once."""
+"""Fixtures of the tests: the packed FMUs, which must belong to the sources, and runs on the belt, computed once."""
 
 import functools
 import xml.etree.ElementTree as ElementTree
@@ -13,7 +13,7 @@ DESCRIPTIONS = PROJECT / "modelDescription"
 
 
 def guids_of_sources() -> dict[str, str]:
-    """Guid of each model as the committed descriptions have it."""
+    """Guid of each model in the committed descriptions."""
     return {path.stem: ElementTree.parse(path).getroot().get("guid") for path in DESCRIPTIONS.glob("*.xml")}
 
 
@@ -27,7 +27,7 @@ def guids_of_fmus() -> dict[str, str]:
 
 
 def pytest_sessionstart() -> None:
-    """Refuses to test FMUs that are missing or of other sources."""
+    """Fails if FMUs are missing or belong to other sources."""
     wanted, found = guids_of_sources(), guids_of_fmus()
     if not wanted:
         pytest.exit(f"no model descriptions in {DESCRIPTIONS}: run `cargo run -p fmu-build -- generate`", returncode=1)
@@ -37,7 +37,7 @@ def pytest_sessionstart() -> None:
 
 
 def pytest_terminal_summary(terminalreporter) -> None:
-    """What `tasks.py trust` keeps of a run."""
+    """The summary of a run for `tasks.py trust`."""
     counts = [
         f"{len(terminalreporter.stats.get(word, []))} {word}" for word in ("passed", "skipped", "failed", "error")
     ]

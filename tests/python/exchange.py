@@ -54,18 +54,18 @@ class Part:
         return self.fmu.getDirectionalDerivative([self.references[unknown]], [self.references[known]], [1.0])[0]
 
     def settle(self) -> None:
-        """What an event changes, and back to continuous time."""
+        """Processes an event and returns to continuous time."""
         while self.fmu.newDiscreteStates()[0]:
             pass
         self.fmu.enterContinuousTimeMode()
 
     def at_event(self) -> None:
-        """Changes what an event changes."""
+        """Processes an event."""
         self.fmu.enterEventMode()
         self.settle()
 
     def completed_step(self) -> bool:
-        """Tells that a step of the solver is done; does the part ask for an event?"""
+        """Reports the end of a solver's step; returns whether the part requests an event."""
         asks, ends = self.fmu.completedIntegratorStep()
         assert not ends
         return bool(asks)
@@ -135,19 +135,19 @@ class System:
         return numpy.concatenate([part.event_indicators() for part in self.parts])
 
     def completed_step(self, time: float, x: numpy.ndarray) -> bool:
-        """Tells all parts that a step of the solver has ended there; does one of them ask for an event?"""
+        """Reports the end of a solver's step to all parts; returns whether one of them requests an event."""
         self.put(time, x)
         return sum(part.completed_step() for part in self.parts) > 0
 
     def at_event(self, time: float, x: numpy.ndarray) -> numpy.ndarray:
-        """Lets all parts change what an event changes; returns the states after it."""
+        """Processes an event in all parts; returns the states after it."""
         self.put(time, x)
         for part in self.parts:
             part.at_event()
         return self.x()
 
 
-# A solver that finds an event stops behind it: by so much, in s.
+# A solver that finds an event stops after it: by so much, in s.
 BEHIND = 1e-11
 
 # More events than that in a run are chattering.
@@ -156,7 +156,7 @@ MOST_EVENTS = 1000
 
 @dataclass
 class Run:
-    """A run of a system: its states at the times asked for, and the instants of its events."""
+    """A run of a system: its states at the requested times, and the times of its events."""
 
     states: list[numpy.ndarray] = field(default_factory=list)
     events: list[float] = field(default_factory=list)
@@ -184,7 +184,7 @@ def integrate(system: System, times: numpy.ndarray, method: str, tolerance: floa
 
 
 def _until_event(system: System, solver, times: numpy.ndarray, run: Run) -> tuple[float, numpy.ndarray] | None:
-    """Makes steps, and keeps the states asked for, up to the next event: its time and the states there, if any."""
+    """Makes steps, and keeps the requested states, up to the next event: its time and the states there, if any."""
     before = system.indicators(solver.t, solver.y)
     while solver.status == "running":
         message = solver.step()
@@ -193,7 +193,7 @@ def _until_event(system: System, solver, times: numpy.ndarray, run: Run) -> tupl
         after = system.indicators(time, solver.y)
         crossed = numpy.flatnonzero((before > 0.0) != (after > 0.0))
         if len(crossed) > 0:
-            # A solver that finds an event stops behind it.
+            # A solver that finds an event stops after it.
             time = min(_crossing(system, state, at, begin, time) for at in crossed) + BEHIND
         asks = system.completed_step(time, state(time))
         is_first = len(run.states) == 0
@@ -205,12 +205,12 @@ def _until_event(system: System, solver, times: numpy.ndarray, run: Run) -> tupl
 
 
 def _crossing(system: System, state, at: int, begin: float, end: float) -> float:
-    """The instant at which an indicator changes its sign."""
+    """The time at which an indicator changes its sign."""
 
     def indicator(time: float) -> float:
         return system.indicators(time, state(time))[at]
 
-    # What is no change along the interpolated states is one at the end of the step.
+    # A change that is not found along the interpolated states is at the end of the step.
     if (indicator(begin) > 0.0) == (indicator(end) > 0.0):
         return end
     return brentq(indicator, begin, end, xtol=1e-15, rtol=1e-15)

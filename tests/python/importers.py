@@ -1,5 +1,5 @@
 """Runs a system of FMUs, which may have free inputs, in importers of different origin, in one exchange scheme: all FMUs
-step, then all values are exchanged (Jacobi). What fails is told as CouplingError, except by Ecos."""
+step, then all values are exchanged (Jacobi). Failures are reported as CouplingError, except by Ecos."""
 
 import json
 import os
@@ -46,7 +46,7 @@ def start_values(parts: System) -> dict[tuple[str, str], float]:
 
 
 def in_ecos(parts: System, step: float, steps: int, watched: Sequence[str], signals: Signals) -> Record:
-    """Ecos tells nobody that an FMU has failed, and goes on calling it."""
+    """Ecos does not report that an FMU has failed, and continues to call it."""
     load_threads()
     from ecospy import EcosSimulation, EcosSimulationStructure
 
@@ -70,7 +70,7 @@ def in_ecos(parts: System, step: float, steps: int, watched: Sequence[str], sign
 
 
 def in_libcosim(parts: System, step: float, steps: int, watched: Sequence[str], signals: Signals) -> Record:
-    """libcosim counts time in nanoseconds, so that its steps differ in the last digits."""
+    """libcosim counts time in nanoseconds, so its steps differ in the last digits."""
     from libcosimpy.CosimExecution import CosimExecution
     from libcosimpy.CosimLogging import CosimLogLevel, log_output_level
     from libcosimpy.CosimManipulator import CosimManipulator
@@ -139,7 +139,7 @@ def port_name(port: tuple[str, str]) -> str:
 
 
 def in_c(parts: System, step: float, steps: int, watched: Sequence[str], signals: Signals) -> Record:
-    """The master in plain C of the examples; it wants the unpacked binaries."""
+    """The master in plain C of the examples; it needs the unpacked binaries."""
     with TemporaryDirectory() as folder:
         binaries = [binary_of(part, Path(folder)) for part in parts.components]
         return run_plan([c_master()], parts, binaries, step, steps, watched, signals)
@@ -197,7 +197,7 @@ def run_plan(
     watched: Sequence[str],
     signals: Signals,
 ) -> Record:
-    """Runs a master that reads what to do from a text file, and reads its table."""
+    """Runs a master that reads the system from a text file, and reads its table."""
     references, numbers = references_of(parts), {part.name: str(at) for at, part in enumerate(parts.components)}
 
     def port(name: tuple[str, str]) -> str:
@@ -241,7 +241,7 @@ def rust_master() -> Path:
 
 
 def build(command: Sequence[str | Path]) -> str:
-    """Runs a compiler; what it says of an error becomes the text of the exception."""
+    """Runs a compiler; its error message becomes the text of the exception."""
     done = subprocess.run([str(word) for word in command], cwd=PROJECT, capture_output=True, text=True)
     if done.returncode != 0:
         raise CouplingError(f"{command[0]} failed\n{done.stderr}")
@@ -249,7 +249,8 @@ def build(command: Sequence[str | Path]) -> str:
 
 
 def fmutool_errors(path: Path) -> list[str]:
-    """What the checks of `fmutool` say of an FMU: those against the schema, and those of the text of the standard."""
+    """Findings of the checks of `fmutool` for an FMU: those against the schema, and those of the text of the
+    standard."""
     schema, rules = OperationGenericCheck(), OperationSemanticCheck()
     fmu = FMU(str(path))
     for check in (schema, rules):

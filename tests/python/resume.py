@@ -1,4 +1,4 @@
-"""Continues a saved run in a process of its own: resume.py MODEL STATE FROM TO. Prints the outputs, exactly."""
+"""Continues a saved run in a separate process: resume.py MODEL STATE FROM TO. Prints the outputs, exactly."""
 
 import math
 import sys
@@ -10,13 +10,13 @@ STEP = 1e-3
 
 
 def drive(fmu: Fmu, begin: int, end: int) -> None:
-    """Steps an FMU with inputs that depend on the number of the step only."""
+    """Steps an FMU with inputs that depend only on the number of the step."""
     names = fmu.names("input")
     inputs = fmu.references(*names)
     starts = {v.name: float(v.start) for v in fmu.description.modelVariables if v.causality == "input"}
     for at in range(begin, end):
         wave = 1.0 + 1.5 * math.sin(0.05 * at)
-        # Loads vanish now and then, everything else moves a little about its start value.
+        # Loads sometimes vanish, everything else varies a little about its start value.
         values = [abs(10.0 * wave) if name == "normal_force" else starts[name] + 1e-2 * wave for name in names]
         fmu.slave.setReal(inputs, values)
         fmu.slave.doStep(at * STEP, STEP)

@@ -1,6 +1,6 @@
-"""The shock absorber once more, in numpy, written from its equations: the other road for the tests of the FMU.
+"""A second implementation of the shock absorber, in numpy, from its equations: the reference for the tests of the FMU.
 
-Parameters and inputs have the names of the FMU, so that one dictionary serves both. SI units; friction is LuGre with a
+Parameters and inputs have the names of the FMU, so one dictionary serves both. SI units; friction is LuGre with a
 state of two components per contact (along the axis and around it). Axes of the joint: a along the strut from the tube's
 eye to the rod's, m and n across it, m x n = a.
 """
@@ -12,7 +12,7 @@ from math import pi
 import numpy
 from scipy.interpolate import PchipInterpolator
 
-# The set FS-ref: what the FMU ships.
+# The set FS-ref: the defaults of the FMU.
 DEFAULTS = {
     "geom.length_extended": 0.200,
     "geom.d_i": 0.125,
@@ -85,7 +85,8 @@ INPUTS = {
 
 
 def lumped_friction(level: float, ratio: float = 1.3) -> dict[str, float]:
-    """Parameters of a friction level that no side load changes: the static level is `ratio` times the kinetic one."""
+    """Parameters of a friction level independent of the side load: the static level is `ratio` times the kinetic
+    one."""
     contacts = {f"c{k}.{name}": 0.0 for k in (1, 2) for name in ("mu_s", "mu_k", "preload_s", "preload_k")}
     return contacts | {"c1.preload_k": level, "c1.preload_s": ratio * level}
 
@@ -96,7 +97,7 @@ def spring_force(p: Mapping, compression: float) -> float:
 
 
 def gas_force(p: Mapping, compression: float) -> float:
-    """Gas that the rod compresses, against the pressure of the air."""
+    """Gas compressed by the rod, against the ambient pressure."""
     if not p["gas.enabled"]:
         return 0.0
     area = pi / 4.0 * p["gas.rod_diameter"] ** 2
@@ -140,7 +141,7 @@ def damper_resistance(p: Mapping, velocity: float) -> float:
 
 
 def _line(xs, ys, x: float) -> float:
-    """Straight lines between the points, and on beyond the outer ones."""
+    """Straight lines between the points, extended beyond the outer ones."""
     at = min(max(int(numpy.searchsorted(xs, x)), 1), len(xs) - 1)
     return ys[at - 1] + (ys[at] - ys[at - 1]) / (xs[at] - xs[at - 1]) * (x - xs[at - 1])
 
@@ -156,7 +157,7 @@ _CURVES = {"Linear": _line, "Cubic": _monotone}
 
 
 def side_load(p: Mapping, inputs: Mapping) -> tuple[numpy.ndarray, numpy.ndarray]:
-    """Force and moment (m, n) of the tube on the rod at the tube's eye: what the host says and what the spring adds."""
+    """Force and moment (m, n) of the tube on the rod at the tube's eye: from the host and from the spring."""
     force = numpy.array([inputs["side_force_m"], inputs["side_force_n"]])
     moment = numpy.array([inputs["side_moment_m"], inputs["side_moment_n"]])
     if p["side.convention"] == "Lambda":
@@ -211,7 +212,7 @@ class Strut:
         return numpy.array([(inputs["velocity"], radius * inputs["spin_rate"]) for radius in radii])
 
     def levels(self, inputs: Mapping) -> tuple[numpy.ndarray, numpy.ndarray, numpy.ndarray]:
-        """Normal forces, the level g(v) and what the bristles can carry, of each contact."""
+        """Normal forces, the level g(v) and the capacity of the bristles, of each contact."""
         p, normal = self.parameters, normal_forces(self.parameters, inputs)
         kinetic, static = (
             p["friction.scale"]
@@ -257,14 +258,14 @@ class Strut:
                 self.deflection[contact] = steady + (self.deflection[contact] - steady) * fade
 
     def carried(self, inputs: Mapping) -> numpy.ndarray:
-        """Deflections as far as the load allows: bristles that carried more slip until they carry what they can."""
+        """Deflections as far as the load allows: bristles that carried more slip down to their capacity."""
         _, _, most = self.levels(inputs)
         length, longest = numpy.linalg.norm(self.deflection, axis=1), most / self.parameters["friction.sigma_0"]
         shrink = numpy.divide(longest, length, out=numpy.ones(2), where=length > longest)
         return shrink[:, None] * self.deflection
 
     def outputs(self, inputs: Mapping) -> dict[str, float]:
-        """What the FMU gives for these inputs and the present deflections."""
+        """The outputs of the FMU for these inputs and the present deflections."""
         p, inputs = self.parameters, INPUTS | dict(inputs)
         deflection, slip = self.carried(inputs), self.slip(inputs)
         bristles = (

@@ -1,4 +1,4 @@
-"""The closed forms of the belt benchmark, and the measurement of a cycle, on motions that are known."""
+"""The closed forms of the belt benchmark, and the measurement of a cycle, on known motions."""
 
 import numpy
 import pytest
@@ -46,13 +46,13 @@ def test_maxima_lie_between_the_samples_and_ripple_is_not_counted():
     assert len(maxima(time, 1.0 - numpy.cos(2.0 * time) + ripple)[0]) == 6
 
 
-def test_a_maximum_that_the_record_cuts_off_is_left_out():
+def test_a_truncated_maximum_is_omitted():
     time = numpy.arange(0.0, 4.7, 0.01)
     instants, _ = maxima(time, 1.0 - numpy.cos(2.0 * time))
     assert len(instants) == 1
 
 
-def test_a_record_that_begins_above_the_middle_has_cut_off_its_first_maximum():
+def test_the_first_maximum_of_a_record_that_begins_above_the_middle_is_truncated():
     time = numpy.arange(0.0, 10.0, 0.01)
     instants, heights = maxima(time, numpy.cos(2.0 * time))
     assert instants == pytest.approx(numpy.pi * numpy.array([1.0, 2.0]), abs=1e-6)

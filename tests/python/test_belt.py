@@ -33,7 +33,7 @@ def test_coulomb_with_stiction_gives_the_exact_cycle(belt):
 
 @pytest.mark.parametrize("step", [1e-2, 1e-3, 1e-4])
 def test_the_coupling_is_of_first_order(belt, step):
-    """At 8 s the block slips with -0.212054 m/s; it may be where it should have been one step before or after."""
+    """At 8 s the block slips with -0.212054 m/s; its position may be that of one step earlier or later."""
     run = belt("CoulombStiction", step=step, time=8.0)
     assert abs(run.position[-1] - 0.697052775767) < 0.212054 * step
 
@@ -42,7 +42,8 @@ def test_the_coupling_is_of_first_order(belt, step):
 @pytest.mark.parametrize("exchange", EXCHANGES)
 @pytest.mark.parametrize("model", HOLDING)
 def test_a_stuck_block_moves_with_the_belt(belt, model, exchange, step):
-    """What velocity remains is the change of the spring force in a step or two: k v_b h^2 / m is 2e-7 m/s at 1 ms."""
+    """The remaining velocity is that caused by the change of the spring force in a step or two: k v_b h^2 / m is 2e-7
+    m/s at 1 ms."""
     run = belt(model, step=step, exchange=exchange)
     remainder = 1e-6 * (step / 1e-3) ** 2
     for interval in stuck(run):
@@ -130,11 +131,11 @@ def test_a_parameter_of_the_law_can_be_set(belt):
 
 
 def test_a_mass_given_by_the_user_replaces_that_of_the_rig(belt):
-    """Without mass the printed law alternates about the velocity of the belt: the option really reaches the FMU."""
+    """Without mass the law as printed alternates about the velocity of the belt: the option really reaches the FMU."""
     printed = belt("CoulombStiction", time=5.0, mass=0.0)
     assert numpy.abs(printed.velocity[10:]).max() > 1e-5
 
 
-def test_less_than_one_step_is_refused(belt):
+def test_less_than_one_step_is_rejected(belt):
     with pytest.raises(CouplingError, match=r"time = 0\.0001 s: must be at least one step of 0\.001 s"):
         belt("CoulombStiction", time=1e-4)

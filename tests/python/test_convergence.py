@@ -1,4 +1,4 @@
-"""How the demo finds the step of a law: when it stops halving, what it compares, and what it cannot compare."""
+"""The demo's search for the step of a law: when it stops halving, what it compares, and what it cannot compare."""
 
 import math
 
@@ -12,7 +12,7 @@ from coupling import CouplingError
 
 
 def test_the_step_is_halved_until_the_period_stays(monkeypatch):
-    """A period with an error of 40 h: at 0.25 ms half of it is 0.5 % of 1 s, but for that of the finer run."""
+    """A period with an error of 40 h: at 0.25 ms half of it is 0.5 % of 1 s, apart from that of the finer run."""
 
     def run(_fmus, model, step, duration, every):
         assert every == max(1, round(1e-3 / step))
@@ -28,7 +28,7 @@ def test_the_step_is_halved_until_the_period_stays(monkeypatch):
     assert "1 ms would give 1.0400 s" in found.remarks
 
 
-def test_a_law_that_does_not_settle_is_refused(monkeypatch):
+def test_a_law_that_does_not_settle_is_rejected(monkeypatch):
     def run(_fmus, model, step, duration, **_):
         time = numpy.linspace(0.0, duration, 4001)
         return BeltRun(model, time, numpy.cos(2.0 * numpy.pi * time * step**0.1), *[time] * 5, time > 0.0)
@@ -38,12 +38,12 @@ def test_a_law_that_does_not_settle_is_refused(monkeypatch):
         convergence.converged("Dahl", 12.0)
 
 
-def test_a_block_that_never_turns_back_cannot_be_compared():
-    with pytest.raises(CouplingError, match="CoulombStiction: the block never turns back in 5 s"):
+def test_a_block_that_never_reverses_cannot_be_compared():
+    with pytest.raises(CouplingError, match="CoulombStiction: the block never reverses in 5 s"):
         convergence.converged("CoulombStiction", 5.0)
 
 
-def test_what_is_random_is_compared_by_its_first_maximum():
+def test_random_laws_are_compared_by_their_first_maximum():
     cycle = Cycle(first_slip=7.0, first_maximum=7.5, period=4.5, x_min=0.2, x_max=0.7)
     assert (compared_time(cycle, False), compared_time(cycle, True)) == (4.5, 7.5)
     once = Cycle(first_slip=7.0, first_maximum=7.5, period=math.nan, x_min=math.nan, x_max=0.7)

@@ -1,4 +1,4 @@
-"""The Python examples in README.md and in the pages of docs/: they run, and print what the page says."""
+"""The Python examples in README.md and on the pages of docs/: they run and print the output shown on the page."""
 
 import itertools
 import re
@@ -15,7 +15,7 @@ BLOCK = re.compile(r"^```(?P<language>\w*)\n(?P<text>.*?)^```$", re.MULTILINE | 
 
 @dataclass(frozen=True)
 class Example:
-    """A piece of Python, where it begins, and what the page says that it prints."""
+    """A piece of Python, its first line, and its output as shown on the page."""
 
     code: str
     line: int
@@ -23,7 +23,7 @@ class Example:
 
 
 def examples(page: str) -> list[Example]:
-    """The Python blocks of a page; a block of text directly after one is what it prints."""
+    """The Python blocks of a page; a block of text directly after one is its output."""
     found, blocks = [], list(BLOCK.finditer(page))
     for block, following in itertools.zip_longest(blocks, blocks[1:]):
         if block["language"] != "python":

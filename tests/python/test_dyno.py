@@ -1,4 +1,4 @@
-"""The damper tests that the project ships are those that their program makes."""
+"""The shipped damper tests are those that their program makes."""
 
 from make_dyno import DAMPERS, RECORDINGS, write_recordings
 

@@ -1,4 +1,4 @@
-"""Model Exchange: every FMU that offers it gives the same results to a solver as its own steps do, with few events."""
+"""Model Exchange: every FMU that supports it gives a solver the same results as its own steps, with few events."""
 
 import math
 
@@ -12,11 +12,11 @@ from fmpy import simulate_fmu
 DESCRIPTIONS = {model: fmpy.read_model_description(str(path_of(model))) for model in models_in(FMUS)}
 MODELS = [model for model, description in DESCRIPTIONS.items() if description.modelExchange]
 
-# How far inputs move about their start values, by unit.
+# Variation of inputs about their start values, by unit.
 SWING = {"m/s": 2e-3, "m": 2e-3, "N": 0.5, "m/s2": 0.0, "rad": 0.02, "rad/s": 0.1, "W": 10.0, "K": 5.0, "N.m": 0.1}
 PIECES, PIECE, STEP = 20, 0.01, 1e-3
 
-# Advice on the communication step, of which a solver makes none.
+# Advice on the communication step, which a solver does not have.
 ADVICE = {"dforce_dlength", "dforce_dvelocity", "step_limit"}
 
 
@@ -51,7 +51,7 @@ def simulate(model: str, kind: str, log=None, **options) -> numpy.ndarray:
     )
 
 
-def test_models_with_a_continuous_state_offer_it():
+def test_models_with_a_continuous_state_support_it():
     assert set(MODELS) >= {"LuGre", "LuGrePlanar", "Dahl", "ElastoPlastic", "BlimanSorine", "Coulomb", "BrownMcPhee"}
     assert set(MODELS) >= {"BeltRig", "QuarterCar", "FourPostCar", "DoubleTrackCar", "ShockAbsorber", "HydraulicDamper"}
     assert not set(MODELS) & {"Bristle", "FrictionalLag", "Armstrong", "Wojewoda"}, "delays and random bonds"
@@ -63,7 +63,7 @@ def check_against_steps(model: str, signals: numpy.ndarray | None, **options) ->
     stepped = simulate(model, "CoSimulation", step_size=STEP, **options)
     solved = simulate(model, "ModelExchange", relative_tolerance=1e-9, **options)
     assert len(solved) == len(stepped) == round(PIECES * PIECE / STEP) + 1
-    # At a jump one sees the instant before it, and the other the instant after.
+    # At a jump one shows the value before it, and the other the value after.
     between = numpy.arange(len(stepped)) % round(PIECE / STEP) != 0
     for name in stepped.dtype.names[1:]:
         size = numpy.abs(stepped[name]).max()
@@ -92,12 +92,12 @@ def test_bristles_are_released_while_there_is_no_load(model):
 
 
 def has_phases(model: str) -> bool:
-    """Is it a law of friction that jumps or bends where the velocity passes a certain value?"""
+    """Whether it is a friction law with a jump or a kink at certain velocities."""
     return "phase" in [v.name for v in DESCRIPTIONS[model].modelVariables]
 
 
 def reversing(model: str) -> numpy.ndarray:
-    """Two periods of a velocity that swings past every kink of the laws, other inputs at their start values."""
+    """Two periods of a velocity that passes every kink of the laws, other inputs at their start values."""
     inputs = real_inputs(model)
     time = numpy.linspace(0.0, 2.0, 401)
     columns = [
@@ -111,7 +111,7 @@ def reversing(model: str) -> numpy.ndarray:
 
 
 def sign_changes(model: str, signals: numpy.ndarray) -> int:
-    """How often the event indicators change their sign on a fine grid, counted without a solver."""
+    """Number of sign changes of the event indicators on a fine grid, counted without a solver."""
     with open_part(model) as part:
         count = 0
 
@@ -146,7 +146,7 @@ RUN = 40.0
 
 
 def breakaways_and_captures() -> list[float]:
-    """Instants of slip and stick in closed form, for a contact with two levels that starts at rest on the belt."""
+    """Times of slip and stick in closed form, for a contact with two levels that starts at rest on the belt."""
     frequency = math.sqrt(STIFFNESS / MASS)
     sticking = 2.0 * (STATIC - KINETIC) / (STIFFNESS * BELT)
     slipping = 2.0 / frequency * (math.pi - math.atan((STATIC - KINETIC) * frequency / (STIFFNESS * BELT)))
@@ -158,7 +158,7 @@ def breakaways_and_captures() -> list[float]:
 
 
 def on_the_belt(law: str, method: str, tolerance: float):
-    """A law of friction on the belt, all in one loop of a solver."""
+    """A friction law on the belt, all integrated by one solver."""
     with open_part("BeltRig") as rig, open_part(law) as friction:
         links = [(rig, "velocity", friction, "velocity")]
         if "external_force" in friction.references:
@@ -168,7 +168,7 @@ def on_the_belt(law: str, method: str, tolerance: float):
         return times, integrate(System([rig, friction], links), times, method, tolerance)
 
 
-def test_stick_and_slip_on_the_belt_are_events_at_the_instants_of_the_closed_form():
+def test_stick_and_slip_on_the_belt_are_events_at_the_times_of_the_closed_form():
     expected = breakaways_and_captures()
     _, run = on_the_belt("CoulombStiction", "DOP853", 1e-10)
     assert len(expected) >= 6
@@ -202,7 +202,7 @@ def test_a_coarse_solver_does_not_chatter(law, method, tolerance):
 )
 def test_a_contact_on_the_belt_does_not_chatter(law):
     _, run = on_the_belt(law, "LSODA", 1e-8)
-    # Laws without event indicators on the way ask for the events at which `sticking` changes.
+    # Laws without event indicators on the way request the events at which `sticking` changes.
     assert 1 <= len(run.events) <= 2 * len(breakaways_and_captures()), run.events
 
 

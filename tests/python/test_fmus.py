@@ -1,4 +1,4 @@
-"""Every packed FMU through fmpy, as an importer uses it: alone, side by side, saved, differentiated, and misused."""
+"""Every packed FMU through fmpy, as used by an importer: alone, side by side, saved, differentiated, and misused."""
 
 import os
 import re
@@ -66,7 +66,7 @@ def test_steady_sliding_resists_with_the_kinetic_level(model, velocity):
     )
     result = simulate_fmu(str(path_of(model)), stop_time=1.0, output_interval=1e-2, input=signals)
     level = start(model, "mu_k") * WEIGHT + start(model, "viscous_coefficient") * abs(velocity)
-    # A law of random numbers has the level on average; four standard deviations of its force, sigma Delta sqrt(N / 18).
+    # A random law has the level on average; four standard deviations of its force, sigma Delta sqrt(N / 18).
     noise = 0.0
     if "bristle_count" in variables_of(path_of(model)):
         count, stiffness = start(model, "bristle_count"), start(model, "mu_s") * WEIGHT / start(model, "delta")
@@ -96,7 +96,7 @@ def test_simulates_with_an_input_signal(model):
 
 
 def test_all_models_live_side_by_side():
-    """Interleaved calls give each model what it gives alone, to the bit."""
+    """With interleaved calls each model gives the same results as alone, to the bit."""
     alone = {}
     for model in MODELS:
         with open_fmu(path_of(model)) as fmu:
@@ -111,7 +111,7 @@ def test_all_models_live_side_by_side():
 
 
 @pytest.mark.parametrize("model", MODELS)
-def test_two_instances_of_a_model_do_not_touch_each_other(model):
+def test_two_instances_of_a_model_do_not_affect_each_other(model):
     with open_fmu(path_of(model)) as moving, open_fmu(path_of(model)) as resting:
         before = outputs_of(resting)
         drive(moving, 0, 50)
@@ -145,8 +145,9 @@ def test_a_saved_state_continues_in_another_process(model, tmp_path):
     assert done.stdout.split() == expected.split()
 
 
-def test_corrupted_states_are_refused_and_change_nothing():
-    """Every bit pattern with one changed bit per byte, and every wrong length; afterwards the run goes on as before."""
+def test_corrupted_states_are_rejected_and_change_nothing():
+    """Every bit pattern with one changed bit per byte, and every wrong length; afterwards the run continues as
+    before."""
     saved, expected = state_after("LuGre", 10)
     corrupted = [saved[:-1], saved + b"\0", b"", bytes(len(saved))]
     corrupted += [saved[:at] + bytes([saved[at] ^ 1]) + saved[at + 1 :] for at in range(len(saved))]
@@ -158,21 +159,21 @@ def test_corrupted_states_are_refused_and_change_nothing():
             with pytest.raises(FMICallException):
                 fmu.slave.deSerializeFMUstate(data)
             assert outputs_of(fmu) == before
-        # After an error FMI asks for a state that is known to be good.
+        # After an error FMI requires a state that is known to be good.
         fmu.slave.setFMUstate(state)
         fmu.slave.freeFMUstate(state)
         drive(fmu, 10, 20)
         assert [value.hex() for value in outputs_of(fmu)] == expected.split()
 
 
-def test_a_state_of_another_model_is_refused():
+def test_a_state_of_another_model_is_rejected():
     saved, _ = state_after("Dahl", 10)
     with pytest.raises(CouplingError, match="LuGre"), open_fmu(path_of("LuGre")) as fmu:
         fmu.slave.deSerializeFMUstate(saved)
 
 
 def derivative(fmu, unknown: str, known: str) -> float:
-    """Partial derivative as fmi2GetDirectionalDerivative gives it."""
+    """Partial derivative from fmi2GetDirectionalDerivative."""
     return fmu.slave.getDirectionalDerivative(fmu.references(unknown), fmu.references(known), [1.0])[0]
 
 
@@ -258,7 +259,7 @@ def test_output_derivative_of_dahl():
 
 
 @pytest.mark.parametrize("model", FRICTION_MODELS)
-def test_a_parameter_outside_its_bound_is_refused_with_name_value_and_limit(model, capfd):
+def test_a_parameter_outside_its_bound_is_rejected_with_name_value_and_limit(model, capfd):
     refusal = f"{model}: fmi2SetReal: mu_k = NaN: must be >=? 0 and finite"
     with pytest.raises(CouplingError, match=refusal):
         with open_fmu(path_of(model), {"mu_k": "nan"}):
@@ -267,7 +268,7 @@ def test_a_parameter_outside_its_bound_is_refused_with_name_value_and_limit(mode
 
 
 @pytest.mark.parametrize("model", FRICTION_MODELS)
-def test_an_input_outside_its_bound_is_refused_and_the_old_value_stays(model, capfd):
+def test_an_input_outside_its_bound_is_rejected_and_the_old_value_stays(model, capfd):
     with open_fmu(path_of(model)) as fmu:
         load = fmu.references("normal_force")
         with pytest.raises(FMICallException):
@@ -279,7 +280,7 @@ def test_an_input_outside_its_bound_is_refused_and_the_old_value_stays(model, ca
 
 
 @pytest.mark.parametrize("model", FRICTION_MODELS)
-def test_a_slope_that_leads_an_input_out_of_its_bound_is_refused(model):
+def test_a_slope_that_leads_an_input_out_of_its_bound_is_rejected(model):
     """From 20 N with -210 N/s the load would be -1 N after 0.1 s."""
     with pytest.raises(CouplingError, match="normal_force = -1: must be >= 0 and finite"):
         with open_fmu(path_of(model)) as fmu:
@@ -295,7 +296,7 @@ def test_the_reason_of_a_failed_call_becomes_the_text_of_the_error():
             fmu.slave.setReal(fmu.references("normal_force"), [-1.0])
 
 
-def test_parameters_that_do_not_fit_together_are_refused():
+def test_inconsistent_parameters_are_rejected():
     with pytest.raises(CouplingError, match=r"mu_s = 0\.05.*mu_k = 0\.1"), open_fmu(path_of("LuGre"), {"mu_s": 0.05}):
         pass
 
@@ -304,8 +305,8 @@ def test_parameters_that_do_not_fit_together_are_refused():
     ("name", "value", "reason"),
     [("mu_k", -1.0, "mu_k = -1: must be > 0 and finite"), ("mu_s", 0.05, "mu_s = 0.05: must be >= mu_k = 0.1")],
 )
-def test_the_reason_is_told_where_logging_is_off(name, value, reason):
-    """In a process of its own, with fmpy as it is by default: loggingOn is false, messages are printed."""
+def test_the_reason_is_logged_even_with_logging_off(name, value, reason):
+    """In a separate process, with fmpy's defaults: loggingOn is false, messages are printed."""
     program = (
         f"from fmpy import simulate_fmu; simulate_fmu({str(path_of('LuGre'))!r}, start_values={{{name!r}: {value}}})"
     )

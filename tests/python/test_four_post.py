@@ -1,4 +1,5 @@
-"""The car on four posts with four struts, five FMUs, against scipy, published numbers, and what friction must do."""
+"""The car on four posts with four struts, five FMUs, compared with scipy, published numbers, and required properties of
+friction."""
 
 import functools
 import math
@@ -14,7 +15,7 @@ FREQUENCY = 2.0
 NO_GAS = {"gas.enabled": False}
 
 # At 0 N, 20 N and 50 N and 2 Hz: heave in mm, pitch in deg, fastest damper in front in m/s, work of friction in J per
-# cycle, travel of the front left wheel in mm, its least load in N.
+# cycle, travel of the front left wheel in mm, its minimum load in N.
 CYCLES = {
     0.0: (38.06, 3.025, 0.058, 0.0, 8.52, 407.0),
     20.0: (37.06, 2.935, 0.051, 1.44, 7.57, 407.0),
@@ -71,7 +72,7 @@ def test_the_equations_give_the_published_cycle(level):
 
 
 def test_motion_without_friction_converges_to_that_of_the_equations():
-    """The force of a strut is held for a step, so that the error falls with the step."""
+    """The force of a strut is held for a step, so the error falls with the step."""
     exact = solution(0.0)
     errors = []
     for step in (1e-3, 2.5e-4):
@@ -97,7 +98,7 @@ def test_posts_in_step_neither_roll_nor_excite_one_side_more():
         assert found[f"fl.{name}"] == pytest.approx(found[f"fr.{name}"], abs=1e-9)
 
 
-def test_friction_never_carries_more_than_its_level_and_takes_energy_out():
+def test_friction_never_exceeds_its_level_and_dissipates_energy():
     for level in (20.0, 50.0):
         found = run(level)
         assert abs(found["fl.force_friction"]).max() < 1.3 * level
@@ -106,7 +107,7 @@ def test_friction_never_carries_more_than_its_level_and_takes_energy_out():
 
 @pytest.mark.parametrize("law", ["Threlfall", "BrownMcPhee", "Dahl", "LuGre", "ElastoPlastic"])
 def test_laws_of_one_level_move_the_car_alike(law):
-    """All slide at 50 N; pre-sliding and breakaway make the difference."""
+    """All slide at 50 N; only pre-sliding and breakaway differ."""
     found = controlled(law, 50.0, 1e-4)
     other = controlled("LuGre", 50.0, 1e-4)
     last, others = found.time > 0.5, other.time > 0.5
@@ -134,7 +135,7 @@ def test_a_steep_law_needs_more_evaluations_than_bristles():
     assert controlled("BrownMcPhee", 50.0, 1e-3).evaluations > 2 * controlled("LuGre", 50.0, 1e-3).evaluations
 
 
-def test_parameters_of_an_axle_count_more_than_common_ones():
+def test_parameters_of_an_axle_take_precedence_over_common_ones():
     choice = Choice(FMUS, {"spring.k": 4e4, "rear.spring.k": 3e4, "damper.scale": 0.5})
     assert choice.of_axle(FOUR_POST_CAR, "front.") == {"spring.k": 4e4, "damper.scale": 0.5}
     assert choice.of_axle(FOUR_POST_CAR, "rear.") == {"spring.k": 3e4, "damper.scale": 0.5}

@@ -17,17 +17,17 @@ CORNERS = ["fl", "fr", "rl", "rr"]
 # 2 ms as a power of two that is a whole number of nanoseconds, in which libcosim counts: with others its steps differ
 # in the last digits from those of a master that counts in seconds.
 STEP, STEPS = 2.0**-9, 200
-# Steep laws stay calm on the belt with this one.
+# Steep laws do not chatter on the belt with this one.
 BELT_STEP, BELT_STEPS = 1e-4, 1500
 TOLERANCE = 1e-11
 
-# fmpy is what the others are compared with.
+# fmpy is the reference for the others.
 OTHERS = [
     pytest.param(
         name,
         marks=pytest.mark.skipif(
             name in ("ecos", "libcosim") and (sys.platform != "linux" or platform.machine() != "x86_64"),
-            reason="Ecos and libcosim come for Linux on x86-64",
+            reason="Ecos and libcosim need Linux on x86-64",
         ),
     )
     for name in IMPORTERS
@@ -43,7 +43,7 @@ def real_variables(model: str, causality: str) -> dict[str, float]:
 
 def wave(start: float, least: float = -math.inf) -> list[float]:
     """The signal of an input: 1.5 periods about its start value, with a twentieth of it as amplitude, or with 0.01. At
-    the least value that it may have, the lower half-wave is folded up."""
+    its lower bound, the lower half-wave is folded up."""
     amplitude = 0.05 * abs(start) or 0.01
     waves = [amplitude * math.sin(3.0 * math.pi * number / STEPS) for number in range(STEPS)]
     return [start + (value if start - amplitude >= least else abs(value)) for value in waves]
@@ -61,7 +61,7 @@ def alone(model: str) -> tuple:
 
 
 def on_the_belt(law: str) -> tuple:
-    """A law with the rig; the spring is so long that the block tears itself away on the way."""
+    """A law with the rig; the spring is strained so far that the block breaks away during the run."""
     known = variables_of(path_of(law))
     links = [("law.friction_force", "rig.friction_force"), ("rig.velocity", "law.velocity")]
     start = {"rig.position": 0.73}
@@ -128,8 +128,8 @@ def in_reference():
     return run
 
 
-def test_the_block_tears_itself_away(in_reference):
-    """The loops are run where something happens."""
+def test_the_block_breaks_away(in_reference):
+    """The loops include interesting events."""
     velocity = in_reference("BeltRig with CoulombStiction")["rig.velocity"]
     assert abs(velocity[100]) < 1e-6 < 1e-3 < abs(velocity[-1])
 
@@ -161,11 +161,11 @@ def test_fmutool_finds_nothing(model):
 def test_fmi_rs_finds_nothing():
     paths = [str(path_of(model)) for model in MODELS]
     done = subprocess.run([rust_master(), "check", *paths], capture_output=True, text=True)
-    assert (done.returncode, done.stdout) == (0, f"{len(MODELS)} FMUs, no problem\n"), done.stderr
+    assert (done.returncode, done.stdout) == (0, f"{len(MODELS)} FMUs, no problems\n"), done.stderr
 
 
 def failing(fault: float) -> tuple:
-    """LuGre in two components; the first one gets a velocity in step 101 on which it fails, and a good one again."""
+    """LuGre in two components; in step 101 the first one gets a velocity on which it fails, then a valid one again."""
     good = wave(0.0)
     bad = [*good[:100], fault, *good[101:]]
     parts = system({"bad": path_of("LuGre"), "good": path_of("LuGre")})
@@ -176,13 +176,13 @@ def failing(fault: float) -> tuple:
 @pytest.mark.parametrize("fault", [1e300, math.nan], ids=["step", "input"])
 @pytest.mark.parametrize("importer", [*(name for name in IMPORTERS if name != "ecos")])
 def test_a_failing_fmu_ends_the_run(importer, fault):
-    """An input that overflows makes fmi2DoStep fail, one that is no number is refused by fmi2SetReal."""
+    """An input that overflows makes fmi2DoStep fail; NaN is rejected by fmi2SetReal."""
     with pytest.raises((CouplingError, FMICallException)):
         IMPORTERS[importer](*failing(fault))
 
 
-def test_a_failing_fmu_stays_harmless_where_the_run_goes_on():
-    """Ecos goes on calling: what has failed keeps its last values, and its neighbour is as it always was."""
+def test_a_failing_fmu_stays_harmless_if_the_run_continues():
+    """Ecos continues to call: the failed component keeps its last values, and its neighbour is not affected."""
     record, fine = IMPORTERS["ecos"](*failing(1e300)), in_fmpy(*failing(0.0))
     for name in real_variables("LuGre", "output"):
         assert record[f"good.{name}"] == pytest.approx(fine[f"good.{name}"], rel=TOLERANCE)

@@ -1,4 +1,5 @@
-"""The lane change with four struts, five FMUs, against scipy, and what only friction can leave behind."""
+"""The lane change with four struts, five FMUs, compared with scipy, and the remaining roll that only friction
+causes."""
 
 import functools
 import math
@@ -12,8 +13,8 @@ from vehicle import Choice, choice_of, friction, options_of
 
 NO_GAS = {"gas.enabled": False}
 
-# Roll that is left at 5 s, in deg, as another model of the same car has it: its tyres are simpler, and its body has the
-# whole lateral force at one height. What is left hangs on springs, tyres and friction alone, which are the same.
+# Remaining roll at 5 s, in deg, from another model of the same car: its tyres are simpler, and the whole lateral force
+# acts on its body at one height. The remaining roll depends only on springs, tyres and friction, which are the same.
 LEFT = {0.0: 0.0, 20.0: 0.051, 50.0: 0.123}
 
 
@@ -52,8 +53,8 @@ def test_motion_is_that_of_the_equations(level):
     assert off("fl.tyre_load", exact.tyre_load[:, 0]) < 5.0
 
 
-def test_the_manoeuvre_is_as_hard_as_meant():
-    """Above 1 g; friction takes some of the largest roll, and nothing of the track to speak of."""
+def test_the_manoeuvre_is_as_hard_as_intended():
+    """Above 1 g; friction reduces the largest roll a little and hardly affects the track."""
     free, rough = run(0.0), run(50.0)
     assert abs(free["lateral_acceleration"]).max() == pytest.approx(1.13 * 9.81, rel=0.05)
     most = [math.degrees(abs(one["roll"]).max()) for one in (free, rough)]
@@ -78,7 +79,7 @@ def test_lanes_have_the_lengths_and_widths_of_the_standard():
     assert first.middle == 0.0
 
 
-def test_the_way_leads_from_middle_to_middle_without_a_jump():
+def test_the_path_leads_from_middle_to_middle_without_a_jump():
     course = lanes(1.4)
     for lane in course:
         assert way(course, 0.5 * (lane.begin + lane.end)) == pytest.approx(lane.middle, abs=0.02)

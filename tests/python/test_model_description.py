@@ -1,4 +1,4 @@
-"""Rules of FMI 2.0 for modelDescription.xml that FMPy and the schema do not check, and a proof that each can fail."""
+"""Rules of FMI 2.0 for modelDescription.xml that FMPy and the schema do not check, and proof that each can fail."""
 
 import re
 from collections.abc import Callable
@@ -40,7 +40,7 @@ def range_breaches(root: Element) -> list[str]:
 
 
 def start_breaches(root: Element) -> list[str]:
-    """Who has a start value follows from causality and initial (FMI 2.0.5 section 2.2.7)."""
+    """Start values are required according to causality and initial (FMI 2.0.5 section 2.2.7)."""
     found = []
     for variable in root.iter("ScalarVariable"):
         needs = variable.get("causality") in {"input", "parameter"} or variable.get("initial") in {"exact", "approx"}
@@ -58,7 +58,7 @@ def experiment_breaches(root: Element) -> list[str]:
 
 
 def name_breaches(root: Element) -> list[str]:
-    """Names that must differ, value references that must, and the identifier that must be one of C."""
+    """Unique names and value references, and a model identifier that is a C identifier."""
     identifiers = [
         root.find(tag).get("modelIdentifier") for tag in ("CoSimulation", "ModelExchange") if root.find(tag) is not None
     ]
@@ -75,7 +75,7 @@ def name_breaches(root: Element) -> list[str]:
 
 
 def reference_breaches(root: Element) -> list[str]:
-    """What is named is there: units, types."""
+    """Referenced units and types exist."""
     units = {unit.get("name") for unit in root.findall("UnitDefinitions/Unit")}
     types = {kind.get("name") for kind in root.findall("TypeDefinitions/SimpleType")}
     named = [(element, "unit", units) for element in root.iter("Real") if element.get("unit")]
@@ -164,7 +164,7 @@ def test_each_rule_can_be_broken(mistake: str):
 
 
 def test_both_contacts_of_the_strut_depend_on_the_same_columns():
-    """None of the rare dependencies of either contact is missing, such as the acceleration that a few laws ask for."""
+    """None of the rare dependencies of either contact is missing, such as the acceleration that a few laws need."""
     root = ElementTree.parse(Path(__file__).parents[2] / "modelDescription" / "ShockAbsorber.xml").getroot()
     names = [variable.get("name") for variable in root.findall("ModelVariables/ScalarVariable")]
     outputs = {names[int(entry.get("index")) - 1]: entry for entry in root.findall("ModelStructure/Outputs/Unknown")}

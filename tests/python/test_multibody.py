@@ -1,4 +1,4 @@
-"""The strut in multibody simulators: do they agree with each other, with the quarter car, with statics, with C++?"""
+"""The strut in multibody simulators: agreement with each other, with the quarter car, with statics and with C++."""
 
 import functools
 import subprocess
@@ -65,7 +65,7 @@ def quarter_car(step: float, changes=None) -> tuple[float, float]:
     return rest, GUIDED.length() - float(run["length"].min())
 
 
-# What an exchange once per step may cost.
+# Permitted error of an exchange once per step.
 COUPLING_ERROR = {1e-3: 5e-3, 2e-4: 1e-3}
 
 
@@ -80,7 +80,7 @@ def test_mujoco_exudyn_and_quarter_car_agree(step, changes):
     rest, stroke = quarter_car(step, changes)
     for run in runs:
         assert run.largest_stroke() == pytest.approx(stroke, rel=COUPLING_ERROR[step])
-        # A height of some millimetres: the error is one of the stroke.
+        # A height of some millimetres: the error is relative to the stroke.
         assert run.rest_height() == pytest.approx(rest, abs=COUPLING_ERROR[step] * stroke)
 
 
@@ -108,7 +108,7 @@ def test_implicit_coupling_in_exudyn_is_the_native_law():
         assert apart["force"] < 1e-5
 
 
-def test_explicit_coupling_costs_what_a_first_order_method_costs():
+def test_explicit_coupling_has_the_error_of_a_first_order_method():
     exact = drive("exudyn", step=2e-4, changes=WITHOUT_FRICTION, coupling="implicit")
     errors = []
     for step in (2e-3, 1e-3):
@@ -120,17 +120,17 @@ def test_explicit_coupling_costs_what_a_first_order_method_costs():
 @pytest.mark.parametrize("host", ["mujoco", "exudyn"])
 @pytest.mark.parametrize("offset", [+300.0, -300.0])
 def test_friction_holds_the_body_short_of_its_rest_height(host, offset):
-    # So much damping that the body approaches from one side.
+    # Enough damping for the body to approach from one side.
     calm = {"damper.c_comp": 9000.0, "damper.c_reb": 9000.0}
     calm["spring.preload"] = SPRUNG_MASS * GRAVITY + offset - 60e3 * 0.06
     free = drive(host, "guided", time=1.95, changes=calm | WITHOUT_FRICTION)
     held = drive(host, "guided", time=1.95, changes=calm)
     assert free.body_height[-1] == pytest.approx(offset / 60e3, rel=1e-4)
-    # On the strut that is stuck the body still swings a little on the tyre, which has hardly any damping.
+    # With a stuck strut the body still oscillates a little on the tyre, which has hardly any damping.
     late = held.time > 1.55
     shift, friction = held.body_height[late].mean() - offset / 60e3, held.friction[late].mean()
     assert shift * offset < 0.0
-    # What the spring lacks the contacts carry, and at most their breakaway force.
+    # The contacts carry the part that the spring lacks, up to their breakaway force.
     assert shift == pytest.approx(-friction / 60e3, rel=1e-2)
     assert 30.0 < abs(friction) <= 120.0
 
@@ -142,9 +142,9 @@ def cross(vector: numpy.ndarray) -> numpy.ndarray:
 
 
 def statics_of_macpherson(car: mujoco_host.QuarterCar) -> Wrench:
-    """Reaction of tube on rod from the balance of wheel, tube and rod, and of the arm, at the places where they rest.
+    """Reaction of tube on rod from the equilibrium of wheel, tube and rod, and of the arm, in their rest positions.
 
-    Unknown are the forces of ball joint and top mount and that of the tie rod.
+    The unknowns are the forces of ball joint, top mount and tie rod.
     """
     data, model = car.data, car.model
     point = {name: data.site(f"fl.{name}").xpos for name in ("rod_eye", "tube_eye", "wheel", "tie_rod", "rack")}
@@ -202,11 +202,11 @@ def test_side_loads_are_those_of_statics():
     expected = statics_of_macpherson(one)
     assert abs(expected.force_m) > 500.0
     assert components(one.wrench(length)) == pytest.approx(components(expected), rel=1e-6)
-    # Before its bump this one has less time to come to rest.
+    # This one has less time to come to rest before its bump.
     assert components(other.wrench(length)) == pytest.approx(components(expected), rel=2e-3, abs=0.2)
 
 
-def test_a_strut_between_two_joints_carries_its_own_weight_only():
+def test_a_strut_between_two_joints_carries_only_its_own_weight():
     one, other, length = resting("telescope")
     weight = GRAVITY * (DOUBLE_WISHBONE.tube.mass + DOUBLE_WISHBONE.rod.mass)
     for wrench in (one.wrench(length), other.wrench(length)):
@@ -233,9 +233,9 @@ def test_friction_rises_with_the_side_load(host):
     assert numpy.abs(telescope.friction).max() < 1.2 * numpy.abs(alone.friction).max()
 
 
-def test_the_native_law_refuses_what_it_does_not_know():
+def test_the_native_law_rejects_unknown_parameters():
     strut = NativeStrut(strut_parameters(MACPHERSON))
-    with pytest.raises(CouplingError, match="does not know side loads"):
+    with pytest.raises(CouplingError, match="has no side loads"):
         strut.advance(0.44, 0.0, 1e-3, Wrench(force_m=1.0))
     for changes, reason in (
         ({"friction.model": "Dahl"}, r"friction.model = Dahl: .* LuGre or None"),
@@ -246,7 +246,7 @@ def test_the_native_law_refuses_what_it_does_not_know():
             NativeStrut(strut_parameters(MACPHERSON) | changes)
 
 
-plugin_only = pytest.mark.skipif(sys.platform == "win32", reason="the plugin's script knows Linux and macOS")
+plugin_only = pytest.mark.skipif(sys.platform == "win32", reason="the plugin's script supports only Linux and macOS")
 
 
 @pytest.fixture(scope="module")
@@ -274,7 +274,7 @@ def test_plugin_keeps_its_state_in_the_simulation(plugin):
     mujoco.mj_step(car.model, car.data, 300)
     copy = mujoco.MjData(car.model)
     mujoco.mj_copyData(copy, car.model, car.data)
-    # Looking does not move it.
+    # Reading does not change it.
     for _ in range(5):
         mujoco.mj_forward(car.model, car.data)
     mujoco.mj_step(car.model, car.data, 200)
@@ -288,7 +288,7 @@ def test_plugin_keeps_its_state_in_the_simulation(plugin):
 
 
 @plugin_only
-def test_plugin_refuses_what_it_cannot_do(plugin):
+def test_plugin_rejects_what_it_cannot_do(plugin):
     parts = plugin.parts(strut_parameters(DOUBLE_WISHBONE))
     text = mjcf.quarter_car(DOUBLE_WISHBONE, parts, 1e-3)
     for wrong, reason in (
@@ -328,7 +328,7 @@ def test_full_car_on_posts_feels_friction_and_native_law_is_the_fmu():
     late = free["time"] > 2.0
     assert numpy.ptp(rubbing["pitch"][late]) < 0.97 * numpy.ptp(free["pitch"][late])
     assert numpy.ptp(rubbing["heave"][late]) < 0.97 * numpy.ptp(free["heave"][late])
-    # Left and right do the same.
+    # Left and right are equal.
     assert numpy.abs(free["roll"]).max() < 1e-6
     # Over whole periods the tyres carry the weight.
     period = round(2.0 / posts.frequency / FULL_STEP)
@@ -342,7 +342,7 @@ def test_full_car_keeps_roll_after_a_lane_change_only_with_friction():
     free, rubbing = full_run(change, 8.0, friction=False), full_run(change, 8.0)
     left_over = [abs(run["roll"][-1] - run["roll"][round(change.start / FULL_STEP) - 1]) for run in (free, rubbing)]
     assert left_over[1] > 5.0 * left_over[0]
-    # Friction keeps the strut where it is until its breakaway force is overcome: a bound from the stiffness in roll.
+    # Friction holds the strut until its breakaway force is exceeded: a bound from the roll stiffness.
     assert numpy.degrees(left_over[1]) < 0.3
     assert numpy.abs(rubbing["roll"]).max() < numpy.abs(free["roll"]).max()
     # Out and back, in one lane of 3.5 m.
@@ -372,12 +372,12 @@ def test_programs_write_tables_and_a_picture(program, options, tmp_path):
     assert is_drawn(pictures[0])
 
 
-def test_programs_name_what_is_wrong(tmp_path):
+def test_programs_report_errors(tmp_path):
     command = [sys.executable, str(PROJECT / "examples" / "mujoco" / "quarter_car.py"), "--time", "0.1"]
     for options, reason in (
         (["--law", "Nonsense"], "friction.model = 'Nonsense': must be one of None,"),
         (["--step", "1"], "time = 0.1 s: must be at least one step of 1.0 s"),
-        (["--native", "--suspension", "macpherson", "--side-loads"], "does not know side loads"),
+        (["--native", "--suspension", "macpherson", "--side-loads"], "has no side loads"),
     ):
         done = subprocess.run([*command, *options], cwd=tmp_path, capture_output=True, text=True, timeout=100)
         assert done.returncode == 1

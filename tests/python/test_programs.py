@@ -12,13 +12,13 @@ from matplotlib.image import imread
 
 
 def start(program: str, *options: str, folder) -> subprocess.CompletedProcess:
-    """Runs a program in a folder of its own."""
+    """Runs a program in a separate folder."""
     command = [sys.executable, str(PROJECT / "examples" / "fmpy" / program), *options]
     return subprocess.run(command, cwd=folder, capture_output=True, text=True, timeout=300)
 
 
 def is_drawn(path) -> bool:
-    """Is there something in every ninth of the picture? Not in the one in the middle only, as after an error."""
+    """Whether there is something in every ninth of the picture, not only in the middle one as after an error."""
     picture = imread(path)[:, :, :3]
     tiles = [tile for row in numpy.array_split(picture, 3, axis=0) for tile in numpy.array_split(row, 3, axis=1)]
     return all((tile < 0.9).any(axis=2).mean() > 0.002 for tile in tiles)
@@ -39,7 +39,7 @@ def test_belt_writes_table_and_picture(tmp_path):
     assert is_drawn(tmp_path / "a" / "b.c.png")
 
 
-def test_belt_says_that_a_step_is_too_long_for_a_steep_law(tmp_path):
+def test_belt_reports_a_step_that_is_too_long_for_a_steep_law(tmp_path):
     steep = ["belt.py", "--model", "BrownMcPhee", "--time", "1"]
     done = start(*steep, "--set", "mass=0", folder=tmp_path)
     assert "a block at rest chatters unless --step is below 4.2e-04 s" in done.stdout
@@ -51,7 +51,7 @@ def test_belt_says_that_a_step_is_too_long_for_a_steep_law(tmp_path):
 
 def test_several_models_share_a_picture_and_have_a_table_each(tmp_path):
     """By Newton's law the acceleration of 2 kg is that of the forces; the block starts at rest on the belt, and slips
-    where its spring pulls with the static level of its weight."""
+    when the spring force reaches the static friction."""
     options = ["--model", "CoulombStiction", "Liang", "LuGrePlanar", "--time", "12"]
     rig = ["--rig", "mass=2", "--rig", "belt_velocity=0.2", "--rig", "position=0.1"]
     done = start("belt.py", *options, *rig, folder=tmp_path)
@@ -70,7 +70,7 @@ def test_several_models_share_a_picture_and_have_a_table_each(tmp_path):
     assert is_drawn(tmp_path / "out" / "belt.png")
 
 
-def test_belt_says_that_a_step_is_too_long_for_a_law_that_trembles(tmp_path):
+def test_belt_reports_a_step_that_is_too_long_for_a_law_that_chatters(tmp_path):
     """At 1 ms the speeds at rest reach the Stribeck velocity; the block then slips early, and the period is short."""
     done = start("belt.py", "--model", "FrictionalLag", "CoulombStiction", folder=tmp_path)
     assert done.stdout.count("--step is too long for this law: half of it gives 5.7") == 1
@@ -158,7 +158,7 @@ def test_lane_change_writes_tables_and_pictures(tmp_path):
     ("program", "options", "message"),
     [
         ("belt.py", ["--model", "Lugre"], "error: no FMU of the model 'Lugre' in"),
-        ("belt.py", ["--model", "BeltRig"], "error: BeltRig is no friction model; there are"),
+        ("belt.py", ["--model", "BeltRig"], "error: BeltRig is not a friction model; there are"),
         ("belt.py", ["--set", "mu=1"], "error: CoulombStiction has no parameter 'mu'; it has mu_k, mu_s"),
         ("belt.py", ["--set", "mu_s"], "argument --set: 'mu_s' is not of the form name=value"),
         ("belt.py", ["--set", "mu_s=0.05"], "mu_s = 0.05"),
@@ -193,7 +193,7 @@ def test_lane_change_writes_tables_and_pictures(tmp_path):
         ("replay.py", ["--motion", "absent.csv"], "error: cannot read absent.csv: No such file"),
     ],
 )
-def test_mistakes_are_answered_in_one_line_without_traceback(tmp_path, program, options, message):
+def test_mistakes_are_reported_in_one_line_without_traceback(tmp_path, program, options, message):
     done = start(program, *options, folder=tmp_path)
     assert done.returncode in (1, 2)
     assert message in done.stderr

@@ -58,7 +58,7 @@ def test_transmissibility_with_and_without_friction(frequency, level, body, trav
 
 
 def test_friction_carries_more_above_the_resonance_and_less_below():
-    """The sign that it is friction: no change of the damper does both."""
+    """The signature of friction: no change of the damper has both effects."""
     assert ratios_of(2.0, 50.0)[0] < 0.92 * ratios_of(2.0, 0.0)[0]
     assert ratios_of(5.0, 50.0)[0] > 1.2 * ratios_of(5.0, 0.0)[0]
 
@@ -91,7 +91,7 @@ def test_a_strut_that_never_breaks_away_leaves_the_car_to_its_tyre():
 
 
 def test_the_car_stays_at_rest_on_a_level_road():
-    """The force at rest that the car is told is the one that its strut has, whatever the spring."""
+    """The static force given to the car is that of its strut, whatever the spring."""
     for strut in ({}, {"spring.k": 30000.0}, NO_GAS):
         found = run_road(Choice(FMUS, friction("LuGre", 20.0) | strut), 2.0, 1e-12, 1e-3)
         assert abs(found["body_height"]).max() < 1e-11

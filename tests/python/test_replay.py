@@ -1,4 +1,4 @@
-"""A recorded motion through the friction FMUs: the numbers, the shipped recording, and files that are not in order."""
+"""A recorded motion through the friction FMUs: the numbers, the shipped recording, and faulty files."""
 
 import numpy
 import pytest
@@ -34,7 +34,8 @@ def test_the_recording_is_one_of_ten_strokes_that_fit_together():
 
 
 def test_dahl_follows_the_distance_whatever_the_sampling():
-    """With alpha = 1 the force on the first way is f_C (1 - exp(-sigma_0 x / f_C)); the error comes from the chords."""
+    """With alpha = 1 the force on the first stroke is f_C (1 - exp(-sigma_0 x / f_C)); the error comes from the
+    chords."""
     level = 0.1 * 20.0
     for samples, tolerance in ((101, 1e-2), (1001, 1e-4)):
         motion = stroke(samples)
@@ -54,7 +55,8 @@ def test_interpolated_inputs_are_more_accurate_than_held_ones():
 
 
 def test_the_dissipated_energy_is_the_area_of_the_loop():
-    """Force over position, integrated by the trapezoidal rule; what the bristles store is below f_s^2 / 2 sigma_0."""
+    """Force over position, integrated by the trapezoidal rule; the energy stored in the bristles is below f_s^2 / 2
+    sigma_0."""
     motion = stroke(2001)
     result = replay(path_of("LuGre"), motion)
     steps = numpy.diff(motion.position)
@@ -64,7 +66,8 @@ def test_the_dissipated_energy_is_the_area_of_the_loop():
 
 @pytest.mark.parametrize(("law", "plane"), [("LuGre", "LuGrePlanar"), ("ElastoPlastic", "ElastoPlasticPlanar")])
 def test_a_law_in_the_plane_is_driven_along_x(law, plane):
-    """There it is the law of the line: same force, same energy. Inputs that move are followed to 0.05 % of 10 um."""
+    """In this case it is the law along a line: same force, same energy. Moving inputs are followed to 0.05 % of 10
+    um."""
     motion = stroke(501)
     for hold, error in [(True, 1e-9), (False, 1e-3)]:
         line, along_x = (replay(path_of(model), motion, hold=hold) for model in (law, plane))
@@ -100,10 +103,10 @@ def test_columns_are_found_by_name_and_others_are_ignored(tmp_path):
         (f"{HEADING}\n0,0,0,1\n0.001,0,fast,1\n", "line 3: velocity [m/s] is 'fast', must be a finite number"),
         (f"{HEADING}\n0,0,0,1\n0.001,0,nan,1\n", "line 3: velocity [m/s] is 'nan', must be a finite number"),
         (f"{HEADING}\n0,0,0,1\n0.001,0,0\n", "line 3: normal_force [N] is '', must be a finite number"),
-        (f"{HEADING}\n0,0,0,1\n1,0,0,1\n1,0,0,1\n", "line 4: time 1.0 s does not come after 1.0 s"),
+        (f"{HEADING}\n0,0,0,1\n1,0,0,1\n1,0,0,1\n", "line 4: time 1.0 s is not after 1.0 s"),
     ],
 )
-def test_a_file_that_is_not_in_order_is_refused_with_place_and_reason(tmp_path, text, message):
+def test_a_faulty_file_is_rejected_with_place_and_reason(tmp_path, text, message):
     file = tmp_path / "motion.csv"
     file.write_text(text, encoding="utf-8")
     with pytest.raises(CouplingError) as refusal:
@@ -112,14 +115,14 @@ def test_a_file_that_is_not_in_order_is_refused_with_place_and_reason(tmp_path, 
     assert str(file) in str(refusal.value)
 
 
-def test_a_missing_file_and_a_binary_one_are_refused(tmp_path):
+def test_a_missing_file_and_a_binary_one_are_rejected(tmp_path):
     with pytest.raises(CouplingError, match="cannot read .*absent.csv: No such file"):
         read_motion(tmp_path / "absent.csv")
     with pytest.raises(CouplingError, match="is not a text file"):
         read_motion(path_of("LuGre"))
 
 
-def test_a_load_that_the_model_refuses_is_reported_by_the_model():
+def test_a_load_that_the_model_rejects_is_reported_by_the_model():
     motion = stroke(11)
     motion.normal_force[5] = -1.0
     with pytest.raises(CouplingError, match="normal_force = -1: must be >= 0"):

@@ -1,6 +1,6 @@
-"""The ShockAbsorber FMU against the same equations written in numpy, published points, and what every strut must do.
+"""The ShockAbsorber FMU compared with the same equations in numpy, published points, and required properties.
 
-Every golden number is asked of both, so that the numpy model is tested, too.
+Every golden number is checked for both, so the numpy model is tested as well.
 """
 
 import math
@@ -37,7 +37,7 @@ NO_FRICTION = {"friction.model": "None"}
 
 
 def of_fmu(parameters: Mapping) -> dict[str, object]:
-    """The parameters as the FMU has them: tables as one variable per point."""
+    """The parameters in the form of the FMU: tables as one variable per point."""
     single = {name: value for name, value in parameters.items() if not isinstance(value, tuple)}
     tables = {name: value for name, value in parameters.items() if isinstance(value, tuple)}
     points = {f"{name}[{at}]": y for name, ys in tables.items() for at, y in enumerate(ys, start=1)}
@@ -67,11 +67,11 @@ class Driven:
         return self.outputs()
 
     def save(self) -> tuple:
-        """Where the FMU is."""
+        """The state of the FMU."""
         return self.slave.getFMUState(), self.time
 
     def restore(self, saved: tuple) -> None:
-        """Goes back there."""
+        """Restores that state."""
         self.slave.setFMUState(saved[0])
         self.time = saved[1]
 
@@ -83,13 +83,13 @@ class Driven:
 
 @contextmanager
 def strut_fmu(**parameters):
-    """The FMU with parameters by name, dots as they are."""
+    """The FMU with parameters by name, including dots."""
     with open_fmu(path_of("ShockAbsorber"), of_fmu(parameters)) as fmu:
         yield Driven(fmu)
 
 
 def at(parameters: Mapping, **inputs: float) -> tuple[dict[str, float], dict[str, float]]:
-    """Outputs of FMU and numpy model for inputs that are there at the start, friction in steady sliding."""
+    """Outputs of FMU and numpy model for inputs set at the start, friction in steady sliding."""
     with strut_fmu(**parameters) as fmu:
         fmu.set(**inputs)
         found = fmu.outputs()
@@ -182,7 +182,7 @@ def test_golden_trace_of_lugre():
             given = {"velocity": 0.01 * math.sin(2.0 * math.pi * k / 23.0)}
             found, expected = fmu.drive(given, 1e-3), strut.drive(given, 1e-3)
             if k in golden:
-                # The other contact, which carries no load, has viscous drag left.
+                # The other contact, without load, still has viscous drag.
                 assert found["friction_1"] == pytest.approx(golden[k], abs=2e-8)
                 assert expected["friction_1"] == pytest.approx(golden[k], abs=2e-8)
     assert strut.deflection[0, 0] == pytest.approx(4.0779333550e-6, rel=1e-9)
@@ -248,7 +248,7 @@ def test_equals_the_numpy_model_over_random_parameters_and_motions(seed):
             time = 0.01 * k
             given = {
                 "length": 0.1775 + 0.026 * math.sin(moving[0] * time + moving[1]),
-                # Not the derivative of the length: the law of each is tested, from creeping to fast.
+                # Not the derivative of the length: each law is tested, from creeping to fast.
                 "velocity": math.sin(moving[2] * time) * 10.0 ** random.uniform(-5.0, 0.0),
             } | {name: values[k] for name, values in loads.items()}
             step = 10.0 ** random.uniform(-5.0, -1.5)
@@ -287,7 +287,7 @@ def test_contact_forces_reproduce_200_wrenches():
             assert found[:2] == pytest.approx(moment, abs=1e-10 * size)
 
 
-def test_contacts_that_meet_stay_finite_and_keep_the_resultant():
+def test_contacts_that_coincide_stay_finite_and_keep_the_resultant():
     with open_fmu(path_of("TelescopicJoint")) as joint:
         inputs = joint.references("length", *WRENCH)
         outputs = joint.references("force_1_m", "force_1_n", "force_2_m", "force_2_n", "normal_1", "normal_2")
@@ -301,7 +301,7 @@ def test_contacts_that_meet_stay_finite_and_keep_the_resultant():
 
 
 def test_slow_cycling_gives_a_rectangle_of_friction_over_displacement():
-    """Area 4 F_C A of a stroke from -A to A and back, but for the bristles that turn at its ends."""
+    """Area 4 F_C A of a stroke from -A to A and back, apart from the bristles that reverse at its ends."""
     level, amplitude, speed, step = 15.0, 0.02, 0.01, 1e-3
     with strut_fmu(**lumped_friction(level)) as fmu:
         position, areas = -amplitude, []
@@ -314,7 +314,7 @@ def test_slow_cycling_gives_a_rectangle_of_friction_over_displacement():
     assert areas[-1] + areas[-2] == pytest.approx(4.0 * level * amplitude, rel=0.01)
 
 
-# Nothing but friction.
+# Only friction.
 BARE = {"spring.k": 0.0, "spring.preload": 0.0, "gas.enabled": False, "rebound.k": 0.0, "bump.k": 0.0}
 BARE |= {"damper.c_comp": 0.0, "damper.c_reb": 0.0}
 
@@ -326,7 +326,7 @@ class Block:
         self.fmu, self.mass, self.position, self.velocity = fmu, mass, 0.0, 0.0
 
     def push(self, force: float, step: float) -> float:
-        """One step under a force; returns the strut's."""
+        """One step under a force; returns that of the strut."""
         strut = self.fmu.drive({"length": 0.1775 + self.position, "velocity": self.velocity}, step)["force"]
         self.velocity += step * (force + strut) / self.mass
         self.position += step * self.velocity
@@ -359,7 +359,7 @@ def test_a_contact_holds_a_load_below_breakaway_for_a_minute():
 
 
 @pytest.mark.parametrize("model", ["None", "LuGre", "BrownMcPhee", "Dahl", "MaxwellSlip", "ElastoPlastic"])
-def test_closed_cycles_dissipate_what_the_force_puts_in(model):
+def test_closed_cycles_dissipate_the_work_of_the_force(model):
     """Ten cycles of a motion of two frequencies, the last nine measured: the work done on the strut stays in it."""
     step = 1e-4
     with strut_fmu(**{"friction.model": model, "side.offset_m": 0.01}) as fmu:
@@ -406,7 +406,7 @@ def test_tangents_are_slopes_of_the_force(model):
         fmu.slave.freeFMUState(saved[0])
 
 
-# What a host calls travel: adapter, travel at the length 0.1775 m, and travel per metre of extension.
+# A host's definition of travel: adapter, travel at the length 0.1775 m, and travel per metre of extension.
 ADAPTERS = {
     "Chrono, CarMaker: length in m": ({}, 0.1775, 1.0),
     "CarSim: compression in mm": ({"adapter.length_offset": 0.2, "adapter.length_gain": -1e-3}, 22.5, -1000.0),
@@ -416,7 +416,8 @@ ADAPTERS = {
 
 @pytest.mark.parametrize("host", ADAPTERS)
 def test_signs_of_hosts(host):
-    """Compressing raises the force that pushes the eyes apart, damping acts against the motion, and work is kept."""
+    """Compressing raises the force that pushes the eyes apart, damping acts against the motion, and work is
+    conserved."""
     adapter, travel, per_extension = ADAPTERS[host]
     with strut_fmu(**NO_FRICTION, **adapter) as fmu:
 
@@ -429,9 +430,9 @@ def test_signs_of_hosts(host):
         assert seen(-0.01, 0.0)["force"] > rest["force"] + 400.0
         assert seen(0.0, -0.1)["force"] == pytest.approx(rest["force"] + 150.0, abs=1e-9)
         assert seen(0.0, 0.1)["force"] == pytest.approx(rest["force"] - 230.0, abs=1e-9)
-        # Modelica counts tension positive.
+        # In Modelica tension is positive.
         assert rest["force_tension"] == -rest["force"]
-        # Virtual work: the same power, whatever the travel is called.
+        # Virtual work: the same power for any definition of travel.
         assert rest["force_travel"] * per_extension == pytest.approx(rest["force"], rel=1e-12)
 
 
@@ -460,7 +461,7 @@ def test_force_does_not_depend_on_the_communication_step(law):
 
 
 @pytest.mark.parametrize("law", ["LuGre", "Dahl", "ElastoPlastic", "MaxwellSlip", "BrownMcPhee", "Bristle", "Leuven"])
-def test_a_run_that_is_saved_and_restored_while_sticking_goes_on_bit_by_bit(law):
+def test_a_run_that_is_saved_and_restored_while_sticking_continues_bit_by_bit(law):
     def ride(fmu: Driven, begin: int, end: int) -> list[dict[str, float]]:
         return [fmu.drive({"velocity": 2e-4 * math.sin(0.3 * k)} | WRENCH, 1e-3) for k in range(begin, end)]
 
@@ -473,7 +474,7 @@ def test_a_run_that_is_saved_and_restored_while_sticking_goes_on_bit_by_bit(law)
         fmu.slave.freeFMUState(saved[0])
 
 
-# A switch, and parameters that must do the same.
+# A switch, and parameters that must have the same effect.
 SWITCHES = [
     ({"friction.switch": "Off"}, {"friction.model": "None"}),
     ({"friction.switch": "Off"}, lumped_friction(0.0) | {"friction.viscous_coefficient": 0.0}),
@@ -488,7 +489,7 @@ SWITCHES = [
 
 
 @pytest.mark.parametrize(("switch", "parameters"), SWITCHES)
-def test_a_switch_does_what_its_parameters_do_at_zero(switch, parameters):
+def test_a_switch_has_the_effect_of_its_parameters_at_zero(switch, parameters):
     with strut_fmu(**switch) as switched, strut_fmu(**parameters) as zeroed:
         for k in range(100):
             motion = {"length": 0.1775 + 0.01 * math.sin(0.1 * k), "velocity": 0.1 * math.cos(0.1 * k)} | WRENCH
@@ -507,7 +508,7 @@ def test_a_switch_does_what_its_parameters_do_at_zero(switch, parameters):
         ({"damper.tab_v[3]": 0.3, "damper.mode": "Table"}, "damper.tab_v"),
     ],
 )
-def test_what_cannot_be_is_refused_by_name(parameters, message):
+def test_impossible_values_are_rejected_by_name(parameters, message):
     with pytest.raises(CouplingError, match=message):
         with strut_fmu(**parameters) as fmu:
             fmu.drive({"length": 0.1775}, 1e-3)

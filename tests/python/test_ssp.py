@@ -18,7 +18,7 @@ VARIANTS = ["SystemStructure", "firm", "soft", "without_friction"]
 STEP, STEPS = 1e-3, 1500
 
 NEEDS_BINARIES = pytest.mark.skipif(
-    sys.platform != "linux" or platform.machine() != "x86_64", reason="Ecos and libcosim come for Linux on x86-64"
+    sys.platform != "linux" or platform.machine() != "x86_64", reason="Ecos and libcosim need Linux on x86-64"
 )
 
 
@@ -38,8 +38,8 @@ def plain(package):
 
 
 @pytest.mark.parametrize("variant", VARIANTS)
-def test_descriptions_and_parameter_sets_keep_the_schemas_of_the_standard(package, tmp_path, variant):
-    """FMPy checks what it reads against the schemas."""
+def test_descriptions_and_parameter_sets_conform_to_the_schemas(package, tmp_path, variant):
+    """FMPy checks files against the schemas when it reads them."""
     assert variants(package) == VARIANTS
     with unpacked(package, variant) as system:
         description = read_ssd(shutil.make_archive(str(tmp_path / variant), "zip", system.folder))
@@ -52,7 +52,7 @@ def test_descriptions_and_parameter_sets_keep_the_schemas_of_the_standard(packag
 @pytest.mark.parametrize("variant", VARIANTS)
 @pytest.mark.parametrize("master", ["ecos", "libcosim"])
 def test_masters_of_the_same_scheme_agree(package, plain, master, variant):
-    # Ecos shows the forces that follow the exchange, so only the car can be compared, which all forces move.
+    # Ecos shows the forces after the exchange, so only the car can be compared, on which all forces act.
     record = MASTERS[master](package, variant, STEP, STEPS, CAR)
     for name in CAR:
         assert numpy.abs(record[name] - plain[variant][name]).max() < 1e-9, name
@@ -60,7 +60,7 @@ def test_masters_of_the_same_scheme_agree(package, plain, master, variant):
 
 @pytest.mark.parametrize("variant", VARIANTS)
 def test_the_runner_of_fmpy_agrees_far_within_the_error_of_the_coupling(package, plain, variant):
-    """Half the step tells how large that error is. The runner differs in the first exchange only."""
+    """Half the step shows the size of that error. The runner differs only in the first exchange."""
     runner = run_fmpy(package, variant, STEP, STEPS, CAR)
     fine = run_jacobi(package, variant, STEP / 2.0, 2 * STEPS, CAR)
     for name in CAR:
@@ -69,7 +69,7 @@ def test_the_runner_of_fmpy_agrees_far_within_the_error_of_the_coupling(package,
 
 
 def test_the_runner_of_fmpy_runs_the_package_as_it_is(package):
-    """It sets every input to 0 first, a strut's length as well; then the car rides on its struts."""
+    """It first sets every input to 0, including a strut's length; then the car rides on its struts."""
     record = simulate_ssp(str(package), stop_time=1.5, step_size=STEP)
     assert len(record) > 1400
     for name in CAR:
@@ -81,7 +81,7 @@ def test_the_runner_of_fmpy_runs_the_package_as_it_is(package):
 
 
 def test_each_variant_has_its_damper(plain):
-    """Less damping lets the body move farther from the posts; without friction no friction force is left."""
+    """With less damping the body moves farther from the posts; without friction there is no friction force."""
     travel = {variant: numpy.ptp(record["car.fl.length"]) for variant, record in plain.items()}
     assert travel["soft"] > 1.2 * travel["firm"]
     assert travel["without_friction"] > 1.02 * travel["SystemStructure"]
@@ -91,13 +91,13 @@ def test_each_variant_has_its_damper(plain):
 
 
 def test_rear_springs_belong_to_the_rest_position(package):
-    """With posts at rest nothing moves: the struts carry the car as the host says."""
+    """With posts at rest nothing moves: the struts carry the static load of the host."""
     rest = run_jacobi(package, "without_friction", STEP, 100, [HEAVE, PITCH, "strut_fl.force", "strut_rl.force"])
     # The posts begin to move at once; in the first millisecond by 3 um.
     assert rest["strut_fl.force"][0] == pytest.approx(1325.2555, abs=0.01)
     assert rest["strut_rl.force"][50] == pytest.approx(1100.2555, abs=25.0)
 
 
-def test_unknown_variants_are_refused_by_name(package):
+def test_unknown_variants_are_rejected_by_name(package):
     with pytest.raises(CouplingError, match="has no variant 'hard'; there are SystemStructure, firm, soft"):
         run_jacobi(package, "hard", STEP, 1, WATCHED)

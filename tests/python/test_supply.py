@@ -1,4 +1,4 @@
-"""What an FMU says of its own parts: the list of components, the licences, and the library that they are in."""
+"""An FMU's account of its own parts: the list of components, the licences, and the library that contains them."""
 
 import copy
 import json
@@ -35,7 +35,7 @@ def components_of(fmu: dict[str, bytes]) -> dict[str, dict]:
     return {f"{component['name']} {component.get('version')}": component for component in components}
 
 
-def test_list_of_components_keeps_the_schema(fmu):
+def test_list_of_components_conforms_to_the_schema(fmu):
     assert SCHEMA.validate_str(fmu["documentation/sbom.cdx.json"].decode()) is None
 
 
@@ -49,7 +49,7 @@ def test_list_of_components_keeps_the_schema(fmu):
         lambda sbom: sbom.update(serialNumber="1"),
     ],
 )
-def test_schema_refuses_a_spoilt_list(spoil, dist):
+def test_schema_rejects_a_broken_list(spoil, dist):
     sbom = json.loads(files_of(dist / "LuGre.fmu")["documentation/sbom.cdx.json"])
     spoil(sbom)
     assert SCHEMA.validate_str(json.dumps(sbom)) is not None
@@ -78,14 +78,14 @@ def test_tables_of_the_standard_library_bring_the_licence_of_unicode(fmu):
     assert standard_library["licenses"][0]["expression"].endswith(" AND Unicode-3.0")
 
 
-def test_all_fmus_carry_the_same_parts():
+def test_all_fmus_have_the_same_parts():
     parts = [components_of(files_of(path)) for path in sorted(FMUS.glob("*.fmu"))]
     assert len(parts) > 1
     assert all(part == parts[0] for part in parts)
 
 
 def test_crates_of_the_standard_library_have_notices(dist):
-    """Where code may panic, a library holds the path of its source."""
+    """If code may panic, a library contains the path of its source."""
     fmu = files_of(dist / "LuGre.fmu")
     library = next(data for name, data in fmu.items() if name.startswith("binaries/"))
     of_std = re.findall(r"/rust/deps/([\w-]+?)-(\d+\.\d[\w.+-]*)/", library.decode("latin-1"))
@@ -98,9 +98,9 @@ def test_crates_of_the_standard_library_have_notices(dist):
     assert [name for name, version in of_std if f" {name}-{version}<" not in noticed and name not in others] == []
 
 
-@pytest.mark.skipif(sys.platform != "linux", reason="elsewhere a library has its symbols in a file of their own")
+@pytest.mark.skipif(sys.platform != "linux", reason="elsewhere a library has its symbols in a separate file")
 def test_crates_that_symbols_and_paths_name_are_listed(dist):
-    """The library in an FMU has no symbols, and where nothing can panic no paths; that of the tests has both."""
+    """The library in an FMU has no symbols, and no paths if nothing can panic; that of the tests has both."""
     subprocess.run(["cargo", "build", "--package", "stribeck", "--lib"], cwd=PROJECT, check=True)
     target = Path(os.environ.get("CARGO_TARGET_DIR", PROJECT / "target"))
     library = (target / "debug" / "libstribeck.so").read_bytes().decode("latin-1")

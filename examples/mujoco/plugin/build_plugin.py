@@ -3,7 +3,7 @@
 
     python examples/mujoco/plugin/build_plugin.py
 
-Needs cargo and a C++ compiler: c++, or what CXX names. Linux and macOS.
+Needs cargo and a C++ compiler: c++, or the one in CXX. Linux and macOS only.
 """
 
 import json
@@ -62,7 +62,7 @@ def build(folder: Path = PROJECT / "out") -> Path:
 
 
 def program() -> None:
-    """Builds and says where the plugin is."""
+    """Builds the plugin and prints its path."""
     print(build())
 
 

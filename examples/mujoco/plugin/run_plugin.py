@@ -3,8 +3,8 @@
 
     python examples/mujoco/plugin/run_plugin.py --step 1e-3
 
-Builds the plugin (see build_plugin.py), drives over the bump with it and with the FMU, and prints how far the two are
-apart: both exchange force and motion once per step, so the motions are the same. Writes <out>.csv.
+Builds the plugin (see build_plugin.py), drives over the bump with it and with the FMU, and prints the differences: both
+exchange force and motion once per step, so the motions are the same. Writes <out>.csv.
 """
 
 import sys
@@ -32,13 +32,13 @@ from suspension import DOUBLE_WISHBONE, strut_parameters
 
 PLUGIN = "stribeck.shock_absorber"
 
-# What both routes record, with units.
+# Recorded quantities of both variants, with units.
 COLUMNS = {"time": "s", "length": "m", "velocity": "m/s", "body_height": "m", "force": "N"}
 
 
 @cache
 def load_plugin() -> None:
-    """Builds the plugin and makes it known to MuJoCo, once per process."""
+    """Builds the plugin and registers it with MuJoCo, once per process."""
     mujoco.mj_loadPluginLibrary(str(build()))
 
 
@@ -67,7 +67,7 @@ def simulate_plugin(
 
 
 def program() -> None:
-    """Runs what the command line asks for."""
+    """Runs the simulations selected on the command line."""
     options = quarter_car_options(__doc__, out="out/mujoco_plugin").parse_args()
     load_plugin()
     for label, parameters in cases_of(options, strut_parameters(DOUBLE_WISHBONE)).items():

@@ -10,10 +10,10 @@
 //     </actuator>
 //
 // The tendon runs from eye to eye. Keys are the parameters of the ShockAbsorber; an enumeration takes the number of the
-// choice, from 1, a truth value 0 or 1. build_plugin.py compiles this file, run_plugin.py uses it.
+// choice, from 1, a Boolean 0 or 1. build_plugin.py compiles this file, run_plugin.py uses it.
 //
-// What the strut remembers lies in MuJoCo's plugin state, so that copies of the simulation, mj_setState and repeated
-// calls of mj_forward do what they should: `compute` always begins where the last complete step ended.
+// The strut's memory is kept in MuJoCo's plugin state, so that copies of the simulation, mj_setState and repeated calls
+// of mj_forward work correctly: `compute` always begins where the last complete step ended.
 
 #include <cstdint>
 #include <cstdlib>
@@ -66,7 +66,7 @@ class ShockAbsorber {
         check(stribeck_set_by_name(handle.get(), parameter.c_str(), value));
     }
 
-    // One step from a saved state; returns the force. Most often the model is still in that state.
+    // One step from a saved state; returns the force. Usually the model is still in that state.
     double step(const mjtNum *state, double now_length, double now_velocity, double dt) {
         if (here.empty() || std::memcmp(here.data(), state, state_size()) != 0) {
             check(stribeck_restore(handle.get(), state, state_size()));
@@ -85,7 +85,7 @@ class ShockAbsorber {
         here.assign(state, state + numbers());
     }
 
-    // Parameters fit together.
+    // Checks that the parameters are consistent.
     void settle() {
         check(stribeck_output(handle.get()));
     }
@@ -124,11 +124,11 @@ class ShockAbsorber {
     std::uint32_t length = 0;
     std::uint32_t velocity = 0;
     std::uint32_t force = 0;
-    // The state that the model is in, if it is a saved one.
+    // The present state of the model, if it is a saved one.
     std::vector<mjtNum> here;
 };
 
-// What a strut begins with, before and after mj_resetData; `model` is what steps.
+// The initial state of a strut, also after mj_resetData; `model` is the one that steps.
 struct Instance {
     ShockAbsorber model;
     std::vector<mjtNum> start;
@@ -161,11 +161,11 @@ int nstate(const mjModel *, int) {
     return numbers;
 }
 
-// MuJoCo says which plugin could not be initialised; the warning says why.
+// MuJoCo reports which plugin could not be initialised; the warning says why.
 int init(const mjModel *m, mjData *d, int instance) {
     try {
         if (m->opt.integrator == mjINT_RK4) {
-            throw std::runtime_error("the integrator RK4 asks for forces within a step: choose Euler or implicitfast");
+            throw std::runtime_error("the integrator RK4 evaluates forces within a step: choose Euler or implicitfast");
         }
         auto created = std::make_unique<Instance>();
         created->model.actuator = actuator_of(m, instance);
@@ -211,7 +211,7 @@ void compute(const mjModel *m, mjData *d, int instance, int) {
     }
 }
 
-// The step that `compute` has tried becomes a fact.
+// Accepts the step tried by `compute`.
 void advance(const mjModel *m, mjData *d, int instance) {
     try {
         instance_of(d, instance).model.save(state_of(m, d, instance));

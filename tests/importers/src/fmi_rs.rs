@@ -10,13 +10,13 @@ use fmi_rs::fmi2::{CS, FMU2};
 
 use crate::master::Slave;
 
-/// An instance, and what it was unpacked to.
+/// An instance, and the folder with its unpacked FMU.
 pub struct FmiRs {
     instance: Arc<FMU2<CS>>,
     _builder: FMU2Builder,
 }
 
-/// What the checks of `fmi-rs` say of a description; the FMU is fine if that is nothing.
+/// Findings of the checks of `fmi-rs` for a description; none if the FMU is fine.
 pub fn problems(path: &Path) -> Result<Vec<String>> {
     let builder = FMU2Builder::new(&path)?;
     Ok(builder.model_description.validate().into_iter().map(|problem| problem.message).collect())

@@ -1,5 +1,5 @@
-//! Runs a system of FMUs in one of two importers that are written in Rust, or checks FMUs with one of them. Compared
-//! with other importers by tests/python/test_importers.py.
+//! Runs a system of FMUs in one of two importers written in Rust, or checks FMUs with one of them.
+//! tests/python/test_importers.py compares it with other importers.
 
 mod fmi_rs;
 mod master;
@@ -12,7 +12,7 @@ use std::path::PathBuf;
 use anyhow::{Context, Result, ensure};
 use clap::{Parser, Subcommand};
 
-/// Runs a system of FMUs in an importer that is written in Rust.
+/// Runs a system of FMUs in an importer written in Rust.
 #[derive(Parser)]
 enum Command {
     /// Run a system in the importer of the crate `fmi`.
@@ -25,7 +25,7 @@ enum Command {
     },
 }
 
-/// Which importer, and the text file that says what to run.
+/// The importer, and the text file that describes the system.
 #[derive(Subcommand)]
 enum Importer {
     /// The crate `fmi`.
@@ -46,7 +46,7 @@ fn run<S: master::Slave>(file: &PathBuf) -> Result<()> {
     let text = std::fs::read_to_string(file).with_context(|| format!("cannot read {}", file.display()))?;
     let mut out = BufWriter::new(io::stdout().lock());
     let done = master::run::<S>(&plan::Plan::read(&text)?, &mut out);
-    // What was seen before an error is written as well.
+    // Results before an error are written as well.
     out.flush()?;
     done
 }
@@ -60,6 +60,6 @@ fn check(fmus: &[PathBuf]) -> Result<()> {
         }
     }
     ensure!(found == 0, "{found} problems in {} FMUs", fmus.len());
-    println!("{} FMUs, no problem", fmus.len());
+    println!("{} FMUs, no problems", fmus.len());
     Ok(())
 }

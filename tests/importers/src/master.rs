@@ -7,7 +7,7 @@ use anyhow::{Context, Result};
 
 use crate::plan::{Plan, Port};
 
-/// What a master needs of an importer.
+/// Functions that a master needs from an importer.
 pub trait Slave: Sized {
     /// Unpacks, loads and instantiates an FMU.
     fn open(path: &Path) -> Result<Self>;
@@ -23,14 +23,14 @@ pub trait Slave: Sized {
     fn terminate(self) -> Result<()>;
 }
 
-/// Runs a plan and writes one line of watched values per step. The first call that fails ends the run.
+/// Runs a plan and writes one line of watched values per step. The first failing call ends the run.
 pub fn run<S: Slave>(plan: &Plan, out: &mut impl Write) -> Result<()> {
     let mut slaves = plan.fmus.iter().map(|path| S::open(path)).collect::<Result<Vec<S>>>()?;
     for &(port, value) in &plan.starts {
         slaves[port.component].set(port.variable, value).context("fmi2SetReal")?;
     }
     slaves.iter_mut().try_for_each(Slave::initialise)?;
-    // At the start, values pass through every component on their way.
+    // At the start, values propagate through all components.
     for _ in 0..slaves.len() {
         exchange(plan, &mut slaves)?;
     }

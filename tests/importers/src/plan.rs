@@ -1,4 +1,4 @@
-//! What to run: the text that examples/c/system_master.c explains, but with the .fmu files themselves.
+//! The system to run: the text explained in examples/c/system_master.c, but with the .fmu files themselves.
 
 use std::path::PathBuf;
 use std::str::{FromStr, SplitWhitespace};
@@ -12,8 +12,8 @@ pub struct Port {
     pub variable: u32,
 }
 
-/// FMUs with their start values, the connections between them, the values of free inputs step by step, and what is to
-/// be seen.
+/// FMUs with their start values, the connections between them, the values of free inputs step by step, and the watched
+/// variables.
 #[derive(Default)]
 pub struct Plan {
     pub step: f64,
@@ -41,7 +41,7 @@ impl Plan {
             None => {}
             Some("step") => self.step = next(&mut words)?,
             Some("steps") => self.steps = next(&mut words)?,
-            // The path is all that follows the guid, which both importers read from the FMU.
+            // The path is the text after the guid, which both importers read from the FMU.
             Some("fmu") => self.fmus.push(line.splitn(3, ' ').nth(2).context("no path")?.into()),
             Some("start") => self.starts.push((self.port(&mut words)?, next(&mut words)?)),
             Some("link") => self.links.push((self.port(&mut words)?, self.port(&mut words)?)),
@@ -65,5 +65,5 @@ impl Plan {
 
 fn next<T: FromStr>(words: &mut SplitWhitespace<'_>) -> Result<T> {
     let word = words.next().context("a word is missing")?;
-    word.parse().ok().with_context(|| format!("'{word}' is no number"))
+    word.parse().ok().with_context(|| format!("'{word}' is not a number"))
 }

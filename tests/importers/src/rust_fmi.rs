@@ -8,7 +8,7 @@ use fmi::fmi2::instance::{CoSimulation, Common, InstanceCS};
 
 use crate::master::Slave;
 
-/// An instance, and what it was unpacked to.
+/// An instance, and the folder with its unpacked FMU.
 pub struct RustFmi {
     instance: InstanceCS,
     _import: Fmi2Import,
