@@ -1,12 +1,12 @@
 //! Ratios of Stribeck's cost to that of the same law in plain C, measured in one run.
 //!
-//! Two kinds of runs. *Coupled* is what a co-simulation does: the next velocity depends on the force just read, so one
-//! call cannot begin before the last one has ended, and what is measured is the time from input to output. *Replay* feeds
-//! velocities that are known beforehand: the processor then works on several calls at once, as far as they are short
-//! enough for that, and what is measured is the number of instructions. Both sides do the same thing in both.
+//! There are two kinds of runs. *Coupled*, as in co-simulation: the next velocity depends on the force just read, so
+//! one call cannot begin before the last one has ended; this measures the time from input to output. *Replay* uses
+//! velocities that are known in advance: the processor then overlaps several calls, if they are short enough; this
+//! measures the number of instructions. Both sides do the same work in both.
 //!
-//! Absolute times on a shared machine wander by tens of percent; a ratio taken within a round of a few milliseconds does
-//! not. Each round runs both sides, in alternating order, and counts processor time; the median over the rounds is
+//! Absolute times on a shared machine drift by tens of percent; a ratio measured within a round of a few milliseconds
+//! does not. Each round runs both sides, in alternating order, and counts processor time; the median over the rounds is
 //! reported.
 
 mod support;
@@ -19,7 +19,7 @@ use support::Slave;
 const ROUNDS: usize = 31;
 const CALLS: usize = 100_000;
 
-/// The laws that exist in C too: the model's name, and the file in `benches/floor`.
+/// The laws that also exist in C: the model's name, and the file in `benches/floor`.
 const PAIRS: [(&str, &str); 2] = [("BrownMcPhee", "brown_mcphee"), ("LuGre", "lugre")];
 
 #[derive(Clone, Copy, Debug)]
@@ -68,7 +68,7 @@ fn compare(run: Run, ours: &mut Slave, theirs: &mut Slave) -> Comparison {
     let mut rounds = Vec::with_capacity(ROUNDS);
     for round in 0..ROUNDS {
         let mut times = [0.0; 2];
-        // Whoever goes first in one round goes second in the next.
+        // The side that runs first in one round runs second in the next.
         for side in [round % 2, 1 - round % 2] {
             let slave = if side == 0 { &mut *ours } else { &mut *theirs };
             times[side] = nanoseconds_per_call(run, slave, &velocities);
@@ -105,6 +105,6 @@ fn timed(slave: &mut Slave, velocities: &[f64], next: impl Fn(f64, f64) -> f64) 
         refused |= status;
     }
     let elapsed = start.elapsed();
-    assert!(refused == 0 && f64::is_finite(sum), "a call was refused");
+    assert!(refused == 0 && f64::is_finite(sum), "a call failed");
     elapsed.as_secs_f64() * 1e9 / CALLS as f64
 }

@@ -1,4 +1,4 @@
-//! What one evaluation of a friction model costs: as a Rust struct, and through the FMI functions of the shipped library.
+//! Cost of one evaluation of a friction model: as a Rust struct, and through the FMI functions of the shipped library.
 
 mod support;
 
@@ -11,19 +11,19 @@ use stribeck::catalogue::{self, Family};
 use stribeck::friction::{BrownMcPhee, CoulombStiction, Dahl, Karnopp, LuGre};
 use stribeck::model::Model;
 
-/// Runs `$bench` on each model of the list, with the function that gives it its velocity.
+/// Runs `$bench` on each model of the list, with the function that sets its velocity.
 macro_rules! each_model {
     ($bench:ident, $group:expr, $($Model:ident),+) => {
         $($bench($group, stringify!($Model), $Model::default(), |law, velocity| law.velocity = velocity);)+
     };
 }
 
-/// Feeds `measured` with one velocity after the other.
+/// Calls `measured` with one velocity after another.
 fn along_the_motion(group: &mut BenchmarkGroup<WallTime>, name: &str, mut measured: impl FnMut(f64)) {
     let velocities = support::velocities();
     let mut velocities = velocities.iter().cycle();
     group.bench_function(name, |bencher| {
-        bencher.iter(|| measured(*velocities.next().expect("a cycle has no end")));
+        bencher.iter(|| measured(*velocities.next().expect("a cycle is endless")));
     });
 }
 
@@ -73,7 +73,7 @@ fn bench_slave(group: &mut BenchmarkGroup<WallTime>, name: &str, mut slave: supp
         refused |= status;
         black_box(outputs);
     });
-    assert_eq!(refused, 0, "{name} refused a call");
+    assert_eq!(refused, 0, "{name}: a call failed");
 }
 
 /// With criterion's own times the whole list would take eight minutes.

@@ -2,13 +2,13 @@
 """Builds the fuzz targets with coverage instrumentation and runs them. Needs Rust, a C++ compiler and Linux.
 
     python3 fuzz/run.py                   replay the corpus, then a fixed number of new inputs: the same ones each time
-    python3 fuzz/run.py --long 300        new inputs for 300 seconds per target, under the address sanitizer too
-    python3 fuzz/run.py --keep            take into the corpus what long runs have found, as few inputs as cover it all
+    python3 fuzz/run.py --long 300        new inputs for 300 seconds per target, also under the address sanitizer
+    python3 fuzz/run.py --keep            add the findings of long runs to the corpus, with as few inputs as possible
     python3 fuzz/run.py --long 60 fmi     one target
-    python3 fuzz/run.py --lint            clippy, and nothing else
+    python3 fuzz/run.py --lint            only clippy
 
 An input that fails is in target/fuzz/found; `cargo fuzz fmt`, or RUST_LIBFUZZER_DEBUG_PATH=FILE and the program with
-that input, says what calls it stands for. The layout is that of cargo-fuzz, which runs the targets too:
+that input, prints the calls that it encodes. The layout is that of cargo-fuzz, which can also run the targets:
 `cargo +nightly fuzz run fmi`.
 """
 
@@ -27,7 +27,7 @@ FOLDER = Path(__file__).resolve().parent
 CORPUS = FOLDER / "corpus"
 OUT = Path(os.environ.get("CARGO_TARGET_DIR", FOLDER.parent / "target")) / "fuzz"
 
-# What cargo-fuzz gives to rustc: counters of branches, their places, and the operands of comparisons.
+# The flags that cargo-fuzz passes to rustc: counters of branches, their places, and the operands of comparisons.
 COVERAGE = [
     "--cfg=fuzzing",
     "-Cpasses=sancov-module",
@@ -36,7 +36,7 @@ COVERAGE = [
     "-Cllvm-args=-sanitizer-coverage-pc-table",
     "-Cllvm-args=-sanitizer-coverage-trace-compares",
 ]
-# The stable compiler brings the runtime of the sanitizer, but calls the flag unstable.
+# The stable compiler includes the runtime of the sanitizer, but treats the flag as unstable.
 SANITIZER = {"RUSTC_BOOTSTRAP": "1", "RUSTFLAGS": " ".join([*COVERAGE, "-Zsanitizer=address"])}
 
 # New inputs of a short run, and the longest input in bytes.
@@ -49,11 +49,11 @@ TARGETS = {
     "parameter_set": (20_000, 2048),
     "shared_library": (20_000, 3072),
 }
-# Targets that read text, and the words that texts are made of.
+# Targets that read text, and the words of these texts.
 TEXTS = ["tyre_file", "damper_test", "parameter_set"]
 WORDS = FOLDER / "words.txt"
-# An input that takes longer, in seconds, or more memory, in MB, fails. The clock is that on the wall: on a machine with
-# other work a second of computation takes a minute.
+# An input that takes longer, in seconds, or more memory, in MB, fails. This is wall-clock time: on a busy machine a
+# second of computation can take a minute.
 LIMITS = ["-timeout=300", "-rss_limit_mb=2048", "-report_slow_units=300"]
 
 ADDR_NO_RANDOMIZE = 0x0040000  # of <sys/personality.h>
@@ -65,7 +65,7 @@ def host():
 
 
 def cargo(task, *arguments, sanitized=False):
-    """Runs cargo on all targets and returns the folder they are in. What is linted need not be built again."""
+    """Runs cargo on all targets and returns the folder they are in. Linted code need not be built again."""
     settings = SANITIZER if sanitized else {"RUSTFLAGS": " ".join(COVERAGE)}
     folder = OUT / ("sanitized" if sanitized else "plain")
     command = ["cargo", task, "--locked", "--release", "--manifest-path", FOLDER / "Cargo.toml"]
@@ -76,7 +76,7 @@ def cargo(task, *arguments, sanitized=False):
 
 
 def fuzz(programs, target, *options):
-    """Runs a target; returns whether all went well, and prints its last counters."""
+    """Runs a target; returns whether it succeeded, and prints its last counters."""
     found = OUT / "found"
     found.mkdir(parents=True, exist_ok=True)
     longest = TARGETS[target][1]
@@ -93,11 +93,11 @@ def fuzz(programs, target, *options):
     said = "ok" if status == 0 else "FAILED"
     print(f"figure: {said:<7} {target:<15} {inputs:>9} inputs reach {coverage:>5} branches", flush=True)
     if status == 0 and coverage == 0:
-        print(f"{target}: no coverage: the instrumentation is not at work")
+        print(f"{target}: no coverage: the instrumentation does not work")
         return False
     if status != 0:
         shown = [line for line in text.splitlines() if not line.startswith(("#", "   "))]
-        print("\n".join(shown[-40:]), f"\nall of it: {log}")
+        print("\n".join(shown[-40:]), f"\nfull log: {log}")
     return status == 0
 
 
@@ -106,7 +106,7 @@ def short(programs, target):
     work = OUT / "short" / target
     shutil.rmtree(work, ignore_errors=True)
     work.mkdir(parents=True)
-    # In the order of names: that of a folder differs from disk to disk, and the new inputs with it.
+    # Sorted by name: the order of a folder differs from disk to disk, and with it the new inputs.
     corpus = sorted((CORPUS / target).iterdir())
     seeds = work.with_suffix(".txt")
     seeds.write_text(",".join(map(str, corpus)), encoding="utf-8")
@@ -115,14 +115,14 @@ def short(programs, target):
 
 
 def long(programs, target, seconds):
-    """New inputs for some time. What is found goes to the folder of long runs, from which the next one goes on."""
+    """New inputs for some time. Findings go to the folder of long runs, from which the next one continues."""
     work = OUT / "long" / target
     work.mkdir(parents=True, exist_ok=True)
     return fuzz(programs, target, f"-max_total_time={seconds}", work, CORPUS / target)
 
 
 def keep(programs, target):
-    """Makes the corpus the fewest inputs that reach what corpus and long runs reach, without counting how often."""
+    """Reduces the corpus to the fewest inputs with the coverage of corpus and long runs, without counting how often."""
     fresh = OUT / "kept" / target
     shutil.rmtree(fresh, ignore_errors=True)
     fresh.mkdir(parents=True)
@@ -151,7 +151,8 @@ def main():
     if arguments.lint:
         cargo("clippy", "--all-targets", "--", "--deny", "warnings")
         return 0
-    # New inputs depend on what a program compares, addresses too. Where fixed ones are forbidden, inputs vary a little.
+    # New inputs depend on the values that a program compares, including addresses. Where fixed addresses are forbidden,
+    # inputs vary a little.
     ctypes.CDLL(None).personality(ADDR_NO_RANDOMIZE)
     programs = cargo("build", "--bins", sanitized=arguments.long is not None)
     run = keep if arguments.keep else short

@@ -1,5 +1,5 @@
 //! The FMI calls of a running simulation allocate nothing: masters call them from real-time threads. The others, which
-//! do, survive that there is no memory.
+//! do, survive a lack of memory.
 
 #![allow(non_upper_case_globals, reason = "the names of the standard")]
 
@@ -23,16 +23,16 @@ use stribeck::fmi2::values::{fmi2GetReal, fmi2SetReal};
 use stribeck::model::{Kind, ModelType, Role};
 
 thread_local! {
-    // Per thread, because the test harness allocates on threads of its own. It has no destructor, so that it can be used
-    // by an allocator at any time.
+    // Per thread, because the test harness allocates on its own threads. Without a destructor, so that an allocator can
+    // use it at any time.
     static ALLOCATIONS: Cell<usize> = const { Cell::new(0) };
     // Blocks that are in use.
     static LIVE: Cell<isize> = const { Cell::new(0) };
-    // Which requests are refused: those from `first` on that come before `end`.
+    // The refused requests: those from `first` up to, but not including, `end`.
     static REFUSED: Cell<Refused> = const { Cell::new(Refused::NONE) };
 }
 
-/// Requests for memory that are refused, counted from 0.
+/// Refused memory requests, counted from 0.
 #[derive(Clone, Copy)]
 struct Refused {
     first: usize,
@@ -44,14 +44,14 @@ impl Refused {
     const NONE: Refused = Refused { first: usize::MAX, end: usize::MAX, asked: 0 };
 }
 
-/// The allocator of the system, and a count of what it is asked for. It refuses what it is told to.
+/// The allocator of the system, with a count of its requests. It refuses the selected ones.
 struct Counting;
 
 fn count() {
     ALLOCATIONS.set(ALLOCATIONS.get() + 1);
 }
 
-/// Counts a request for memory; true if it is to be refused.
+/// Counts a memory request; true if it is to be refused.
 fn is_refused() -> bool {
     count();
     let mut refused = REFUSED.get();
@@ -61,7 +61,7 @@ fn is_refused() -> bool {
     is_refused
 }
 
-/// Counts a block, if it is one.
+/// Counts a block, if it is not NULL.
 fn live(memory: *mut u8) -> *mut u8 {
     LIVE.set(LIVE.get() + isize::from(!memory.is_null()));
     memory
@@ -104,7 +104,7 @@ unsafe impl GlobalAlloc for Counting {
 #[global_allocator]
 static ALLOCATOR: Counting = Counting;
 
-/// How often `work` called the allocator, to get memory or to give it back.
+/// Number of calls of the allocator by `work`, to get or free memory.
 fn allocations(work: impl FnOnce()) -> usize {
     let before = ALLOCATIONS.get();
     work();
@@ -133,12 +133,12 @@ fn instantiate(guid: &CStr, kind: fmi2Type) -> fmi2Component {
 }
 
 thread_local! {
-    /// How many messages the logger has heard.
+    /// Number of messages that the logger received.
     static HEARD: Cell<usize> = const { Cell::new(0) };
 }
 
-/// A logger that counts. Rust cannot define variadic functions; where arguments are not on the stack, one without
-/// the variadic arguments can stand in.
+/// A logger that counts. Rust cannot define variadic functions; where arguments are not on the stack, one without the
+/// variadic arguments can be used instead.
 fn listener() -> fmi2CallbackLogger {
     unsafe extern "C" fn listen(_: *mut c_void, _: fmi2String, _: fmi2Status, category: fmi2String, text: fmi2String) {
         assert!(!category.is_null() && !text.is_null());
@@ -165,7 +165,7 @@ struct Slave {
 impl Slave {
     fn new(model: &ModelType) -> Slave {
         let component = instantiate(&guid(model), fmi2CoSimulation);
-        // SAFETY: a live component, or NULL, which is refused.
+        // SAFETY: a live component, or NULL, which is rejected.
         let statuses = unsafe {
             [
                 fmi2SetupExperiment(component, 0, 0.0, 0.0, 0, 0.0),
@@ -185,7 +185,7 @@ impl Slave {
         }
     }
 
-    /// Sets all inputs, of which the first moves to and fro, makes a step of 1 ms and reads everything back.
+    /// Sets all inputs, of which the first oscillates, makes a step of 1 ms and reads everything back.
     fn run(&mut self, steps: i32, values: &mut [f64]) {
         for k in 0..steps {
             let (time, dt) = (f64::from(k) * 1e-3, 1e-3);
@@ -225,7 +225,7 @@ fn no_model_allocates_in_10_000_steps() {
     assert!(tested > 0);
 }
 
-/// What a solver calls between two events.
+/// The calls of a solver between two events.
 #[test]
 fn no_model_allocates_while_a_solver_integrates_it() {
     let mut tested = 0;
@@ -282,7 +282,7 @@ fn a_million_steps_allocate_nothing() {
     }
 }
 
-/// What fmi2Instantiate allocates is seen, so the calls above were seen too.
+/// The allocations of fmi2Instantiate are counted, so those of the calls above would have been counted too.
 #[test]
 fn instantiation_is_seen_by_the_counter() {
     let guid = guid(catalogue::models().next().expect("the catalogue is not empty"));
@@ -293,14 +293,13 @@ fn instantiation_is_seen_by_the_counter() {
     assert!(allocations(|| unsafe { fmi2FreeInstance(component) }) > 0);
 }
 
-/// Makes `attempt` (true: it succeeded) while one request for memory after the other is refused, that one alone or all
-/// from there on, until it needs no more than it gets. Each refusal must make it fail, and leave nothing behind. How
-/// often it failed.
+/// Repeats `attempt` (true: it succeeded) while one memory request after another is refused, alone or with all later
+/// ones, until no request is refused. Each refusal must make it fail without a leak. Returns the number of failures.
 fn failures(what: &str, mut attempt: impl FnMut() -> bool) -> usize {
     let mut failures = 0;
     for lasts in [1, usize::MAX / 2] {
         for first in 0.. {
-            assert!(first < 100_000, "{what} goes on without the memory it asks for");
+            assert!(first < 100_000, "{what} continues without the memory that it needs");
             let live = LIVE.get();
             REFUSED.set(Refused { first, end: first + lasts, asked: 0 });
             let succeeded = attempt();
@@ -317,7 +316,7 @@ fn failures(what: &str, mut attempt: impl FnMut() -> bool) -> usize {
 }
 
 #[test]
-fn no_memory_for_an_fmu_is_an_error() {
+fn lack_of_memory_for_an_fmu_is_an_error() {
     let mut tested = 0;
     for model in catalogue::models() {
         let guid = guid(model);
@@ -328,7 +327,7 @@ fn no_memory_for_an_fmu_is_an_error() {
                 let component = instantiate(&guid, kind);
                 // SAFETY: a live component or NULL, freed once.
                 unsafe { fmi2FreeInstance(component) };
-                assert_eq!(HEARD.get() - heard, usize::from(component.is_null()), "a refusal is told");
+                assert_eq!(HEARD.get() - heard, usize::from(component.is_null()), "a refusal is logged");
                 !component.is_null()
             });
             // Slave, name, and five arrays, each refused alone and with all that follow.
@@ -349,7 +348,7 @@ fn no_memory_for_an_fmu_is_an_error() {
                 let mut copy = null_mut();
                 let status = fmi2GetFMUstate(c, &mut copy);
                 assert_eq!(copy.is_null(), status == fmi2Status::fmi2Error);
-                // What was saved earlier leads on.
+                // An earlier saved state can be continued.
                 assert_eq!(fmi2SetFMUstate(c, state), fmi2Status::fmi2OK);
                 assert_eq!(fmi2FreeFMUstate(c, &mut copy), fmi2Status::fmi2OK);
                 status == fmi2Status::fmi2OK
@@ -368,7 +367,7 @@ fn no_memory_for_an_fmu_is_an_error() {
             });
             assert!(saved >= 6 && read >= 6, "{}: {saved} and {read} failures", model.name);
             tested += saved + read;
-            // A misuse whose message finds no memory is an error all the same.
+            // A misuse is an error even without memory for its message.
             REFUSED.set(Refused { first: 0, ..Refused::NONE });
             let status = fmi2DoStep(c, 0.0, -1.0, fmi2True);
             assert!(REFUSED.replace(Refused::NONE).asked > 0 && status == fmi2Status::fmi2Error);
@@ -378,11 +377,11 @@ fn no_memory_for_an_fmu_is_an_error() {
     println!("figure: FMI: {tested} refused requests for memory, as many errors");
 }
 
-/// Parameters that a rule of the model refuses together, for most laws and the strut.
+/// Parameters that a rule of the model rejects together, for most laws and the strut.
 const REFUSED_TOGETHER: [(&str, f64); 2] = [("mu_s", 0.01), ("c1.mu_s", 0.01)];
 
 #[test]
-fn a_refused_parameter_without_memory_for_the_reason_is_an_error() {
+fn a_rejected_parameter_without_memory_for_the_reason_is_an_error() {
     let mut tested = 0;
     for model in catalogue::models() {
         for (name, value) in REFUSED_TOGETHER {
@@ -411,7 +410,7 @@ fn a_refused_parameter_without_memory_for_the_reason_is_an_error() {
 }
 
 #[test]
-fn no_memory_for_a_c_caller_is_a_status() {
+fn lack_of_memory_for_a_c_caller_is_a_status() {
     let mut tested = 0;
     for known in catalogue::models() {
         let name = CString::new(known.name).expect("a name has no zero byte");

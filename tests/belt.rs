@@ -1,4 +1,4 @@
-//! The belt benchmark in co-simulation, against the closed form of stick-slip and against reference solutions.
+//! The belt benchmark in co-simulation, compared with the closed form of stick-slip and with reference solutions.
 
 mod common;
 
@@ -52,8 +52,8 @@ fn coulomb_with_stiction_and_mass_reproduces_the_closed_form_at_1_ms() {
     }
 }
 
-/// What velocity remains is what the spring's change within a step causes: k v_b h^2 / m, a few times that if the
-/// exchange is delayed.
+/// The remaining velocity is that caused by the change of the spring force within a step: k v_b h^2 / m, a few times
+/// that if the exchange is delayed.
 #[test]
 fn a_stuck_block_neither_chatters_nor_creeps_at_any_step() {
     for model in ["CoulombStiction", "Karnopp"] {
@@ -73,7 +73,7 @@ fn a_stuck_block_neither_chatters_nor_creeps_at_any_step() {
     assert!(stuck(&samples).all(|w| w[0].velocity.abs() < 1e-6));
 }
 
-/// What a master knows of its block at the beginning of a step.
+/// The information that a master has on its block at the beginning of a step.
 fn acceleration(rig: &mut Bench) -> f64 {
     (rig.get("external_force") - rig.get("friction_force")) / rig.get("mass")
 }
@@ -96,7 +96,7 @@ fn laws_with_mass() -> Vec<&'static str> {
 fn a_load_that_is_set_after_a_slope_counts_at_once() {
     for law in laws_with_mass() {
         let inputs = [("mass", 2.0), ("mu_k", 0.1), ("velocity", 0.5), ("normal_force", 0.0)];
-        let mut block = Bench::new(law, &inputs.map(|(name, value)| (name, value)));
+        let mut block = Bench::new(law, &inputs);
         let column = block.column("normal_force");
         block.instance.put_slope(column, 20_000.0);
         block.step(1e-3);
@@ -111,8 +111,8 @@ fn a_load_that_is_set_after_a_slope_counts_at_once() {
     }
 }
 
-/// Slopes of the inputs must not disturb a block at rest: the acceleration that a master gives holds the last friction
-/// force, which is not the one of the step.
+/// Slopes of the inputs must not disturb a block at rest: the acceleration that a master gives contains the last
+/// friction force, not that of the step.
 #[test]
 fn a_stuck_block_rests_under_slopes_as_without_them() {
     let laws = laws_with_mass();
@@ -141,9 +141,9 @@ fn a_stuck_block_rests_under_slopes_as_without_them() {
     }
 }
 
-/// With the slope of the force that it holds, a block rests far better than without.
+/// A block stays at rest far better with the slope of the force that it holds than without.
 #[test]
-fn the_slope_of_the_load_is_what_holds_a_block() {
+fn the_slope_of_the_load_holds_a_block() {
     for model in ["Coulomb", "CoulombStiction", "CoulombViscous", "Stribeck", "Karnopp"] {
         for exchange in [Exchange::Sequential, Exchange::Parallel] {
             let samples = belt_of_master(&mut holding(model, exchange), 1e-3, 4.0, exchange, &[VELOCITY, FORCE]);
@@ -168,10 +168,10 @@ fn with_slopes_the_cycle_is_that_of_the_closed_form() {
     }
 }
 
-/// A block on a plane whose normal force falls and rises with a slope: what holds it is the mean of the load over the
-/// step, and the velocity at its beginning.
+/// A block on a plane whose normal force falls and rises with a slope: the force depends on the mean of the load over
+/// the step, and on the velocity at its beginning.
 #[test]
-fn with_mass_a_ramp_counts_by_the_velocity_of_its_beginning_and_the_mean_of_its_forces() {
+fn with_mass_a_ramp_is_used_by_its_initial_velocity_and_its_mean_forces() {
     let (h, mass) = (1e-3, 2.0);
     let ramp = |values: &[(&str, f64)], slopes: &[(&str, f64)]| {
         let mut law = Bench::new("CoulombStiction", &[("mass", mass), ("mu_k", 0.1), ("mu_s", 0.15)]);
@@ -200,7 +200,7 @@ fn with_mass_a_ramp_counts_by_the_velocity_of_its_beginning_and_the_mean_of_its_
 
 /// A master that changes its step from one to the next, by a factor of a hundred.
 #[test]
-fn a_block_sticks_also_when_the_step_changes_all_the_time() {
+fn a_block_sticks_even_if_the_step_keeps_changing() {
     let steps = [1e-4, 1e-2, 9e-4, 1.1e-3, 1e-4, 1e-4, 5e-3];
     for model in ["CoulombStiction", "Karnopp", "Coulomb", "Stribeck"] {
         for exchange in [Exchange::Sequential, Exchange::Parallel] {
@@ -222,14 +222,14 @@ fn a_block_sticks_also_when_the_step_changes_all_the_time() {
                 if time > 4.5 {
                     break;
                 }
-                // A few times what the spring's change within the longest step causes: k v_b h^2 / m.
+                // A few times the effect of the spring's change within the longest step: k v_b h^2 / m.
                 assert!(velocity.abs() < 1e-4, "{model} {exchange:?} at {time} s: {velocity} m/s");
             }
         }
     }
 }
 
-/// Without mass the law forgets: a mass that is given again finds a sliding contact, not the one that stuck before.
+/// Without mass the law has no memory: when a mass is set again, the contact slides, even if it stuck before.
 #[test]
 fn a_mass_that_comes_and_goes_leaves_no_memory() {
     let mut law = Bench::new("CoulombStiction", &[("mass", 1.0)]);
@@ -244,9 +244,9 @@ fn a_mass_that_comes_and_goes_leaves_no_memory() {
     assert!((law.get("friction_force") - 0.981).abs() < 1e-15);
 }
 
-/// The energy of a step is the work of the force that the step has delivered, at breakaway too.
+/// The energy of a step is the work of the force that the step has delivered, also at breakaway.
 #[test]
-fn the_charged_force_is_the_delivered_force() {
+fn the_energy_is_that_of_the_delivered_force() {
     let mut law = Bench::new("CoulombStiction", &[("mass", 1.0)]);
     let (h, mut v) = (1e-3, 1e-9);
     for external_force in [0.3, 1.2, 1.6, 1.6, 0.2, 0.1] {
@@ -286,7 +286,8 @@ fn the_cycle_is_the_same_at_10_ms() {
 }
 
 /// Karnopp's law leaves stiction only when the block has left the band: t = 7.3575 s + acos(1 - v_0 / v_b) / w, from
-/// where the slip is a sinusoid. With mass the block is brought to rest in each stick phase, so every slip is the first.
+/// where the slip is a sinusoid. With mass the block comes to rest in each stick phase, so every slip is like the
+/// first.
 #[test]
 fn karnopp_follows_its_own_closed_form() {
     for (mass, h) in [(0.0, 1e-5), (1.0, 1e-4), (1.0, 1e-3)] {
@@ -362,8 +363,8 @@ fn nothing_diverges_at_coarse_steps() {
     }
 }
 
-/// Laws that are a spring k with a damper c at rest hold the block below the step that their pages name,
-/// k h^2 + 2 c h < 4 m, and above it they chatter within their level.
+/// Laws that act as a spring k with a damper c at rest hold the block below the step given on their pages, k h^2 + 2 c
+/// h < 4 m, and above it they chatter within their level.
 #[test]
 fn laws_with_bristles_hold_below_the_step_they_name_and_stay_bounded_above() {
     let (k, c) = (1e5, 316.227_766);
@@ -389,7 +390,7 @@ fn laws_with_bristles_hold_below_the_step_they_name_and_stay_bounded_above() {
     }
 }
 
-/// If all step at once, the force is one step late: the damping c has to make up for it, h (k / c + c / m) < 1.
+/// If all step at once, the force is one step late: the damping c must compensate for this, h (k / c + c / m) < 1.
 /// Without damping no step is small enough; at 1 ms the chatter has 2 to 7 mm/s.
 #[test]
 fn in_a_parallel_exchange_only_damped_bristles_hold() {
@@ -413,7 +414,7 @@ fn in_a_parallel_exchange_only_damped_bristles_hold() {
     }
 }
 
-/// With velocity-dependent damping LuGre stays bounded also if the force is read right after setting the velocity.
+/// With velocity-dependent damping LuGre stays bounded even if the force is read right after setting the velocity.
 #[test]
 fn fading_damping_bounds_the_force_in_every_exchange() {
     for h in [1e-3, 5e-3, 1e-2] {

@@ -1,7 +1,9 @@
-//! What every friction model promises, asked of all models of the catalogue over a grid of their parameters.
+//! Properties that every friction model promises, checked for all models of the catalogue over a grid of their
+//! parameters.
 //!
-//! Models in a plane or in space promise the same of their vectors: the mirrored motion has all odd components negated,
-//! the force is measured along the motion, and the dissipated power is the scalar product of force and velocity.
+//! Models in a plane or in space promise the same for their vectors: the mirrored motion has all odd components
+//! negated, the force is measured along the motion, and the dissipated power is the scalar product of force and
+//! velocity.
 
 mod common;
 
@@ -103,7 +105,7 @@ fn axes(bench: &Bench) -> Vec<(&'static str, &'static str, f64)> {
     AXES.into_iter().filter(|(velocity, ..)| bench.has(velocity)).collect()
 }
 
-/// Lets the model move along a line.
+/// Moves the model along a line.
 fn set_velocity(bench: &mut Bench, velocity: f64) {
     for (name, _, share) in axes(bench) {
         bench.set(name, share * velocity);
@@ -180,8 +182,8 @@ const EVEN: &[&str] = &[
     "bristle.draws",
 ];
 
-/// Do the bonds of a random law reach so far that single ones push forwards? Its force is then a resistance on average
-/// only.
+/// Whether the bonds of a random law reach so far that single ones push forwards. Its force is then a resistance only
+/// on average.
 fn is_resisting_on_average(bench: &mut Bench) -> bool {
     bench.has("bristle_count") && 3.0 * (1.0 - bench.get("mu_k") / bench.get("mu_s")) > 1.0
 }
@@ -226,14 +228,14 @@ fn mirrored_motion_gives_the_mirrored_force() {
 #[test]
 fn steady_sliding_dissipates_within_the_static_level() {
     for_all(|bench, what| {
-        // A law that plans for a body of known mass cannot follow a velocity that no such body could have.
+        // A law that plans for a body of known mass cannot follow a velocity impossible for such a body.
         if bench.has("mass") && bench.get("mass") > 0.0 && bench.get("exchange") == 2.0 {
             return;
         }
         for velocity in [-10.0, -0.1, -2e-3, 5e-4, 1e-2, 1.0] {
             set_velocity(bench, velocity);
             // With mass the force would stop the body in a long step.
-            // Else it is long enough for the softest contact to yield.
+            // Otherwise it is long enough for the softest contact to yield.
             let h = if bench.has("mass") && bench.get("mass") > 0.0 { 1e-9 } else { 1e9 };
             for _ in 0..3 {
                 bench.step(h);
@@ -274,8 +276,8 @@ fn no_load_releases_the_contact() {
     });
 }
 
-/// In Model Exchange the same: an event indicator changes its sign where the load goes, and the event releases the
-/// contact. What it changes is declared.
+/// The same in Model Exchange: an event indicator changes its sign where the load vanishes, and the event releases the
+/// contact. Its changes are declared.
 #[test]
 fn an_event_without_load_releases_the_contact() {
     let mut tested = 0;
@@ -295,7 +297,7 @@ fn an_event_without_load_releases_the_contact() {
         };
         let loaded = signs(&row);
         put(&mut row, "normal_force", 0.0);
-        assert_ne!(signs(&row), loaded, "{} does not see its load go", model.name);
+        assert_ne!(signs(&row), loaded, "{} does not detect the loss of its load", model.name);
         let before = row.clone();
         assert!(model.at_event(&mut row), "{}", model.name);
         for (column, variable) in model.table.iter().enumerate() {
@@ -304,19 +306,20 @@ fn an_event_without_load_releases_the_contact() {
         }
         let unloaded = signs(&row);
         put(&mut row, "normal_force", 9.81);
-        assert_ne!(signs(&row), unloaded, "{} does not see its load come", model.name);
+        assert_ne!(signs(&row), unloaded, "{} does not detect the return of its load", model.name);
         for (velocity, force, _) in axes {
             put(&mut row, velocity, 0.0);
             assert!(model.at_event(&mut row) && model.output(&mut row), "{}", model.name);
-            assert_eq!(row[model.find(force).unwrap()], 0.0, "{} remembers what it bore", model.name);
+            assert_eq!(row[model.find(force).unwrap()], 0.0, "{} remembers its old load", model.name);
         }
         tested += 1;
     }
     assert!(tested > 20);
 }
 
-/// Bristles whose level is set to 0 while they are deflected: what a step drops at once a solver would keep, for it
-/// integrates rates only. So the shortest step changes little, or the law refuses such a level in Model Exchange.
+/// Bristles whose level is set to 0 while they are deflected: a solver would keep a force that a step drops at once,
+/// because it only integrates rates. So the shortest step changes little, or the law rejects such a level in Model
+/// Exchange.
 #[test]
 fn a_solver_keeps_no_force_that_a_step_drops() {
     let mut refusing = Vec::new();
@@ -349,9 +352,9 @@ fn a_solver_keeps_no_force_that_a_step_drops() {
     assert_eq!(refusing, ["Dahl", "ElastoPlastic", "SpeckerDynamic", "LuGrePlanar", "ElastoPlasticPlanar"]);
 }
 
-/// What an event of Model Exchange has found is no word to a step: it goes by the velocity, from the first step on.
+/// A step ignores the phase found by an event of Model Exchange: it uses the velocity, from the first step on.
 #[test]
-fn steps_do_not_ask_what_an_event_has_found() {
+fn steps_ignore_the_phase_found_by_an_event() {
     let mut tested = 0;
     for model in friction_models().filter(|model| model.find("phase").is_some()) {
         for (mass, exchange) in [(0.0, 1.0), (1.0, 1.0), (1.0, 2.0)] {
@@ -393,7 +396,7 @@ fn two_half_steps_are_one_step() {
             let (velocity, mut speed) = (10f64.powf(-6.0 * random.next()) * random.signed(), 0.0);
             let mut h = 10f64.powf(-5.0 * random.next());
             if bench.has("bristle_count") && bench.get("mu_s") > bench.get("mu_k") {
-                // A law of random numbers follows its bonds one by one over short slides; long ones are drawn.
+                // A random law follows its bonds one by one over short slides; for long ones the result is drawn.
                 let span = 3.0 * bench.get("delta") * (1.0 - bench.get("mu_k") / bench.get("mu_s"));
                 h = h.min(20.0 * span / velocity.abs());
             }
@@ -417,7 +420,7 @@ fn two_half_steps_are_one_step() {
 }
 
 #[test]
-fn finite_inputs_give_finite_results_or_a_refusal_that_changes_nothing() {
+fn finite_inputs_give_finite_results_or_a_rejection_that_changes_nothing() {
     let extremes = [0.0, 5e-324, 1e-310, 1e-160, 1e-12, 1e-3, 1.0, 1e6, 1e150, 1e308];
     let steps = [1e-300, 1e-12, 1e-6, 1.0, 1e6, 1e300];
     for_all(|bench, what| {
@@ -443,9 +446,9 @@ fn finite_inputs_give_finite_results_or_a_refusal_that_changes_nothing() {
     });
 }
 
-/// Sound inputs are never refused: what a vehicle can do, at any step that a master can choose.
+/// Realistic inputs, as from a vehicle, are never rejected, at any step that a master can choose.
 #[test]
-fn everyday_inputs_are_never_refused() {
+fn everyday_inputs_are_never_rejected() {
     for_all(|bench, what| {
         let mut random = Random(19);
         for _ in 0..50 {
@@ -457,8 +460,8 @@ fn everyday_inputs_are_never_refused() {
     });
 }
 
-/// States that jump from step to step, as do the records of a history; all others move continuously, at the rate that
-/// their model gives.
+/// States that jump from step to step, such as the records of a history; all others change continuously, at the rate
+/// given by their model.
 #[rustfmt::skip]
 const DISCRETE: &[&str] = &[
     "step_size",
@@ -516,7 +519,7 @@ fn the_rate_of_the_energy_is_the_power() {
     });
 }
 
-/// A ramp ends, whatever it is: these three once did not, and random ones are as likely to find another.
+/// Every ramp ends: these three once did not, and random ones may find another.
 #[test]
 fn ramps_always_end() {
     let ramp = |model: &str, start: [f64; 2], slope: [f64; 2], h: f64| {
@@ -579,7 +582,7 @@ fn reset_is_fresh_and_restored_is_the_same_future() {
     }
 }
 
-/// One quantity, one name: where a name stands in two models, its unit, type and help text are the same.
+/// One quantity, one name: if two models have the same name, its unit, type and help text are the same.
 #[test]
 fn equal_names_mean_equal_things() {
     let mut seen: HashMap<String, (&str, &Variable)> = HashMap::new();
@@ -616,9 +619,9 @@ fn every_friction_model_has_the_common_columns() {
     }
 }
 
-/// The static coefficient must not be below the kinetic one; the refusal names both.
+/// The static coefficient must not be below the kinetic one; the message names both.
 #[test]
-fn inverted_coefficients_are_refused_by_name() {
+fn inverted_coefficients_are_rejected_by_name() {
     for model in friction_models().filter(|model| model.find("mu_s").is_some()) {
         let mut bench = Bench::new(model.name, &[("mu_s", 0.05)]);
         let before = bench.instance.save();
@@ -628,9 +631,9 @@ fn inverted_coefficients_are_refused_by_name() {
     }
 }
 
-/// A preset names variables of its model, with admitted values that fit together, and says where it comes from.
+/// A preset names variables of its model, with permitted and consistent values, and gives its source.
 #[test]
-fn presets_are_admitted_parameter_sets_with_a_source() {
+fn presets_are_valid_parameter_sets_with_a_source() {
     for model in catalogue::models() {
         for preset in model.presets {
             assert!(!preset.source.is_empty() && preset.source.is_ascii(), "{} {}", model.name, preset.name);
@@ -650,9 +653,9 @@ fn presets_are_admitted_parameter_sets_with_a_source() {
     }
 }
 
-/// The time of an instance stays a number, however long its steps are.
+/// The time of an instance stays finite, however long its steps are.
 #[test]
-fn steps_beyond_the_end_of_time_are_refused() {
+fn steps_to_an_infinite_time_are_rejected() {
     for model in catalogue::models() {
         let mut bench = Bench::new(model.name, &[]);
         bench.instance.set_time(f64::MAX);
@@ -662,9 +665,9 @@ fn steps_beyond_the_end_of_time_are_refused() {
     }
 }
 
-/// At an event a contact at rest is held as long as the static level bears the load. Until the next one it goes on as it
-/// was, also where a solver tries what lies beyond; its indicator falls below zero there: past the rest of a sliding
-/// body, beyond the static level, and for a held body that something else moves.
+/// At an event a contact at rest is held as long as the static level carries the load. Until the next event its phase
+/// does not change, even where a solver tries values beyond; its indicator falls below zero there: past the rest of a
+/// sliding body, beyond the static level, and for a held body that is moved otherwise.
 #[test]
 fn events_catch_and_release_contacts_at_rest() {
     let mut seen = 0;
@@ -678,7 +681,7 @@ fn events_catch_and_release_contacts_at_rest() {
             indicators[0] > 0.0
         };
         bench.set("external_force", 0.5 * level);
-        // A law with a band around rest holds nothing.
+        // A law with a band around rest does not hold a body.
         if bench.get("friction_force") != 0.5 * level || bench.has("transition_velocity") {
             continue;
         }
@@ -703,7 +706,7 @@ fn events_catch_and_release_contacts_at_rest() {
             }
             bench.set("external_force", share * level);
             bench.set("velocity", 2e-6);
-            assert!(!goes_on(&bench), "{}: moved by something else", model.name);
+            assert!(!goes_on(&bench), "{}: moved otherwise", model.name);
         }
         bench.set("velocity", 0.0);
         bench.set("external_force", 1.01 * level);
@@ -731,7 +734,7 @@ fn leaving_and_entering_the_band_are_events() {
     }
 }
 
-/// Laws with a band around rest say that they stick inside it.
+/// Laws with a band around rest report sticking inside it.
 #[test]
 fn a_band_around_rest_is_sticking_within_its_edge() {
     for (model, edge) in [
@@ -753,7 +756,8 @@ fn a_band_around_rest_is_sticking_within_its_edge() {
     }
 }
 
-/// From rest a law with bristles is elastic at first, and sticks; after a long way it slides. Both directions are alike.
+/// From rest a law with bristles is elastic at first, and sticks; after a long distance it slides. Both directions are
+/// equal.
 #[test]
 fn bristles_stick_at_first_and_slide_in_the_end() {
     let mut seen = 0;
@@ -775,8 +779,8 @@ fn bristles_stick_at_first_and_slide_in_the_end() {
     assert!(seen >= 10, "{seen} laws");
 }
 
-/// Without the part that the load gives, the viscous part is left: its energy is that of a linear damper. The force of
-/// the dynamic law of Specker is not that at once, but follows.
+/// Without the part caused by the load, the viscous part remains: its energy is that of a linear damper. The force of
+/// Specker's dynamic law reaches it with a lag.
 #[test]
 fn a_loaded_contact_without_dry_friction_is_a_damper() {
     let mut seen = 0;

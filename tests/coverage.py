@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
-"""Prints what share of the library's code and of its branches the tests run. Fails below the limits.
+"""Prints the share of the library's code and branches that the tests cover. Fails below the limits.
 
     python3 tests/coverage.py    after `cargo llvm-cov --no-report`; both are done by `python3 tasks.py coverage`
 
-Runs the C tests too, with the library that counts. A generic function exists once for each number type and model, and
-all code twice, with and without the unit tests; what counts is the place in the source, which is covered if any of its
-instances is. Each condition has two branches, true and false. The compiler does not count the arms of a `match` as
-branches, so the share of the code, in pieces without a fork, is printed too. Test code is left out, and a `const fn`
-that only the compiler runs, where nothing can be counted. Names the branches that no test takes.
+Also runs the C tests, with the instrumented library. A generic function exists once for each number type and model, and
+all code twice, with and without the unit tests; a place in the source is covered if any of its instances is. Each
+condition has two branches, true and false. The compiler does not count the arms of a `match` as branches, so the share
+of the code, in pieces without a fork, is printed too. Test code is excluded, and so is a `const fn` that only the
+compiler runs, where nothing can be counted. Lists the branches that no test takes.
 """
 
 import collections
@@ -24,7 +24,7 @@ SOURCE = ROOT / "src"
 TARGET = ROOT / "target" / "llvm-cov-target"
 PROGRAMS = TARGET / "debug" / "deps"
 LIBRARY = PROGRAMS / "libstribeck.so"
-# The foreign-function interfaces, and what only they need.
+# The foreign-function interfaces, and code that only they need.
 FOREIGN = {"fmi2", "c_api", "memory.rs", "panics.rs", "float_mode.rs"}
 TEST_CODE = {"src/fmi2/tests.rs", "src/probe.rs"}
 LIMITS = {"core": 95.0, "FFI": 90.0}
@@ -32,7 +32,7 @@ CODE = 0  # kind of a region that is code; others are gaps, skipped text and exp
 
 
 def succeed(*command, **environment):
-    """Runs a command that must succeed; what it printed."""
+    """Runs a command that must succeed and returns its output."""
     words = [str(word) for word in command]
     return subprocess.run(
         words, check=True, stdout=subprocess.PIPE, env={**os.environ, **environment}, text=True
@@ -40,7 +40,7 @@ def succeed(*command, **environment):
 
 
 def run_c_tests():
-    """The C interface and the FMI functions, as programs in C use them. Their own checks end them with an error."""
+    """The C interface and the FMI functions, as C programs use them. Failed checks end these programs with an error."""
     compiler = [os.environ.get("CC", "cc"), "-std=gnu99", "-O1", f"-I{ROOT / 'include'}"]
     counters = str(TARGET / "c-tests-%p.profraw")
     for name, linked, arguments in [("api_test", [LIBRARY, f"-Wl,-rpath,{PROGRAMS}"], []), ("fmi_test", [], [LIBRARY])]:
@@ -50,7 +50,7 @@ def run_c_tests():
 
 
 def functions():
-    """What has run in each program: for one after the other, as functions of the same name in two of them differ."""
+    """The covered code of each program, one after another, because functions of the same name in two of them differ."""
     compiler = succeed("rustc", "--version", "--verbose")
     host = re.search(r"^host: (\S+)$", compiler, re.MULTILINE)[1]
     tools = Path(succeed("rustc", "--print", "sysroot").strip()) / "lib" / "rustlib" / host / "bin"
@@ -64,7 +64,7 @@ def functions():
 
 
 class Covered:
-    """Pieces of code and branches: how often each has run, by their place."""
+    """Pieces of code and branches: number of executions by place."""
 
     def __init__(self):
         self.code = collections.Counter()
@@ -89,7 +89,7 @@ def code_lines(path):
 
 
 class Measured:
-    """The files of the library, and what has run in them."""
+    """The files of the library, and their covered code."""
 
     def __init__(self, functions):
         self.files = collections.defaultdict(Covered)
@@ -103,7 +103,7 @@ class Measured:
                 self.add(function)
 
     def is_only_compiled(self, place, functions):
-        """Does only the compiler run this function?"""
+        """Whether only the compiler runs this function."""
         name, line, _ = place
         is_const = self.is_code(name, line) and "const fn " in self.lines[name][line - 1]
         return is_const and not any(function["count"] for function in functions)
@@ -121,7 +121,7 @@ class Measured:
 
     @staticmethod
     def name(file):
-        """The path in the project of a file of the library; None of another one."""
+        """The path in the project of a file of the library; None for another file."""
         path = Path(file)
         return path.relative_to(ROOT).as_posix() if path.is_relative_to(SOURCE) else None
 
@@ -133,7 +133,7 @@ class Measured:
         return line <= len(self.lines[name])
 
     def total(self, choice):
-        """Sum over the files that `choice` takes."""
+        """Sum over the files selected by `choice`."""
         sum_of_files = Covered()
         for name, covered in self.files.items():
             if choice(name):
@@ -157,7 +157,7 @@ def main():
     run_c_tests()
     measured = Measured(functions())
     print("\n".join(measured.missed()))
-    print(f"\n{len(measured.compiled)} functions are run by the compiler alone.\n")
+    print(f"\n{len(measured.compiled)} functions are run only by the compiler.\n")
     print(f"{'':20} {'pieces of code':18}   branches")
     for name in sorted({folder(name) for name in measured.files}):
         print(measured.total(lambda file, name=name: folder(file) == name).line(name))

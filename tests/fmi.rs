@@ -1,4 +1,4 @@
-//! The FMI 2.0 functions as an importer sees them: state machine, misuse, messages, snapshots, derivatives.
+//! The FMI 2.0 functions from an importer's point of view: state machine, misuse, messages, snapshots, derivatives.
 
 mod common;
 
@@ -22,11 +22,11 @@ use stribeck::fmi2::types::*;
 use stribeck::fmi2::values::*;
 use stribeck::model::{Kind, Role, Variable};
 
-/// Makes the call with sound arguments, as far as there are any in this state.
+/// Makes the call with valid arguments, if there are any in this state.
 fn call(importer: &Importer, purpose: Purpose, call: Call) -> fmi2Status {
     let c = importer.c;
     let order = 1;
-    // A model need not have columns of every kind; then the arrays are empty.
+    // A model need not have columns of every kind; the arrays are then empty.
     let input = importer.first(|variable| variable.role == Role::Input && matches!(variable.kind, Kind::Real(_)));
     let output = importer.first(|variable| variable.role.is_output() && matches!(variable.kind, Kind::Real(_)));
     let switch = importer.first(|variable| variable.kind == Kind::Boolean);
@@ -115,7 +115,7 @@ fn call(importer: &Importer, purpose: Purpose, call: Call) -> fmi2Status {
 }
 
 impl Importer {
-    /// The first variable that is as it should be.
+    /// The first variable of this kind.
     fn first(&self, is_wanted: impl Fn(&Variable) -> bool) -> Option<fmi2ValueReference> {
         let model = catalogue::by_name(self.model)?;
         model.table.iter().position(is_wanted).map(|column| column as fmi2ValueReference)
@@ -144,7 +144,7 @@ const STATES_OF_CO_SIMULATION: [State; 5] =
     [State::Instantiated, State::Initialization, State::StepComplete, State::Terminated, State::Error];
 
 /// The table of FMI 2.0.5 section 4.2.4, typed in from the standard a second time: one letter per state; `d` where the
-/// call is allowed but has no answer.
+/// call is allowed but has no result.
 const CO_SIMULATION: [(&str, &str); 30] = [
     ("SetDebugLogging", "xxxxx"),
     ("SetupExperiment", "x----"),
@@ -223,8 +223,8 @@ const MODEL_EXCHANGE: [(&str, &str); 31] = [
     ("GetNominalsOfContinuousStates", "xxxxxx"),
 ];
 
-/// One call of each function in each state of a model; their number. A function that the table does not name is no
-/// function of such an instance, whatever its state.
+/// Calls each function in each state of a model; returns the number of calls. A function that is not in the table is
+/// not available on such an instance, whatever its state.
 fn every_function_answers(model: &'static str, purpose: Purpose, states: &[State], standard: &[(&str, &str)]) -> usize {
     for (found, ..) in ALLOWED {
         let function = format!("{found:?}");
@@ -251,7 +251,7 @@ fn every_function_answers(model: &'static str, purpose: Purpose, states: &[State
 }
 
 #[test]
-fn every_function_in_every_state_answers_as_the_standard_asks() {
+fn every_function_in_every_state_has_the_status_of_the_standard() {
     let mut calls = 0;
     for model in catalogue::models() {
         let name = model.name;
@@ -266,7 +266,7 @@ fn every_function_in_every_state_answers_as_the_standard_asks() {
 }
 
 #[test]
-fn instantiation_refuses_what_it_cannot_serve() {
+fn instantiation_rejects_what_it_cannot_serve() {
     let heard = Heard::default();
     let callbacks = callbacks(&heard);
     let (guid, bristle) = (guid("LuGre"), guid("Bristle"));
@@ -342,14 +342,14 @@ fn null_components_are_errors() {
             assert_eq!(call(&nobody, purpose, function), fmi2Error, "fmi2{function:?}");
         }
     }
-    // Memory that is no instance is refused too, as long as it is memory.
+    // Memory that is not an instance is rejected too, as long as it is readable.
     let mut other = [0u64; 64];
-    // SAFETY: readable and writable memory, large enough to be looked at.
+    // SAFETY: readable and writable memory, large enough to be checked.
     assert_eq!(unsafe { fmi2Reset(other.as_mut_ptr().cast()) }, fmi2Error);
 }
 
 #[test]
-fn experiments_that_make_no_sense_are_refused() {
+fn experiments_that_make_no_sense_are_rejected() {
     let cases = [
         (fmi2False, 0.0, 1.0, fmi2True, 0.5, "stopTime = 0.5: must be finite and >= startTime = 1"),
         (fmi2False, 0.0, f64::NAN, fmi2False, 0.0, "startTime = NaN"),
@@ -372,7 +372,7 @@ fn experiments_that_make_no_sense_are_refused() {
 }
 
 #[test]
-fn steps_that_make_no_sense_are_refused() {
+fn steps_that_make_no_sense_are_rejected() {
     for (t, h) in [
         (0.0, 0.0),
         (0.0, -1e-3),
@@ -396,7 +396,7 @@ fn steps_that_make_no_sense_are_refused() {
         assert_eq!(fmi2EnterInitializationMode(endless.c), fmi2OK);
         assert_eq!(fmi2ExitInitializationMode(endless.c), fmi2OK);
     }
-    assert_eq!(endless.step(0.0, f64::INFINITY), fmi2Error, "no stop time, and yet no endless step");
+    assert_eq!(endless.step(0.0, f64::INFINITY), fmi2Error, "an infinite step without a stop time");
 }
 
 /// Masters accumulate the time, multiply it, count nanoseconds, or make one tiny step at the end.
@@ -430,13 +430,13 @@ fn communication_points_are_compared_with_a_relative_tolerance() {
     assert_eq!(computed.step(100.0, 1e-3), fmi2Error, "past the stop time");
 }
 
-/// However a master computes the time, and be it wrong by a rounding error, equal steps give equal results.
+/// Equal steps give equal results, however a master computes the time, even with rounding errors.
 #[test]
 fn results_do_not_depend_on_how_the_time_is_computed() {
     let h = 1e-3;
     let mut accumulated = vec![0.0];
     (0..500).for_each(|k| accumulated.push(accumulated[k] + h));
-    assert_ne!(accumulated[500], 500.0 * h, "rounding errors have piled up");
+    assert_ne!(accumulated[500], 500.0 * h, "accumulated rounding errors");
     for model in catalogue::models() {
         let run = |time: &dyn Fn(i32) -> f64| drive(&Importer::ready(model.name), 0..500, h, time);
         let computed = run(&millisecond);
@@ -528,7 +528,7 @@ fn wrong_references_pointers_and_types_are_errors() {
 }
 
 /// Every settable Real of every model: values outside its bound, NaN and infinities are discarded, named, and change
-/// nothing; afterwards the instance goes on.
+/// nothing; afterwards the instance continues.
 #[test]
 fn values_outside_their_bounds_are_discarded_by_name() {
     for model in catalogue::models() {
@@ -605,7 +605,7 @@ fn outputs_follow_a_set_at_once() {
     }
 }
 
-/// Also while stepping, whatever the standard lets masters do: an output never answers for old inputs.
+/// Also while stepping, although the standard allows otherwise: an output never belongs to old inputs.
 #[test]
 fn outputs_follow_a_set_while_stepping() {
     let importer = Importer::ready("BrownMcPhee");
@@ -616,9 +616,9 @@ fn outputs_follow_a_set_while_stepping() {
     assert_eq!(importer.get("friction_force"), -force);
 }
 
-/// Each is admitted alone, but together they are no law: said when it matters, with both names.
+/// Each is valid alone, but together they are inconsistent: reported when it matters, with both names.
 #[test]
-fn parameters_that_do_not_fit_together_are_refused() {
+fn inconsistent_parameters_are_rejected() {
     let why = "mu_s = 0.05: must be >= mu_k = 0.1";
     let initial = Importer::in_state("LuGre", State::Initialization);
     assert_eq!(initial.set("mu_s", 0.05), fmi2OK);
@@ -633,7 +633,7 @@ fn parameters_that_do_not_fit_together_are_refused() {
 }
 
 #[test]
-fn a_ramp_out_of_a_bound_is_refused_and_one_onto_it_is_not() {
+fn a_ramp_out_of_a_bound_is_rejected_and_one_onto_it_is_not() {
     let importer = Importer::ready("LuGre");
     let slope = |value: f64| {
         // SAFETY: one reference, one value.
@@ -666,7 +666,7 @@ fn the_clock_is_the_masters() {
     // SAFETY: an instance of this test.
     assert_eq!(unsafe { fmi2GetRealStatus(importer.c, fmi2LastSuccessfulTime, &mut time) }, fmi2OK);
     assert_eq!(time, t + 0.2);
-    // A step that is repeated, or left out, is noticed however small it is.
+    // A repeated or skipped step is detected however small it is.
     let tiny = Importer::ready("LuGre");
     assert_eq!(tiny.step(0.0, 99.0), fmi2OK);
     assert_eq!(tiny.step(99.0, 1e-6), fmi2OK);
@@ -688,7 +688,7 @@ fn time_stays_finite() {
     assert!(importer.one_message().2.contains("to inf s passes the stop time"));
 }
 
-/// A saved state brings its experiment along, and can be overwritten by a later one.
+/// A saved state includes its experiment, and can be overwritten by a later one.
 #[test]
 fn a_state_holds_the_experiment_and_can_be_overwritten() {
     let importer = Importer::ready("LuGre");
@@ -704,19 +704,19 @@ fn a_state_holds_the_experiment_and_can_be_overwritten() {
         assert_eq!(fmi2SetFMUstate(importer.c, saved), fmi2OK);
         assert_eq!(importer.get("bristle_deflection"), deflection);
         assert_eq!(importer.step(0.01, 50.0), fmi2OK);
-        assert_eq!(importer.step(50.01, 50.0), fmi2Error, "the stop time 100 s came back");
+        assert_eq!(importer.step(50.01, 50.0), fmi2Error, "the stop time 100 s was restored");
         let earlier = Importer::ready("LuGre");
         let mut first = earlier.save();
         let bytes = earlier.bytes(first);
         assert_eq!(fmi2DeSerializeFMUstate(importer.c, bytes.as_ptr(), bytes.len(), &mut saved), fmi2OK);
         assert_eq!(fmi2SetFMUstate(importer.c, saved), fmi2OK);
-        assert_eq!(importer.get("bristle_deflection"), 0.0, "read into the state that was there");
+        assert_eq!(importer.get("bristle_deflection"), 0.0, "read into the existing state");
         assert_eq!(fmi2FreeFMUstate(earlier.c, &mut first), fmi2OK);
         assert_eq!(fmi2FreeFMUstate(importer.c, &mut saved), fmi2OK);
     }
 }
 
-/// What is not finite is refused, but everything else can still be read.
+/// A value that is not finite is rejected, but everything else can still be read.
 #[test]
 fn inputs_can_be_read_where_results_cannot() {
     let importer = Importer::ready("LuGre");
@@ -753,11 +753,11 @@ fn an_error_is_left_by_reset_or_by_a_saved_state() {
         assert_eq!(fmi2ExitInitializationMode(importer.c), fmi2OK);
     }
     assert_eq!((importer.get("velocity"), importer.get("bristle_deflection")), (0.0, 0.0));
-    assert_eq!(importer.step(7.0, 200.0), fmi2OK, "the old stop time is forgotten");
+    assert_eq!(importer.step(7.0, 200.0), fmi2OK, "the old stop time no longer holds");
 }
 
-/// Makes steps of `h` with inputs that depend on the number of the step only, each at the time that `time` gives for its
-/// number, and returns the bits of all that can be read after each of them.
+/// Makes steps of `h` with inputs that depend only on the number of the step, each at the time that `time` gives for
+/// its number, and returns the bits of all readable values after each of them.
 fn drive(importer: &Importer, steps: Range<i32>, h: f64, time: impl Fn(i32) -> f64) -> Vec<u64> {
     let model = catalogue::by_name(importer.model).expect("a model");
     let reals = |role: fn(Role) -> bool| {
@@ -806,7 +806,7 @@ fn a_restored_state_has_the_same_future() {
             let other = Importer::new(model.name);
             let mut read = null_mut();
             assert_eq!(fmi2DeSerializeFMUstate(other.c, bytes.as_ptr(), bytes.len(), &mut read), fmi2OK);
-            assert_eq!(fmi2SetFMUstate(other.c, read), fmi2OK, "an instance takes over state and lifecycle");
+            assert_eq!(fmi2SetFMUstate(other.c, read), fmi2OK, "an instance restores state and lifecycle");
             assert_eq!(drive(&other, 1000), future, "{} in another instance", model.name);
             assert_eq!(fmi2SetFMUstate(other.c, saved), fmi2OK);
             assert_eq!(other.bytes(read), bytes, "equal states give equal bytes");
@@ -822,9 +822,9 @@ fn a_restored_state_has_the_same_future() {
     }
 }
 
-/// What one thread has saved another one restores, in an instance of its own, and frees.
+/// A state saved by one thread is restored by another, in its own instance, and freed there.
 #[test]
-fn a_saved_state_goes_on_in_another_thread() {
+fn a_saved_state_continues_in_another_thread() {
     struct Carried(fmi2FMUstate);
     // SAFETY: a saved state belongs to no thread.
     unsafe impl Send for Carried {}
@@ -847,7 +847,7 @@ fn a_saved_state_goes_on_in_another_thread() {
     }
 }
 
-/// FNV-1a of 64 bits, as RFC 9923 has it: it ends every serialised state.
+/// FNV-1a of 64 bits, as in RFC 9923: it ends every serialised state.
 fn seal(bytes: &mut [u8]) {
     let (body, checksum) = bytes.split_at_mut(bytes.len() - 8);
     let mut hash: u64 = 14_695_981_039_346_656_037;
@@ -857,9 +857,9 @@ fn seal(bytes: &mut [u8]) {
     checksum.copy_from_slice(&hash.to_le_bytes());
 }
 
-/// States that are sound in themselves, but not of this version of the model: the error says so, and nothing changes.
+/// States that are valid, but of another version of the model: the error says so, and nothing changes.
 #[test]
-fn states_of_other_versions_are_refused_as_such() {
+fn states_of_other_versions_are_rejected_as_such() {
     let importer = Importer::ready("LuGre");
     let mut state = importer.save();
     let own: Vec<u8> = importer.bytes(state).iter().map(|byte| *byte as u8).collect();
@@ -911,7 +911,7 @@ fn states_of_other_versions_are_refused_as_such() {
     unsafe { fmi2FreeFMUstate(importer.c, &mut state) };
 }
 
-/// A solver may overshoot a bound; what is saved there is read back.
+/// A solver may overshoot a bound; a state saved there can be read back.
 #[test]
 fn states_beyond_their_bounds_are_saved_too() {
     let importer = Importer::in_state_of("Gonthier", Purpose::ModelExchange, State::ContinuousTimeMode);
@@ -919,7 +919,7 @@ fn states_beyond_their_bounds_are_saved_too() {
     let mut states = importer.states();
     let dwell = model.continuous_states().position(|column| model.table[column].path.to_string() == "dwell");
     states[dwell.expect("a state")] = 1.0 + 1e-9;
-    // SAFETY: an instance of this test, as many states and bytes as is said, states that are freed once.
+    // SAFETY: an instance of this test, as many states and bytes as given, states that are freed once.
     unsafe {
         assert_eq!(fmi2SetContinuousStates(importer.c, states.as_ptr(), states.len()), fmi2OK);
         let mut saved = importer.save();
@@ -933,7 +933,7 @@ fn states_beyond_their_bounds_are_saved_too() {
 }
 
 #[test]
-fn a_state_of_another_model_is_refused() {
+fn a_state_of_another_model_is_rejected() {
     let (lugre, dahl) = (Importer::ready("LuGre"), Importer::ready("Dahl"));
     let mut saved = lugre.save();
     // SAFETY: a live state, freed once.
@@ -989,7 +989,7 @@ fn slopes_of_inputs_and_outputs() {
     assert_eq!((importer.get("velocity"), derivative(1)), (velocity, held), "nor after a restored state");
 }
 
-/// A slope or a state that is not finite is discarded, and the run goes on; so is a ramp that would overflow.
+/// A slope or a state that is not finite is discarded, and the run continues; so is a ramp that would overflow.
 #[test]
 fn slopes_and_states_must_be_finite() {
     let stepping = Importer::ready("LuGre");
@@ -1011,10 +1011,10 @@ fn slopes_and_states_must_be_finite() {
         }
     }
     assert_eq!(stepping.step(0.0, 1e-3), fmi2OK);
-    assert_eq!(stepping.get("velocity"), 0.0, "no slope was taken");
+    assert_eq!(stepping.get("velocity"), 0.0, "no slope was accepted");
 }
 
-/// Time derivatives of states are unknowns too; computed variables are no knowns.
+/// Time derivatives of states are unknowns too; computed variables are not knowns.
 #[test]
 fn directional_derivatives_of_time_derivatives() {
     let importer = Importer::in_state_of("Dahl", Purpose::ModelExchange, State::EventMode);
@@ -1047,7 +1047,7 @@ fn directional_derivatives_of_time_derivatives() {
     assert!(importer.one_message().2.contains("friction_force is computed"));
 }
 
-/// What the first event changes of the states that were given is said, once.
+/// Changes of the given states by the first event are reported once.
 #[test]
 fn states_that_the_first_event_changes_are_reported() {
     for (load, jumps) in [(0.0, fmi2True), (9.81, fmi2False)] {
@@ -1069,9 +1069,9 @@ fn states_that_the_first_event_changes_are_reported() {
     }
 }
 
-/// A phase belongs to Model Exchange; in co-simulation a contact would be held by it that nothing can hold.
+/// A phase belongs to Model Exchange; in co-simulation it would hold a contact that cannot be held.
 #[test]
-fn what_events_settle_is_refused_in_co_simulation() {
+fn phases_set_by_events_are_rejected_in_co_simulation() {
     let stepping = Importer::in_state("CoulombStiction", State::Initialization);
     let integrating = Importer::in_state_of("CoulombStiction", Purpose::ModelExchange, State::Initialization);
     let (phase, force) = (stepping.vr("phase"), stepping.vr("external_force"));
@@ -1111,10 +1111,10 @@ fn what_events_settle_is_refused_in_co_simulation() {
     assert_eq!(left, 1, "nothing was changed");
 }
 
-/// Laws that jump or remember have no derivatives to integrate, and a force that is held over a step has no place where
-/// there are none.
+/// Laws that jump or have other memory have no derivatives to integrate, and without steps no force can be held over a
+/// step.
 #[test]
-fn what_only_steps_can_do_is_refused_by_name() {
+fn features_of_steps_only_are_rejected_by_name() {
     let initial = |model| Importer::in_state_of(model, Purpose::ModelExchange, State::Initialization);
     let (coulomb, strut) = (initial("Coulomb"), initial("ShockAbsorber"));
     assert_eq!(coulomb.set("mass", 1.0), fmi2OK);
@@ -1147,9 +1147,9 @@ fn states_of_stepping_and_of_integrating_instances_are_not_exchanged() {
     }
 }
 
-/// Condition 5 of the table: between events inputs move, and nothing else.
+/// Condition 5 of the table: between events only inputs change.
 #[test]
-fn parameters_change_at_events_only() {
+fn parameters_change_only_at_events() {
     let moving = Importer::in_state_of("LuGre", Purpose::ModelExchange, State::ContinuousTimeMode);
     assert_eq!(moving.set("velocity", 1e-3), fmi2OK);
     assert_eq!(moving.set("mu_k", 0.12), fmi2Error);
@@ -1159,7 +1159,7 @@ fn parameters_change_at_events_only() {
     assert_eq!(at_event.set("bristle_deflection", 0.0), fmi2Error, "states are set with fmi2SetContinuousStates");
 }
 
-/// The derivatives of every model are those of its own steps, and are variables too.
+/// The derivatives of every model are those of its own steps, and are also variables.
 #[test]
 fn derivatives_are_the_changes_over_short_steps() {
     for model in catalogue::models().filter(|model| model.model_exchange) {
@@ -1197,7 +1197,7 @@ fn derivatives_are_the_changes_over_short_steps() {
             let change = (row[*state] - begin[*state]) / dt;
             let rounding = 4.0 * f64::EPSILON * begin[*state].abs() / dt;
             let (name, nominal) = (model.table[*state].path.to_string(), model.table[*state].nominal);
-            // Without a stiffness in series the piston follows the strut at once, and its state means nothing.
+            // Without a stiffness in series the piston follows the strut at once, and its state has no meaning.
             if name == "piston_velocity" {
                 continue;
             }
@@ -1211,13 +1211,13 @@ fn derivatives_are_the_changes_over_short_steps() {
     }
 }
 
-/// An instance in continuous-time mode, as a solver has it.
+/// An instance in continuous-time mode, as used by a solver.
 fn integrated(model: &'static str) -> Importer {
     Importer::in_state_of(model, Purpose::ModelExchange, State::ContinuousTimeMode)
 }
 
 #[test]
-fn a_solver_that_leaves_the_domain_may_come_back() {
+fn a_solver_that_leaves_the_domain_may_return() {
     let solver = integrated("ShockAbsorber");
     // The gas has no volume left.
     assert_eq!(solver.set("length", 1e-3), fmi2OK);
@@ -1233,7 +1233,7 @@ fn a_solver_that_leaves_the_domain_may_come_back() {
 
 /// The same for derivatives in a direction, of outputs and of the states' derivatives, alone and together.
 #[test]
-fn derivatives_out_of_the_domain_are_discarded_and_the_run_goes_on() {
+fn derivatives_outside_the_domain_are_discarded_and_the_run_continues() {
     let solver = integrated("ShockAbsorber");
     let model = catalogue::by_name("ShockAbsorber").expect("a model");
     let (force, length) = (solver.vr("force"), solver.vr("length"));
@@ -1251,7 +1251,7 @@ fn derivatives_out_of_the_domain_are_discarded_and_the_run_goes_on() {
         assert_eq!(solver.set(name, value), fmi2OK);
         for unknowns in [&[force][..], &both, &rates] {
             if derive(unknowns) == fmi2OK {
-                assert!(unknowns == rates && name == "length", "{name}: the derivatives do not know the gas");
+                assert!(unknowns == rates && name == "length", "{name}: the derivatives ignore the gas");
                 continue;
             }
             let (status, category, text) = solver.one_message();
@@ -1263,8 +1263,8 @@ fn derivatives_out_of_the_domain_are_discarded_and_the_run_goes_on() {
     }
 }
 
-/// After an error the derivatives are those of the row as it is: neither what an event left in their place nor what was
-/// not finite.
+/// After an error the derivatives are those of the present row: neither leftovers of an event nor values that are not
+/// finite.
 #[test]
 fn derivatives_after_an_error_are_those_of_the_last_states() {
     let rates = |solver: &Importer| {
@@ -1302,13 +1302,13 @@ fn a_solver_may_set_one_state_by_its_reference() {
     assert_eq!(solver.set("bristle_deflection", 1e-6), fmi2OK);
     // sigma_0 z
     assert!((solver.get("friction_force") - 0.1).abs() < 1e-12);
-    // What jumps waits for an event.
+    // Discontinuous results wait for an event.
     let solver = integrated("CoulombStiction");
     assert_eq!(solver.set("stuck", 1.0), fmi2Error);
 }
 
 #[test]
-fn mass_is_refused_at_events_too() {
+fn mass_is_rejected_at_events_too() {
     let solver = Importer::in_state_of("Coulomb", Purpose::ModelExchange, State::EventMode);
     let mut event = NO_EVENT;
     assert_eq!(solver.set("mass", 1.0), fmi2OK);
@@ -1318,9 +1318,9 @@ fn mass_is_refused_at_events_too() {
     assert!(text.contains("mass = 1: must be 0"), "{text}");
 }
 
-/// Between events what jumps stays as it was; the end of a solver's step asks for the event that changes it.
+/// Between events discontinuous results stay constant; the end of a solver's step requests the event that changes them.
 #[test]
-fn results_that_jump_change_at_events_only() {
+fn discontinuous_results_change_only_at_events() {
     for model in catalogue::models().filter(|model| model.model_exchange) {
         let (Some(velocity), Some(sticking)) = (model.find("velocity"), model.find("sticking")) else { continue };
         let integrating = Importer::in_state_of(model.name, Purpose::ModelExchange, State::ContinuousTimeMode);
@@ -1348,7 +1348,7 @@ fn results_that_jump_change_at_events_only() {
         // Bristles are not yet deflected.
         let slides = sticks() == fmi2False;
         assert!(slides || model.find("phase").is_none(), "{} slides", model.name);
-        // A phase has an event indicator of its own.
+        // A phase has its own event indicator.
         assert_eq!(enters == fmi2True, slides && model.find("phase").is_none(), "{}", model.name);
     }
 }

@@ -1,5 +1,5 @@
-//! The FMI 2.0 functions as hosts use them that know little of a model: they set what the description allows, leave
-//! inputs at 0, keep the time in single precision, and have logging off.
+//! The FMI 2.0 functions as used by hosts that know little about a model: they set any value that the description
+//! allows, leave inputs at 0, keep the time in single precision, and have logging off.
 
 mod common;
 
@@ -45,7 +45,7 @@ fn items(description: &str, kind: &str) -> usize {
 
 fn declared(model: &str) -> Vec<Declared> {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("modelDescription").join(format!("{model}.xml"));
-    // Attributes may stand one in a line.
+    // Attributes may be on separate lines.
     let text = fs::read_to_string(path).expect("a description");
     let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
     let variables = text.split("<ScalarVariable ").skip(1);
@@ -92,10 +92,10 @@ fn beyond(variable: &Declared, end: f64, is_up: bool) -> f64 {
     }
 }
 
-/// FMI's `min` and `max` are admitted values: each that a description declares is taken, and the next number is not.
-/// Model Exchange comes first: co-simulation has no events to settle a phase, and takes its start value only.
+/// FMI's `min` and `max` are permitted values: each declared one is accepted, and the next number beyond it is not.
+/// Model Exchange comes first: co-simulation has no events to set a phase, and accepts only its start value.
 #[test]
-fn every_declared_bound_is_taken_and_nothing_beyond_it() {
+fn every_declared_bound_is_accepted_and_nothing_beyond_it() {
     let (mut taken, mut refused) = (0, Vec::new());
     for model in catalogue::models() {
         let purpose = if model.model_exchange { Purpose::ModelExchange } else { Purpose::CoSimulation };
@@ -113,13 +113,13 @@ fn every_declared_bound_is_taken_and_nothing_beyond_it() {
             }
         }
     }
-    assert!(refused.is_empty(), "{} of {} are refused: {refused:?}", refused.len(), refused.len() + taken);
-    println!("figure: {taken} declared bounds, each is taken, and the next number beyond it refused");
+    assert!(refused.is_empty(), "{} of {} are rejected: {refused:?}", refused.len(), refused.len() + taken);
+    println!("figure: {taken} declared bounds, each is accepted, and the next number beyond it rejected");
 }
 
 /// The same through the C interface, which describes the bounds itself.
 #[test]
-fn every_described_bound_is_taken_and_nothing_beyond_it() {
+fn every_described_bound_is_accepted_and_nothing_beyond_it() {
     for model in catalogue::models() {
         let mut handle = std::ptr::null_mut();
         // SAFETY: a text of the library, and a handle that is freed below.
@@ -161,7 +161,7 @@ fn real_columns(model: &ModelType, is_wanted: fn(Role) -> bool) -> Vec<fmi2Value
     wanted.map(|(column, _)| column as fmi2ValueReference).collect()
 }
 
-/// Sets every Real input to 0; the text of the refusal, if there is one.
+/// Sets every Real input to 0; returns the error message, if there is one.
 fn ground(importer: &Importer, model: &ModelType) -> Result<(), String> {
     for input in real_columns(model, |role| role == Role::Input) {
         // SAFETY: one reference, one value.
@@ -182,7 +182,8 @@ fn read(importer: &Importer, model: &ModelType) -> Result<(), String> {
     if is_sound { Ok(()) } else { Err(format!("{status:?} {values:?} {}", importer.last_message())) }
 }
 
-/// Simulink grounds open ports, fmpy's runner of SSP packages sets every connector to 0: first, and the true values later.
+/// Simulink grounds unconnected ports, fmpy's runner of SSP packages first sets every connector to 0, and the true
+/// values later.
 #[derive(Clone, Copy, Debug)]
 enum Habit {
     Never,
@@ -237,7 +238,7 @@ fn every_model_steps_with_all_inputs_at_zero_and_with_none_set() {
     assert_eq!(warned, ["Liang", "ShockAbsorber", "TelescopicJoint"]);
 }
 
-/// A solver that starts from zeros gets derivatives, too.
+/// A solver that starts from zeros gets derivatives as well.
 #[test]
 fn every_model_is_integrated_from_inputs_at_zero() {
     let mut failed = Vec::new();
@@ -262,10 +263,10 @@ fn every_model_is_integrated_from_inputs_at_zero() {
     assert!(failed.is_empty(), "{failed:#?}");
 }
 
-/// Masters that keep the time in single precision: i h, and h summed up, which after a minute is off by many steps. Their
-/// clock is the clock, as long as each step begins where the last one ended by it.
+/// Masters that keep the time in single precision: i h, and h summed up, which after a minute is off by many steps.
+/// Their clock is accepted as long as each step begins where the last one ended on this clock.
 #[test]
-fn a_clock_in_single_precision_is_taken() {
+fn a_clock_in_single_precision_is_accepted() {
     for h in [1e-3f32, 1e-4] {
         for is_step_single in [true, false] {
             let step = if is_step_single { f64::from(h) } else { exact(h) };
@@ -288,14 +289,14 @@ fn a_clock_in_single_precision_is_taken() {
     }
 }
 
-/// The decimal that a step in single precision stands for.
+/// The decimal number that a step in single precision represents.
 fn exact(h: f32) -> f64 {
     h.to_string().parse().expect("a number")
 }
 
-/// However rough the clock: a step that is repeated, left out, or begins half a step off is refused, early and late.
+/// However coarse the clock: a step that is repeated, skipped, or begins half a step off is rejected, early and late.
 #[test]
-fn a_wrong_step_is_refused_by_a_rough_clock_too() {
+fn a_wrong_step_is_rejected_with_a_coarse_clock_too() {
     for h in [1e-3, 1e-4, 1e-5] {
         for begin in [0.0, 1.0, 59.0] {
             for wrong in [-1.0, 1.0, -0.5, 0.5, 2.0] {
@@ -311,10 +312,10 @@ fn a_wrong_step_is_refused_by_a_rough_clock_too() {
     }
 }
 
-/// A host that answers each evaluation of its integrator with a step, 21 times in each of its own steps, at times of its
-/// own count: every step returns fmi2OK, and the log says once what is wrong. A host that steps once is told nothing.
+/// A host that makes a step at each evaluation of its integrator, 21 times in each of its own steps, at consecutive
+/// times: every step returns fmi2OK, and the log reports the fault once. A host that steps once gets no message.
 #[test]
-fn a_strut_that_is_stepped_too_often_is_told_of() {
+fn a_strut_that_is_stepped_too_often_warns() {
     for often in [1, 21] {
         let importer = Importer::ready("ShockAbsorber");
         let mut steps = 0;
@@ -339,9 +340,10 @@ fn a_strut_that_is_stepped_too_often_is_told_of() {
     }
 }
 
-/// `loggingOn` switches debug logging: why a call has failed is no such thing. What a solver's trials meet is.
+/// `loggingOn` switches debug logging. The reason of a failed call does not belong to it; rejected trials of a solver
+/// do.
 #[test]
-fn reasons_are_heard_where_logging_is_off() {
+fn reasons_are_logged_even_with_logging_off() {
     let heard = Heard::default();
     let callbacks = callbacks(&heard);
     let instance = |kind, debug| {

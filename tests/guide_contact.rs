@@ -1,5 +1,4 @@
-//! The friction laws as a contact of the strut uses them: they begin as by themselves, and they let go of a load that is
-//! gone.
+//! The friction laws as a contact of the strut: they start as on their own, and they release a load that is gone.
 
 mod common;
 
@@ -19,7 +18,7 @@ fn contact(law: f64) -> Bench {
     Bench::new("GuideContact", &[("friction.model", law), ("levels.preload_k", 0.0), ("levels.preload_s", 0.0)])
 }
 
-/// The same contact in a strut that has nothing else, with its load as a force across the rod: half at the rod guide,
+/// The same contact in a strut without other parts, with its load as a force across the rod: half at the rod guide,
 /// half at the piston.
 fn strut(law: f64) -> Bench {
     let mut strut = Bench::new("ShockAbsorber", &[("friction.model", law), ("side.mode", 1.0), ("geom.h_reg", 0.0)]);
@@ -49,8 +48,8 @@ fn friction(bench: &mut Bench) -> f64 {
     }
 }
 
-/// Moves the contact at a velocity, and returns the friction after each step of 1 ms. The strut stays where it is, so
-/// that its load does.
+/// Moves the contact at a velocity, and returns the friction after each step of 1 ms. The length of the strut stays
+/// constant, and so does its load.
 fn moved(bench: &mut Bench, velocity: f64, steps: usize) -> Vec<f64> {
     bench.set("velocity", velocity);
     (0..steps)
@@ -61,9 +60,9 @@ fn moved(bench: &mut Bench, velocity: f64, steps: usize) -> Vec<f64> {
         .collect()
 }
 
-/// Each law by itself and in the contact, with nothing set but the load.
+/// Each law on its own and in the contact, with only the load set.
 #[test]
-fn laws_begin_in_a_contact_as_by_themselves() {
+fn laws_start_in_a_contact_as_on_their_own() {
     for (number, name) in laws() {
         let (mut contact, mut law) = (contact(number), Bench::new(name, &[]));
         contact.set("normal_force", 9.81);
@@ -79,12 +78,12 @@ fn laws_begin_in_a_contact_as_by_themselves() {
                 bench.step(1e-3);
             }
             let [here, alone] = [contact.get("friction_force"), law.get("friction_force")];
-            assert!((here - alone).abs() < 1e-9, "{name}, step {k}: {here} N, by itself {alone} N");
+            assert!((here - alone).abs() < 1e-9, "{name}, step {k}: {here} N, on its own {alone} N");
         }
     }
 }
 
-/// What a user reads in the table: the parameter that a law follows starts where that of the law does.
+/// As in the table for users: the parameter that a law uses has the default of the law's own.
 #[test]
 fn parameters_of_a_law_start_at_its_own_values() {
     let given = ["mu_k", "mu_s", "mass", "exchange"];
@@ -121,7 +120,7 @@ fn gonthier_holds_a_load_by_default() {
     assert!(velocity.abs() < 1e-5, "{velocity} m/s");
 }
 
-/// Ways to a contact at rest under 100 N: after sliding, half way back, and after a fine to and fro that leaves the
+/// Paths to a contact at rest under 100 N: after sliding, half way back, and after a fine oscillation that leaves the
 /// elements of a law strained against each other. Velocities and numbers of steps.
 const WAYS: [&[(f64, usize)]; 3] = [
     &[(0.01, 300), (0.0, 2)],
@@ -129,16 +128,16 @@ const WAYS: [&[(f64, usize)]; 3] = [
     &[(0.01, 100), (-1e-3, 160), (1e-3, 80), (-1e-3, 30), (0.0, 2)],
 ];
 
-/// How far a law exceeds its static level under a constant load, too: smooth curves by up to 1 %; one whose peak is the
-/// difference of two relaxations by more after a reversal, as both then change by twice as much.
+/// Amount by which a law exceeds its static level even under a constant load: smooth curves by up to 1 %; one whose
+/// peak is the difference of two relaxations by more after a reversal, as both then change by twice as much.
 fn overshoot(law: &str) -> f64 {
     if law == "BlimanSorine" { 1.35 } else { 1.0101 }
 }
 
-/// The load falls at rest: the friction is not above the new static level, then or in slow motion to either side, and it
-/// resists a motion that goes on.
+/// The load falls at rest: the friction does not exceed the new static level, at rest or in slow motion to either side,
+/// and it resists continued motion.
 #[test]
-fn a_load_that_falls_takes_its_friction_along() {
+fn friction_falls_with_the_load() {
     for (number, name) in laws() {
         for (make, case) in [(contact as fn(f64) -> Bench, "contact"), (strut, "strut")] {
             for (way, legs) in WAYS.iter().enumerate() {
@@ -167,9 +166,9 @@ fn a_load_that_falls_takes_its_friction_along() {
     }
 }
 
-/// Where a solver integrates what a law remembers, the friction falls with the load at once, and the memory follows.
+/// If a solver integrates the states of a law, the friction falls with the load at once, and the states follow.
 #[test]
-fn a_load_that_falls_takes_what_a_solver_integrates_along() {
+fn friction_falls_with_the_load_under_a_solver() {
     let mut tested = 0;
     for (number, name) in laws().filter(|(_, name)| by_name(name).unwrap().model_exchange) {
         let mut bench = contact(number);
@@ -193,7 +192,7 @@ fn a_load_that_falls_takes_what_a_solver_integrates_along() {
         assert!(model.output(&mut row) && row[force].abs() <= level, "{name}: {} N", row[force]);
         row[bench.column("normal_force")] = 100.0;
         assert!(model.output(&mut row));
-        // The memory of some laws is a share of the load: they have their old force again.
+        // The states of some laws are relative to the load: they have their old force again.
         let is_share = ["BlimanSorine", "Dankowicz"].contains(&name);
         assert!(is_share || row[force].abs() <= 1.01 * level, "{name}: {} N again", row[force]);
         tested += 1;
@@ -201,9 +200,9 @@ fn a_load_that_falls_takes_what_a_solver_integrates_along() {
     assert!(tested > 15);
 }
 
-/// Whoever sets the shared parameter for a law that has its own is told so, and by which name it is to be set.
+/// Setting the shared parameter for a law that has its own gives a warning with the name to set instead.
 #[test]
-fn a_shared_parameter_that_the_law_does_not_follow_warns() {
+fn a_shared_parameter_that_the_law_does_not_use_warns() {
     let number = |name: &str| laws().find(|law| law.1 == name).unwrap().0;
     let warning = |law: &str, set: &[(&str, f64)]| {
         let bench = Bench::new("GuideContact", &[set, &[("friction.model", number(law))]].concat());

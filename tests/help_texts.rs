@@ -1,11 +1,11 @@
-//! What the help texts of columns say in numbers, against what the laws do.
+//! Numbers in the help texts of columns, compared with the behaviour of the laws.
 
 mod common;
 
 use common::Bench;
 use stribeck::catalogue::{self, Family};
 
-/// Part of the excess f_s - f_C that is left in steady sliding at the Stribeck velocity, without viscous parts.
+/// Fraction of the excess f_s - f_C that remains in steady sliding at the Stribeck velocity, without viscous parts.
 fn left_at_stribeck_velocity(model: &str, curve: Option<f64>) -> f64 {
     let mut law = Bench::new(model, &[("mu_k", 0.1), ("mu_s", 0.15), ("normal_force", 10.0)]);
     if let Some(curve) = curve {
@@ -30,7 +30,7 @@ fn left_at_stribeck_velocity(model: &str, curve: Option<f64>) -> f64 {
     (law.get(if along_x { "friction_force_x" } else { "friction_force" }) - 1.0) / 0.5
 }
 
-/// 1/e for exponentials, one half for fractions: the help names both, for a name means the same in all models.
+/// 1/e for exponentials, one half for fractions: the help gives both, because a name means the same in all models.
 #[test]
 fn the_stribeck_velocity_is_what_its_help_says() {
     let e = (-1.0_f64).exp();
@@ -53,7 +53,7 @@ fn the_stribeck_velocity_is_what_its_help_says() {
 
 /// Published values that a help text must not call chosen: Table 6.2 of the thesis.
 #[test]
-fn what_a_table_of_the_thesis_gives_is_not_called_chosen() {
+fn values_from_a_table_of_the_thesis_are_not_called_chosen() {
     for (model, name, value) in [
         ("Threlfall", "transition_velocity", 0.001),
         ("ThrelfallModified", "transition_velocity", 0.001),
@@ -77,9 +77,9 @@ fn the_transition_velocity_of_ambrosio_is_the_end_of_no_friction() {
     assert!(law.get("friction_force") > 0.0);
 }
 
-/// A page sends the reader to Model Exchange only if the model offers it.
+/// A page recommends Model Exchange only if the model supports it.
 #[test]
-fn pages_recommend_model_exchange_only_where_it_is_offered() {
+fn pages_recommend_model_exchange_only_where_it_is_supported() {
     let families = [Family::Friction, Family::ShockAbsorber, Family::Host];
     for (model, page) in families.into_iter().flat_map(catalogue::documented) {
         let text = page.split_whitespace().collect::<Vec<_>>().join(" ");

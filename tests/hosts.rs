@@ -1,4 +1,4 @@
-//! The cars on struts that a closure gives, against the tables of a reference solution.
+//! The cars on struts given by a closure, compared with the tables of a reference solution.
 
 mod common;
 
@@ -107,7 +107,7 @@ fn quarter_car_transmits_as_the_reference() {
     assert_transmits(&FRICTIONLESS, 0.01, 1325.2555, || Box::new(spring_and_damper(1325.2555, 45e3)));
 }
 
-/// Less motion below the body's frequency, more above it: no damping can do both.
+/// Less motion below the body's frequency, more above it: no damping has both effects.
 #[test]
 fn friction_in_the_shock_absorber_transmits_as_the_reference() {
     let tables = [
@@ -128,13 +128,13 @@ fn quarter_car_with_a_locked_strut_is_one_mass_on_the_tyre() {
     for frequency in [2.0, 4.0] {
         let [body, travel] = transmissibility(frequency, 2e-3, 1325.2555, Box::new(strut));
         let ratio = frequency / 5.66;
-        // Its damping, 2 % of critical, needs more periods to forget the beginning than are simulated.
+        // Its damping, 2 % of critical, would need more periods to settle than are simulated.
         assert_close("body", body, 1.0 / (1.0 - ratio * ratio), 0.1);
         assert!(travel < 2e-3 * body, "{travel}");
     }
 }
 
-/// What is seen of a car that repeats its motion; of its front left corner in the last three.
+/// Measurements of a car in periodic motion; of its front left corner in the last three.
 struct Ride {
     heave: f64,
     pitch: f64,
@@ -207,7 +207,7 @@ fn four_post_car_moves_as_the_reference() {
     assert_rides(2.0, &[38.06e-3, 3.025, 0.058, 8.52e-3, 407.0], 0.01, forces, strut);
 }
 
-/// The reference gives no least load with friction.
+/// The reference gives no minimum load with friction.
 #[test]
 fn four_post_car_with_friction_moves_as_the_reference() {
     let forces = STIFFNESSES.map(static_force);
@@ -242,8 +242,8 @@ fn lane_change(mut struts: [Strut; 4]) -> Vec<f64> {
     (0..5000).map(step).collect()
 }
 
-/// Friction keeps some roll after the lane change, which springs and dampers cannot. The reference has a simpler tyre, and
-/// no links that tilt the axles: these add 0.1 degrees to its largest roll, whatever the friction.
+/// Friction keeps some roll after the lane change, which springs and dampers cannot. The reference has a simpler tyre,
+/// and no links that tilt the axles: these add 0.1 degrees to its largest roll, whatever the friction.
 #[test]
 fn friction_leaves_the_car_rolled_after_a_lane_change_as_the_reference() {
     let ride = |kinetic: f64| {

@@ -1,4 +1,4 @@
-//! A whole life of every model through both C interfaces: short, so that Miri can watch each access to memory.
+//! A complete run of every model through both C interfaces: short, so that Miri can check each memory access.
 
 #![allow(non_upper_case_globals, reason = "the names of the standard")]
 
@@ -20,14 +20,14 @@ use stribeck::fmi2::types::*;
 use stribeck::fmi2::values::*;
 use stribeck::model::{Kind, ModelType, Role, Variable};
 
-/// Value references of the Real variables that are wanted.
+/// Value references of the selected Real variables.
 fn reals(model: &ModelType, is_wanted: impl Fn(&Variable) -> bool) -> Vec<fmi2ValueReference> {
     let is_real = |variable: &Variable| matches!(variable.kind, Kind::Real(_));
     let table = model.table.iter().enumerate();
     table.filter(|(_, variable)| is_real(variable) && is_wanted(variable)).map(|(column, _)| column as u32).collect()
 }
 
-/// Is it an output that may be differentiated? The others are advice.
+/// Whether it is an output that may be differentiated. The others are advice.
 fn is_output(variable: &Variable) -> bool {
     variable.role.is_output() && variable.has_derivatives
 }
@@ -53,7 +53,7 @@ unsafe fn begin(model: &ModelType, kind: fmi2Type) -> fmi2Component {
     }
 }
 
-/// Reads the outputs, and their slopes against the first input.
+/// Reads the outputs, and their derivatives with respect to the first input.
 ///
 /// # Safety
 /// `c` must be a live instance of the model.
@@ -62,7 +62,7 @@ unsafe fn look(model: &ModelType, c: fmi2Component) -> Vec<f64> {
     let mut values = vec![f64::NAN; 2 * outputs.len()];
     let (found, slopes) = values.split_at_mut(outputs.len());
     let (count, known) = (outputs.len(), inputs.len().min(1));
-    // SAFETY: arrays of as many elements as are named.
+    // SAFETY: arrays of as many elements as given.
     unsafe {
         assert_eq!(fmi2GetReal(c, outputs.as_ptr(), count, found.as_mut_ptr()), fmi2OK);
         let status =
@@ -75,7 +75,7 @@ unsafe fn look(model: &ModelType, c: fmi2Component) -> Vec<f64> {
 #[test]
 fn steps_and_states_of_co_simulation() {
     for model in catalogue::models() {
-        // SAFETY: an instance and states of this test, each freed once; arrays of as many elements as are named.
+        // SAFETY: an instance and states of this test, each freed once; arrays of as many elements as given.
         unsafe {
             let c = begin(model, fmi2CoSimulation);
             assert_eq!(fmi2DoStep(c, 0.0, 1e-3, fmi2True), fmi2OK, "{}", model.name);
@@ -118,7 +118,7 @@ fn events_and_rates_of_model_exchange() {
             (vec![0.0; states], vec![0.0; states], vec![0.0; model.event_indicators]);
         let (mut enters, mut ends) = (fmi2False, fmi2False);
         let mut event = NO_EVENT;
-        // SAFETY: an instance of this test, freed once; arrays of as many elements as are named.
+        // SAFETY: an instance of this test, freed once; arrays of as many elements as given.
         unsafe {
             let c = begin(model, fmi2ModelExchange);
             assert_eq!(fmi2NewDiscreteStates(c, &mut event), fmi2OK);
@@ -144,7 +144,7 @@ fn handles_of_the_c_interface() {
     for model in catalogue::models() {
         let name = CString::new(model.name).expect("no zero byte");
         let mut handle = null_mut();
-        // SAFETY: a handle of this test, freed once; texts that end, and a buffer of the size that is named.
+        // SAFETY: a handle of this test, freed once; terminated texts, and a buffer of the given size.
         unsafe {
             assert_eq!(stribeck_create(name.as_ptr(), &mut handle), STRIBECK_OK);
             let mut variable = std::mem::zeroed();
@@ -161,7 +161,7 @@ fn handles_of_the_c_interface() {
             assert_eq!(stribeck_get_by_name(handle, c"\xff".as_ptr(), &mut value), STRIBECK_UNKNOWN_VARIABLE);
             assert!(CStr::from_ptr(stribeck_last_error(handle)).to_string_lossy().contains("not UTF-8"));
             let input = reals(model, |variable| variable.role != Role::Output)[0];
-            // A few show it: each computes all outputs, which takes Miri long.
+            // A few are enough: each computes all outputs, which is slow under Miri.
             for output in reals(model, is_output).into_iter().take(3) {
                 assert_eq!(stribeck_derivative(handle, output, input, &mut 0.0), STRIBECK_OK);
             }

@@ -1,4 +1,4 @@
-//! `MaxwellSlip` with up to 1000 elements, of which 64 have variables: against closed forms, and what is saved of it.
+//! `MaxwellSlip` with up to 1000 elements, of which 64 have variables: closed forms and saved states.
 
 mod common;
 
@@ -8,7 +8,7 @@ const F_S: f64 = 0.15 * 9.81;
 const SIGMA_0: f64 = 1e5;
 /// Speed at which the level is f_s to 1e-12.
 const CREEP: f64 = 1e-9;
-/// Numbers that an element without variables remembers.
+/// Number of states of an element without variables.
 const NUMBERS: usize = 2;
 
 fn uniform(count: u32, more: &[(&str, f64)]) -> Bench {
@@ -20,7 +20,7 @@ fn travel(law: &mut Bench, distance: f64) {
     law.step(distance.abs() / CREEP);
 }
 
-/// What evenly spread elements become when there are infinitely many.
+/// The limit of evenly spaced elements when their number goes to infinity.
 fn parabola(x: f64) -> f64 {
     F_S * (1.0 - (1.0 - SIGMA_0 * x / (2.0 * F_S)).max(0.0).powi(2))
 }
@@ -72,7 +72,8 @@ fn branches_of_a_thousand_elements_follow_masing() {
     }
 }
 
-/// The loss on the virgin curve up to slip is its integral, less the energy of the springs: sum_i (alpha_i f_s)^2 / (2 k_i).
+/// The loss on the virgin curve up to slip is its integral, less the energy of the springs: sum_i (alpha_i f_s)^2 / (2
+/// k_i).
 #[test]
 fn energy_of_a_thousand_elements_is_that_of_the_parabola() {
     let mut law = uniform(1000, &[]);
@@ -84,7 +85,7 @@ fn energy_of_a_thousand_elements_is_that_of_the_parabola() {
     assert!((law.get("friction_force") / F_S - 1.0).abs() < 1e-12);
 }
 
-/// The slope of the outputs against a difference, while elements stick and slip.
+/// The slope of the outputs compared with a difference, while elements stick and slip.
 #[test]
 fn derivative_with_time_of_a_thousand_elements() {
     let mut law = uniform(1000, &[("sigma_1", 300.0)]);
@@ -98,7 +99,7 @@ fn derivative_with_time_of_a_thousand_elements() {
     assert!((slope / quotient - 1.0).abs() < 2e-3, "{slope} {quotient}");
 }
 
-/// A copy goes on exactly as the original does, and so does the original that is put back.
+/// A copy continues exactly as the original, and so does the restored original.
 #[test]
 fn saved_state_holds_all_elements() {
     let mut law = uniform(1000, &[]);
@@ -120,7 +121,7 @@ fn saved_state_holds_all_elements() {
     assert_eq!(go_on(&mut law), expected);
 }
 
-/// After a reset, and after a step that fails, no element keeps anything of what was.
+/// After a reset, and after a failed step, no element keeps anything of its past.
 #[test]
 fn reset_and_failed_steps_leave_no_trace() {
     let mut law = uniform(1000, &[]);
@@ -135,9 +136,9 @@ fn reset_and_failed_steps_leave_no_trace() {
     assert_eq!(law.instance.save().memory, fresh.memory);
 }
 
-/// What is not in use is not even looked at, so that a law with few elements costs what it did.
+/// Unused elements are not even read, so a law with few elements costs no more than before.
 #[test]
-fn elements_out_of_use_cost_nothing() {
+fn unused_elements_cost_nothing() {
     for (count, in_use) in [(4, 0), (64, 0), (65, NUMBERS), (100, 36 * NUMBERS)] {
         let mut law = uniform(count, &[]);
         let mut saved = law.instance.save();
@@ -169,7 +170,7 @@ fn shares_are_given_to_64_elements_at_most() {
     let count = law.instance.variable(law.column("element_count")).expect("a variable");
     assert!(count.admits(1000.0) && !count.admits(1001.0));
     assert_eq!(count.fault(1001.0).to_string(), "element_count = 1001: must be >= 1 and <= 1000");
-    // No door leads to an element beyond the 64th.
+    // No interface gives access to an element beyond the 64th.
     assert_eq!(law.instance.row().len(), law.instance.model().table.len());
     assert_eq!(law.instance.model().find("element[65].force"), None);
 }

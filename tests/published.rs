@@ -16,7 +16,7 @@ fn level(velocity: f64) -> f64 {
     F_C + (F_S - F_C) * (-(velocity / V_S).powi(2)).exp()
 }
 
-/// Divides `time` into the steps of a master that does not know what it wants.
+/// Divides `time` into irregular steps of a master.
 fn run(model: &str, values: &[(&str, f64)], time: f64, steps: &[f64]) -> Bench {
     let mut bench = Bench::new(model, values);
     let total: f64 = steps.iter().sum();
@@ -147,7 +147,7 @@ fn drift_under_a_pulsating_load() {
     }
 }
 
-/// Inputs that move linearly: a dense sequence of short held steps is the other road.
+/// Linearly varying inputs, compared with a dense sequence of short held steps.
 #[test]
 fn ramped_inputs_agree_with_many_short_steps() {
     for model in ["LuGre", "Dahl", "BrownMcPhee", "CoulombStiction", "Karnopp"] {
@@ -181,7 +181,7 @@ fn ramped_inputs_agree_with_many_short_steps() {
     }
 }
 
-/// Exact derivatives against formulas worked out by hand.
+/// Exact derivatives, compared with formulas derived by hand.
 #[test]
 fn directional_derivatives_of_the_friction_force() {
     let slope = |bench: &mut Bench, with: &str| {

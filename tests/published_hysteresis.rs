@@ -1,4 +1,4 @@
-//! Numbers and closed forms of the laws whose pre-sliding has hysteresis, dwell time or two dimensions.
+//! Published numbers and closed forms of the laws with hysteresis in pre-sliding, dwell time or two dimensions.
 
 mod common;
 
@@ -56,8 +56,8 @@ fn first_slip(samples: impl Iterator<Item = (f64, f64)>) -> [f64; 3] {
     [highest.0, highest.1, lowest]
 }
 
-/// The belt benchmark (Table 6.1) with a law written anew, by Euler's method at 1 us: `law(v, h)` advances the states
-/// of the law and returns its force.
+/// The belt benchmark (Table 6.1) with an independent implementation of the law, by Euler's method at 1 us: `law(v, h)`
+/// advances the states of the law and returns its force.
 fn euler_belt(mut law: impl FnMut(f64, f64) -> f64) -> [f64; 3] {
     let (h, mut x, mut dx) = (1e-6, 0.0, 0.1);
     let samples = (0..12_000_000).map(|k| {
@@ -78,7 +78,7 @@ fn assert_belt(model: &str, values: &[(&str, f64)], expected: [f64; 3]) {
     }
 }
 
-/// The block stays where the closed form has it, and the force within what law and damping can give.
+/// The block stays within the closed form, and the force within the limit of law and damping.
 fn assert_bounded(model: &str, values: &[(&str, f64)]) {
     for exchange in [Exchange::Sequential, Exchange::Parallel] {
         for h in [1e-3, 5e-3, 1e-2] {
@@ -91,7 +91,8 @@ fn assert_bounded(model: &str, values: &[(&str, f64)]) {
     }
 }
 
-/// Random strokes, after which the law can have given back no more than it got: its elastic energy is not negative.
+/// Random strokes, after which the law has returned no more energy than it received: its elastic energy is not
+/// negative.
 fn assert_passive(model: &str, values: &[(&str, f64)], speed: f64) {
     let mut random = Random(23);
     for history in 0..1000 {
@@ -105,8 +106,8 @@ fn assert_passive(model: &str, values: &[(&str, f64)], speed: f64) {
     }
 }
 
-/// Inputs that move linearly, in so many steps: a dense sequence of short held steps is the other road. Its load stays
-/// behind by half a short step: raised at once, it would bond what slides.
+/// Linearly varying inputs in so many steps, compared with a dense sequence of short held steps. The load of these lags
+/// by half a short step: raised at once, it would bond sliding elements.
 fn assert_ramp(model: &str, values: &[(&str, f64)], steps: u32, tolerance: f64) {
     let mut ramp = Bench::new(model, values);
     let axis = if ramp.has("velocity") { "" } else { "_x" };
@@ -156,7 +157,7 @@ fn maxwell_slip_virgin_curve() {
     }
 }
 
-/// Masing's rules: branches are the virgin curve, doubled; inner loops close and are wiped out by the outer branch.
+/// Masing's rules: branches are the virgin curve, doubled; inner loops close and are erased by the outer branch.
 #[test]
 fn maxwell_slip_branches_follow_masing() {
     let mut law = Bench::new("MaxwellSlip", &[]);
@@ -329,7 +330,7 @@ fn leuven_without_damping_is_passive() {
     }
 }
 
-/// With damping above sigma_2 f_C / (f_s - f_C) a jump to a high speed from full stiction gives power back.
+/// With damping above sigma_2 f_C / (f_s - f_C) a jump to a high speed from full stiction returns power.
 #[test]
 fn leuven_is_active_above_the_stated_bound() {
     let bound = SIGMA_2 * F_C / (F_S - F_C);
@@ -420,7 +421,7 @@ fn gonthier_steady_force() {
 fn gonthier_breakaway_rises_with_the_time_of_rest() {
     for rest in [0.01, 0.5, 2.0, 20.0] {
         let mut law = after("Gonthier", &[("viscous_coefficient", 0.0), ("sigma_1", 1e4)], 0.0, rest);
-        // Twice the way to full stiction, too fast for the level to change.
+        // Twice the distance to full stiction, too fast for the level to change.
         law.set("velocity", 1e-4);
         law.set("normal_force", 9.81);
         law.step(1e-9);
@@ -436,9 +437,9 @@ fn gonthier_with_equal_levels_is_passive() {
     assert_passive("Gonthier", &[("mu_s", 0.1), ("viscous_coefficient", 0.0)], 1e-3);
 }
 
-/// With stiction the law is not passive; it gives back at most (f_s - f_C) times the distance travelled.
+/// With stiction the law is not passive; it returns at most (f_s - f_C) times the distance travelled.
 #[test]
-fn gonthier_gives_back_no_more_than_the_stated_bound() {
+fn gonthier_returns_no_more_than_the_stated_bound() {
     let mut random = Random(29);
     let mut lowest = f64::MAX;
     for _ in 0..1000 {
@@ -585,7 +586,7 @@ fn liang_with_equal_levels_is_elastic_and_perfectly_plastic() {
     }
 }
 
-/// Random strokes in a plane, after which a law can have given back no more than it got.
+/// Random strokes in a plane, after which a law has returned no more energy than it received.
 fn assert_passive_in_a_plane(model: &str, values: &[(&str, f64)], speed: f64) {
     let mut random = Random(43);
     for history in 0..1000 {
@@ -624,7 +625,7 @@ fn planar_belt(model: &str, values: &[(&str, f64)], h: f64, end: f64) -> Vec<[f6
         .collect()
 }
 
-/// `peak(h)` is what the force may reach when the velocity is sampled with the step h.
+/// `peak(h)` is the largest possible force when the velocity is sampled with the step h.
 fn assert_planar_belt(model: &str, expected: [f64; 3], peak: impl Fn(f64) -> f64) {
     let values = &[];
     for h in [1e-4, 1e-3] {
@@ -652,7 +653,7 @@ fn liang_on_the_belt() {
         z = if slides { limit * v.signum() } else { free };
         SIGMA_0 * z + if slides { 0.0 } else { SIGMA_1 * v }
     });
-    // The damping acts while the bristle moves from one limit to the other, in a step at the least.
+    // The damping acts while the bristle moves from one limit to the other, for at least one step.
     assert_planar_belt("Liang", expected, |h| F_S + SIGMA_1 * 2.0 * F_S / SIGMA_0 / h);
 }
 
@@ -691,7 +692,7 @@ fn planar_laws_from_rest_along_a_line() {
     }
 }
 
-/// Steady sliding: (g(|v|) + sigma_2 |v|) v / |v|, whatever came before.
+/// Steady sliding: (g(|v|) + sigma_2 |v|) v / |v|, whatever the history.
 #[test]
 fn planar_laws_steady_force() {
     for model in PLANAR {
@@ -749,7 +750,7 @@ fn planar_laws_without_damping_are_passive() {
     }
 }
 
-/// A jump from full stiction to a high speed gives power back above sigma_1 = sigma_2 f_C / (f_s - f_C), not below.
+/// A jump from full stiction to a high speed returns power above sigma_1 = sigma_2 f_C / (f_s - f_C), not below.
 #[test]
 fn planar_laws_are_active_above_the_stated_bound() {
     let bound = SIGMA_2 * F_C / (F_S - F_C);

@@ -39,10 +39,10 @@ const STEEPEST: f64 = 420.8;
 const ACCELERATION: f64 = 1.5e-3 * TAU;
 const JERK: f64 = ACCELERATION * TAU;
 
-/// Friction at v = V: 1.02727822 N while accelerating (t = 1 s), 0.98213481 N while decelerating (t = 1.5 s). A
-/// velocity that is held is late by up to one step. With slopes it is a polygon, with an error of h^2 / 8 of the second
-/// derivative, and of (tau_L / 31)^2 / 8 where the delay holds more steps than it has pieces; where it holds whole
-/// steps, it has none.
+/// Friction at v = V: 1.02727822 N while accelerating (t = 1 s), 0.98213481 N while decelerating (t = 1.5 s). A held
+/// velocity is late by up to one step. With slopes it is a polygon, with an error of h^2 / 8 of the second derivative,
+/// and of (tau_L / 31)^2 / 8 where the delay holds more steps than it has pieces; where it holds whole steps, it has
+/// none.
 #[test]
 fn lag_makes_friction_higher_while_accelerating() {
     for (end, expected) in [(1.0, 1.02727822), (1.5, 0.98213481)] {
@@ -101,7 +101,7 @@ fn any_step_from_1_us_to_1_s_runs() {
     }
 }
 
-/// What a step of any length does is what its parts do, with slopes too.
+/// A step of any length has the same result as its parts, also with slopes.
 #[test]
 fn divisions_of_a_ramp_agree() {
     for variant in [1.0, 2.0] {
@@ -125,7 +125,7 @@ fn divisions_of_a_ramp_agree() {
     }
 }
 
-/// With lag the loop takes more energy than the static law with the same motion, and the power is never negative.
+/// With lag the loop dissipates more energy than the static law in the same motion, and the power is never negative.
 #[test]
 fn the_lag_is_passive() {
     for variant in [1.0, 2.0] {
@@ -143,7 +143,7 @@ fn the_lag_is_passive() {
     }
 }
 
-/// Rows of Hess and Soom's curve, which the slip branch is without lag and with an instant rise.
+/// Rows of Hess and Soom's curve, which the slip branch becomes without lag and with an instant rise.
 #[test]
 fn armstrong_without_lag_slides_on_the_curve_of_hess_and_soom() {
     let rows = [
@@ -167,7 +167,8 @@ fn armstrong_without_lag_slides_on_the_curve_of_hess_and_soom() {
     }
 }
 
-/// The same motion in steps of 1 us to 1 s: the instants of breakaway and stop are the same, and so is what follows.
+/// The same motion in steps of 1 us to 1 s: the times of breakaway and stop are the same, and so is the motion after
+/// them.
 #[test]
 fn armstrong_events_do_not_depend_on_the_step() {
     let run = |h: f64| {
@@ -242,7 +243,7 @@ fn armstrong_on_the_belt_follows_a_direct_integration() {
     );
 }
 
-/// Rows of Tustin's curve, which both curves are for f_l0 = f_s and a = b = 1 / v_S.
+/// Rows of Tustin's curve, which both curves become for f_l0 = f_s and a = b = 1 / v_S.
 #[test]
 fn non_reversible_with_equal_curves_is_tustin() {
     let rows = [
@@ -266,8 +267,8 @@ fn non_reversible_with_equal_curves_is_tustin() {
     }
 }
 
-/// A velocity that oscillates without reversing draws both curves, whether the master gives slopes or the acceleration;
-/// by hand at v = V = 2 mm/s, where a v = 1: f_C + (f_s - f_C) / e upwards and f_C (1 - 1 / e) downwards.
+/// A velocity that oscillates without reversing follows both curves, whether the master gives slopes or the
+/// acceleration; by hand at v = V = 2 mm/s, where a v = 1: f_C + (f_s - f_C) / e upwards and f_C (1 - 1 / e) downwards.
 #[test]
 fn non_reversible_loop_is_the_same_with_slopes_and_with_the_acceleration() {
     let upper = F_C + (F_S - F_C) * (-1f64).exp();
@@ -283,7 +284,7 @@ fn non_reversible_loop_is_the_same_with_slopes_and_with_the_acceleration() {
     }
 }
 
-/// Energy over one period against the midpoint rule over both branches of the loop.
+/// Energy over one period, compared with the midpoint rule over both branches of the loop.
 #[test]
 fn non_reversible_energy_per_period() {
     let mut law = Bench::new("NonReversible", &[]);
@@ -306,7 +307,8 @@ fn non_reversible_energy_per_period() {
 }
 
 /// The first slip of Wojewoda's law on the belt, integrated directly at 1 us with the two curves: highest position with
-/// its time, time and position of the stop. A block that neither curve lets speed up or slow down keeps its velocity.
+/// its time, time and position of the stop. A block that can neither speed up nor slow down on its curves keeps its
+/// velocity.
 fn first_slip_on_two_curves() -> [f64; 4] {
     let (begin, h) = (F_S / 0.2, 1e-6);
     let (mut x, mut v, mut highest) = (0.1 * begin, 0.1 - 1e-9, (0.0, 0.0));
@@ -316,7 +318,7 @@ fn first_slip_on_two_curves() -> [f64; 4] {
             highest = (time, x);
         }
         let fading = (F_S - F_C) * (-500.0 * (v - 0.1f64).abs()).exp();
-        // Slip is backwards: the block speeds up as long as it does so against the upper curve.
+        // Slip is backwards: the block speeds up as long as it can against the upper curve.
         let (upper, lower) = (F_C + fading - 2.0 * x, F_C - fading - 2.0 * x);
         let acceleration = if upper <= 0.0 { upper } else { lower.max(0.0) };
         let next = v + h * acceleration;
@@ -397,7 +399,7 @@ fn wojewoda_slides_on_the_mirrored_curves_of_the_non_reversible_law() {
 /// A model, its parameters and the velocity to look at.
 type Case = (&'static str, &'static [(&'static str, f64)], f64);
 
-/// Time derivatives of the outputs against what a short ramp makes of them, while stuck and while sliding.
+/// Time derivatives of the outputs, compared with the changes over a short ramp, while stuck and while sliding.
 #[test]
 fn time_derivatives_of_outputs_agree_with_a_short_ramp() {
     let cases: [Case; 7] = [
@@ -412,7 +414,7 @@ fn time_derivatives_of_outputs_agree_with_a_short_ramp() {
     for (model, values, velocity) in cases {
         let mut law = Bench::new(model, values);
         let (input, force) = (law.column("velocity"), law.column("friction_force"));
-        // The slope of the step stays the slope of the input after it.
+        // The slope of the step remains the slope of the input after it.
         let ramp = |law: &mut Bench, time: f64| {
             law.instance.put_slope(input, 20.0 * velocity);
             law.step(time);
@@ -427,8 +429,8 @@ fn time_derivatives_of_outputs_agree_with_a_short_ramp() {
     }
 }
 
-/// A motion that comes to rest while the load grows: the level is passed in the middle of the step, although at its end
-/// the contact could hold again. Many short steps cannot miss it.
+/// A motion that comes to rest while the load grows: the level is exceeded in the middle of the step, although at its
+/// end the contact could hold again. Many short steps cannot miss this.
 #[test]
 fn a_breakaway_that_the_end_of_the_step_hides_is_found() {
     for (model, values) in [("Armstrong", [("gamma", 1.0), ("mu_s", 0.11)]), ("Wojewoda", [("mu_k", 0.1); 2])] {
@@ -455,7 +457,8 @@ fn a_breakaway_that_the_end_of_the_step_hides_is_found() {
     }
 }
 
-/// A step of 20 000 lags: the filter's way to the new velocity is over within a few of them, but its energy counts.
+/// A step of 20 000 lags: the filter reaches the new velocity within a few of them, but the energy of this transient
+/// counts.
 #[test]
 fn a_step_much_longer_than_the_filter_keeps_the_energy_of_the_transient() {
     let run = |steps: &[f64]| {
@@ -465,7 +468,7 @@ fn a_step_much_longer_than_the_filter_keeps_the_energy_of_the_transient() {
         for h in steps {
             law.step(*h);
         }
-        // What the steady state would take is 4e-3 * 0.981 * time.
+        // The steady state would dissipate 4e-3 * 0.981 * time.
         law.get("dissipated_energy") - 4e-3 * gaussian(4e-3) * steps.iter().sum::<f64>()
     };
     let fine = run(&[1e-7; 2000]);

@@ -1,4 +1,5 @@
-//! The laws without memory: printed values, identities between them, slopes, the belt benchmark, and the step with mass.
+//! The laws without memory: printed values, identities between them, slopes, the belt benchmark, and the step with
+//! mass.
 
 mod common;
 
@@ -35,7 +36,7 @@ const COULOMB: Form = ("Coulomb", &[]);
 const COULOMB_VISCOUS: Form = ("CoulombViscous", &[]);
 const COULOMB_POWER: Form = ("CoulombViscous", &[("variant", 2.0), ("viscous_exponent", 0.5)]);
 
-/// Every form of every law that has a curve; set-valued at rest are the last eight.
+/// Every form of every law that has a curve; the last eight are set-valued at rest.
 const FORMS: [Form; 24] = [
     BERNARD,
     THRELFALL,
@@ -203,7 +204,7 @@ fn equal_levels_and_special_exponents_reduce_to_simpler_laws() {
 }
 
 #[test]
-fn what_is_at_rest_is_held_up_to_the_level() {
+fn bodies_at_rest_are_held_up_to_the_level() {
     for load in [-2.0, -1.0, 0.0, 0.3, 1.4, 7.0f64] {
         let held = |form| force(form, &[("external_force", load)], 0.0);
         assert_eq!(held(AWREJCEWICZ), load.clamp(-F_S, F_S));
@@ -290,7 +291,7 @@ fn force_with_mass_is_the_printed_force_at_the_first_balance() {
                 printed.set("velocity", velocity);
                 printed.get("friction_force")
             };
-            // Where the law is steep, an error of rounding in w is one in f(w); the balance lies between neighbours.
+            // Where the law is steep, a rounding error in w affects f(w); the balance lies between neighbours.
             let reach = 1e-12 * w.abs().max((load.abs() + 2.0) / inertia) + 1e-300;
             let around = [at(w - reach), at(w + reach), at(w)];
             let low = around.iter().copied().fold(f64::MAX, f64::min) - 1e-12;
@@ -316,7 +317,7 @@ fn force_with_mass_is_the_printed_force_at_the_first_balance() {
     assert!(on_the_curve > 5000, "{on_the_curve}");
 }
 
-/// Exact derivatives of the force with mass against central differences.
+/// Exact derivatives of the force with mass, compared with central differences.
 #[test]
 fn derivatives_with_mass_agree_with_central_differences() {
     let mut compared = 0;
@@ -405,7 +406,7 @@ fn belt_rows_without_mass_at_100_us() {
 }
 
 /// First maximum of the belt benchmark for every form: from the table above; for the other regularised laws from the
-/// printed law coupled explicitly at 50 us; for the set-valued ones from the slip, integrated by itself.
+/// printed law coupled explicitly at 50 us; for the set-valued ones from the slip, integrated separately.
 fn first_maximum(form: Form) -> (f64, f64) {
     if let Some(row) = ROWS.iter().find(|row| row.form == form) {
         return row.first_maximum;
@@ -417,7 +418,7 @@ fn first_maximum(form: Form) -> (f64, f64) {
 }
 
 /// The block sticks until k x = f(0+), at t = x / v_b, and then slides by dv/dt = -k x - f(v - v_b): classical
-/// Runge-Kutta method until the block turns.
+/// Runge-Kutta method until the block reverses.
 fn end_of_rise(form: Form) -> (f64, f64) {
     let mut law = bench(form, &[]);
     let mut rate = |[x, v]: [f64; 2]| {
@@ -534,7 +535,7 @@ fn dissipated_energy_is_the_lost_kinetic_energy() {
             }
             let lost = 0.5 * mass * (0.05 * 0.05 - velocity * velocity);
             assert_close(&format!("{form:?} {h}"), law.get("dissipated_energy"), lost, 1e-12);
-            // It stops or creeps on; it is not driven back, but for the rounding of the host.
+            // It stops or creeps on; it is not driven back, except by the rounding of the host.
             assert!(velocity >= -1e-17, "{form:?} {h}: {velocity}");
         }
     }
@@ -559,7 +560,8 @@ fn energy_along_a_ramp_is_the_integral_over_the_distance() {
             printed.get("friction_force") * v
         });
         let energy = powers.sum::<f64>() * 0.01 / f64::from(n);
-        // A piece of a ramp may err by 1e-12 J, 1e-9 of the nominal energy; a missed jump costs 1e-9 J and more.
+        // A piece of a ramp may have an error of 1e-12 J, 1e-9 of the nominal energy; a missed jump costs 1e-9 J or
+        // more.
         let error = ramp.get("dissipated_energy") - energy;
         assert!(error.abs() < 3e-11, "{form:?}: {error} J of {energy} J");
     }

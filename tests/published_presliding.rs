@@ -59,7 +59,7 @@ fn assert_identical(a: (&str, &[(&str, f64)]), b: (&str, &[(&str, f64)]), tolera
     }
 }
 
-/// From the start values no history takes more energy out of a passive contact than was put in. Histories of random
+/// From the start values no history extracts more energy from a passive contact than was put in. Histories of random
 /// velocities, held for random times.
 fn assert_passive(model: &str, values: &[(&str, f64)]) {
     let mut random = Random(23);
@@ -74,7 +74,7 @@ fn assert_passive(model: &str, values: &[(&str, f64)]) {
     }
 }
 
-/// The other half of passivity: a closed cycle, once it repeats itself, does not give energy.
+/// The other half of passivity: a periodic closed cycle does not generate energy.
 fn assert_closed_cycles_dissipate(model: &str, values: &[(&str, f64)]) {
     let mut random = Random(29);
     for history in 0..1000 {
@@ -129,8 +129,8 @@ impl Row {
         Row::of(&extrema(&samples, 1.0), &extrema(&samples, -1.0), samples[samples.len() - 1].position)
     }
 
-    /// The closed system m x'' = -k x - f(v, z), z' = g(v, z), in one piece, by the classical method of Runge and Kutta
-    /// with 10 us: another road than a master that holds the force over a step.
+    /// The closed system m x'' = -k x - f(v, z), z' = g(v, z), as a whole, by the classical Runge-Kutta method with 10
+    /// us: independent of a master that holds the force over a step.
     fn integrated<const N: usize>(law: impl Fn(f64, &[f64; N]) -> (f64, [f64; N])) -> Row {
         let rate = |position: f64, velocity: f64, z: &[f64; N]| {
             let (force, z_rate) = law(velocity - 0.1, z);
@@ -218,9 +218,9 @@ fn bliman_sorine_from_rest() {
 }
 
 /// Calibrations to f_C = 0.981 N, f_peak = 1.4715 N and the initial stiffness 1e5 N/m: eta, f_2, eps_f. The peak is at
-/// s_p = eta eps_f / (1 - eta) ln(f_1 / (eta f_2)); a fine search of the maximum is the other road.
+/// s_p = eta eps_f / (1 - eta) ln(f_1 / (eta f_2)); checked by a fine search of the maximum.
 #[test]
-fn bliman_sorine_peaks_where_and_as_high_as_calibrated() {
+fn bliman_sorine_has_the_calibrated_peak() {
     for (eta, f_2, eps_f) in
         [(0.5, 2.68014184, 4.64214184e-5), (0.2, 1.07784955, 9.21639818e-5), (0.1, 0.77110378, 1.67499341e-4)]
     {
@@ -252,7 +252,7 @@ fn bliman_sorine_defaults_and_presets_peak_at_the_static_level() {
     }
 }
 
-/// Whatever the division of a slide into steps: x_j = x_ss (1 - exp(-s / eps_j)).
+/// For any division of a slide into steps: x_j = x_ss (1 - exp(-s / eps_j)).
 #[test]
 fn bliman_sorine_does_not_depend_on_the_steps() {
     let (f_1, f_2, eps) = (3.661_141_842_225_069, 2.680_141_842_225_069, 4.642_141_842_225_068e-5);
@@ -296,8 +296,8 @@ fn bliman_sorine_of_first_order_on_the_belt() {
     assert_bounded_at_coarse_steps("BlimanSorine", FIRST_ORDER, |_| F_C + 1e-12);
 }
 
-/// The second order against the closed system in the states of the paper, x_1 and x_2. After the first slip the path is
-/// never fresh again, and the oscillation is that of Coulomb friction, with the period 2 pi / w.
+/// The second order against the closed system in the states of the paper, x_1 and x_2. After the first slip the path
+/// never starts anew, and the oscillation is that of Coulomb friction, with the period 2 pi / w.
 #[test]
 fn bliman_sorine_of_second_order_has_one_stick_slip_cycle_on_the_belt() {
     let (f_1, f_2, eta, eps) = (3.66114184, 2.68014184, 0.5, 4.64214184e-5);
@@ -312,7 +312,7 @@ fn bliman_sorine_of_second_order_has_one_stick_slip_cycle_on_the_belt() {
 }
 
 /// A reversal out of steady sliding doubles the response from rest, f_C - (f_1 a - f_2 b), so the next peak is
-/// 2 f_peak - f_C = 1.962 N and not f_peak. No path gives more: this is the integral of the magnitude of the impulse
+/// 2 f_peak - f_C = 1.962 N instead of f_peak. No path gives more: this is the integral of the magnitude of the impulse
 /// response C exp(A s) B, which changes its sign once, at s_p.
 #[test]
 fn bliman_sorine_of_second_order_peaks_higher_after_a_reversal_but_never_above_that() {
@@ -547,8 +547,8 @@ fn elasto_plastic_drifts_above_breakaway() {
     assert_close("drift", drift("ElastoPlastic", &[("breakaway_ratio", 0.7 * F_C / F_S)]), 1.03e-8, 0.03);
 }
 
-/// The closed system with z' = v (1 - alpha sgn(v) z / z_ss), in one piece; with alpha = 1 it gives the reference
-/// solution of LuGre (LSODA at 1e-10 and Radau at 1e-8 agree), which the integration is checked by.
+/// The closed system with z' = v (1 - alpha sgn(v) z / z_ss), as a whole; with alpha = 1 it gives the reference
+/// solution of LuGre (LSODA at 1e-10 and Radau at 1e-8 agree), which checks the integration.
 #[test]
 fn elasto_plastic_on_the_belt() {
     let closed = |alpha: fn(f64) -> f64| {
@@ -591,8 +591,8 @@ fn elasto_plastic_is_passive_under_its_condition() {
     }
 }
 
-/// With the values of the thesis it is not passive: the power of the bristles' damping falls to
-/// -sigma_1 (f_s / f_C - 1)^i v^2 at most, and a jump out of full stiction comes near to that.
+/// With the values of the thesis it is not passive: the power of the bristles' damping falls to at least -sigma_1 (f_s
+/// / f_C - 1)^i v^2, and a jump out of full stiction comes close to that.
 #[test]
 fn elasto_plastic_violates_passivity_within_the_stated_bound() {
     for (exponent, share) in [(1.0, 0.5), (3.0, 0.125)] {
@@ -607,7 +607,7 @@ fn elasto_plastic_violates_passivity_within_the_stated_bound() {
                 let velocity = random.velocity();
                 bench.set("velocity", velocity);
                 let stored = SIGMA_0 * bench.get("bristle_deflection") * velocity;
-                // What the springs give back is stored energy; only what goes beyond is a violation.
+                // The springs return stored energy; only more than that is a violation.
                 let power = bench.get("dissipated_power") - stored.min(0.0);
                 let bound = SIGMA_0.sqrt() * share * velocity * velocity;
                 assert!(power >= -bound, "{exponent}: {power} W at {velocity} m/s");
@@ -638,8 +638,8 @@ fn bristle_forces(seeds: i32, start: f64, path: &[f64]) -> Vec<f64> {
 }
 
 /// Renewal theory: mean N sigma (delta - Delta / 3) = 16.6667 N, deviation sigma Delta sqrt(N / 18) = 1.17851 N. For
-/// slides that are followed snap by snap, for one that is drawn, and for a stationary start; forwards and backwards.
-/// 4 standard errors of 4000 seeds: 0.0745 N for the mean, 0.0527 N for the deviation.
+/// slides simulated snap by snap, for a slide whose result is drawn, and for a stationary start; forwards and
+/// backwards. 4 standard errors of 4000 seeds: 0.0745 N for the mean, 0.0527 N for the deviation.
 #[test]
 fn bristles_slide_with_the_mean_and_the_deviation_of_renewal_theory() {
     let followed = [2.0; 15];
@@ -658,7 +658,7 @@ fn bristles_slide_with_the_mean_and_the_deviation_of_renewal_theory() {
 }
 
 /// The missing strain d = delta - |x - b| has the distribution 1 - (1 - d / Delta)^2 on [0, Delta]. Test of Kolmogorov
-/// and Smirnov with 25 bristles of 200 seeds: D sqrt(n) stays below 1.95 but once in a thousand.
+/// and Smirnov with 25 bristles of 200 seeds: D sqrt(n) stays below 1.95 in all but one of a thousand cases.
 #[test]
 fn bristle_strains_have_the_stationary_density() {
     let mut missing = Vec::new();
@@ -679,7 +679,7 @@ fn bristle_strains_have_the_stationary_density() {
     assert!(distance * n.sqrt() < 1.95, "{}", distance * n.sqrt());
 }
 
-/// Along one slide of 20 000 Delta, too: time mean and deviation at every 5 Delta, where neighbours are independent.
+/// Also along one slide of 20 000 Delta: time mean and deviation at every 5 Delta, where neighbours are independent.
 #[test]
 fn one_long_slide_shows_the_same_mean_and_deviation() {
     let mut bench = Bench::new("Bristle", &UNIT_BRISTLES);
@@ -714,7 +714,7 @@ fn bonded_bristles_break_away_at_the_static_level() {
         }
         bench.set("velocity", direction * 1e-9);
         bench.step(1.0);
-        // Each has gone back by a uniform part of Delta = delta: f_s / 2 with a deviation of f_s / sqrt(12 N).
+        // Each has moved back by a uniform fraction of Delta = delta: f_s / 2 with a deviation of f_s / sqrt(12 N).
         let force = direction * bench.get("friction_force");
         assert!((force - 0.5 * F_S).abs() < 4.0 * F_S / 300f64.sqrt(), "{force}");
     }
@@ -735,7 +735,7 @@ fn bristles_are_rate_independent() {
     }
 }
 
-/// A velocity that moves linearly through a reversal: many short held steps are the other road.
+/// A velocity that varies linearly through a reversal, compared with many short held steps.
 #[test]
 fn bristles_follow_a_ramped_velocity() {
     let mut ramp = Bench::new("Bristle", &[("velocity", -2e-3)]);
@@ -774,9 +774,9 @@ fn bristles_are_passive() {
     }
 }
 
-/// A stationary start may give back the strain energy that it brings, N sigma delta^2 / 2 = f_s delta / 2, but no more.
+/// A stationary start may return its initial strain energy, N sigma delta^2 / 2 = f_s delta / 2, but no more.
 #[test]
-fn stationary_bristles_give_back_no_more_than_their_strain_energy() {
+fn stationary_bristles_return_no_more_than_their_strain_energy() {
     let mut random = Random(41);
     let mut least: f64 = 0.0;
     for seed in 0..1000 {
@@ -807,13 +807,13 @@ fn dynamic_specker_settles_on_the_static_curve() {
     ];
     for (velocity, force) in points {
         assert_close("steady", after("SpeckerDynamic", &[], velocity, 10.0).get("friction_force"), force, 1e-8);
-        // Without lag the curve is there at once.
+        // Without lag the curve is reached at once.
         let instant = [("sigma_0", 1e15), ("slip_time", 1e-12)];
         assert_close("instant", after("SpeckerDynamic", &instant, velocity, 1e-6).get("friction_force"), force, 1e-8);
     }
 }
 
-/// A low-pass never exceeds what goes in: the maximum of the curve, 1.0043723 f_s.
+/// A low-pass filter never exceeds its input: the maximum of the curve, 1.0043723 f_s.
 #[test]
 fn dynamic_specker_never_exceeds_the_maximum_of_its_curve() {
     let mut bench = Bench::new("SpeckerDynamic", &[]);
@@ -828,7 +828,7 @@ fn dynamic_specker_never_exceeds_the_maximum_of_its_curve() {
 
 /// It is not passive: a closed cycle that reverses fast from f_s, returns as fast, and recovers slowly, gains energy.
 /// At 1 m/s and T_slip = 1 ms the two fast legs give V T_slip (f_s - f_C L) - V T_slip f_C (L - f_s / (f_s + f_C)) with
-/// L = ln(1 + f_s / f_C), 2.62e-4 J; the recovery over 50 um takes less than f_s times that, 0.74e-4 J.
+/// L = ln(1 + f_s / f_C), 2.62e-4 J; the recovery over 50 um costs less than f_s times that, 0.74e-4 J.
 #[test]
 fn dynamic_specker_gains_energy_in_a_closed_cycle() {
     let mut bench = after("SpeckerDynamic", &[], 5e-4, 10.0);
@@ -837,7 +837,7 @@ fn dynamic_specker_gains_energy_in_a_closed_cycle() {
     let fast = 1e-3 * (F_S - F_C * log) - 1e-3 * F_C * (log - F_S / (F_S + F_C));
     for _ in 0..5 {
         let before = bench.get("dissipated_energy");
-        // 50 um of the way back are those of the slow leg.
+        // 50 um of the return are those of the slow leg.
         for (velocity, time) in [(-1.0, back + 5e-4 * slow), (1.0, back), (5e-4, slow)] {
             bench.set("velocity", velocity);
             bench.step(time);
@@ -847,7 +847,7 @@ fn dynamic_specker_gains_energy_in_a_closed_cycle() {
     }
 }
 
-/// The closed system in one piece, with f_stat and T(v) as in their equations.
+/// The closed system as a whole, with f_stat and T(v) as in their equations.
 #[test]
 fn dynamic_specker_on_the_belt() {
     let expected = Row::integrated(|v, [f]| {
@@ -860,7 +860,7 @@ fn dynamic_specker_on_the_belt() {
     assert_bounded_at_coarse_steps("SpeckerDynamic", &[], |_| 1.0043724 * F_S);
 }
 
-/// Velocity and load that move linearly, through a reversal: a dense sequence of short held steps is the other road.
+/// Velocity and load that vary linearly, through a reversal, compared with a dense sequence of short held steps.
 #[test]
 fn ramped_inputs_agree_with_many_short_steps() {
     for model in ["BlimanSorine", "ResetIntegrator", "Dankowicz", "ElastoPlastic", "SpeckerDynamic"] {
@@ -888,7 +888,7 @@ fn ramped_inputs_agree_with_many_short_steps() {
     }
 }
 
-/// Exact derivatives of the force against central differences, away from the kinks.
+/// Exact derivatives of the force, compared with central differences, away from the kinks.
 #[test]
 fn derivatives_of_the_force_agree_with_differences() {
     for model in ["BlimanSorine", "ResetIntegrator", "Dankowicz", "ElastoPlastic", "Bristle", "SpeckerDynamic"] {

@@ -1,4 +1,4 @@
-//! The side load that a host reads at its joint, against statics: which body it acts on, and about which point.
+//! The side load that a host reads at its joint, compared with statics: the body on which it acts, and its point.
 //!
 //! Rod and tube press on each other at two places. Those forces are chosen here; what a joint reports is their sum and
 //! their moment about the place where the joint has its frame. The strut has to find the forces again.
@@ -26,7 +26,7 @@ fn reaction(forces: &[Across], origin: f64) -> [f64; 4] {
     })
 }
 
-/// What the tube does to the rod at its guide and at the piston, for a strut of that length.
+/// Action of the tube on the rod at its guide and at the piston, for a strut of that length.
 fn contacts(length: f64, at_guide: [f64; 2], at_piston: [f64; 2]) -> [Across; 2] {
     let piston = length - PISTON_TO_ROD_EYE;
     [Across { place: ROD_GUIDE, force: at_guide }, Across { place: piston, force: at_piston }]
@@ -49,11 +49,12 @@ fn assert_forces(found: [f64; 2], expected: [f64; 2]) {
     }
 }
 
-/// Equal forces at both contacts: (80, -30) N together, 42.7 N each.
+/// Equal forces at both contacts: (80, -30) N in total, 42.7 N each.
 const HALF: [f64; 2] = [40.0, -15.0];
 const EACH: f64 = 42.720_018_726_587_65;
 
-/// A frame on the tube, at its eye, reports what the rod does to the tube: all signs change, and no point moves.
+/// A frame on the tube, at its eye, reports the action of the rod on the tube: all signs change, and nothing is
+/// shifted.
 #[test]
 fn the_reaction_on_the_tube_needs_no_shift_at_any_length() {
     for model in ["TelescopicJoint", "ShockAbsorber"] {
@@ -66,8 +67,8 @@ fn the_reaction_on_the_tube_needs_no_shift_at_any_length() {
     }
 }
 
-/// A frame on the rod that was at the eye of the tube when the joint was made goes with the rod. After 30 mm its moment,
-/// taken for one about the eye, loads one contact twice and the other not at all.
+/// A frame on the rod that was at the eye of the tube when the joint was created moves with the rod. After 30 mm its
+/// moment, mistaken for one about the eye, loads one contact twice and the other not at all.
 #[test]
 fn the_reaction_on_the_rod_must_be_shifted_by_its_present_distance() {
     let travel = 0.03;
@@ -75,7 +76,7 @@ fn the_reaction_on_the_rod_must_be_shifted_by_its_present_distance() {
     assert_forces(normal_forces("TelescopicJoint", LENGTH, [r_m, r_n, m_m, m_n]), [8.5, 94.0]);
     let [r_m, r_n, m_m, m_n] = reaction(&contacts(LENGTH, HALF, HALF), -travel);
     assert_forces(normal_forces("TelescopicJoint", LENGTH, [r_m, r_n, m_m, m_n]), [94.0, 8.5]);
-    // A frame in the eye of the rod is at the distance `length`.
+    // A frame at the eye of the rod is at the distance `length`.
     for (origin, length) in [(travel, LENGTH), (LENGTH, LENGTH), (0.15, 0.15)] {
         let [r_m, r_n, m_m, m_n] = reaction(&contacts(length, HALF, HALF), origin);
         let shifted = [r_m, r_n, m_m - origin * r_n, m_n + origin * r_m];
@@ -83,7 +84,7 @@ fn the_reaction_on_the_rod_must_be_shifted_by_its_present_distance() {
     }
 }
 
-/// Unequal forces, too: each contact gets its own.
+/// Also unequal forces: each contact gets its own.
 #[test]
 fn each_contact_gets_its_own_force() {
     let forces = contacts(0.19, [30.0, 40.0], [-12.0, 5.0]);

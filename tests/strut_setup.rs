@@ -1,5 +1,5 @@
-//! How a host sets the strut and its surroundings up: inputs that nobody has set yet, parts that the host has itself,
-//! and published levels of friction.
+//! Set-up of the strut and its surroundings by a host: inputs that are not set yet, parts that the host itself has, and
+//! published levels of friction.
 
 mod common;
 
@@ -15,7 +15,7 @@ fn with_zeros(name: &str, set: &[(&str, f64)]) -> Bench {
     let mut bench = Bench::new(name, set);
     let model = bench.instance.model();
     for (column, variable) in model.table.iter().enumerate().filter(|(_, variable)| variable.role == Role::Input) {
-        assert!(variable.admits(0.0), "{name}: {} = 0 is refused", variable.path);
+        assert!(variable.admits(0.0), "{name}: {} = 0 is rejected", variable.path);
         bench.instance.put(column, 0.0);
     }
     bench
@@ -25,7 +25,7 @@ fn warning(bench: &Bench) -> Option<String> {
     bench.instance.model().warning(bench.instance.row()).map(|fault| fault.to_string())
 }
 
-/// Hosts begin with zeros: every model takes steps with them, with finite results and rates.
+/// Hosts start with zeros: every model makes steps with them, with finite results and rates.
 #[test]
 fn every_model_steps_from_zeros() {
     let mut tested = 0;
@@ -54,7 +54,7 @@ fn every_model_steps_from_zeros() {
     assert!(tested > 14, "{tested}");
 }
 
-/// What cannot be is said, by name and value, and what is computed instead; what may be 0 is not.
+/// An impossible zero is reported with name and value, and with the value used instead; a possible one is not.
 #[test]
 fn zeros_that_make_no_sense_warn() {
     let warned = |name: &str, set: &[(&str, f64)]| warning(&with_zeros(name, set));
@@ -96,7 +96,7 @@ fn a_strut_without_a_length_is_at_full_extension() {
     assert!((read(0.2).0[0] - 288.3403).abs() < 5.1e-5);
 }
 
-/// A part that is switched off is as if its force were 0: the rest of the strut does not know it.
+/// A part that is switched off acts as if its force were 0, and does not affect the rest of the strut.
 #[test]
 fn parts_can_be_switched_off_one_by_one() {
     let zeroed: [(&str, &str, Values); 4] = [
@@ -116,7 +116,7 @@ fn parts_can_be_switched_off_one_by_one() {
             let off = forces(&[(switch, 0.0)]);
             assert_eq!(off[0], 0.0, "{switch}");
             let zeroed = forces(zero);
-            // The rigid damper that is not there has no piston to look after: the advice may differ for it alone.
+            // A rigid damper that is switched off has no piston to keep stable: only the advice may differ.
             let compared = if switch == "damper.enabled" { 3 } else { 4 };
             for (a, b) in off.iter().zip(zeroed).take(compared) {
                 assert!((a - b).abs() <= 1e-9 * b.abs(), "{switch} at {length} m: {off:?} {zeroed:?}");
@@ -125,7 +125,7 @@ fn parts_can_be_switched_off_one_by_one() {
     }
 }
 
-/// Damper and friction for a host with spring and stops of its own: one preset, and length and stroke.
+/// Damper and friction for a host with its own spring and stops: one preset, and length and stroke.
 #[test]
 fn damper_and_friction_alone() {
     let set = preset("damper_and_friction");
@@ -139,9 +139,9 @@ fn damper_and_friction_alone() {
                 strut.step(1e-3);
                 let damper = if velocity < 0.0 { 300.0 } else { -460.0 };
                 assert!((strut.get("force") - damper - strut.get("force_friction")).abs() < 1e-9);
-                // Seals alone: 8 N and 6 N.
+                // Only seals: 8 N and 6 N.
                 assert!((strut.get("force_friction") + 14.0 * velocity.signum()).abs() < 0.5);
-                // The guide is never left, and neither end is hit.
+                // The piston never leaves the guide and hits neither end.
                 let overlap = strut.get("overlap");
                 assert!(overlap > 0.1 * (extended - 2.0 * stroke), "{extended} {stroke} {length}: {overlap}");
             }
@@ -149,7 +149,7 @@ fn damper_and_friction_alone() {
     }
     let mut strut = Bench::new("ShockAbsorber", &[("geom.guidance_derived", 1.0)]);
     let given = Bench::new("ShockAbsorber", &[]).get("overlap");
-    assert!((strut.get("overlap") - given).abs() < 1e-15, "the start values are derived so, too");
+    assert!((strut.get("overlap") - given).abs() < 1e-15, "the start values are derived in the same way");
     strut.set("geom.stroke", 0.1);
     let text = strut.instance.check().unwrap_err().to_string();
     assert!(text.starts_with("geom.stroke = 0.1 m: must be < 0.1 m, half of geom.length_extended"), "{text}");
@@ -162,7 +162,7 @@ fn preset(name: &str) -> Vec<(&'static str, f64)> {
 
 /// Friction in slow strokes of 20 mm under spring and side load: in compression, in extension.
 #[test]
-fn published_levels_are_met_in_both_directions() {
+fn published_levels_are_reached_in_both_directions() {
     let published = [
         ("koelsch_1994", 25.0, 25.0),
         ("manger_1995_low", 30.0, 30.0),

@@ -1,6 +1,6 @@
-//! Contacts between bodies that both move, in co-simulation: what `mass` and `external_force` have to be, how exact the
-//! mass must be, and several contacts on one body. Bodies that stick move as one body, which is integrated here beside
-//! them, and slide with the acceleration that Newton's law gives.
+//! Contacts between bodies that both move, in co-simulation: correct values of `mass` and `external_force`, tolerance
+//! of the mass, and several contacts on one body. Bodies that stick move as one body, which is integrated here for
+//! comparison, and slide with the acceleration given by Newton's law.
 
 mod common;
 
@@ -15,7 +15,8 @@ const PARALLEL: f64 = 2.0;
 /// Laws that hold a body at rest exactly.
 const HOLDING: [&str; 5] = ["Coulomb", "CoulombStiction", "CoulombViscous", "Stribeck", "Karnopp"];
 
-/// The friction force that the host applies over a step: that of this step, or in a parallel exchange of the last one.
+/// The friction force that the host applies over a step: that of this step, or in a parallel exchange that of the last
+/// one.
 fn exchanged(law: &mut Bench, exchange: f64, velocity: f64, external_force: f64) -> f64 {
     let before = law.get("friction_force");
     law.set("velocity", velocity);
@@ -28,11 +29,11 @@ fn exchanged(law: &mut Bench, exchange: f64, velocity: f64, external_force: f64)
 struct Pair {
     model: &'static str,
     exchange: f64,
-    /// The law's mass as a multiple of the right one.
+    /// The law's mass as a multiple of the correct one.
     scale: f64,
 }
 
-/// How fast the bodies of a pair move.
+/// Velocities of the bodies of a pair.
 struct Motion {
     /// Highest speed relative to each other after half a second.
     slip: f64,
@@ -42,7 +43,7 @@ struct Motion {
 
 const PAIR: [f64; 2] = [1.0, 2.0];
 
-/// As one body the pair would need 0.83 N of friction and less, while body 1 is pulled by up to 1.3 N.
+/// As one body the pair would need at most 0.83 N of friction, while body 1 is pulled by up to 1.3 N.
 fn loads(time: f64) -> [f64; 2] {
     [1.0 + 0.3 * (3.0 * time).sin(), 0.2 * (2.0 * time).cos()]
 }
@@ -71,8 +72,8 @@ impl Pair {
     }
 }
 
-/// With the reduced force what remains is what its change within a step does, h^2 (df_e/dt) / m: 1 um/s. With the force
-/// on body 1 alone the law holds a load that is not there.
+/// With the reduced force only the effect of its change within a step remains, h^2 (df_e/dt) / m: 1 um/s. With the
+/// force on body 1 alone the law holds a load that does not exist.
 #[test]
 fn a_pair_of_moving_bodies_sticks_by_the_reduced_force() {
     for model in HOLDING {
@@ -87,8 +88,8 @@ fn a_pair_of_moving_bodies_sticks_by_the_reduced_force() {
     }
 }
 
-/// Where the force on body 1 exceeds the level, the pair even slides: 2.1 N on 1 kg that lies on 2 kg, of which the
-/// contact has to carry 1.4 N, and f_s is 1.4715 N. Then 0.981 N are left, 0.63 m/s^2.
+/// If the force on body 1 exceeds the level, the pair even slides: 2.1 N on 1 kg that lies on 2 kg, of which the
+/// contact has to carry 1.4 N, and f_s is 1.4715 N. Then 0.981 N remain, 0.63 m/s^2.
 #[test]
 fn a_pair_that_sticks_slides_with_the_force_on_body_1_alone() {
     let [m_1, m_2] = PAIR;
@@ -106,9 +107,9 @@ fn a_pair_that_sticks_slides_with_the_force_on_body_1_alone() {
     assert!((run(2.1) - (2.1 - 0.981 * 1.5)).abs() < 2e-3, "{}", run(2.1));
 }
 
-/// A block of 1 kg on a table that is shaken to and fro with 0.9 m/s^2: it goes along, for f_C allows 0.98 m/s^2.
+/// A block of 1 kg on a table shaken back and forth with 0.9 m/s^2: it moves along, because f_C allows 0.98 m/s^2.
 #[test]
-fn a_block_goes_along_with_a_base_that_accelerates() {
+fn a_block_moves_along_with_a_base_that_accelerates() {
     let (frequency, acceleration) = (4.0, 0.9);
     let run = |model, exchange, knows_base: f64| {
         let mut law = Bench::new(model, &[("mass", 1.0), ("exchange", exchange)]);
@@ -136,7 +137,7 @@ fn a_block_goes_along_with_a_base_that_accelerates() {
 
 /// Newton's iteration with a wrong derivative: the error is multiplied by 1 - scale in a step.
 #[test]
-fn a_mass_that_is_wrong_holds_up_to_twice_the_right_one() {
+fn a_wrong_mass_holds_up_to_twice_the_correct_one() {
     for model in HOLDING {
         for exchange in [SEQUENTIAL, PARALLEL] {
             for scale in [0.3, 0.5, 1.5, 1.9] {
@@ -149,14 +150,14 @@ fn a_mass_that_is_wrong_holds_up_to_twice_the_right_one() {
     }
 }
 
-/// How the contacts of a stack learn the friction of each other.
+/// Exchange of friction between the contacts of a stack.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Order {
-    /// One after the other, each with what those before it have just found; the blocks last.
+    /// One after another, each with the new forces of those before it; the blocks last.
     InTurn,
-    /// All with what was found a step before; the blocks last.
+    /// All with the forces of the previous step; the blocks last.
     AtOnce,
-    /// All models at once, the blocks too.
+    /// All models at once, including the blocks.
     Parallel,
 }
 
@@ -170,7 +171,7 @@ struct Stack {
 }
 
 impl Stack {
-    /// Velocities of the blocks relative to what they lie on, after half a second: the largest, and the last one of the
+    /// Velocities of the blocks relative to their supports, after half a second: the largest, and the final one of the
     /// uppermost block.
     fn run(&self, model: &str, pull: impl Fn(f64) -> f64) -> [f64; 2] {
         let contact = |at: usize| {
@@ -198,13 +199,14 @@ impl Stack {
         [slip, last]
     }
 
-    /// Force on a block but for the contact below it, and that on the block below but for the contact between them.
+    /// Force on a block except for the contact below it, and that on the block below except for the contact between
+    /// them.
     fn on_block(&self, at: usize, friction: &[f64], pull: f64) -> [f64; 2] {
         let above = friction.get(at + 1).map_or(pull, |force| *force);
         [above, if at == 0 { 0.0 } else { -friction[at - 1] }]
     }
 
-    /// One exchange: the forces that the blocks are given.
+    /// One exchange: the forces on the blocks.
     fn friction(&self, contacts: &mut [Bench], velocities: &[f64], found: &mut [f64], pull: f64) -> Vec<f64> {
         let before = found.to_vec();
         for at in (0..self.blocks).rev() {
@@ -229,9 +231,8 @@ fn gentle_pull(time: f64) -> f64 {
     0.6 + 0.2 * (3.0 * time).sin()
 }
 
-/// Each contact that takes the force of its neighbours for given corrects what they have corrected already. One after the
-/// other they do not, and with half the mass and one force for two steps they meet. With the whole mass three blocks
-/// chatter.
+/// A contact that uses old forces of its neighbours repeats their corrections. One after another they do not, and with
+/// half the mass and one force for two steps they converge. With the full mass three blocks chatter.
 #[test]
 fn contacts_on_one_body_hold_in_turn_or_with_half_the_mass() {
     for model in HOLDING {

@@ -1,4 +1,4 @@
-/* Brown-McPhee, written as a C programmer would who trusts every caller: no viscous part.
+/* Brown-McPhee, as written by a C programmer who trusts every caller; no viscous part.
  *
  *   f = f_C tanh(4 v / v_0) + (f_s - f_C) (v / v_0) / ((v / v_0)^2 / 4 + 3 / 4)^2
  */

@@ -1,5 +1,5 @@
-/* The least an FMI 2.0 co-simulation slave can be: a row of numbers, copied in and out, and one function that advances
- * it. No check of any kind. The benches measure Stribeck's functions against it.
+/* The minimal FMI 2.0 co-simulation slave: a row of numbers, copied in and out, and one function that advances it. No
+ * checks of any kind. The benchmarks compare Stribeck's functions with it.
  *
  * A law includes this file after it has defined COLUMNS and START (the start values), and then defines advance().
  */

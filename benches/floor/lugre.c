@@ -1,6 +1,5 @@
-/* LuGre with the exact step, written as a C programmer would who trusts every caller: delta = 2, constant damping,
- * always loaded.
- *
+/* LuGre with the exact step, as written by a C programmer who trusts every caller: delta = 2, constant damping, always
+   loaded. *
  *   dz/dt = v - sigma_0 |v| z / g(v),   g(v) = f_C + (f_s - f_C) exp(-(v / v_S)^2)
  *   f     = sigma_0 z + sigma_1 dz/dt + sigma_2 v
  */

@@ -1,4 +1,4 @@
-/* No law: what the calls alone cost. */
+/* No law: the cost of the calls alone. */
 enum { VELOCITY, NORMAL_FORCE, FRICTION_FORCE, DISSIPATED_POWER, COLUMNS };
 
 static const double START[COLUMNS] = {0.0, 9.81, 0.0, 0.0};

@@ -13,7 +13,7 @@ use stribeck::catalogue;
 pub const STEP: f64 = 1e-4;
 
 /// Two periods of a motion that spends its time in the pre-sliding range, at the Stribeck velocity and in sliding.
-/// Branches and transcendental functions see the arguments of a stick-slip run, not one lucky number.
+/// Branches and transcendental functions get the arguments of a stick-slip run, not a single lucky number.
 pub fn velocities() -> Vec<f64> {
     (0..1024).map(|k| 0.005 * f64::sin(4.0 * std::f64::consts::PI * f64::from(k) / 1024.0)).collect()
 }
@@ -50,7 +50,7 @@ pub struct Slave {
     inputs: [c_uint; 2],
     outputs: [c_uint; 2],
     time: f64,
-    // Dropped last: the functions above live in it.
+    // Dropped last: it contains the functions above.
     _library: Library,
 }
 
@@ -101,7 +101,7 @@ impl Slave {
             let exit: unsafe extern "C" fn(Component) -> c_int = symbol(&library, "fmi2ExitInitializationMode");
             let co_simulation = 1;
             let component = instantiate(c"bench".as_ptr(), co_simulation, guid.as_ptr(), ptr::null(), &callbacks, 0, 1);
-            assert!(!component.is_null(), "fmi2Instantiate refused");
+            assert!(!component.is_null(), "fmi2Instantiate failed");
             let statuses = [setup(component, 0, 0.0, 0.0, 0, 0.0), enter(component), exit(component)];
             assert_eq!(statuses, [0; 3], "initialisation");
             Slave {
@@ -118,12 +118,12 @@ impl Slave {
         }
     }
 
-    /// Sets two inputs, makes a step, gets two outputs. The sum of the statuses is left to the caller to check.
+    /// Sets two inputs, makes a step, gets two outputs. Returns the sum of the statuses for the caller to check.
     #[inline(always)]
     pub fn round_trip(&mut self, velocity: f64) -> ([f64; 2], c_int) {
         let given = [velocity, 9.81];
         let mut got = [0.0; 2];
-        // SAFETY: the arrays have two elements each, as said.
+        // SAFETY: the arrays have two elements each, as given.
         let status = unsafe {
             (self.set_real)(self.component, self.inputs.as_ptr(), 2, given.as_ptr())
                 + (self.do_step)(self.component, self.time, STEP, 1)
@@ -161,7 +161,7 @@ fn library_file(folder: &Path, name: &str) -> PathBuf {
     folder.join(format!("{DLL_PREFIX}{name}{DLL_SUFFIX}"))
 }
 
-/// Builds the library as it is shipped, and returns its path.
+/// Builds the library as shipped, and returns its path.
 pub fn build_release_library() -> PathBuf {
     run(Command::new(env!("CARGO"))
         .args(["build", "--release", "--lib", "--package", "stribeck", "--quiet", "--target-dir"])

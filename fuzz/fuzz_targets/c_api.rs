@@ -23,7 +23,7 @@ struct Scenario {
     actions: Vec<(bool, Action)>,
 }
 
-/// A step costs much where the numbers are senseless; longer sequences find nothing new.
+/// Steps with nonsensical numbers are expensive; longer sequences find nothing new.
 const MOST_ACTIONS: usize = 48;
 
 #[derive(Arbitrary, Debug)]
@@ -84,7 +84,7 @@ impl Handle {
     }
 
     fn bytes(&self) -> Vec<u8> {
-        // SAFETY: a live handle, and as many bytes as it asks for.
+        // SAFETY: a live handle, and as many bytes as it needs.
         unsafe {
             let mut bytes = vec![0u8; stribeck_state_size(self.pointer)];
             assert_eq!(stribeck_save(self.pointer, bytes.as_mut_ptr().cast(), bytes.len()), STRIBECK_OK);
@@ -93,7 +93,7 @@ impl Handle {
     }
 
     fn restore(&self, bytes: &[u8]) -> stribeck_status {
-        // SAFETY: a live handle, and as many bytes as is said.
+        // SAFETY: a live handle, and as many bytes as given.
         unsafe { stribeck_restore(self.pointer, bytes.as_ptr().cast(), bytes.len()) }
     }
 
@@ -115,9 +115,9 @@ impl Drop for Handle {
 
 struct World {
     handles: [Handle; 2],
-    /// What the handles held after the last call.
+    /// Contents of the handles after the last call.
     seen: [Vec<f64>; 2],
-    /// What was last saved.
+    /// The last saved state.
     kept: Vec<u8>,
 }
 
@@ -135,7 +135,7 @@ impl World {
         }
     }
 
-    /// Checks what must hold after every call, and keeps what is seen now.
+    /// Checks the invariants after every call, and keeps the present contents.
     fn made(&mut self, who: usize, status: stribeck_status, only_reads: bool) {
         let handle = &self.handles[who];
         let after = saved::numbers(&handle.bytes());
@@ -239,7 +239,7 @@ impl World {
         }
     }
 
-    /// What was taken was admitted and is there.
+    /// An accepted value is within its bounds and is stored.
     fn check_set(&mut self, who: usize, status: stribeck_status, column: Option<usize>, value: f64) {
         self.made(who, status, false);
         if status == STRIBECK_OK {
@@ -253,7 +253,7 @@ impl World {
     fn describe(&mut self, who: usize, column: u32) {
         let mut description = MaybeUninit::uninit();
         let model = self.handles[who].model;
-        // SAFETY: a live handle and a place for the description, which is read only where it was written; its texts
+        // SAFETY: a live handle and a place for the description, which is read only if it was written; its texts
         // live as long as the handle.
         unsafe {
             let status = stribeck_describe(self.handles[who].pointer, column, description.as_mut_ptr());
@@ -299,7 +299,7 @@ impl World {
     /// Writes the state into a buffer that is `spare` bytes longer, or shorter, than it must be.
     fn save(&mut self, who: usize, spare: i8) {
         let pointer = self.handles[who].pointer;
-        // SAFETY: a live handle, and as many bytes as is said.
+        // SAFETY: a live handle, and as many bytes as given.
         let status = unsafe {
             let size = stribeck_state_size(pointer);
             let mut bytes = vec![0x55u8; size.saturating_add_signed(spare.into())];
@@ -328,11 +328,11 @@ impl World {
         assert_eq!(status == STRIBECK_OK, is_sound, "{}", self.error(who));
         self.made(who, status, false);
         if is_sound {
-            assert_eq!(self.handles[who].bytes(), bytes, "what was saved is not what was restored");
+            assert_eq!(self.handles[who].bytes(), bytes, "the restored state differs from the saved one");
         }
     }
 
-    /// Goes on from the present, and then once more in a new handle from the saved state: the same bits.
+    /// Continues from the present, and then once more in a new handle from the saved state: the same bits.
     fn replay(&mut self, who: usize, steps: u8, length: f64) {
         let handle = &self.handles[who];
         let (bytes, other) = (handle.bytes(), Handle::new(handle.model));
@@ -340,7 +340,7 @@ impl World {
         let future = future(handle, steps, length);
         assert_eq!(self::future(&other, steps, length), future, "{}", handle.model.name);
         assert_eq!(handle.restore(&bytes), STRIBECK_OK);
-        assert_eq!(handle.bytes(), bytes, "not back where it was");
+        assert_eq!(handle.bytes(), bytes, "not back in the saved state");
     }
 
     /// A call with a NULL where there must be none.
@@ -349,7 +349,7 @@ impl World {
         let name = self.handles[who].model.table[0].path.to_string();
         let name = CString::new(name).expect("no zero byte");
         let (mut value, nobody, no_value) = (0.0, null_mut(), null_mut::<f64>());
-        // SAFETY: NULL is what these calls must refuse; the other arguments are valid.
+        // SAFETY: these calls must reject NULL; the other arguments are valid.
         let status = unsafe {
             match which % 14 {
                 0 => stribeck_create(null(), null_mut()),
@@ -375,7 +375,7 @@ impl World {
     }
 }
 
-/// What a model does in some steps, bit by bit.
+/// Results of a model in some steps, bit by bit.
 fn future(handle: &Handle, steps: u8, length: f64) -> Vec<u8> {
     let mut trace = Vec::new();
     for _ in 0..steps {

@@ -1,10 +1,10 @@
-//! Files of damper tests, and the dampers that are found in them.
+//! Files of damper tests, and the dampers found in them.
 #![no_main]
 
 use lab::dyno::{Damper, Options, Test, find_damper};
 use libfuzzer_sys::fuzz_target;
 
-/// The samples that are looked at; more make the search slow.
+/// Maximum number of samples; more make the search slow.
 const MOST_SAMPLES: usize = 256;
 
 fuzz_target!(|bytes: &[u8]| {

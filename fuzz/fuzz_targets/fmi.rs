@@ -30,7 +30,7 @@ struct Scenario {
     actions: Vec<(bool, Action)>,
 }
 
-/// A step costs much where the numbers are senseless; longer sequences find nothing new.
+/// Steps with nonsensical numbers are expensive; longer sequences find nothing new.
 const MOST_ACTIONS: usize = 48;
 /// Arguments of one call.
 const MOST_ARGUMENTS: usize = 12;
@@ -118,7 +118,7 @@ enum Action {
 /// A point in time.
 #[derive(Arbitrary, Clone, Copy, Debug)]
 enum Instant {
-    /// Where the instance is.
+    /// The present time of the instance.
     Present,
     /// Some units in the last place away.
     Near(i8),
@@ -139,7 +139,7 @@ impl Instant {
     }
 }
 
-/// A saved state and what it holds.
+/// A saved state and its contents.
 struct Saved {
     state: fmi2FMUstate,
     model: &'static ModelType,
@@ -148,17 +148,17 @@ struct Saved {
 
 struct World {
     slaves: [Slave; 2],
-    /// What the instances held after the last call.
+    /// Contents of the instances after the last call.
     seen: [Vec<f64>; 2],
     slots: [Option<Saved>; SLOTS],
     bytes: [Vec<u8>; SLOTS],
 }
 
-/// What a successful call does to the instance.
+/// Effect of a successful call on the instance.
 enum Effect {
     /// It only reads: at most the results are computed.
     Reads,
-    /// It changes what it is for.
+    /// It changes the instance.
     Changes,
 }
 use Effect::{Changes, Reads};
@@ -210,7 +210,7 @@ impl World {
         self.seen[who][TIME]
     }
 
-    /// Checks what must hold after every call, and keeps what is seen now.
+    /// Checks the invariants after every call, and keeps the present contents.
     fn made(&mut self, who: usize, call: Call, status: fmi2Status, effect: Effect) {
         let slave = &self.slaves[who];
         let messages = slave.take_messages();
@@ -221,7 +221,7 @@ impl World {
             assert_eq!(status, fmi2Error, "{}", context());
         }
         let expected = match status {
-            // A restored state may be any; `restore` looks at it.
+            // A restored state may be any; `restore` checks it.
             fmi2OK if call == Call::SetFMUstate => to,
             fmi2OK => next(call, from, slave.purpose),
             fmi2Discard => from,
@@ -315,7 +315,7 @@ impl World {
         self.made(who, call, status, effect);
     }
 
-    /// Goes to a state by the usual way.
+    /// Brings the instance into a state in the usual way.
     fn lead(&mut self, who: usize, to: State) {
         self.act(who, Action::Reset);
         if to == State::Instantiated {
@@ -350,7 +350,7 @@ impl World {
             [c"logStatusWarning", c"logStatusDiscard", c"logStatusError", c"logAll", c"100%s", c""];
         let texts: Vec<_> =
             categories.iter().map(|which| CATEGORIES[usize::from(*which) % CATEGORIES.len()].as_ptr()).collect();
-        // SAFETY: a live instance and as many texts as is said.
+        // SAFETY: a live instance and as many texts as given.
         let status = unsafe { fmi2SetDebugLogging(self.slaves[who].c, on.into(), texts.len(), texts.as_ptr()) };
         self.made(who, Call::SetDebugLogging, status, Reads);
     }
@@ -421,7 +421,7 @@ impl World {
         }
     }
 
-    /// What was taken was admitted, and the last value of each column is there.
+    /// Accepted values are within their bounds, and the last value of each column is stored.
     fn check_set(&self, who: usize, references: &[u32], values: &[f64]) {
         let table = self.slaves[who].model.table;
         for (place, (reference, value)) in references.iter().zip(values).enumerate() {
@@ -601,7 +601,7 @@ impl World {
         assert_eq!(status == fmi2OK, fitting.is_some());
         self.made(who, Call::SetFMUstate, status, Changes);
         if let Some(numbers) = fitting {
-            assert!(same_bits(&numbers, &self.seen[who]), "what was saved is not what was restored");
+            assert!(same_bits(&numbers, &self.seen[who]), "the restored state differs from the saved one");
         }
     }
 
@@ -654,7 +654,7 @@ impl World {
         let is_taken = self.slots[slot].as_ref().is_some_and(|saved| saved.model != model);
         let is_sound = damage.is_none() && bytes.get(12..saved::HEAD) == Some(model.guid().as_bytes());
         let c = self.slaves[who].c;
-        // SAFETY: a live instance, as many bytes as is said, and NULL or a live state.
+        // SAFETY: a live instance, as many bytes as given, and NULL or a live state.
         let status = unsafe { fmi2DeSerializeFMUstate(c, bytes.as_ptr().cast(), bytes.len(), &mut state) };
         assert_eq!(status == fmi2OK, is_sound && !is_taken, "bytes of a saved state of {}", model.name);
         if status == fmi2OK {
@@ -670,7 +670,7 @@ impl World {
         let (none, no_value, no_flag) = (null::<u32>(), null_mut::<f64>(), null_mut::<i32>());
         let any = &raw mut value;
         let nobody = null_mut();
-        // SAFETY: NULL is what these calls must refuse; the other arguments are valid.
+        // SAFETY: these calls must reject NULL; the other arguments are valid.
         let (call, status) = unsafe {
             match which % 24 {
                 0 => (Call::DoStep, fmi2DoStep(nobody, 0.0, 1.0, fmi2True)),
@@ -708,7 +708,7 @@ impl World {
         }
     }
 
-    /// Goes on from the present, and then once more from a saved state, in this or in a new instance: the same bits.
+    /// Continues from the present, and then once more from a saved state, in this or in a new instance: the same bits.
     fn replay(&mut self, who: usize, steps: u8, length: f64, elsewhere: bool) {
         if !matches!(self.state(who), State::StepComplete | State::ContinuousTimeMode) {
             return;
@@ -725,7 +725,7 @@ impl World {
         assert_eq!(self::future(slave, steps, length), future, "{}", slave.model.name);
         slave.read(&bytes);
         slave.take_messages();
-        assert!(same_bits(&saved::numbers(&slave.bytes()), &self.seen[who]), "not back where it was");
+        assert!(same_bits(&saved::numbers(&slave.bytes()), &self.seen[who]), "not back in the saved state");
     }
 }
 
@@ -756,7 +756,7 @@ fn instantiate(kind: fmi2Type, guid: Option<u8>, name: u8, callbacks: bool) {
     assert_eq!(is_made, has_name && is_offered && callbacks);
 }
 
-/// What an instance does in some steps, bit by bit.
+/// Results of an instance in some steps, bit by bit.
 fn future(slave: &Slave, steps: u8, length: f64) -> Vec<u8> {
     let reals = slave.model.table.iter().enumerate().filter(|(_, variable)| matches!(variable.kind, Kind::Real(_)));
     let references: Vec<u32> = reals.map(|(column, _)| column as u32).collect();

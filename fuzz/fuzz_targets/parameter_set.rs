@@ -17,7 +17,7 @@ fuzz_target!(|text: &str| {
     let _ = text.split_once(',').map(|(variable, value)| choice(model, variable, value));
 });
 
-/// What was read can be written and read again, in both forms.
+/// A set that was read can be written and read again, in both formats.
 fn check(set: &ParameterSet) {
     for (variable, value) in set.values() {
         assert!(variable.admits(value), "{} = {value}", variable.path);

@@ -1,4 +1,4 @@
-//! Bytes of saved states from outside, with and without a checksum that fits, through both interfaces.
+//! Bytes of external saved states, with and without a matching checksum, through both interfaces.
 #![no_main]
 
 use std::ptr::null_mut;
@@ -27,7 +27,7 @@ struct Input {
     values: Vec<(Column, Number)>,
     lifecycle: u8,
     edits: Vec<Edit>,
-    /// Is the checksum made to fit?
+    /// Whether the checksum is made to match.
     seal: bool,
     step: Step,
 }
@@ -57,11 +57,11 @@ impl Input {
             let slave = Slave::new(model, exchange);
             let is_read = read_by_fmi(&slave, &bytes, self.step.length());
             let may_be_refused = || saved::needs_events(model, &saved::numbers(&bytes));
-            assert!(is_readable || !is_read || may_be_refused(), "the FMI layer reads what the C interface refuses");
+            assert!(is_readable || !is_read || may_be_refused(), "read by FMI, rejected by C");
         }
     }
 
-    /// The bytes of a sound state of the model, and then what the edits make of them.
+    /// The bytes of a valid state of the model, changed by the edits.
     fn bytes(&self, model: &'static ModelType) -> Vec<u8> {
         let slave = Slave::new(model, false);
         let mut bytes = slave.bytes();
@@ -114,10 +114,10 @@ fn put(bytes: &mut [u8], place: usize, number: f64) {
     }
 }
 
-/// Is it a state of the model for the C interface? A refused one changes nothing.
+/// Whether it is a state of the model for the C interface. A rejected one changes nothing.
 fn read_by_c(model: &'static ModelType, bytes: &[u8]) -> bool {
     let mut handle = null_mut();
-    // SAFETY: a terminated text, a handle that is freed once, and as many bytes as is said.
+    // SAFETY: a terminated text, a handle that is freed once, and as many bytes as given.
     unsafe {
         assert_eq!(stribeck_create(model.c_name.as_ptr(), &mut handle), STRIBECK_OK);
         let mut before = vec![0u8; stribeck_state_size(handle)];
@@ -126,7 +126,7 @@ fn read_by_c(model: &'static ModelType, bytes: &[u8]) -> bool {
         let status = stribeck_restore(handle, bytes.as_ptr().cast(), bytes.len());
         assert_eq!(stribeck_save(handle, after.as_mut_ptr().cast(), after.len()), STRIBECK_OK);
         if status == STRIBECK_OK {
-            // The numbers of the FMI layer mean nothing here.
+            // The numbers of the FMI layer have no meaning here.
             assert_eq!(after[..saved::HEAD + 24], bytes[..saved::HEAD + 24]);
             let row = saved::HEAD + 8 * saved::ROW;
             assert_eq!(after[row..bytes.len() - CHECKSUM], bytes[row..bytes.len() - CHECKSUM]);
@@ -141,11 +141,11 @@ fn read_by_c(model: &'static ModelType, bytes: &[u8]) -> bool {
     }
 }
 
-/// Is it a state of the model for the FMI layer? If so, everything that can be done with it keeps the rules.
+/// Whether it is a state of the model for the FMI layer. If so, everything that can be done with it follows the rules.
 fn read_by_fmi(slave: &Slave, bytes: &[u8], length: f64) -> bool {
     let (c, before) = (slave.c, slave.bytes());
     let mut read = null_mut();
-    // SAFETY: a live instance, as many bytes as is said, and a state that is freed once.
+    // SAFETY: a live instance, as many bytes as given, and a state that is freed once.
     unsafe {
         let status = fmi2DeSerializeFMUstate(c, bytes.as_ptr().cast(), bytes.len(), &mut read);
         assert_eq!(status == fmi2OK, !read.is_null());
@@ -154,14 +154,14 @@ fn read_by_fmi(slave: &Slave, bytes: &[u8], length: f64) -> bool {
             assert!(status == fmi2Error && saved::is_unchanged(slave.model, &before, &after, true));
             return false;
         }
-        assert_eq!(slave.bytes_of(read), bytes, "what was read is not what is written");
+        assert_eq!(slave.bytes_of(read), bytes, "the written state differs from the one read");
         let numbers = saved::numbers(bytes);
         assert!(saved::is_finite(&numbers), "{numbers:?}");
         let status = fmi2SetFMUstate(c, read);
         let is_event_missing = slave.purpose == Purpose::CoSimulation && saved::needs_events(slave.model, &numbers);
         assert_eq!(status == fmi2OK, state(&numbers).is_for(slave.purpose) && !is_event_missing);
         if status == fmi2OK {
-            assert_eq!(slave.bytes(), bytes, "what was read is not what was restored");
+            assert_eq!(slave.bytes(), bytes, "the restored state differs from the one read");
             go_on(slave, length);
         }
         assert_eq!(fmi2FreeFMUstate(c, &mut read), fmi2OK);
@@ -178,7 +178,7 @@ fn go_on(slave: &Slave, length: f64) {
     unsafe {
         let status = fmi2GetReal(slave.c, references.as_ptr(), references.len(), values.as_mut_ptr());
         assert!(status != fmi2OK || values.iter().all(|value| value.is_finite()));
-        // What a solver may mend.
+        // A fault that a solver may correct.
         let is_between = slave.purpose == Purpose::ModelExchange;
         assert!(matches!(status, fmi2OK | fmi2Error) || (status == fmi2Discard && is_between));
         let before = saved::numbers(&slave.bytes());

@@ -4,7 +4,7 @@ use arbitrary::Arbitrary;
 use stribeck::catalogue;
 use stribeck::model::{ModelType, Role, Variable};
 
-/// Numbers at the edges of what a caller may mean.
+/// Numbers at the limits of plausible arguments.
 const ODD: [f64; 16] = [
     0.0,
     -0.0,
@@ -33,7 +33,7 @@ fn decades(sixteenths: i8) -> f64 {
     10f64.powf(f64::from(sixteenths) / 16.0)
 }
 
-/// A model of the catalogue, by its place there.
+/// A model of the catalogue, by its index.
 pub fn model(place: u8) -> &'static ModelType {
     let models: Vec<_> = catalogue::models().collect();
     models[usize::from(place) % models.len()]
@@ -44,7 +44,7 @@ pub fn model(place: u8) -> &'static ModelType {
 pub enum Number {
     /// The start value.
     Start,
-    /// The smallest value that the variable admits.
+    /// The smallest value that the variable accepts.
     Least,
     /// The largest one.
     Most,
@@ -75,7 +75,7 @@ impl Number {
         }
     }
 
-    /// The number, for an argument that belongs to no variable.
+    /// The number, for an argument that does not belong to a variable.
     pub fn alone(self) -> f64 {
         match self {
             Number::Start => 0.0,
@@ -118,7 +118,7 @@ impl Step {
 /// A column of a table, mostly one that exists.
 #[derive(Arbitrary, Clone, Copy, Debug)]
 pub enum Column {
-    /// One of the table, or a few behind it.
+    /// One of the table, or a few beyond it.
     Near(u16),
     /// One of those with this role.
     With(Wanted, u8),
@@ -126,7 +126,7 @@ pub enum Column {
     Any(u32),
 }
 
-/// What is wanted of a column.
+/// Role of a column.
 #[derive(Arbitrary, Clone, Copy, Debug)]
 pub enum Wanted {
     /// Input.

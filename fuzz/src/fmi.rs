@@ -1,4 +1,4 @@
-//! An instance as an importer holds it, through the functions of FMI 2.0.
+//! An instance as used by an importer, through the functions of FMI 2.0.
 
 use std::cell::Cell;
 use std::ffi::{CStr, CString, c_void};
@@ -15,11 +15,11 @@ use crate::saved;
 
 /// An instance.
 pub struct Slave {
-    /// What the library knows it by.
+    /// Its handle in the library.
     pub c: fmi2Component,
     /// Its model.
     pub model: &'static ModelType,
-    /// What it was made for.
+    /// Its purpose.
     pub purpose: Purpose,
     messages: Box<Cell<u32>>,
 }
@@ -31,8 +31,8 @@ impl Drop for Slave {
     }
 }
 
-/// Counts the refusals that an instance tells of. Rust cannot define variadic functions, but on the platforms on which this runs a
-/// function that names the first variadic argument receives it.
+/// Counts the errors that an instance reports. Rust cannot define variadic functions, but on the platforms on which
+/// this runs a function that names the first variadic argument receives it.
 unsafe extern "C" fn listen(
     environment: *mut c_void,
     _name: fmi2String,
@@ -44,7 +44,7 @@ unsafe extern "C" fn listen(
     // SAFETY: the environment is the count of a live `Slave`; the texts are those of the library.
     unsafe {
         let count = &*environment.cast::<Cell<u32>>();
-        // A warning comes with a call that is made.
+        // A warning accompanies a call that succeeds.
         count.set(count.get() + u32::from(status != fmi2Warning));
         assert_eq!(CStr::from_ptr(message), c"%s", "the message is a format and must be constant");
         assert_ne!(status, fmi2OK);
@@ -56,7 +56,7 @@ unsafe extern "C" fn listen(
 }
 
 impl Slave {
-    /// A new instance. Models that are not for Model Exchange are made for co-simulation.
+    /// A new instance. Models that do not support Model Exchange are instantiated for co-simulation.
     pub fn new(model: &'static ModelType, exchange: bool) -> Slave {
         let exchange = exchange && model.model_exchange;
         let messages = Box::<Cell<u32>>::default();
@@ -83,12 +83,12 @@ impl Slave {
         Slave { c, model, purpose, messages }
     }
 
-    /// Messages since the last time.
+    /// Number of messages since the last time.
     pub fn take_messages(&self) -> u32 {
         self.messages.replace(0)
     }
 
-    /// Everything that a saved state of the instance holds.
+    /// The contents of a saved state of the instance.
     pub fn bytes(&self) -> Vec<u8> {
         let mut state = null_mut();
         // SAFETY: a live instance and a state of it, freed once.
@@ -103,10 +103,10 @@ impl Slave {
     /// The bytes of a saved state of the instance's model.
     ///
     /// # Safety
-    /// `state` must be a state that was not yet freed.
+    /// `state` must be a state that has not been freed.
     pub unsafe fn bytes_of(&self, state: fmi2FMUstate) -> Vec<u8> {
         let mut size = 0;
-        // SAFETY: a live instance, a live state, and a buffer of the size that was asked for.
+        // SAFETY: a live instance, a live state, and a buffer of the required size.
         unsafe {
             assert_eq!(fmi2SerializedFMUstateSize(self.c, state, &mut size), fmi2OK);
             let mut bytes = vec![0u8; size];
@@ -115,10 +115,10 @@ impl Slave {
         }
     }
 
-    /// Takes over a state from its bytes.
+    /// Restores a state from its bytes.
     pub fn read(&self, bytes: &[u8]) {
         let mut state = null_mut();
-        // SAFETY: a live instance, as many bytes as is said, and a state that is freed once.
+        // SAFETY: a live instance, as many bytes as given, and a state that is freed once.
         unsafe {
             let bytes: &[fmi2Byte] = std::slice::from_raw_parts(bytes.as_ptr().cast(), bytes.len());
             assert_eq!(fmi2DeSerializeFMUstate(self.c, bytes.as_ptr(), bytes.len(), &mut state), fmi2OK);
@@ -128,7 +128,7 @@ impl Slave {
     }
 }
 
-/// The state of the lifecycle that the numbers of a saved state hold.
+/// The lifecycle state in the numbers of a saved state.
 pub fn state(numbers: &[f64]) -> State {
     STATES[numbers[saved::STATE] as usize]
 }

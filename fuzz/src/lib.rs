@@ -1,8 +1,9 @@
-//! What the fuzz targets share: arguments that a careless or hostile caller might give, and the bytes of a saved state.
+//! Code shared by the fuzz targets: arguments that a careless or hostile caller might pass, and the bytes of a saved
+//! state.
 //!
-//! A target takes bytes from the fuzzer, makes calls of them and checks what must hold after each of them, whatever was
-//! called: no result that is not finite, nothing changed by a refused call, no state outside the table, the same future
-//! from the same saved state. `run.py` builds and runs the targets.
+//! A target turns bytes from the fuzzer into calls and checks the invariants after each of them: no result that is not
+//! finite, nothing changed by a rejected call, no state outside the table, the same future from the same saved state.
+//! `run.py` builds and runs the targets.
 
 pub mod argument;
 pub mod fmi;

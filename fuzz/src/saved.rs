@@ -4,11 +4,11 @@ use stribeck::model::{ModelType, Role};
 
 /// Bytes before the first number: magic, format and guid.
 pub const HEAD: usize = 8 + 4 + 38;
-/// Bytes behind the last number.
+/// Bytes after the last number.
 pub const CHECKSUM: usize = 8;
 /// Place of the time among the numbers.
 pub const TIME: usize = 0;
-/// Place of the mark of outputs that lag behind.
+/// Place of the flag for outdated outputs.
 pub const STALE: usize = 2;
 /// Place of the state of the lifecycle.
 pub const STATE: usize = 3;
@@ -23,7 +23,7 @@ pub fn numbers(bytes: &[u8]) -> Vec<f64> {
     data.map(|number| f64::from_le_bytes(number.try_into().expect("eight bytes"))).collect()
 }
 
-/// Makes the checksum that of the bytes before it: FNV-1a of 64 bits.
+/// Sets the checksum to that of the bytes before it: FNV-1a of 64 bits.
 pub fn seal(bytes: &mut [u8]) {
     let Some(body) = bytes.len().checked_sub(CHECKSUM) else { return };
     let mut hash = 0xcbf2_9ce4_8422_2325u64;
@@ -33,8 +33,8 @@ pub fn seal(bytes: &mut [u8]) {
     bytes[body..].copy_from_slice(&hash.to_le_bytes());
 }
 
-/// Are two states the same but for what a call may change that only reads: results, and whether they lag behind; and but
-/// for the state of the lifecycle?
+/// Whether two states are the same except for the parts that a reading call may change (results, and whether they are
+/// outdated), and for the lifecycle state.
 pub fn is_unchanged(model: &ModelType, before: &[f64], after: &[f64], with_results: bool) -> bool {
     let may_differ = |place: usize| {
         let column = place.checked_sub(ROW).and_then(|column| model.table.get(column));
@@ -46,13 +46,13 @@ pub fn is_unchanged(model: &ModelType, before: &[f64], after: &[f64], with_resul
         && pairs.filter(|(place, _)| !may_differ(*place)).all(|(_, (a, b))| a.to_bits() == b.to_bits())
 }
 
-/// Do only events of Model Exchange lead to that state?
+/// Whether only events of Model Exchange lead to that state.
 pub fn needs_events(model: &ModelType, numbers: &[f64]) -> bool {
     let mut columns = model.table.iter().zip(&numbers[ROW..]);
     columns.any(|(variable, value)| variable.is_settled_by_events() && *value != variable.start)
 }
 
-/// Is everything finite but the stop time?
+/// Whether everything except the stop time is finite.
 pub fn is_finite(numbers: &[f64]) -> bool {
     numbers.iter().enumerate().all(|(place, number)| number.is_finite() || (place == STOP && !number.is_nan()))
 }

@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
-"""Changes the friction laws in many small ways and counts how many of these mutants the tests notice.
+"""Changes the friction laws in many small ways and counts how many of these mutants the tests catch.
 
     python3 tests/broken/mutants.py              every 13th mutant that cargo-mutants knows of src/friction
-    python3 tests/broken/mutants.py --survivors  those that the last run has missed
+    python3 tests/broken/mutants.py --survivors  those that the last run missed
 
-`python3 tasks.py mutants` installs cargo-mutants and runs this. cargo-mutants says what to change; but it would build
-the library once for each mutant, which takes hours. Here all mutants are in one build: each changed function holds its
-changed bodies beside its own, and the environment variable MUTANT chooses one. Nothing else of the library is changed.
-A mutant that does not compile counts for nothing. One that a test fails on, or that takes several times the processor
+`python3 tasks.py mutants` installs cargo-mutants and runs this. cargo-mutants lists the changes, but it would build the
+library once for each mutant, which takes hours. Here all mutants are in one build: each changed function contains its
+changed bodies beside its own, and the environment variable MUTANT selects one. Nothing else of the library is changed.
+A mutant that does not compile is not counted. One that makes a test fail, or that takes several times the processor
 time of the whole library, is caught.
 """
 
@@ -63,7 +63,7 @@ pub(crate) fn mutant(function: usize) -> u32 {
 
 
 def declare_modules(copy):
-    """cargo-mutants does not see modules that a macro declares. These lines are for it alone."""
+    """cargo-mutants does not see modules declared by a macro. These lines are only for it."""
     folder = copy.root / "src" / "friction"
     declaration = folder / "mod.rs"
     text = declaration.read_text(encoding="utf-8")
@@ -78,7 +78,7 @@ def find_mutants(copy):
     options = ["--package", "stribeck", "--file", "src/friction/**", "--shard", SHARD, "--sharding", "round-robin"]
     command = ["cargo", "mutants", "--list", "--json", *options]
     found = json.loads(subprocess.run(command, cwd=copy.root, check=True, capture_output=True, text=True).stdout)
-    # The value of a constant is there before a switch can choose.
+    # The value of a constant exists before a switch can select it.
     found = [mutant for mutant in found if mutant["function"]]
     for number, mutant in enumerate(found, start=1):
         mutant["number"] = number
@@ -86,12 +86,12 @@ def find_mutants(copy):
 
 
 def offset(lines, place):
-    """Index in the text of a place given by line and column, both from 1."""
+    """Index in the text of a position given by line and column, both from 1."""
     return sum(len(line) for line in lines[: place["line"] - 1]) + place["column"] - 1
 
 
 def as_one_type(text, return_type):
-    """The signature and a wrapper for its bodies: two iterators of `impl Iterator` must become of one type."""
+    """The signature and a wrapper for its bodies: two iterators of `impl Iterator` must get the same type."""
     kind = return_type.removeprefix("-> ")
     if not kind.startswith("impl "):
         return text, "{}"
@@ -100,7 +100,7 @@ def as_one_type(text, return_type):
 
 
 def with_mutants(text, mutants):
-    """The text of a file in which each changed function chooses its body."""
+    """The text of a file in which each changed function selects its body."""
     lines = text.splitlines(keepends=True)
     functions = collections.defaultdict(list)
     for mutant in mutants:
@@ -145,7 +145,7 @@ def mutant_at(copy, place):
 
 
 def viable_mutants(copy, mutants):
-    """Puts those mutants into the copy that compile."""
+    """Puts the mutants that compile into the copy."""
     while True:
         write_mutants(copy, mutants)
         messages, succeeded = copy.cargo("check", "--package", "stribeck", "--lib")
@@ -159,7 +159,7 @@ def viable_mutants(copy, mutants):
 
 
 def run_test(command, folder, limit=3600, **environment):
-    """Runs a test with a limit of processor seconds. Says how it failed, None if it did not; the seconds it took."""
+    """Runs a test with a limit on processor seconds. Returns how it failed, or None, and the seconds it took."""
     bounded = ["sh", "-c", 'ulimit -S -t "$0" && exec "$@"', str(limit), *command]
     settings = {**os.environ, **environment}
     with subprocess.Popen(bounded, cwd=folder, env=settings, **SILENT) as test:
@@ -194,7 +194,7 @@ def commands(program, folder):
 
 
 def verdict(tests, mutant):
-    """The test that notices the mutant, None if none does. Only a test that calls its function can."""
+    """The test that catches the mutant, or None. Only a test that calls its function can."""
     for test in tests:
         if mutant["function_number"] in test.reached:
             failure = test.failure(mutant)
@@ -205,7 +205,7 @@ def verdict(tests, mutant):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--survivors", action="store_true", help="only those that the last run has missed")
+    parser.add_argument("--survivors", action="store_true", help="only those that the last run missed")
     only_survivors = parser.parse_args().survivors
     copy = ProjectCopy("mutants")
     record = copy.out / "outcomes.json"
@@ -218,7 +218,7 @@ def main():
     if programs is None:
         sys.exit(f"the tests do not build in {copy.root}")
     every = [command for program in programs.values() for command in commands(program, copy.root)]
-    # In any order the first ones are a fair sample too.
+    # In random order the first ones are also a fair sample.
     random.Random(1).shuffle(mutants)
     with ThreadPoolExecutor(os.cpu_count()) as pool:
         tests = sorted(pool.map(lambda command: Test(command, copy.root), every), key=lambda test: test.seconds)

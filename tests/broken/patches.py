@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Breaks copies of the library on purpose, one mistake each, and shows which tests notice.
+"""Deliberately breaks copies of the library, one mistake each, and shows which tests fail.
 
     python3 tests/broken/patches.py    or: python3 tasks.py broken
 
-The mistakes are the patches beside this file: a wrong sign in one law, a null check that is missing in the FMI layer, a
-saved state that forgets a column. Fails if a patch no longer fits, or if no test notices it.
+The mistakes are the patches beside this file: a wrong sign in one law, a missing NULL check in the FMI layer, a saved
+state that lacks a column. Fails if a patch no longer applies, or if no test detects it.
 """
 
 import os
@@ -24,16 +24,16 @@ SHOWN = 12
 def break_copy(copy, patch):
     """Applies a patch to a new copy."""
     copy.renew()
-    # Out of sight of git, which would else look for the files in the project that holds the copy.
+    # Hidden from git, which would otherwise look for the files in the project that contains the copy.
     hidden = {**os.environ, "GIT_CEILING_DIRECTORIES": str(copy.out)}
     done = subprocess.run(["git", "apply", patch], cwd=copy.root, env=hidden, capture_output=True, text=True)
     if done.returncode != 0:
-        sys.exit(f"{patch.name} does not fit: {done.stderr}")
+        sys.exit(f"{patch.name} does not apply: {done.stderr}")
 
 
 def failures(program, folder):
     """The tests of a program that fail; the last one may have ended the process."""
-    # One after the other, so that a crash has a name.
+    # One after another, so that a crash can be attributed to a test.
     command = [program, "--test-threads=1"]
     done = subprocess.run(command, cwd=folder, capture_output=True, text=True, timeout=SLOWEST)
     ended = dict(re.findall(r"^test (\S+) \.\.\. ?(.*)$", done.stdout, re.MULTILINE))
@@ -68,7 +68,7 @@ def main():
         if not found:
             missed.append(patch.stem)
     if missed:
-        sys.exit(f"not noticed: {', '.join(missed)}")
+        sys.exit(f"not detected: {', '.join(missed)}")
 
 
 if __name__ == "__main__":

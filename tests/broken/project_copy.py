@@ -1,4 +1,4 @@
-"""A copy of the project in out/, to be broken on purpose and tested there."""
+"""A copy of the project in out/, to be deliberately broken and tested there."""
 
 import json
 import os
@@ -11,7 +11,8 @@ ROOT = Path(__file__).resolve().parents[2]
 
 
 class ProjectCopy:
-    """A copy of what git knows, as it is now. What was built in an earlier copy is kept beside it and used again."""
+    """A copy of the files known to git, in their present state. The build output of an earlier copy is kept beside it
+    and reused."""
 
     def __init__(self, name):
         self.out = ROOT / "out" / name
@@ -25,7 +26,7 @@ class ProjectCopy:
         done = subprocess.run(listed, cwd=ROOT, capture_output=True, text=True)
         names = done.stdout.split("\0")
         if done.returncode != 0 or "Cargo.toml" not in names:
-            sys.exit(f"{ROOT} is not a git checkout, and what git knows is copied: clone the project\n{done.stderr}")
+            sys.exit(f"{ROOT} is not a git checkout, which lists the files to copy: clone the project\n{done.stderr}")
         for name in filter(None, names):
             if (ROOT / name).is_file():
                 (self.root / name).parent.mkdir(parents=True, exist_ok=True)
@@ -39,7 +40,8 @@ class ProjectCopy:
         return [json.loads(line) for line in done.stdout.splitlines()], done.returncode == 0
 
     def build_tests(self, names):
-        """The paths of these test programs; that of the library itself is called stribeck. None: they do not build."""
+        """The paths of these test programs; that of the library itself is called stribeck. None if they do not
+        build."""
         tests = ["--lib", *(f"--test={name}" for name in names)]
         messages, succeeded = self.cargo("test", "--no-run", "--package", "stribeck", *tests)
         programs = {m["target"]["name"]: m["executable"] for m in messages if m.get("executable")}
@@ -47,6 +49,6 @@ class ProjectCopy:
 
 
 def errors(messages):
-    """What the compiler says of its errors."""
+    """The error messages of the compiler."""
     found = [m["message"] for m in messages if m["reason"] == "compiler-message"]
     return [message for message in found if message["level"] == "error"]

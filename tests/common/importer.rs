@@ -1,4 +1,4 @@
-//! An importer with one instance, which hears what the library tells it.
+//! An importer with one instance, which records the messages of the library.
 
 use std::cell::RefCell;
 use std::ffi::{CStr, CString, c_void};
@@ -16,11 +16,11 @@ use stribeck::fmi2::types::fmi2Status::*;
 use stribeck::fmi2::types::*;
 use stribeck::fmi2::values::*;
 
-/// What the logger of an importer heard.
+/// Messages received by the logger of an importer.
 pub type Heard = Mutex<Vec<(fmi2Status, String, String)>>;
 
 thread_local! {
-    /// The instance that was heard last.
+    /// The instance of the last message.
     pub static NAME: RefCell<String> = const { RefCell::new(String::new()) };
 }
 
@@ -170,7 +170,7 @@ impl Importer {
         }
     }
 
-    /// The one message heard since the last time.
+    /// The only message since the last time.
     #[track_caller]
     pub fn one_message(&self) -> (fmi2Status, String, String) {
         let mut heard = self.heard.lock().expect("one thread");
@@ -178,7 +178,7 @@ impl Importer {
         heard.remove(0)
     }
 
-    /// The text of the message heard last; empty if there was none.
+    /// The text of the last message; empty if there was none.
     pub fn last_message(&self) -> String {
         self.heard.lock().expect("one thread").last().map(|(_, _, text)| text.clone()).unwrap_or_default()
     }

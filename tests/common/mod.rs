@@ -1,4 +1,4 @@
-//! What several test programs share: a model driven by the names of its variables, and the belt benchmark.
+//! Code shared by several test programs: a model driven by the names of its variables, and the belt benchmark.
 #![allow(dead_code, reason = "each test program uses a part of it")]
 
 pub mod importer;
@@ -9,7 +9,7 @@ use stribeck::catalogue;
 use stribeck::fmi2::types::{fmi2CallbackFunctions, fmi2EventInfo, fmi2False};
 use stribeck::instance::Instance;
 
-/// What an importer hands over to be filled in by an event.
+/// A struct that an importer passes to be filled in by an event.
 pub const NO_EVENT: fmi2EventInfo = fmi2EventInfo {
     newDiscreteStatesNeeded: fmi2False,
     terminateSimulation: fmi2False,
@@ -19,7 +19,7 @@ pub const NO_EVENT: fmi2EventInfo = fmi2EventInfo {
     nextEventTime: 0.0,
 };
 
-/// Of an importer that wants to hear nothing and has no memory of its own.
+/// Callbacks of an importer without a logger and without its own memory functions.
 pub const NO_CALLBACKS: fmi2CallbackFunctions = fmi2CallbackFunctions {
     logger: None,
     allocateMemory: None,
@@ -68,10 +68,10 @@ impl Bench {
     }
 }
 
-/// In which order the master exchanges values.
+/// Order in which the master exchanges values.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Exchange {
-    /// Friction first, the host with its force.
+    /// Friction first, then the host with its force.
     Sequential,
     /// The force is read right after the inputs are set; then both step.
     FeedThrough,
@@ -97,8 +97,8 @@ pub fn belt(friction: &mut Bench, h: f64, end: f64, exchange: Exchange) -> Vec<S
 /// An input, and its slope from the rig at the beginning of a step.
 pub type Slope<'a> = (&'a str, fn(&mut Bench) -> f64);
 
-/// The same with a master that gives the slopes of these inputs, as far as it knows them at the beginning of a step: the
-/// acceleration of the block under the last friction force, and what its velocity does to the spring.
+/// The same with a master that gives the slopes of these inputs, as far as it knows them at the beginning of a step:
+/// the acceleration of the block under the last friction force, and the effect of its velocity on the spring.
 pub fn belt_of_master(friction: &mut Bench, h: f64, end: f64, exchange: Exchange, slopes: &[Slope]) -> Vec<Sample> {
     let mut rig = Bench::new("BeltRig", &[]);
     let needs_load = friction.has("external_force");
