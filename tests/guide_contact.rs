@@ -217,3 +217,37 @@ fn a_shared_parameter_that_the_law_does_not_use_warns() {
     assert_eq!(warning("Karnopp", &set), None);
     assert_eq!(warning("LuGre", &set), None);
 }
+
+/// A law without levels has its viscous part alone: along a velocity that passes zero it takes d v^2 / 3 times the time.
+#[test]
+fn drag_without_a_load_dissipates_what_its_force_does() {
+    let (drag, speed, h) = (12.0, 0.2, 0.01);
+    let mut viscous = 0;
+    for (law, name) in laws() {
+        for mass in [0.0, 2.0] {
+            let mut bench = contact(law);
+            for coefficient in ["friction.viscous_coefficient", &format!("friction.{name}.viscous_coefficient")] {
+                if bench.has(coefficient) {
+                    bench.set(coefficient, drag);
+                }
+            }
+            bench.set("friction.mass", mass);
+            bench.set("normal_force", 0.0);
+            bench.set("velocity", -speed);
+            let column = bench.column("velocity");
+            bench.instance.put_slope(column, 2.0 * speed / h);
+            bench.step(h);
+            // Without a viscous part there is nothing.
+            let has_drag = friction(&mut bench) != 0.0;
+            viscous += usize::from(has_drag);
+            let expected = if has_drag { drag * speed * speed / 3.0 * h } else { 0.0 };
+            let found = bench.get("dissipated_energy");
+            // Levels are taken a little beside the reversal.
+            assert!(
+                (found - expected).abs() <= 1e-8 * expected,
+                "{name}, {mass} kg: {found} J instead of {expected} J"
+            );
+        }
+    }
+    assert!(viscous > 20, "{viscous}");
+}

@@ -244,7 +244,9 @@ impl FrictionLaw {
         let mut answer = law.advance_from(&begin, &end, &self.law, memory, dt);
         let drag = self.drag(law, &end);
         answer.force += drag * end.velocity;
-        answer.energy += drag * 0.25 * (begin.velocity + end.velocity).powi(2) * dt;
+        // Where there are levels on the way, the law itself has counted its viscous part.
+        let (v_0, v_1) = (begin.velocity, end.velocity);
+        answer.energy += drag.min(self.drag(law, &begin)) * (v_0 * v_0 + v_0 * v_1 + v_1 * v_1) / 3.0 * dt;
         answer
     }
 
