@@ -2,7 +2,7 @@
 
 use crate::model::ModelType;
 
-/// Declares the files of a family and lists their models: the one line that a new model adds outside its own file.
+/// Declares the files of a family and lists their models: the only line that a new model adds outside its own file.
 macro_rules! family {
     ($($file:ident::$Model:ident,)+) => {
         $(
@@ -48,12 +48,12 @@ pub fn documented(family: Family) -> impl Iterator<Item = (&'static ModelType, &
     models.iter().zip(pages.iter().copied())
 }
 
-/// The model of that name (its modelIdentifier).
+/// The model of this name (its modelIdentifier).
 pub fn by_name(name: &str) -> Option<&'static ModelType> {
     models().find(|model| model.name == name)
 }
 
-/// The model whose table has that fingerprint.
+/// The model whose table has this fingerprint.
 pub fn by_guid(guid: impl AsRef<[u8]>) -> Option<&'static ModelType> {
     models().find(|model| model.guid().as_bytes() == guid.as_ref())
 }

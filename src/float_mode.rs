@@ -1,17 +1,17 @@
 //! The floating-point mode of the host: traps, rounding, denormal numbers.
 //!
-//! The laws are written for the default mode of IEEE 754, in which an overflow or a division by zero is a value that is
-//! found and refused later, and not a signal that ends the host. In that mode they are computed, whatever the mode of
-//! the host; so results do not depend on it.
+//! The laws are written for the default mode of IEEE 754, in which an overflow or a division by zero gives a value that
+//! is found and refused later, not a signal that ends the host. They are computed in that mode whatever the mode of the
+//! host, so results do not depend on it.
 
-/// The default mode, until it is dropped: then the mode of the host comes back.
+/// The default mode, until it is dropped: then the mode of the host is restored.
 pub(crate) struct DefaultMode {
-    /// Mode of the host, if it is another one.
+    /// Mode of the host, if it differs.
     host: Option<Mode>,
 }
 
 impl DefaultMode {
-    /// Sets the default mode. To look costs a few nanoseconds, to change the mode more: most hosts have the default.
+    /// Sets the default mode. Reading the mode costs a few nanoseconds, changing it more: most hosts have the default.
     #[inline(always)]
     pub fn enter() -> DefaultMode {
         let mode = control::read();
@@ -56,7 +56,7 @@ mod control {
 
     #[inline(always)]
     pub fn write(mode: Mode) {
-        // SAFETY: loads the default mode, in which Rust expects to run, or the one in which the host has called.
+        // SAFETY: loads the default mode, in which Rust expects to run, or the one in which the host called.
         unsafe { asm!("ldmxcsr [{}]", in(reg) &raw const mode, options(nostack, preserves_flags)) };
     }
 }
@@ -86,7 +86,7 @@ mod control {
     }
 }
 
-/// On other processors the mode of the host stays. Miri, which runs no assembler, has the default mode only.
+/// On other processors the mode of the host stays. Miri, which cannot run assembly, has the default mode only.
 #[cfg(any(miri, not(any(target_arch = "x86_64", target_arch = "aarch64"))))]
 mod control {
     pub type Mode = u32;

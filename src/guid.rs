@@ -7,9 +7,9 @@ use crate::model::{Kind, Role, Segment, Variable};
 /// A guid in the registry form `{xxxxxxxx-xxxx-xxxx-xxxx-xxxxxxxxxxxx}`, as ASCII.
 pub type GuidText = [u8; 38];
 
-/// Fingerprint of a model: its name, everything of its columns that a caller depends on (name, role, type, unit, start,
-/// bounds, nominal value, whether a state jumps), and the number of its event indicators if it is offered for Model
-/// Exchange. Help texts, display units and the model's documentation are left out: rewording them breaks nobody.
+/// Fingerprint of a model: its name, everything about its columns that a caller depends on (name, role, type, unit,
+/// start, bounds, nominal value, whether a state jumps), and the number of its event indicators if it supports Model
+/// Exchange. Help texts, display units and the documentation of the model are left out: rewording them breaks nothing.
 pub const fn fingerprint(model: &str, table: &[Variable], event_indicators: Option<usize>) -> GuidText {
     let mut hash = text(Fnv::START, model);
     let mut column = 0;
@@ -23,7 +23,7 @@ pub const fn fingerprint(model: &str, table: &[Variable], event_indicators: Opti
     spell(hash.0)
 }
 
-/// FNV-1a of 128 bits (G. Fowler, L. C. Noll, K.-P. Vo; RFC 9923): offset basis and prime are those of its authors.
+/// FNV-1a with 128 bits (G. Fowler, L. C. Noll, K.-P. Vo; RFC 9923): offset basis and prime as published.
 #[derive(Clone, Copy)]
 struct Fnv(u128);
 

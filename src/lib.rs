@@ -4,8 +4,8 @@
 //!
 //! A model is one row of `f64` with a declared table ([`mod@model`]); its outputs are written once for every [`number`]
 //! type; [`laws`] are the pure functions that models share. [`friction`], [`shock_absorber`] and [`host`] hold one
-//! model per file, listed in the [`catalogue`]. An [`instance`] is a live model; [`fmi2`] and [`c_api`] offer it to the
-//! world.
+//! model per file, listed in the [`catalogue`]. An [`instance`] is a model in use; [`fmi2`] and [`c_api`] are its
+//! interfaces.
 
 pub mod c_api;
 pub mod catalogue;

@@ -1,14 +1,14 @@
-//! Memory that may run out: what the C interfaces make for their callers is asked for and not taken for granted. A
-//! failed allocation would otherwise end the process of the host.
+//! Memory that may run out: whatever the C interfaces allocate for their callers is allocated fallibly. A failed
+//! allocation would otherwise end the process of the host.
 
 use std::ffi::{CStr, CString};
 use std::fmt::{self, Write};
 
-/// There is no memory left.
+/// Memory has run out.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct OutOfMemory;
 
-/// What is said where there is no memory to say more.
+/// Message if memory runs out even for a message.
 pub(crate) const OUT_OF_MEMORY: &CStr = c"out of memory";
 
 impl fmt::Display for OutOfMemory {
@@ -19,7 +19,7 @@ impl fmt::Display for OutOfMemory {
 
 impl std::error::Error for OutOfMemory {}
 
-/// An empty vector with room for exactly `count` values, so that it becomes a box without moving.
+/// An empty vector with room for exactly `count` values, so that it becomes a box without being moved.
 fn room<T>(count: usize) -> Result<Vec<T>, OutOfMemory> {
     let mut values = Vec::new();
     values.try_reserve_exact(count).map_err(|_| OutOfMemory)?;
@@ -40,7 +40,7 @@ pub(crate) fn copied<T: Copy>(slice: &[T]) -> Result<Box<[T]>, OutOfMemory> {
     Ok(values.into_boxed_slice())
 }
 
-/// What `make` makes of each element of a slice.
+/// The results of `make` for each element of a slice.
 pub(crate) fn each<T, U>(
     slice: &[T],
     mut make: impl FnMut(&T) -> Result<U, OutOfMemory>,
@@ -52,7 +52,7 @@ pub(crate) fn each<T, U>(
     Ok(made)
 }
 
-/// A value in a box of its own.
+/// A value in its own box.
 pub(crate) fn boxed<T>(value: T) -> Result<Box<T>, OutOfMemory> {
     let mut one = room(1)?;
     one.push(value);
@@ -61,10 +61,10 @@ pub(crate) fn boxed<T>(value: T) -> Result<Box<T>, OutOfMemory> {
     Ok(unsafe { Box::from_raw(Box::into_raw(one).cast::<T>()) })
 }
 
-/// A text, cut where memory ends: at the worst it is empty.
+/// A text, truncated if memory runs out, in the worst case to nothing.
 pub(crate) fn text(what: impl fmt::Display) -> String {
     let mut text = Text(String::new());
-    // An error says that the text is cut, which is what it is for.
+    // An error says that the text is truncated, as intended.
     let _ = write!(text, "{what}");
     text.0
 }
@@ -76,7 +76,7 @@ pub(crate) fn whole_text(what: impl fmt::Display) -> Result<String, OutOfMemory>
     Ok(text.0)
 }
 
-/// A text that grows as long as there is memory.
+/// A text that grows while memory lasts.
 struct Text(String);
 
 impl Write for Text {
@@ -87,7 +87,7 @@ impl Write for Text {
     }
 }
 
-/// A text for C, up to the first zero in it, if there is one.
+/// A text for C, up to its first zero byte, if there is memory for it.
 pub(crate) fn c_text(text: &str) -> Result<CString, OutOfMemory> {
     let text = text.split('\0').next().unwrap_or_default();
     let mut bytes = room(text.len() + 1)?;
@@ -96,7 +96,7 @@ pub(crate) fn c_text(text: &str) -> Result<CString, OutOfMemory> {
     CString::from_vec_with_nul(bytes).map_err(|_| OutOfMemory)
 }
 
-/// A copy of a text from C.
+/// A copy of a C text.
 pub(crate) fn c_copy(text: &CStr) -> Result<CString, OutOfMemory> {
     let mut bytes = room(text.count_bytes() + 1)?;
     bytes.extend_from_slice(text.to_bytes_with_nul());
@@ -119,7 +119,7 @@ mod tests {
         assert_eq!(each(&[1, 2], |n| if *n == 1 { Ok(*n) } else { Err(OutOfMemory) }), Err(OutOfMemory));
     }
 
-    /// Miri ends where the memory of a host would.
+    /// Miri aborts where a host would run out of memory.
     #[cfg(not(miri))]
     #[test]
     fn more_than_there_is_is_refused() {

@@ -3,7 +3,7 @@
 use std::cmp::Ordering;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-/// What a law needs of a number. Written once for it, a law gives values (`f64`) and exact derivatives ([`Dual`]).
+/// A number as a law needs it. Written once for it, a law gives values (`f64`) and exact derivatives ([`Dual`]).
 pub trait Real:
     Copy
     + PartialOrd
@@ -16,10 +16,10 @@ pub trait Real:
 {
     /// The value without its derivative.
     fn value(self) -> f64;
-    /// Is this the constant itself, and not a value that only passes through it? Guards shortcuts, which would
+    /// Whether this is the constant itself, not a value that only passes through it. Guards shortcuts, which would
     /// otherwise lose a derivative.
     fn is(self, constant: f64) -> bool;
-    /// Its derivative; 0 for a number that carries none. Tells where a value goes from a limit that it stands at.
+    /// Its derivative; 0 for a number without one. Shows in which direction a value at a limit leaves it.
     fn tendency(self) -> f64 {
         0.0
     }
@@ -121,8 +121,8 @@ pub struct Dual {
 }
 
 impl Dual {
-    /// `f(self)`, given the value and the derivative of f there. A derivative of zero direction stays zero, also where
-    /// f' is infinite.
+    /// `f(self)`, given the value and the derivative of f there. A zero derivative stays zero, even where f' is
+    /// infinite.
     fn chain(self, value: f64, derivative: f64) -> Dual {
         let slope = if self.slope == 0.0 { 0.0 } else { derivative * self.slope };
         Dual { value, slope }
@@ -195,7 +195,7 @@ impl Real for Dual {
     }
     fn exp(self) -> Dual {
         let value = self.value.exp();
-        // Where nothing is left of the exponential, nothing is left of its derivative, however fast the exponent moves.
+        // If the exponential vanishes, its derivative vanishes too, however fast the exponent changes.
         if value == 0.0 { Dual::from(0.0) } else { self.chain(value, value) }
     }
     fn tanh(self) -> Dual {

@@ -1,10 +1,10 @@
-//! A model of the tests: it has what no shipped model has yet, and it can panic.
+//! A model for tests: it has features that no shipped model has yet, and it can panic.
 
 use crate::model::{Fault, Law, Model, ModelType, boolean, integer, real};
 use crate::number::Real;
 
 crate::choices! {
-    /// What the probe does when it is stepped.
+    /// Behaviour of the probe in a step.
     pub enum Behaviour {
         /// Adds up its input.
         Integrate,
@@ -16,7 +16,7 @@ crate::choices! {
 }
 
 crate::part! {
-    /// A part, to be repeated and nested.
+    /// A part, repeated and nested.
     Element {
         /// Stiffness of the element.
         stiffness: tunable = real("N/m", 2.0).positive(),
@@ -40,7 +40,7 @@ crate::model! {
     Probe: "Model of the tests" {
         /// Rate of the integral.
         rate: input = real("1", 0.0),
-        /// What happens.
+        /// Behaviour in a step.
         behaviour: tunable = Behaviour::Integrate.start(),
         /// A whole number.
         count: tunable = integer(3).at_least(0.0).at_most(9.0),

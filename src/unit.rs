@@ -1,9 +1,10 @@
-//! Units of the columns: name, SI base exponents, the quantity they measure and the display units an importer may offer.
+//! Units of the columns: name, SI base exponents, the quantity they measure and the display units an importer may
+//! offer.
 
 /// A unit as FMI 2.0.5 section 2.2.2 describes it: a product of powers of SI base units.
 #[derive(Debug, PartialEq)]
 pub struct Unit {
-    /// Name as it stands in modelDescription.xml, for example `N.s/m`; `1` for a pure number.
+    /// Name as in modelDescription.xml, for example `N.s/m`; `1` for a pure number.
     pub name: &'static str,
     /// The physical quantity, used as the name of the type definition.
     pub quantity: &'static str,
@@ -28,7 +29,7 @@ pub struct DisplayUnit {
     pub name: &'static str,
     /// Values in this unit per SI value.
     pub factor: f64,
-    /// Value shown where the SI value is 0; not 0 for temperatures only.
+    /// Value shown for an SI value of 0; nonzero for temperatures only.
     pub offset: f64,
 }
 
@@ -49,7 +50,7 @@ const fn unit(
 }
 
 impl Unit {
-    /// The base units it is made of, each with its exponent.
+    /// The base units of this unit, each with its exponent.
     pub fn base_units(&self) -> impl Iterator<Item = (&'static str, i8)> {
         let exponents = [("kg", self.kg), ("m", self.m), ("s", self.s), ("K", self.kelvin), ("rad", self.rad)];
         exponents.into_iter().filter(|(_, exponent)| *exponent != 0)
@@ -100,7 +101,7 @@ pub static UNITS: [Unit; 30] = [
     unit("W/K", "ThermalConductance", [1, 2, -3], &[]).per_kelvin(1),
 ];
 
-/// The unit of that name. A column with an unknown unit does not compile.
+/// The unit of this name. A column with an unknown unit does not compile.
 pub(crate) const fn named(name: &str) -> &'static Unit {
     let mut at = 0;
     while at < UNITS.len() {
@@ -112,7 +113,7 @@ pub(crate) const fn named(name: &str) -> &'static Unit {
     panic!("unknown unit: add it to UNITS in src/unit.rs");
 }
 
-/// Text equality in a `const fn`, where `==` on `str` is not available.
+/// Equality of texts in a `const fn`, where `==` on `str` is not available.
 pub(crate) const fn same(a: &str, b: &str) -> bool {
     let (a, b) = (a.as_bytes(), b.as_bytes());
     if a.len() != b.len() {

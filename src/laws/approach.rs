@@ -13,7 +13,7 @@
 //!
 //! where h is smooth and goes to n as r goes to 1: q(w) is an ordinary integral, and w(q) its inverse.
 
-/// What happened on the way.
+/// Result of the motion.
 pub struct Travel {
     /// Change of r.
     pub change: f64,
@@ -21,14 +21,14 @@ pub struct Travel {
     pub distance: f64,
     /// Integral of r over q.
     pub area: f64,
-    /// Was `end` reached?
+    /// Whether `end` was reached.
     pub arrived: bool,
 }
 
 /// From here on 1 - r is less than the spacing of the numbers near 1.
 const FULL: f64 = 40.0;
 
-/// Moves r on by `q`, at most to `end`, which lies in the direction of the motion.
+/// Advances r by `q`, at most to `end`, which lies in the direction of the motion.
 pub fn advance(r: f64, end: f64, q: f64, exponent: f64) -> Travel {
     if exponent == 1.0 {
         return advance_linear(r, end, q);
@@ -39,7 +39,7 @@ pub fn advance(r: f64, end: f64, q: f64, exponent: f64) -> Travel {
     if start >= FULL {
         return Travel { change: 0.0, distance: q, area: q * r, arrived: false };
     }
-    // What is far less than the whole way need not be known to all its digits.
+    // A distance far below the whole path does not need all its digits.
     let path = Path { start, side, exponent, slack: [1e-15 * q, 1e-15 * q * r.abs().max(1.0)] };
     let last = if (1.0 - end) * side > 0.0 { position(end).min(FULL) } else { FULL };
     let [distance, area] = path.between(start, last);
@@ -72,7 +72,7 @@ struct Path {
     slack: [f64; 2],
 }
 
-/// Around r = 0 up to this w from it, |r|^n is integrated as what it is: smooth but for its end at r = 0.
+/// Up to this w from r = 0, |r|^n is integrated directly: it is smooth except for its end at r = 0.
 const NEAR: f64 = 0.3;
 
 /// How often an interval may be halved; the steepest integrands need about fifteen.
@@ -87,7 +87,7 @@ impl Path {
     /// r, and dq/dw = 1 / h.
     fn at(&self, w: f64) -> (f64, f64) {
         let gap = (-w).exp();
-        // Each form keeps the digits of what is small: r around 0, 1 - r near 1.
+        // Each form keeps the digits of the small quantity: r around 0, 1 - r near 1.
         let r = if self.side > 0.0 { -(-w).exp_m1() } else { 1.0 + gap };
         let power = if r <= 0.0 {
             1.0 + (-r).powf(self.exponent)
@@ -104,7 +104,7 @@ impl Path {
         if self.side < 0.0 {
             return self.smooth(from, to, DEPTH);
         }
-        // |r|^n has a kink at r = 0, which is w = 0; on both sides of it a whole power is smooth.
+        // |r|^n has a kink at r = 0, where w = 0; on both sides of it an integer power is smooth.
         let kink = f64::clamp(0.0, from, to);
         if self.exponent.fract() == 0.0 {
             return add(self.smooth(from, kink, DEPTH), self.smooth(kink, to, DEPTH));
@@ -123,8 +123,8 @@ impl Path {
         [q_b - q_a, area_b - area_a]
     }
 
-    /// Integrals from the kink on, by the tanh-sinh rule of Takahasi and Mori (1974), which does not mind how the
-    /// integrand begins and ends.
+    /// Integrals from the kink on, by the tanh-sinh rule of Takahasi and Mori (1974), which tolerates singularities of
+    /// the integrand at its ends.
     fn beyond_kink(&self, to: f64) -> [f64; 2] {
         const STEP: f64 = 0.1;
         if to == 0.0 {
@@ -174,7 +174,7 @@ impl Path {
     fn inverse(&self, q: f64, last: f64) -> (f64, f64) {
         let (mut low, mut high) = (self.start, last);
         let (mut w, mut reached) = (self.start, [0.0; 2]);
-        // Newton's method, kept inside the bracket by halving; it ends long before.
+        // Newton's method, kept inside the bracket by halving; it converges long before.
         for _ in 0..60 {
             let missing = q - reached[0];
             if missing > 0.0 {

@@ -14,7 +14,7 @@ pub fn level<T: Real>(velocity: T, coulomb: T, at_rest: T, decay: T) -> T {
     coulomb + (at_rest - coulomb) * (-(decay * velocity.abs())).exp()
 }
 
-/// Does the contact slow down? Only then the lower curve counts; at constant speed it is the upper one.
+/// Whether the contact slows down. Only then the lower curve counts; at constant speed the upper one does.
 #[inline]
 pub fn slows_down<T: Real>(velocity: T, acceleration: T) -> bool {
     velocity.sign().value() * acceleration.sign().value() < 0.0

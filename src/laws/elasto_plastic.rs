@@ -2,7 +2,7 @@
 
 use crate::number::Real;
 
-/// alpha of Dupont et al. (2002), (7.33) and (7.34) of the thesis: which part of a motion that loads the bristle is plastic.
+/// alpha of Dupont et al. (2002), (7.33) and (7.34) of the thesis: the plastic part of a motion that loads the bristle.
 ///
 /// ```text
 /// alpha = 0                                                                          |z| <= z_ba
@@ -10,7 +10,7 @@ use crate::number::Real;
 ///       = 1                                                                   z_ss <= |z|
 /// ```
 ///
-/// `deflection` is |z|: the thesis and the paper print z, which is right for z > 0 only.
+/// `deflection` is |z|: the thesis and the paper print z, which is only correct for z > 0.
 pub fn alpha<T: Real>(deflection: T, steady: T, breakaway: T) -> T {
     let [half, one] = [0.5, 1.0].map(T::from);
     if deflection <= breakaway {

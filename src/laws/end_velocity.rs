@@ -9,29 +9,29 @@
 //! ```
 //!
 //! (implicit Euler, and for a set-valued law the time stepping of J. J. Moreau). Where f falls with speed there can be
-//! three solutions. The body cannot pass over one of them, so the one that counts is the first that is met from v in
-//! the direction in which the body is accelerated.
+//! three solutions. The body cannot pass any of them, so the relevant one is the first one reached from v in the
+//! direction in which the body is accelerated.
 
 use crate::number::Dual;
 
-/// What the body meets first.
+/// The first solution that the body reaches.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Landing {
     /// A velocity at which the curve balances the body.
     Curve(f64),
-    /// The mark of that number, where the curve jumps across the balance: the force is a value within the jump.
+    /// The index of the mark at which the curve jumps across the balance: the force is a value within the jump.
     Jump(usize),
 }
 
-/// Iterations of Newton's method; it needs about five, and bisection about sixty (chosen).
+/// Iterations of Newton's method, which needs about five; bisection needs about sixty (chosen).
 const ITERATIONS: usize = 200;
 
 /// Walks down from `start`, where the body decelerates, to the first zero of the `residual`
 /// m (w - v) / h + f(w) - f_e, whose derivative must be given with it.
 ///
 /// `marks` are the velocities, in falling order, at which the curve has kinks or jumps. Between two of them, outwards
-/// from rest, the curve must be rising, or first concave and then convex. `end` is a velocity, below all marks that
-/// may be met, at which the residual is not positive.
+/// from rest, the curve must be rising, or first concave and then convex. `end` is a velocity, below all marks that may
+/// be reached, at which the residual is not positive.
 pub fn first(residual: impl Fn(f64) -> Dual, marks: &[f64], start: f64, end: f64) -> Landing {
     let mut upper = start;
     for (number, &mark) in marks.iter().enumerate() {
@@ -52,22 +52,22 @@ pub fn first(residual: impl Fn(f64) -> Dual, marks: &[f64], start: f64, end: f64
     Landing::Curve(first_between(&residual, upper, end).unwrap_or(end))
 }
 
-/// The nearest velocity above a mark.
+/// The next larger velocity than a mark.
 fn above(mark: f64) -> f64 {
-    // Next to zero there are numbers so small that arithmetic with them is slow.
+    // Close to zero there are numbers so small that arithmetic with them is slow.
     if mark == 0.0 { f64::MIN_POSITIVE } else { mark.next_up() }
 }
 
-/// The nearest velocity below a mark.
+/// The next smaller velocity than a mark.
 fn below(mark: f64) -> f64 {
     -above(-mark)
 }
 
 /// The highest zero between `lower` and `upper`, where the residual is positive.
 ///
-/// Where the residual is convex, Newton's method comes down to the first zero without stepping over it; if it meets a
-/// point where the residual falls with velocity, it has passed a minimum without zero, and what is left below is
-/// concave: it holds one zero if it ends below zero. Where the residual rises all the way, it has one zero at most.
+/// Where the residual is convex, Newton's method comes down to the first zero without stepping over it; if it reaches a
+/// point where the residual falls with velocity, it has passed a minimum without zero, and the part below is concave:
+/// it holds one zero if it ends below zero. Where the residual rises all the way, it has one zero at most.
 fn first_between(residual: &impl Fn(f64) -> Dual, upper: f64, lower: f64) -> Option<f64> {
     let (mut velocity, mut here) = (upper, residual(upper));
     for _ in 0..ITERATIONS {
@@ -88,7 +88,7 @@ fn first_between(residual: &impl Fn(f64) -> Dual, upper: f64, lower: f64) -> Opt
 }
 
 /// The zero between `lower`, where the residual is not positive, and `upper`, where it is: Newton's method, with
-/// bisection where that would leave the bracket or not be faster.
+/// bisection if that would leave the bracket or not be faster.
 fn between(residual: &impl Fn(f64) -> Dual, mut lower: f64, mut upper: f64) -> f64 {
     let mut velocity = lower;
     let mut here = residual(velocity);
@@ -111,7 +111,7 @@ fn between(residual: &impl Fn(f64) -> Dual, mut lower: f64, mut upper: f64) -> f
     velocity
 }
 
-/// Do the two differ by rounding only?
+/// Whether the two differ only by rounding.
 fn is_same(a: f64, b: f64) -> bool {
     (a - b).abs() <= 2.0 * f64::EPSILON * b.abs()
 }
@@ -195,7 +195,7 @@ mod tests {
         assert!(several > 100, "{several}");
     }
 
-    /// A curve steeper than a number can resolve is no obstacle, and neither is a body without mass.
+    /// A curve steeper than numbers can resolve causes no problem, nor does a body without mass.
     #[test]
     fn extreme_slopes_end_in_time() {
         fn steep(w: f64) -> (f64, f64) {

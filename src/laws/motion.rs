@@ -16,7 +16,7 @@ pub struct Motion {
 }
 
 impl Motion {
-    /// Inputs that are held.
+    /// Constant inputs.
     pub fn held(velocity: f64, load: f64, duration: f64) -> Motion {
         Motion { velocity, acceleration: 0.0, load, load_rate: 0.0, duration }
     }
@@ -26,7 +26,7 @@ impl Motion {
         self.velocity + self.acceleration * t
     }
 
-    /// Normal force at time `t`; bodies that have parted do not pull.
+    /// Normal force at time `t`; bodies that have separated do not pull.
     pub fn load_at(&self, t: f64) -> f64 {
         (self.load + self.load_rate * t).max(0.0)
     }
@@ -36,7 +36,7 @@ impl Motion {
         (self.velocity + 0.5 * self.acceleration * t) * t
     }
 
-    /// Do velocity and normal force stay as they are?
+    /// Whether velocity and normal force are constant.
     pub fn is_steady(&self) -> bool {
         self.acceleration == 0.0 && self.load_rate == 0.0
     }
@@ -58,7 +58,7 @@ impl Motion {
         if middle == 0.0 { 0.0 } else { middle.signum() }
     }
 
-    /// Is there no normal force, in an interval in which it does not change its sign?
+    /// Whether the normal force is 0, in an interval in which it does not change its sign.
     pub fn is_unloaded(&self) -> bool {
         self.load_at(0.5 * self.duration) == 0.0
     }
@@ -84,7 +84,7 @@ mod tests {
         assert_eq!(parts.iter().map(|part| part.duration).collect::<Vec<_>>(), [0.5, 2.5, 1.0]);
         assert_eq!(parts.iter().map(Motion::direction).collect::<Vec<_>>(), [-1.0, 1.0, 1.0]);
         assert_eq!(parts.iter().map(Motion::is_unloaded).collect::<Vec<_>>(), [false, false, true]);
-        // The way is the same: -1 * 4 + 2 * 4^2 / 2.
+        // The distance is the same: -1 * 4 + 2 * 4^2 / 2.
         assert_eq!(parts.iter().map(|part| part.path(part.duration)).sum::<f64>(), 12.0);
     }
 

@@ -6,8 +6,8 @@ use crate::laws::root::crossing;
 /// The error of the better rule is far smaller: in the tests below 1e-13 for smooth functions, 1e-11 with a cusp.
 const TOLERANCE: f64 = 1e-10;
 
-/// So many halvings per integral (chosen) resolve a cusp to 1e-12 of the interval several times over. The limit is for
-/// integrands that are rough all over, because their argument has lost its digits.
+/// This number of halvings per integral (chosen) resolves a cusp to 1e-12 of the interval several times over. The limit
+/// is for integrands that are rough everywhere, because their argument has lost its digits.
 const HALVINGS: u32 = 200;
 
 /// Positive nodes of Kronrod's rule with 15 points; every second one, and 0, belongs to the Gauss rule with 7 points.
@@ -49,7 +49,7 @@ pub fn integral(f: &impl Fn(f64) -> f64, from: f64, to: f64) -> f64 {
     halves(f, from, to, allowed, &mut { HALVINGS })
 }
 
-/// The integral as the sum over the halves of the interval, each halved again as long as its error is not allowed.
+/// The integral as the sum over the halves of the interval, each halved again until its error is allowed.
 fn halves(f: &impl Fn(f64) -> f64, from: f64, to: f64, allowed: f64, left: &mut u32) -> f64 {
     *left -= 1;
     let middle = from + 0.5 * (to - from);
@@ -60,7 +60,7 @@ fn halves(f: &impl Fn(f64) -> f64, from: f64, to: f64, allowed: f64, left: &mut 
     [(from, middle), (middle, to)].map(half).iter().sum()
 }
 
-/// Kronrod's value, and how far the one of Gauss is from it.
+/// Kronrod's value, and its difference from that of Gauss.
 fn both_rules(f: &impl Fn(f64) -> f64, from: f64, to: f64) -> (f64, f64) {
     let half = 0.5 * (to - from);
     let centre = from + half;
@@ -78,8 +78,7 @@ fn both_rules(f: &impl Fn(f64) -> f64, from: f64, to: f64) -> (f64, f64) {
 }
 
 /// The integral over time of a power that depends on a quantity w(t), monotonic between `from` and `to`. Where |w|
-/// falls below `band` the power has a peak with a kink at w = 0: a long interval could overlook it, so it is looked
-/// for.
+/// falls below `band` the power has a peak with a kink at w = 0: a long interval could miss it, so it is located.
 pub fn integral_past_peak(power: &impl Fn(f64) -> f64, w: &impl Fn(f64) -> f64, band: f64, from: f64, to: f64) -> f64 {
     let mut cuts = [-band, 0.0, band].map(|level| crossing(w, level, from, to).unwrap_or(to));
     cuts.sort_by(f64::total_cmp);
@@ -98,7 +97,7 @@ pub fn integral_past_peak(power: &impl Fn(f64) -> f64, w: &impl Fn(f64) -> f64, 
 mod tests {
     use super::*;
 
-    /// The rules are exact for polynomials up to degree 22 and 13, and no further.
+    /// The rules are exact for polynomials up to degree 22 and 13, and not beyond.
     #[test]
     fn rules_have_their_degrees() {
         for degree in (0..=24).step_by(2) {

@@ -18,7 +18,7 @@ pub fn exponential<T: Real>(velocity: T, transition_velocity: T) -> T {
 #[inline]
 pub fn rise<T: Real>(velocity: T, slope: T) -> T {
     if velocity.value() == 0.0 {
-        // |v| has no derivative at rest, but the odd function has the same on both sides.
+        // |v| has no derivative at rest, but the odd function has the same one on both sides.
         return slope * velocity;
     }
     (T::from(1.0) - (-(slope * velocity.abs())).exp()) * velocity.sign()

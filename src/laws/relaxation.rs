@@ -7,7 +7,7 @@
 /// ```
 #[inline]
 pub fn after(x: f64, steady: f64, decay: f64) -> f64 {
-    // The first form keeps its digits where little changes, the second where nothing of x(0) is left.
+    // The first form keeps its digits if little changes, the second if nothing of x(0) remains.
     if decay < 1.0 { x - (steady - x) * (-decay).exp_m1() } else { steady + (x - steady) * (-decay).exp() }
 }
 

@@ -1,4 +1,4 @@
-//! Zeros of functions: instants at which something happens within a step, and solutions of implicit steps.
+//! Zeros of functions: instants of events within a step, and solutions of implicit steps.
 
 use crate::number::Dual;
 
@@ -19,8 +19,9 @@ pub fn bisect(f: impl Fn(f64) -> f64, mut low: f64, mut high: f64) -> f64 {
     high
 }
 
-/// Where to cut a bracket in two. By value, 60 rounds find all digits of a zero of the bracket's own magnitude; a much
-/// smaller one would take up to 1000 rounds more. By the count of floating-point numbers in between, 64 are enough.
+/// The point at which to divide a bracket. By value, 60 rounds find all digits of a zero of the bracket's own
+/// magnitude; a much smaller one would take up to 1000 more rounds. By the count of floating-point numbers in between,
+/// 64 are enough.
 fn middle(low: f64, high: f64, round: usize) -> f64 {
     if round < 60 {
         return low + 0.5 * (high - low);
@@ -28,7 +29,7 @@ fn middle(low: f64, high: f64, round: usize) -> f64 {
     number_at(i64::midpoint(place(low), place(high)))
 }
 
-/// The place of x in the row of all numbers: neighbours differ by one, and both zeros are at 0.
+/// Position of x in the sequence of all numbers: neighbours differ by one, and both zeros are at 0.
 fn place(x: f64) -> i64 {
     let bits = x.abs().to_bits() as i64;
     if x < 0.0 { -bits } else { bits }
@@ -46,10 +47,10 @@ pub fn crossing(w: impl Fn(f64) -> f64, level: f64, from: f64, to: f64) -> Optio
     passes.then(|| bisect(|t| if after > 0.0 { w(t) - level } else { level - w(t) }, from, to))
 }
 
-/// The first t in [0, end] with `f(t) >= 0` and not falling, for an f that has the sign of the cubic polynomial
-/// `c[0] + c[1] t + c[2] t^2 + c[3] t^3`. The polynomial says where f may turn, f itself where it is zero.
+/// The first t in [0, end] with `f(t) >= 0` and not falling, for an f that has the sign of the cubic polynomial `c[0] +
+/// c[1] t + c[2] t^2 + c[3] t^3`. The polynomial gives the turning points of f, f itself its zero.
 pub fn first_rise(f: impl Fn(f64) -> f64, c: [f64; 4], end: f64) -> Option<f64> {
-    // From zero downwards it is not on the rise: a contact whose load has just come.
+    // A zero from which f falls does not count: a contact whose load has just appeared.
     if f(0.0) > 0.0 || f(0.0) == 0.0 && c[1] >= 0.0 {
         return Some(0.0);
     }
@@ -85,9 +86,9 @@ pub fn newton(f: impl Fn(f64) -> Dual, mut low: f64, mut high: f64) -> f64 {
     x
 }
 
-/// The zeros of the cubic's derivative in rising order; infinite or NaN where there are none.
+/// The zeros of the cubic's derivative in rising order; infinite or NaN if they do not exist.
 fn turns([_, c_1, c_2, c_3]: [f64; 4]) -> [f64; 2] {
-    // 3 c_3 t^2 + 2 c_2 t + c_1 = 0, in the form that loses no digits.
+    // 3 c_3 t^2 + 2 c_2 t + c_1 = 0, in the form that preserves all digits.
     let root = (c_2 * c_2 - 3.0 * c_3 * c_1).sqrt();
     let sum = -(c_2 + root.copysign(c_2));
     let (a, b) = (sum / (3.0 * c_3), c_1 / sum);

@@ -18,7 +18,8 @@ pub struct SpeckerCurve<T> {
 }
 
 impl<T: Real> SpeckerCurve<T> {
-    /// f_p: what the other parts leave to the static level at v_Sp; not negative, because it would drive the motion.
+    /// f_p: the part of the static level at v_Sp that the other terms leave; not negative, because it would drive the
+    /// motion.
     fn excess(&self) -> T {
         let sliding = self.coulomb * (self.peak_velocity / self.transition_velocity).tanh();
         let excess = self.statical - sliding - self.viscous_coefficient * self.peak_velocity;

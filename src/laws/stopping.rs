@@ -20,10 +20,10 @@ pub fn force_to_stop<T: Real>(velocity: T, external_force: T, mass: T, step_size
     external_force + mass * velocity / step_size
 }
 
-/// Is the body at rest at the end of the step, given the force that would stop it in the step?
+/// Whether the body is at rest at the end of the step, given the force that would stop it within the step.
 ///
 /// * At rest before: if the static level suffices.
-/// * Sliding: if the kinetic level suffices to bring it to rest, or if it would turn; from then on the static level holds.
+/// * Sliding: if the kinetic level suffices to stop it, or if it would reverse; from then on the static level holds.
 #[inline]
 pub fn is_held<T: Real>(stopping: T, velocity: T, at_rest: bool, kinetic: T, statical: T) -> bool {
     let comes_to_rest = at_rest || stopping * velocity.sign() <= kinetic;

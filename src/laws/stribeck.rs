@@ -18,7 +18,7 @@ pub fn level<T: Real>(velocity: T, coulomb: T, statical: T, stribeck_velocity: T
     coulomb + (statical - coulomb) * (-power).exp()
 }
 
-/// A level that falls as a Lorentzian: half-way at the Stribeck velocity.
+/// A level that falls as a Lorentzian: halfway at the Stribeck velocity.
 ///
 /// ```text
 /// S(v) = f_C + (f_s - f_C) / (1 + (v / v_S)^2)
@@ -31,7 +31,7 @@ pub fn lorentzian<T: Real>(velocity: T, coulomb: T, statical: T, stribeck_veloci
     coulomb + (statical - coulomb) / (T::from(1.0) + u * u)
 }
 
-/// A level that falls as a hyperbola: half-way at the Stribeck velocity.
+/// A level that falls as a hyperbola: halfway at the Stribeck velocity.
 ///
 /// ```text
 /// S(v) = f_C + (f_s - f_C) / (1 + |v| / v_S)

@@ -1,4 +1,4 @@
-//! Interpolation in a table of points (x, y) with rising x. Beyond its ends the table goes on as a straight line.
+//! Interpolation in a table of points (x, y) with rising x. Beyond its ends the table continues as a straight line.
 
 use crate::number::Real;
 
@@ -14,8 +14,8 @@ pub fn linear_slope<T: Real>(points: &[(T, T)], x: T) -> T {
     secant(points, interval(points, x))
 }
 
-/// Value at `x` on the monotone cubic of Fritsch and Butland (1984), doi:10.1137/0905021: smooth in the first derivative,
-/// rising wherever the points rise, and without overshoot.
+/// Value at `x` on the monotone cubic of Fritsch and Butland (1984), doi:10.1137/0905021: smooth in the first
+/// derivative, rising wherever the points rise, and without overshoot.
 pub fn monotone_cubic<T: Real>(points: &[(T, T)], x: T) -> T {
     let last = points.len() - 1;
     let at = interval(points, x);
@@ -80,7 +80,7 @@ fn slope<T: Real>(points: &[(T, T)], at: usize) -> T {
     }
 }
 
-/// Weighted harmonic mean of the slopes on both sides; 0 where the points turn.
+/// Weighted harmonic mean of the slopes on both sides; 0 at an extremum of the points.
 fn inner_slope<T: Real>([before, after]: [T; 2], [falling, rising]: [T; 2]) -> T {
     if (falling * rising).value() <= 0.0 {
         return T::zero();
@@ -90,7 +90,7 @@ fn inner_slope<T: Real>([before, after]: [T; 2], [falling, rising]: [T; 2]) -> T
     (weights[0] + weights[1]) / (weights[0] / falling + weights[1] / rising)
 }
 
-/// Slope of the parabola through the three points at an end, as far as it keeps the shape.
+/// Slope of the parabola through the three points at an end, limited so that it preserves the shape.
 fn end_slope<T: Real>([near, far]: [T; 2], [first, second]: [T; 2]) -> T {
     let [two, three] = [2.0, 3.0].map(T::from);
     let parabola = ((two * near + far) * first - near * second) / (near + far);
@@ -130,7 +130,7 @@ mod tests {
         }
     }
 
-    /// Rising data give a rising curve, level data a level one: nothing overshoots.
+    /// Rising data give a rising curve, constant data a constant one: there is no overshoot.
     #[test]
     fn the_cubic_never_falls_where_the_points_do_not() {
         let at = |i: i32| monotone_cubic(&POINTS, -2.0 + 1e-3 * f64::from(i));

@@ -1,6 +1,6 @@
-//! A direction that turns towards another one, which may turn itself.
+//! A direction that turns towards another one, which may itself turn.
 
-/// What becomes of the angle from a follower to its leader.
+/// Change of the angle from a follower to its leader.
 #[derive(Clone, Copy, Debug)]
 pub struct Turn {
     /// Sine of the angle at the end.
@@ -34,7 +34,7 @@ pub fn follow(sin: f64, cos: f64, distance: f64, w: f64) -> Turn {
         (a, 0.5 * sin / a)
     };
     let (even, odd, growth) = parts(0.25 * (distance - w) * (distance + w));
-    // Changes and not values, so that a short distance keeps its digits.
+    // Changes rather than values, so that a short distance keeps its digits.
     let change = (even * a + 0.5 * odd * (w * b - distance * a), even * b + 0.5 * odd * (distance * b - w * a));
     let end = (a + change.0, b + change.1);
     let square = end.0 * end.0 + end.1 * end.1;
@@ -53,8 +53,7 @@ pub fn follow(sin: f64, cos: f64, distance: f64, w: f64) -> Turn {
     Turn { sin: sin_end, cos: cos_end, along: 2.0 * growth + gain.ln_1p(), across }
 }
 
-/// cosh(x) and sinh(x) / x for x^2 = `square`, which may be negative, both without a factor exp(growth); of the first
-/// what is above 1.
+/// cosh(x) / exp(growth) - 1, sinh(x) / x / exp(growth), and growth, for x^2 = `square`, which may be negative.
 fn parts(square: f64) -> (f64, f64, f64) {
     let x = square.abs().sqrt();
     if x == 0.0 {
@@ -110,7 +109,7 @@ mod tests {
         }
     }
 
-    /// Long slides end on the leader, as far behind as it moves on.
+    /// Long slides end on the leader, behind it by its rate of turning.
     #[test]
     fn a_long_slide_lags_by_what_the_leader_turns() {
         for w in [0.0, 0.5, -0.5] {

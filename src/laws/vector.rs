@@ -7,7 +7,7 @@ use num_traits::{One, Zero};
 
 use crate::number::{Dual, Real};
 
-/// A number that a vector can be made of.
+/// A number that can be a component of a vector.
 pub trait Component: Real + Scalar + Zero + One + AddAssign + SubAssign + MulAssign {}
 
 impl Component for f64 {}
@@ -56,26 +56,26 @@ pub fn length<T: Component, const N: usize>(vector: &SVector<T, N>) -> T {
     T::from(largest) * squares.fold(T::from(0.0), |sum, part| sum + part * part).sqrt()
 }
 
-/// Direction of a vector; zero for a vector of no length.
+/// Direction of a vector; zero for a zero vector.
 pub fn direction<T: Component, const N: usize>(vector: &SVector<T, N>) -> SVector<T, N> {
     let length = length(vector);
     if length.value() == 0.0 { vector.map(|_| T::from(0.0)) } else { vector.map(|component| component / length) }
 }
 
-/// The part of a vector that lies in the plane with the unit normal `normal`.
+/// The part of a vector in the plane with the unit normal `normal`.
 pub fn in_plane<T: Component>(vector: &Vector3<T>, normal: &Vector3<T>) -> Vector3<T> {
     *vector - *normal * vector.dot(normal)
 }
 
-/// A vector turned into the plane with the unit normal `normal`: projected, and given its old length.
+/// A vector turned into the plane with the unit normal `normal`: projected, with its length restored.
 pub fn turned_into<T: Component>(vector: &Vector3<T>, normal: &Vector3<T>) -> Vector3<T> {
     direction(&in_plane(vector, normal)) * length(vector)
 }
 
-/// What rounding leaves of a velocity after the part that it should have lost has been taken out (chosen).
+/// Largest rounding remainder of a velocity after a component has been removed (chosen).
 const ROUNDING: f64 = 1e-15;
 
-/// A remainder of the vector `whole`; zero if it is nothing but rounding.
+/// A remainder of the vector `whole`; zero if it is only rounding.
 pub fn remainder<T: Component, const N: usize>(rest: SVector<T, N>, whole: &SVector<T, N>) -> SVector<T, N> {
     let is_rounding = length(&rest).value() <= ROUNDING * length(whole).value();
     if is_rounding { rest.map(|_| T::from(0.0)) } else { rest }

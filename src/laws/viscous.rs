@@ -2,7 +2,7 @@
 
 use crate::number::Real;
 
-/// A force in proportion to the velocity, as long as there is contact.
+/// A force proportional to the velocity, as long as there is contact.
 #[inline]
 pub fn force<T: Real>(velocity: T, viscous_coefficient: T, normal_force: T) -> T {
     if normal_force.value() > 0.0 { viscous_coefficient * velocity } else { T::zero() }
