@@ -1,4 +1,4 @@
-/* The whole C interface: what it promises, and what it refuses. */
+/* The whole C interface: its promises and its refusals. */
 #include <float.h>
 #include <math.h>
 #include <stdint.h>
@@ -53,7 +53,7 @@ static int is_unchanged(stribeck_model *model, const state *before) {
     return same;
 }
 
-/* The last error says all of these words. */
+/* The last error contains all of these words. */
 static int says(const stribeck_model *model, const char *one, const char *other) {
     const char *text = stribeck_last_error(model);
     return text != NULL && strstr(text, one) != NULL && strstr(text, other) != NULL;
@@ -84,7 +84,7 @@ static void every_status_has_its_own_text(void) {
             CHECK(strcmp(stribeck_status_text(status), stribeck_status_text(other)) != 0);
         }
     }
-    /* A number that is no status is answered too. */
+    /* A number that is not a status gets a text as well. */
     const char *unknown = stribeck_status_text(STRIBECK_OUT_OF_MEMORY + 1);
     REQUIRE(unknown != NULL);
     CHECK(strcmp(unknown, stribeck_status_text(STRIBECK_OUT_OF_MEMORY)) != 0);
@@ -189,7 +189,7 @@ static void describes_itself(stribeck_model *model, uint32_t at) {
     CHECK(variable.role == STRIBECK_OUTPUT || by_column == variable.start);
 }
 
-/* What a column admits is what its description says; a refused value leaves everything as it was. */
+/* A column admits exactly the values of its description; a refused value leaves everything as it was. */
 static void keeps_its_bounds(stribeck_model *model, uint32_t at) {
     stribeck_variable variable;
     memset(&variable, 0, sizeof variable);
@@ -332,7 +332,7 @@ static void parameters_must_fit_together(void) {
     stribeck_free(model);
 }
 
-/* A result that no double can hold is refused, and the model goes on afterwards. */
+/* A result that no double can hold is refused, and the model continues afterwards. */
 static void overflow_is_refused(void) {
     stribeck_model *model = create("LuGre");
     set(model, "viscous_coefficient", 1e300);
@@ -397,7 +397,7 @@ static void derivative_is_that_of_the_force(void) {
     set(model, "velocity", 0.0);
     CHECK(stribeck_derivative(model, force, velocity, &slope) == STRIBECK_OK);
     CHECK(fabs(slope - (4.0 * 0.981 + 16.0 / 9.0 * 0.4905) / 0.001) < 1e-9);
-    /* Only results can be differentiated, and only with respect to what can be set. */
+    /* Only results can be differentiated, and only with respect to variables that can be set. */
     slope = 7.0;
     CHECK(stribeck_derivative(model, velocity, force, &slope) == STRIBECK_UNKNOWN_VARIABLE);
     CHECK(stribeck_derivative(model, velocity, velocity, &slope) == STRIBECK_UNKNOWN_VARIABLE);
@@ -408,7 +408,7 @@ static void derivative_is_that_of_the_force(void) {
 
 /* ---------------------------------------------------------------------- saved states */
 
-/* Moves the first input of a model, if it has one, to and fro about its start value. */
+/* Moves the first input of a model, if it has one, back and forth about its start value. */
 static void excite(stribeck_model *model, int i) {
     stribeck_variable variable;
     memset(&variable, 0, sizeof variable);
@@ -436,7 +436,7 @@ static void every_model_goes_back_to_the_same_bits(void) {
         }
         state end = save(model);
         CHECK(memcmp(middle.bytes, end.bytes, end.size) != 0);
-        /* The same model, and one that has seen nothing. */
+        /* The same model, and a fresh one. */
         stribeck_model *const both[] = {model, twin};
         for (size_t k = 0; k < 2; k++) {
             CHECK(stribeck_restore(both[k], middle.bytes, middle.size) == STRIBECK_OK);
@@ -468,7 +468,7 @@ static void damaged_states_are_refused(void) {
         bytes[i] = (unsigned char)(bytes[i] ^ 0x10);
         CHECK(stribeck_restore(model, bytes, good.size) == STRIBECK_BAD_BUFFER);
     }
-    /* As does every length but the right one. */
+    /* So does every length but the right one. */
     for (size_t size = 0; size < good.size; size++) {
         CHECK(stribeck_restore(model, good.bytes, size) == STRIBECK_BAD_BUFFER);
     }
@@ -530,7 +530,7 @@ static void small_buffers_are_refused(void) {
 
 /* ---------------------------------------------------------------------- two at once */
 
-/* Two models that take turns do what each does alone; so do their error texts. */
+/* Two models that take turns behave as each does alone, including their error texts. */
 static void models_do_not_disturb_each_other(void) {
     stribeck_model *alone = create("LuGre");
     for (int step = 0; step < 50; step++) {
@@ -553,7 +553,7 @@ static void models_do_not_disturb_each_other(void) {
     CHECK(says(one, "mu_k", "-1"));
     CHECK(says(other, "sigma_0", "-2"));
 
-    /* One goes, the other stays. */
+    /* One is freed, the other stays. */
     stribeck_free(one);
     CHECK(stribeck_step(other, 1e-3) == STRIBECK_OK);
     stribeck_free(other);

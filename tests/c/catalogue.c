@@ -1,5 +1,5 @@
 /* Steps every model of the library with moving inputs and prints its results with all their digits, so that runs on
- * different machines can be compared. The inputs are sums and products only: no function of a C library is in them.
+ * different machines can be compared. The inputs are sums and products only, without functions of a C library.
  */
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,11 +1,11 @@
 /* Wrong on purpose: each argument names a mistake that a sanitizer must catch. run.py uses it to prove that the
- * sanitizers are at work in the other programs. */
+ * sanitizers are active in the other programs. */
 #include <limits.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* Volatile, so that no compiler sees what happens and removes it. */
+/* Volatile, so that no compiler recognises the mistake and removes it. */
 static volatile size_t past_the_end = 8;
 static volatile int large = INT_MAX;
 static char *volatile forgotten;

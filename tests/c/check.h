@@ -10,7 +10,7 @@ static int checks_failed;
 
 #define CHECK(condition) check_that((condition) ? 1 : 0, __FILE__, __LINE__, #condition)
 
-/* As CHECK, and gives up if it fails: what follows would make no sense. */
+/* As CHECK, but ends the program if it fails, because the rest would make no sense. */
 #define REQUIRE(condition)                                                                                             \
     do {                                                                                                               \
         if (!CHECK(condition)) {                                                                                       \

@@ -1,5 +1,5 @@
-/* What a host may do to a library without a mistake of its own: small stacks, many threads, odd floating-point modes,
- * senseless numbers. Every model of the library is tried.
+/* Conditions in hosts that are not mistakes: small stacks, many threads, odd floating-point modes,
+ * nonsensical numbers. Every model of the library is tried.
  *
  * Usage: faults stack|threads|race|short|environment|long|<CPU seconds of the sweep for each model> <model>={guid} ...
  */
@@ -126,7 +126,7 @@ static void set_slopes(const model *of, fmi2Component slave, double slope) {
     }
 }
 
-/* Makes everyday steps of 1 ms and returns the sum of the bits of all that can be read. */
+/* Makes everyday steps of 1 ms and returns the sum of the bits of all readable values. */
 static uint64_t everyday(const model *of, fmi2Component slave, int from, int to, double *values) {
     uint64_t bits = 0;
     for (int k = from; k < to; k++) {
@@ -151,7 +151,7 @@ static uint64_t everyday(const model *of, fmi2Component slave, int from, int to,
 
 /* ---------------------------------------------------------------------- stack */
 
-/* One choice of an enumeration in a model that is otherwise as it is; column 0 and choice 0 for none. */
+/* One choice of an enumeration in an otherwise unchanged model; column 0 and choice 0 for none. */
 typedef struct {
     const model *of;
     uint32_t column;
@@ -232,14 +232,14 @@ static void be_integrated(const trial *one) {
     free(values);
 }
 
-/* A whole life: steps, ramps, derivatives, states, a refusal with its message, and the same through the C interface. */
+/* A life cycle: steps, ramps, derivatives, states, a refusal with its message, and the same through the C interface. */
 static void live(const trial *one) {
     const model *of = one->of;
     double *values = memory(of->columns * sizeof *values);
     fmi2Component slave = make(of, NULL);
     choose(one, slave);
     if (initialise(slave) != fmi2OK) {
-        /* A choice may ask for others. */
+        /* A choice may require others. */
         CHECK(one->choice != 0);
         fmi2FreeInstance(slave);
         free(values);
@@ -280,7 +280,7 @@ static void *live_thread(void *one) {
 
 enum { STACK = 1024 * 1024, LIMIT = 16 * 1000, LIMIT_OF_STRUT = 50 * 1000, UNTOUCHED = 0xA5 };
 
-/* Bytes of the given stack that a thread with a whole life touches. */
+/* Bytes of the given stack used by a thread with a complete life cycle. */
 static size_t stack_use(trial *one, unsigned char *stack, size_t size) {
     memset(stack, UNTOUCHED, size);
     pthread_attr_t attributes;
@@ -297,7 +297,7 @@ static size_t stack_use(trial *one, unsigned char *stack, size_t size) {
     return size - untouched;
 }
 
-/* The most that a model uses, with each choice of each of its enumerations. */
+/* The largest stack of a model, over each choice of each of its enumerations. */
 static size_t most_stack_of(const model *of, unsigned char *stack) {
     trial one = {of, 0, 0};
     size_t most = stack_use(&one, stack, STACK);
@@ -314,7 +314,7 @@ static size_t most_stack_of(const model *of, unsigned char *stack) {
     return most;
 }
 
-/* What each model needs of the stack of its thread, of which some kilobytes are the thread's own. */
+/* Stack of a thread that each model needs, including some kilobytes of the thread itself. */
 static void small_stack(void) {
     unsigned char *stack = mmap(NULL, STACK, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
     REQUIRE(stack != MAP_FAILED);
@@ -364,7 +364,7 @@ static int all_finite(const double *values, size_t count) {
     return 1;
 }
 
-/* One step with the values that are set: it succeeds with finite numbers, or it changes nothing. `what` was done. */
+/* One step with the present values: it succeeds with finite numbers, or it changes nothing. `what` describes it. */
 static void try_step(const model *of, fmi2Component slave, double h, double slope, const char *what) {
     double *before = memory(of->columns * sizeof *before);
     double *after = memory(of->columns * sizeof *after);
@@ -410,7 +410,7 @@ static void try_step(const model *of, fmi2Component slave, double h, double slop
     free(after);
 }
 
-/* Sets a column before the run, or an input during it; true if the value was taken. */
+/* Sets a column before the run, or an input during it; true if the value was accepted. */
 static int try_set(const model *of, fmi2Component slave, uint32_t column, double value) {
     fmi2Status status = fmi2OK;
     switch (of->variables[column].kind) {
@@ -504,7 +504,7 @@ static void try_mixture(const model *of, int number) {
 }
 
 /* Every number in every variable alone, then mixtures, with several steps; for each model as far as the time allows,
- * because a host that is asked for the impossible computes for seconds before it gives up. */
+ * because a host with an impossible task computes for seconds before it gives up. */
 static void sweep(double seconds) {
     long skipped = 0;
     for (size_t m = 0; m < model_count; m++) {
@@ -545,7 +545,7 @@ static fmi2Component crowd[INSTANCES];
 static uint64_t crowd_bits[INSTANCES];
 static pthread_barrier_t phase_end;
 
-/* In each phase another thread has the instance. */
+/* In each phase another thread uses the instance. */
 static void *step_crowd(void *number) {
     size_t mine = (size_t)(uintptr_t)number;
     double *values = memory(4096 * sizeof *values);
@@ -595,7 +595,7 @@ static void threads(void) {
            PHASES * STEPS_A_PHASE, differ);
 }
 
-/* Wrong on purpose: two threads use one instance. To prove that a thread sanitizer is at work in the library. */
+/* Wrong on purpose: two threads use one instance. To prove that a thread sanitizer is active in the library. */
 static void *use_shared(void *slave) {
     for (int k = 0; k < 1000; k++) {
         fmi2Reset(slave);
@@ -615,7 +615,7 @@ static void race(void) {
     fmi2FreeInstance(slave);
 }
 
-/* Wrong on purpose: an array is shorter than the library is told. To prove that an address sanitizer watches it. */
+/* Wrong on purpose: an array is shorter than stated to the library. To prove that an address sanitizer watches it. */
 static void short_array(void) {
     double *value = memory(sizeof *value);
     fmi2ValueReference twice[2] = {models[0].reals[0], models[0].reals[0]};
@@ -697,7 +697,7 @@ static uint64_t run_in_germany(const model *of) {
     return bits;
 }
 
-/* The mode of the host is the host's: it gets the same results to the last bit, and its mode back. */
+/* The mode of the host is restored, and the results are the same to the last bit. */
 static void environment(void) {
     for (size_t m = 0; m < model_count; m++) {
         const model *of = &models[m];

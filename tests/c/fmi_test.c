@@ -1,4 +1,4 @@
-/* The FMI 2.0 functions as an importer meets them: in a library that is loaded while the program runs.
+/* The FMI 2.0 functions as an importer uses them: in a library that is loaded while the program runs.
  *
  * Usage: fmi_test <path of the shared library>
  */
@@ -10,7 +10,7 @@
 #include "library.h"
 #include "stribeck.h"
 
-/* Every function that FMI 2.0 demands of a co-simulation slave; importers refuse a library that lacks one. */
+/* Every function that FMI 2.0 requires of a co-simulation slave; importers refuse a library that lacks one. */
 static const char *const FUNCTIONS[] = {
     "fmi2GetTypesPlatform",
     "fmi2GetVersion",
@@ -157,7 +157,7 @@ static void logger(fmi2ComponentEnvironment environment, fmi2String instance, fm
 static fmi2Component make_for(const functions *fmi, fmi2Type purpose, fmi2String guid, message_log *log) {
     fmi2CallbackFunctions callbacks = {logger, NULL, NULL, NULL, log};
     fmi2Component made = fmi->Instantiate("contact", purpose, guid, NULL, &callbacks, fmi2False, fmi2True);
-    /* The structure belongs to the caller again: nobody may look at it any more. */
+    /* The structure belongs to the caller again: it must not be read any more. */
     memset(&callbacks, 0xFF, sizeof callbacks);
     return made;
 }
@@ -190,7 +190,7 @@ static void every_function_of_the_standard_is_there(library loaded) {
             fprintf(stderr, "  missing: %s\n", FUNCTIONS[i]);
         }
     }
-    /* And a library that resolved just anything would prove nothing. */
+    /* A library that resolved any name would prove nothing. */
     CHECK(find(loaded, "fmi2NoSuchFunction") == NULL);
 }
 
@@ -217,7 +217,7 @@ static void plain_run_reaches_steady_sliding(const functions *fmi) {
     CHECK(fmi->GetBoolean(slave, &sticking, 1, &value) == fmi2OK);
     CHECK(value == fmi2False);
     CHECK(fmi->Terminate(slave) == fmi2OK);
-    /* Reset leads back to the start. */
+    /* Reset returns to the start. */
     CHECK(fmi->Reset(slave) == fmi2OK);
     initialise(fmi, slave);
     CHECK(get(fmi, slave, STRIBECK_LUGRE_FRICTION_FORCE) == 0.0);
@@ -275,7 +275,7 @@ static void integrate(const functions *fmi, fmi2Component rig, double t, double 
     CHECK(event == fmi2False && end == fmi2False);
 }
 
-/* The block swings with its period in Model Exchange, too; the midpoint rule is off by less than (omega h)^2. */
+/* The block swings with its period in Model Exchange as well; the midpoint rule is off by less than (omega h)^2. */
 static void rig_swings_in_a_solver(const functions *fmi) {
     message_log log = {0};
     fmi2Component rig = make_for(fmi, fmi2ModelExchange, STRIBECK_BELT_RIG_GUID, &log);
@@ -299,7 +299,7 @@ static void rig_swings_in_a_solver(const functions *fmi) {
     CHECK(fmi->Terminate(rig) == fmi2OK);
     fmi->FreeInstance(rig);
     CHECK(log.count == 0);
-    /* A law with random bonds has no derivative: it says so. */
+    /* A law with random bonds has no derivative, and reports that. */
     CHECK(make_for(fmi, fmi2ModelExchange, STRIBECK_BRISTLE_GUID, &log) == NULL);
     CHECK(log.count == 1);
 }
@@ -323,12 +323,12 @@ static void refusals_are_logged(const functions *fmi) {
     CHECK(log.status == fmi2Error);
     CHECK(strcmp(log.category, "logStatusError") == 0);
     CHECK(strstr(log.text, "-0.001") != NULL);
-    /* No more steps after an error, but a reset heals. */
+    /* No more steps after an error, but reset recovers. */
     CHECK(fmi->DoStep(slave, 0.0, 1e-3, fmi2True) == fmi2Error);
     CHECK(fmi->Reset(slave) == fmi2OK);
     initialise(fmi, slave);
     CHECK(fmi->DoStep(slave, 0.0, 1e-3, fmi2True) == fmi2OK);
-    /* Who does not want to hear is not told. */
+    /* A disabled category is not logged. */
     log.count = 0;
     CHECK(fmi->SetDebugLogging(slave, fmi2False, 0, NULL) == fmi2OK);
     CHECK(fmi->DoStep(slave, 0.001, NAN, fmi2True) == fmi2Error);

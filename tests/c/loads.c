@@ -1,6 +1,6 @@
 /* Importers load the library of an FMU, run it and unload it, from a new folder each time and from odd ones.
  *
- * Some even unload it while instances live, and load it again: then it may be elsewhere.
+ * Some even unload it while instances live, and load it again: then it may have another address.
  *
  * Usage: loads <shared library> <empty folder> <cycles> <guid of each model>...
  */
@@ -174,7 +174,7 @@ static void again_and_again(const char *library_path, const char *folder, int cy
     printf("loads: %d cycles, memory grew by %ld kB, no mapping, file or thread is left\n", cycles, grown);
 }
 
-/* 200 letters: with the folder above it, near to what a file system takes as one name. */
+/* 200 letters: with the folder above it, close to the limit of a file system for one name. */
 #define FIFTY "abcdefghijabcdefghijabcdefghijabcdefghijabcdefghij"
 
 static const char *const ODD[] = {
@@ -224,7 +224,7 @@ static void expect_bytes(const fmu *from, fmi2Component slave, fmi2FMUstate stat
 
 enum { INSTANCES = 4 };
 
-/* Goes on with instances that have made five steps; each begins with another function. */
+/* Continues with instances that have made five steps; each begins with another function. */
 static void go_on(const fmu *by, fmi2Component *slaves, fmi2Real *value, fmi2Status *set) {
     const fmi2ValueReference first = 0;
     steps(by, slaves[0], 5, 10);
@@ -236,8 +236,8 @@ static void go_on(const fmu *by, fmi2Component *slaves, fmi2Real *value, fmi2Sta
     }
 }
 
-/* Unloads the library and loads it again while instances live. Its place is taken in between, so that it must go
- * elsewhere. Other instances, in a library that stays, tell what was to be expected. */
+/* Unloads the library and loads it again while instances live. Its address range is occupied in between, so that it
+ * must move. Other instances, in a library that stays, give the expected results. */
 static void while_instances_live(const char *path, const char *other_path, const char *guid) {
     fmu moved;
     fmu other;

@@ -35,7 +35,7 @@ TIMEOUT = 3600  # seconds; the longest program, of the thorough run, takes some 
 
 
 class Failed(Exception):
-    """A command did not do what it should. The text is what the user sees; of a long one, the beginning."""
+    """A command that failed. The text is shown to the user, a long one only in part."""
 
     def __init__(self, text, longest=40):
         lines = text.splitlines()
@@ -44,7 +44,7 @@ class Failed(Exception):
 
 
 def run(command, **options):
-    """Runs a command and returns what it did; raises Failed if it cannot be started or takes too long."""
+    """Runs a command and returns its result; raises Failed if it cannot be started or takes too long."""
     command = [str(word) for word in command]
     try:
         return subprocess.run(command, capture_output=True, text=True, timeout=TIMEOUT, **options)
@@ -83,7 +83,7 @@ class Compiler:
 
     def link_flags(self, linkage):
         if linkage == "shared":
-            # A function bound at its first call takes room on the small stack, as much as the processor's registers.
+            # A function bound at its first call needs space on the small stack, as much as the processor's registers.
             bound = ["-Wl,-z,now"] if platform.system() == "Linux" else []
             run_path = [] if WINDOWS else [f"-Wl,-rpath,{self.build_folder}", *bound]
             return [self.shared_library(), *run_path, "-lm", *([] if WINDOWS else ["-lpthread"])]
@@ -114,7 +114,7 @@ class Compiler:
 
 
 def find_compiler(variable, usual):
-    """The compiler command that an environment variable names, or the usual one."""
+    """The compiler command named by an environment variable, or the usual one."""
     command = shlex.split(os.environ.get(variable, usual))
     if not command or shutil.which(command[0]) is None:
         sys.exit(f"tests/c/run.py: no compiler {' '.join(command) or repr('')}: set {variable} to one that exists")
@@ -122,8 +122,8 @@ def find_compiler(variable, usual):
 
 
 def native_static_libraries(folder):
-    """What a program must link beside the static library: the system libraries that Rust's standard library uses."""
-    # A true file: rustc replaces what is at the path of its output, even a device.
+    """Libraries to link beside the static library: the system libraries that Rust's standard library uses."""
+    # A regular file: rustc replaces the file at its output path, even a device.
     words = ["rustc", "--crate-type", "staticlib", "--print", "native-static-libs", "-", "-o", folder / "empty.a"]
     done = run(words, input="")
     label = "native-static-libs:"
@@ -158,7 +158,7 @@ def expect(done, condition, wish):
 
 
 def runs(program, *arguments, prints=()):
-    """The program must succeed, say nothing on stderr, and print each of the given texts."""
+    """The program must succeed, print nothing on stderr, and print each of the given texts."""
     done = run([program, *arguments])
     expect(done, done.returncode == 0 and not done.stderr, "should succeed without a complaint")
     for text in prints:
@@ -167,7 +167,7 @@ def runs(program, *arguments, prints=()):
 
 
 def report(program, *arguments, label=""):
-    """Runs a program that prints what it has tried, and prints that as figures."""
+    """Runs a program that prints its counts, and prints them as figures."""
     done = runs(program, *arguments, prints=[" 0 failed"])
     print("".join(f"figure: {label}{line}\n" for line in done.stdout.splitlines()), end="", flush=True)
 
@@ -254,7 +254,7 @@ def test_loaded(compiler, results, sanitized):
 
 
 def test_valgrind(compiler, results):
-    """Every access to memory in the library itself, too, which the sanitizers of the C compiler do not see."""
+    """Every access to memory in the library itself as well, which the sanitizers of the C compiler do not see."""
 
     def watched(program, *arguments):
         options = ["--quiet", "--error-exitcode=9", "--leak-check=full", "--errors-for-leak-kinds=definite"]
@@ -281,7 +281,7 @@ def test_valgrind(compiler, results):
 
 
 class Instrumented:
-    """Library and programs with a sanitizer in both; the standard library of Rust has none in it."""
+    """Library and programs with a sanitizer in both; Rust's standard library has none."""
 
     TARGET = "x86_64-unknown-linux-gnu"
 
@@ -306,7 +306,7 @@ class Instrumented:
 
 
 def test_threads(output_folder, results):
-    """The thread sanitizer sees two threads in one instance, and none in a thousand that are handed round."""
+    """The thread sanitizer sees two threads in one instance, and none in a thousand that are passed between threads."""
     faults = Instrumented("thread", output_folder).compile(TESTS / "faults.c", TESTS / "tsan.c")
     label = "thread sanitizer: "
     results.check(f"{label}race", lambda: is_caught(faults, "race", *models(), by="src/instance.rs"))
@@ -357,7 +357,7 @@ def report_environments(faults, label=""):
 
 
 def test_faults(compiler, results, thorough):
-    """What a host may do to the library. Each program prints what it has tried, with the figures."""
+    """Conditions that a host may impose on the library. Each program prints its counts, with the figures."""
     if platform.system() != "Linux":
         print(f"note: no fault tests on {platform.system()}")
         return
@@ -383,8 +383,8 @@ def main():
         # Windows looks for shared libraries along the path.
         os.environ["PATH"] = f"{build_folder}{os.pathsep}{os.environ['PATH']}"
     if platform.system() == "Linux":
-        # Sanitizers of older compilers crash now and then where the system spreads addresses widely. Who may not ask
-        # for fixed ones has to do without.
+        # Sanitizers of older compilers crash occasionally where the system randomises addresses widely. Processes that
+        # may not request fixed ones run without them.
         ctypes.CDLL(None).personality(ADDR_NO_RANDOMIZE)
     output_folder = build_folder.parent / "c-tests"
     output_folder.mkdir(parents=True, exist_ok=True)

@@ -1,4 +1,4 @@
-/* The thread sanitizer of rustc calls these three, which that of gcc does not have: it looks at the functions
+/* The thread sanitizer of rustc calls these three, which that of gcc lacks: it instruments the functions
  * themselves. */
 #include <string.h>
 
