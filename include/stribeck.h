@@ -1,38 +1,39 @@
 /* stribeck.h: friction force models, the interface for C and C++.  Written by fmu-build; do not edit.
  *
  * Two interfaces, one library. The functions stribeck_... are for programs that use the models directly; the functions
- * fmi2... are those of FMI 2.0 for co-simulation and Model Exchange, with the names and types of the standard's headers,
- * for programs that treat the library as an FMU. Use one of the two for an instance, and do not include the standard's
- * headers together with this one. Which models offer Model Exchange is in their modelDescription.xml; fmi2Instantiate
- * refuses it for the others.
+ * fmi2... are those of FMI 2.0 for co-simulation and Model Exchange, with the names and types of the standard's
+ * headers, for programs that treat the library as an FMU. Use one of the two for an instance, and do not include the
+ * standard's headers together with this one. The modelDescription.xml of a model shows whether it supports Model
+ * Exchange; fmi2Instantiate refuses it for the others.
  *
  * Sign        velocity is that of body 1 relative to body 2. friction_force is the resistance: it has the sign of
  *             velocity when sliding, body 1 feels -friction_force and body 2 feels +friction_force. The power
- *             friction_force * velocity leaves the motion. external_force is the resultant of all other tangential
- *             forces on body 1 or, if body 2 moves too, the effective mass times the relative acceleration that they
- *             give. A contact that sticks carries friction_force = external_force. SI units throughout.
+ *             friction_force * velocity is taken out of the motion. external_force is the resultant of all other
+ *             tangential forces on body 1 or, if body 2 accelerates too, the effective mass times the relative
+ *             acceleration that they cause. A contact that sticks carries friction_force = external_force. SI units
+ *             throughout.
  * Columns     A model is a row of numbers. Every variable has a column, which is also its FMI value reference; the
- *             enums at the end of this file name the columns of each model, with role, unit, meaning, bound and default:
- *             in = set by the caller before each step or evaluation; fixed = parameter that stays constant during a run;
- *             tunable = parameter that may change between steps or at events; state = advanced by steps or, in Model
- *             Exchange, by the caller's solver and by events; out = result. Booleans are 0 or 1, enumerations are
- *             numbers from 1.
- * Ownership   What stribeck_create or fmi2Instantiate makes is freed exactly once, with stribeck_free or
+ *             enums at the end of this file name the columns of each model, with role, unit, meaning, bound and
+ *             default: in = set by the caller before each step or evaluation; fixed = parameter that stays constant
+ *             during a run; tunable = parameter that may change between steps or at events; state = advanced by steps
+ *             or, in Model Exchange, by the caller's solver and by events; out = result. Booleans are 0 or 1,
+ *             enumerations are numbers from 1.
+ * Ownership   An instance made by stribeck_create or fmi2Instantiate is freed exactly once, with stribeck_free or
  *             fmi2FreeInstance. Texts that the library returns belong to the library. Every pointer you pass stays
  *             yours and is not kept after the call, except the logger of fmi2Instantiate and its environment. A program
- *             that unloads the library must first free what stribeck_create made.
+ *             that unloads the library must first free the instances made by stribeck_create.
  * Threads     Different instances may be used from different threads at the same time, one instance from one thread at
- *             a time. The library starts no thread.
- * Errors      A call that is refused changes nothing; no call aborts the program. stribeck_...: any status but
+ *             a time. The library does not start threads.
+ * Errors      A call that is refused changes nothing; no call aborts the program. stribeck_...: any status other than
  *             STRIBECK_OK is a refusal, and stribeck_last_error says why. fmi2...: with fmi2Discard a value was refused
- *             and the run can go on, in Model Exchange with a shorter step of the solver; after fmi2Error the instance
- *             must be reset, freed or given a saved state. The reason goes to the logger. A result is never infinite
- *             or NaN.
+ *             and the run can continue, in Model Exchange with a shorter step of the solver; after fmi2Error the
+ *             instance must be reset, freed or given a saved state. The reason is passed to the logger. A result is
+ *             never infinite or NaN.
  * NULL        A NULL instance or array is refused, never dereferenced; an array of length 0 may be NULL. Freeing NULL
  *             does nothing.
  * Safety      A pointer that is not NULL must be valid for its purpose, and a text must end with a zero byte.
  *
- * Example, without the checks of the status:
+ * Example, without status checks:
  *
  *     stribeck_model *law = NULL;
  *     double force = 0.0;
@@ -54,28 +55,28 @@
 
 /** Result of a call. */
 typedef enum {
-  /** All well. */
+  /** Success. */
   STRIBECK_OK = 0,
-  /** A pointer that must not be NULL is NULL. */
+  /** A required pointer is NULL. */
   STRIBECK_NULL = 1,
-  /** There is no model, or no preset, of that name. */
+  /** The model or preset does not exist. */
   STRIBECK_UNKNOWN_MODEL = 2,
   /**
-   * The model has no variable of that name, or no column of that number, or the derivative asked for is not that of
-   * a result with respect to something that can be set.
+   * The variable or column does not exist in this model, or the requested derivative is not that of a result with
+   * respect to something that can be set.
    */
   STRIBECK_UNKNOWN_VARIABLE = 3,
-  /** The value is outside the bound of its variable, or the parameters do not fit together. */
+  /** The value is outside the bounds of its variable, or the parameters do not fit together. */
   STRIBECK_REFUSED_VALUE = 4,
   /** The variable is computed and cannot be set. */
   STRIBECK_NOT_SETTABLE = 5,
   /** The result would not be finite. */
   STRIBECK_NOT_FINITE = 6,
-  /** The buffer is too small, or holds no state of this model. */
+  /** The buffer is too small, or does not contain a state of this model. */
   STRIBECK_BAD_BUFFER = 7,
-  /** A fault of the library; please report it. */
+  /** Internal error; please report it. */
   STRIBECK_INTERNAL = 8,
-  /** There is no memory left. */
+  /** Memory has run out. */
   STRIBECK_OUT_OF_MEMORY = 9,
 } stribeck_status;
 
@@ -83,7 +84,7 @@ typedef enum {
 typedef enum {
   /** Set by the caller before each step. */
   STRIBECK_INPUT = 0,
-  /** Parameter that is meant to stay constant during a run. */
+  /** Parameter that stays constant during a run. */
   STRIBECK_FIXED = 1,
   /** Parameter that may change between steps. */
   STRIBECK_TUNABLE = 2,
@@ -95,7 +96,7 @@ typedef enum {
   STRIBECK_OUTPUT = 5,
 } stribeck_role;
 
-/** What the number in a variable stands for. */
+/** Meaning of the number in a variable. */
 typedef enum {
   /** A physical quantity. */
   STRIBECK_REAL = 0,
@@ -109,40 +110,40 @@ typedef enum {
 
 /** Result of a call. */
 typedef enum {
-  /** All well. */
+  /** Success. */
   fmi2OK,
-  /** Done, but with a remark in the log. */
+  /** Success, with a warning in the log. */
   fmi2Warning,
-  /** Refused; nothing was changed and the simulation can go on. */
+  /** Refused; nothing was changed and the simulation can continue. */
   fmi2Discard,
   /** Refused; the instance must be reset, freed or given a saved state. */
   fmi2Error,
-  /** The instance is lost. */
+  /** The instance cannot be used any more. */
   fmi2Fatal,
-  /** Still working (never returned: all calls are synchronous). */
+  /** Still running (never returned: all calls are synchronous). */
   fmi2Pending,
 } fmi2Status;
 
-/** A live model. Made by stribeck_create, freed by stribeck_free. */
+/** An instance of a model. Made by stribeck_create, freed by stribeck_free. */
 typedef struct stribeck_model stribeck_model;
 
-/** Description of a variable, as stribeck_describe gives it. The texts belong to the handle and live as long as it. */
+/** Description of a variable, as given by stribeck_describe. The texts belong to the handle and are freed with it. */
 typedef struct {
   /** Name, such as `velocity` or `element[3].stiffness`. */
   const char *name;
   /** Unit, `1` for a pure number; empty if the kind is not STRIBECK_REAL. */
   const char *unit;
-  /** One line that says what it is. */
+  /** One-line description. */
   const char *help;
   /** Who writes it. */
   stribeck_role role;
-  /** What the number stands for. */
+  /** Meaning of the number. */
   stribeck_kind kind;
   /** Start value. */
   double start;
-  /** Smallest value admitted, `-DBL_MAX` if there is none; 1e-300 where a value must be > 0 (stiffness). */
+  /** Smallest admitted value, `-DBL_MAX` if unbounded; 1e-300 if the value must be > 0 (stiffness). */
   double min;
-  /** Largest value admitted, `DBL_MAX` if there is none. */
+  /** Largest admitted value, `DBL_MAX` if unbounded. */
   double max;
 } stribeck_variable;
 
@@ -155,19 +156,19 @@ typedef int fmi2Boolean;
 /** Floating-point number. */
 typedef double fmi2Real;
 
-/** What an event has changed, or needs. */
+/** Changes and requests of an event. */
 typedef struct {
-  /** Must fmi2NewDiscreteStates be called again? */
+  /** Whether fmi2NewDiscreteStates must be called again. */
   fmi2Boolean newDiscreteStatesNeeded;
-  /** Is the simulation to end? */
+  /** Whether the simulation must end. */
   fmi2Boolean terminateSimulation;
-  /** Are there new nominal values of the states? */
+  /** Whether the states have new nominal values. */
   fmi2Boolean nominalsOfContinuousStatesChanged;
-  /** Have the states jumped? */
+  /** Whether the states have jumped. */
   fmi2Boolean valuesOfContinuousStatesChanged;
-  /** Is the time of the next event known? */
+  /** Whether the time of the next event is known. */
   fmi2Boolean nextEventTimeDefined;
-  /** That time. */
+  /** Time of the next event. */
   fmi2Real nextEventTime;
 } fmi2EventInfo;
 
@@ -177,10 +178,10 @@ typedef char fmi2Char;
 /** Zero-terminated text. */
 typedef const fmi2Char *fmi2String;
 
-/** Kind of an FMU, an argument of fmi2Instantiate: `fmi2ModelExchange` or `fmi2CoSimulation`. */
+/** Interface type of an FMU, an argument of fmi2Instantiate: `fmi2ModelExchange` or `fmi2CoSimulation`. */
 typedef int fmi2Type;
 
-/** What the importer gets back in its logger. */
+/** Pointer that the importer gets back in its logger. */
 typedef void *fmi2ComponentEnvironment;
 
 /** Receives a message. `message` is a printf format; this library passes "%s" and the text. */
@@ -200,7 +201,7 @@ typedef void (*fmi2CallbackFreeMemory)(void *obj);
 /** Signals the end of an asynchronous step. Not used by this library; may be NULL. */
 typedef void (*fmi2StepFinished)(fmi2ComponentEnvironment componentEnvironment, fmi2Status status);
 
-/** What the importer offers. It is copied by fmi2Instantiate and need not outlive that call. */
+/** Functions of the importer. The struct is copied by fmi2Instantiate and need not outlive that call. */
 typedef struct {
   /** Receives messages; NULL for none. */
   fmi2CallbackLogger logger;
@@ -210,7 +211,7 @@ typedef struct {
   fmi2CallbackFreeMemory freeMemory;
   /** Not used; may be NULL. */
   fmi2StepFinished stepFinished;
-  /** Given back to the logger. */
+  /** Passed back to the logger. */
   fmi2ComponentEnvironment componentEnvironment;
 } fmi2CallbackFunctions;
 
@@ -220,7 +221,7 @@ typedef void *fmi2FMUstate;
 /** Byte of a serialised state. */
 typedef char fmi2Byte;
 
-/** What fmi2GetXXXStatus asks for. */
+/** Kinds of status for fmi2GetXXXStatus. */
 typedef int fmi2StatusKind;
 
 /** Integer, also used for enumerations. */
@@ -250,7 +251,7 @@ typedef unsigned int fmi2ValueReference;
 /** End of the last completed step. */
 #define fmi2LastSuccessfulTime 2
 
-/** Does the instance want to end the simulation? */
+/** Whether the instance wants to end the simulation. */
 #define fmi2Terminated 3
 
 #ifdef __cplusplus
@@ -263,19 +264,19 @@ const char *stribeck_version(void);
 /** Number of models of the library. */
 size_t stribeck_model_count(void);
 
-/** Name of the model of that index, from 0; NULL past the last. The text lives as long as the library. */
+/** Name of the model with this index, from 0; NULL beyond the last. The text lives as long as the library. */
 const char *stribeck_model_name(size_t index);
 
 /**
- * What a status means, in a few words. The text lives as long as the library.
+ * Meaning of a status, in a few words. The text lives as long as the library.
  *
- * Takes an `int`, because a number that is none of the enum's must not be harmful.
+ * Takes an `int`, because a number outside the enum must be harmless.
  */
 const char *stribeck_status_text(int status);
 
 /**
- * Makes a model at its start values and writes its handle to `*model`; NULL there on failure. To be freed once with
- * stribeck_free.
+ * Makes a model at its start values and writes its handle to `*model`, or NULL on failure. The handle must be freed
+ * once with stribeck_free.
  */
 stribeck_status stribeck_create(const char *name, stribeck_model **model);
 
@@ -283,43 +284,42 @@ stribeck_status stribeck_create(const char *name, stribeck_model **model);
 void stribeck_free(stribeck_model *model);
 
 /**
- * Why the last refused call on this handle was refused. The text lives until the next call on the handle. For NULL it
- * says that the handle is NULL; why stribeck_create has made none, only its status says.
+ * Reason why the last refused call on this handle was refused. The text lives until the next call on the handle. For
+ * NULL it says that the handle is NULL; the only reason given by a failed stribeck_create is its status.
  */
 const char *stribeck_last_error(const stribeck_model *model);
 
-/** Back to the start values and to time 0. */
+/** Resets the model to its start values and to time 0. */
 stribeck_status stribeck_reset(stribeck_model *model);
 
 /** Number of columns, that is, of variables; 0 for NULL. */
 uint32_t stribeck_column_count(const stribeck_model *model);
 
-/** Column of the variable of that name. The enums of this header hold the same numbers. */
+/** Column of the variable with this name. The enums of this header hold the same numbers. */
 stribeck_status stribeck_find(stribeck_model *model, const char *variable, uint32_t *column);
 
 /** Describes a column: name, unit, help text, role, kind, start value and bounds. */
 stribeck_status stribeck_describe(stribeck_model *model, uint32_t column, stribeck_variable *variable);
 
-/** Number of presets, that is, of named parameter sets of the model; 0 for NULL. */
+/** Number of presets, that is, named parameter sets, of the model; 0 for NULL. */
 size_t stribeck_preset_count(const stribeck_model *model);
 
-/** Name of the preset of that index, from 0; NULL past the last. The text belongs to the handle. */
+/** Name of the preset with this index, from 0; NULL beyond the last. The text belongs to the handle. */
 const char *stribeck_preset_name(const stribeck_model *model, size_t index);
 
-/** Where the values of the preset of that index come from; NULL past the last. The text belongs to the handle. */
+/** Source of the values of the preset with this index; NULL beyond the last. The text belongs to the handle. */
 const char *stribeck_preset_source(const stribeck_model *model, size_t index);
 
 /**
- * Sets all parameters: those of the named preset to its values, the others to their start values. Inputs that the preset
- * names are set too.
+ * Sets all parameters: those in the named preset to its values, the others to their start values. Inputs in the preset
+ * are set as well.
  */
-stribeck_status stribeck_apply_preset(stribeck_model *model,
-                                      const char *preset);
+stribeck_status stribeck_apply_preset(stribeck_model *model, const char *preset);
 
-/** Sets a variable. Everything but computed results can be set at any time; outputs follow at once. */
+/** Sets a variable. Everything except computed results can be set at any time; outputs follow at once. */
 stribeck_status stribeck_set(stribeck_model *model, uint32_t column, double value);
 
-/** Reads a variable; results are computed first if anything was set since. */
+/** Reads a variable; results are computed first if anything has been set since. */
 stribeck_status stribeck_get(stribeck_model *model, uint32_t column, double *value);
 
 /** As stribeck_set, by name. Slower: look the column up once with stribeck_find if it is set often. */
@@ -331,57 +331,56 @@ stribeck_status stribeck_get_by_name(stribeck_model *model, const char *variable
 /** Advances the model by `dt` > 0 seconds with held inputs and computes the results. */
 stribeck_status stribeck_step(stribeck_model *model, double dt);
 
-/** Computes the results now, and says whether the parameters fit together and the results are finite. */
+/** Computes the results now, and checks that the parameters fit together and the results are finite. */
 stribeck_status stribeck_output(stribeck_model *model);
 
 /** Time since creation or reset, in seconds; NaN for NULL. */
 double stribeck_time(const stribeck_model *model);
 
 /**
- * Partial derivative of a result with respect to an input, parameter or state, at the present values: exact, but for the
- * friction of ShockAbsorber before its first step, which differences give.
+ * Partial derivative of a result with respect to an input, parameter or state, at the present values: exact, except
+ * for the friction of ShockAbsorber before its first step, which is differentiated numerically.
  */
-stribeck_status stribeck_derivative(stribeck_model *model,
-                                    uint32_t output,
-                                    uint32_t input,
-                                    double *value);
+stribeck_status stribeck_derivative(stribeck_model *model, uint32_t output, uint32_t input, double *value);
 
 /** Number of bytes that stribeck_save writes; 0 for NULL. */
 size_t stribeck_state_size(const stribeck_model *model);
 
-/** Writes the complete state of the model, parameters and time included, as bytes that any process can read. */
+/** Writes the complete state of the model, including parameters and time, as bytes that any process can read. */
 stribeck_status stribeck_save(stribeck_model *model, void *buffer, size_t size);
 
 /**
- * Goes back to a saved state of this or of another model of the same kind. Foreign or damaged bytes are refused, and a
- * state that only events of Model Exchange lead to (`phase`).
+ * Restores a saved state of this or of another instance of the same model. Foreign or damaged bytes are refused, and
+ * so is a state that only events of Model Exchange can produce (`phase`).
  */
 stribeck_status stribeck_restore(stribeck_model *model, const void *buffer, size_t size);
 
 /**
- * What should be known of the present values, which were taken though they make no sense, such as an input that was left
- * open and stands at 0; an empty text if there is nothing. To be asked whenever it matters, best after the first step:
- * the library does not tell it by itself. The text lives until the next call of this function on the handle. For NULL it
- * says that the handle is NULL.
+ * Warning about the present values, if some were accepted although they make no sense, such as an unconnected input at
+ * 0; otherwise an empty text. Best called after the first step; the library does not report warnings by itself. The
+ * text lives until the next call of this function on the handle. For NULL it says that the handle is NULL.
  */
 const char *stribeck_warning(stribeck_model *model);
 
 /** Enters event mode, in which inputs may jump. */
 fmi2Status fmi2EnterEventMode(fmi2Component c);
 
-/** Settles what an event changes: once is enough. No model knows the time of its next event or ends the simulation. */
+/**
+ * Applies the changes of an event: one call is enough. No model knows the time of its next event or ends the
+ * simulation.
+ */
 fmi2Status fmi2NewDiscreteStates(fmi2Component c, fmi2EventInfo *eventInfo);
 
 /** Enters continuous-time mode, in which time and states move. */
 fmi2Status fmi2EnterContinuousTimeMode(fmi2Component c);
 
-/** A step of the importer's solver is done. It asks for an event where a result that jumps has another value now. */
+/** Completes a step of the importer's solver. Requests an event if a result that jumps has a new value. */
 fmi2Status fmi2CompletedIntegratorStep(fmi2Component c,
                                        fmi2Boolean noSetFMUStatePriorToCurrentPoint,
                                        fmi2Boolean *enterEventMode,
                                        fmi2Boolean *terminateSimulation);
 
-/** Declares the present time. */
+/** Sets the present time. */
 fmi2Status fmi2SetTime(fmi2Component c, fmi2Real time);
 
 /** Sets the states: all, or none with fmi2Discard if one is not finite. */
@@ -389,22 +388,20 @@ fmi2Status fmi2SetContinuousStates(fmi2Component c, const fmi2Real *x, size_t nx
 
 /**
  * Time derivatives of the states. If one is not finite: fmi2Discard at and between events, where the solver may try a
- * smaller step, else fmi2Error.
+ * smaller step, otherwise fmi2Error.
  */
 fmi2Status fmi2GetDerivatives(fmi2Component c, fmi2Real *derivatives, size_t nx);
 
 /**
- * Functions that change sign where derivatives or outputs jump. If one is not finite: fmi2Discard at and between events,
- * else fmi2Error.
+ * Functions that change sign where derivatives or outputs jump. If one is not finite: fmi2Discard at and between
+ * events, otherwise fmi2Error.
  */
-fmi2Status fmi2GetEventIndicators(fmi2Component c,
-                                  fmi2Real *eventIndicators,
-                                  size_t ni);
+fmi2Status fmi2GetEventIndicators(fmi2Component c, fmi2Real *eventIndicators, size_t ni);
 
 /** The states. */
 fmi2Status fmi2GetContinuousStates(fmi2Component c, fmi2Real *x, size_t nx);
 
-/** The usual sizes of the states. */
+/** The nominal values of the states. */
 fmi2Status fmi2GetNominalsOfContinuousStates(fmi2Component c, fmi2Real *x_nominal, size_t nx);
 
 /** The platform of the types: "default". */
@@ -416,10 +413,10 @@ fmi2String fmi2GetVersion(void);
 /**
  * Makes an instance of the model whose guid is `fmuGUID`, to be freed once with fmi2FreeInstance.
  *
- * `fmuType` must be `fmi2CoSimulation` or, for the models that offer it, `fmi2ModelExchange`. `callbacks` is copied;
- * its function pointers may all be NULL. `fmuResourceLocation` and `visible` are not used. Returns NULL, and says why
- * to the logger, if the guid is that of no model of this library, if the model does not offer that type, if the name
- * is blank, or if there is no memory; without a word if `callbacks` is NULL, for then there is no logger.
+ * `fmuType` must be `fmi2CoSimulation` or, for models that support it, `fmi2ModelExchange`. `callbacks` is copied; its
+ * function pointers may all be NULL. `fmuResourceLocation` and `visible` are not used. Returns NULL, and logs the
+ * reason, if the guid does not belong to a model of this library, if the model does not support that type, if the name
+ * is blank, or if memory runs out; silently if `callbacks` is NULL, as there is no logger.
  */
 fmi2Component fmi2Instantiate(fmi2String instanceName,
                               fmi2Type fmuType,
@@ -434,8 +431,8 @@ void fmi2FreeInstance(fmi2Component c);
 
 /**
  * Switches log categories (`logStatusWarning`, `logStatusDiscard`, `logStatusError`, `logAll`); all of them if
- * `nCategories` is 0. Before, an importer hears of errors, refused values and warnings even if `loggingOn` of
- * fmi2Instantiate was false; of what a solver's trials meet only if it was true.
+ * `nCategories` is 0. Before this call, errors, refused values and warnings are logged even if `loggingOn` of
+ * fmi2Instantiate was false; values refused in a solver's trials only if it was true.
  */
 fmi2Status fmi2SetDebugLogging(fmi2Component c,
                                fmi2Boolean loggingOn,
@@ -443,8 +440,8 @@ fmi2Status fmi2SetDebugLogging(fmi2Component c,
                                const fmi2String *categories);
 
 /**
- * Declares start time and, if defined, stop time, beyond which no step may reach. The tolerance is only checked: the
- * steps are exact or hold a tighter tolerance of their own.
+ * Declares start time and, if defined, stop time, which no step may exceed. The tolerance is only checked: the steps
+ * are exact or keep a tighter tolerance of their own.
  */
 fmi2Status fmi2SetupExperiment(fmi2Component c,
                                fmi2Boolean toleranceDefined,
@@ -453,30 +450,31 @@ fmi2Status fmi2SetupExperiment(fmi2Component c,
                                fmi2Boolean stopTimeDefined,
                                fmi2Real stopTime);
 
-/** Enters the initialization mode, in which inputs are set and outputs read at the start time. */
+/** Enters initialization mode, in which inputs are set and outputs read at the start time. */
 fmi2Status fmi2EnterInitializationMode(fmi2Component c);
 
 /**
- * Ends the initialization: parameters must now fit together, outputs must be finite. Model Exchange goes on in event
- * mode; what the start values have left open is settled, and the first fmi2NewDiscreteStates says whether states jumped.
+ * Ends the initialization: parameters must now fit together, outputs must be finite. Model Exchange continues in event
+ * mode; the states left undetermined by the start values are set, and the first fmi2NewDiscreteStates reports whether
+ * states jumped.
  */
 fmi2Status fmi2ExitInitializationMode(fmi2Component c);
 
 /** Ends the simulation run. Results can still be read. */
 fmi2Status fmi2Terminate(fmi2Component c);
 
-/** Back to the state after fmi2Instantiate: start values, no experiment, time 0. Log settings stay. */
+/** Resets to the state after fmi2Instantiate: start values, no experiment, time 0. Log settings are kept. */
 fmi2Status fmi2Reset(fmi2Component c);
 
 /**
- * Saves the state. `*FMUstate` must be NULL, to make a new one, or an earlier state, to overwrite it. To be freed once
- * with fmi2FreeFMUstate.
+ * Saves the state. `*FMUstate` must be NULL, to make a new one, or an earlier state, to overwrite it. The state must
+ * be freed once with fmi2FreeFMUstate.
  */
 fmi2Status fmi2GetFMUstate(fmi2Component c, fmi2FMUstate *FMUstate);
 
 /**
- * Goes back to a saved state, of this or of another instance of the same model. The state can be used again.
- * Co-simulation refuses one that only events lead to (`phase`).
+ * Restores a saved state of this or of another instance of the same model. The state can be used again. Co-simulation
+ * refuses a state that only events can produce (`phase`).
  */
 fmi2Status fmi2SetFMUstate(fmi2Component c, fmi2FMUstate FMUstate);
 
@@ -487,7 +485,8 @@ fmi2Status fmi2FreeFMUstate(fmi2Component c, fmi2FMUstate *FMUstate);
 fmi2Status fmi2SerializedFMUstateSize(fmi2Component c, fmi2FMUstate FMUstate, size_t *size);
 
 /**
- * Writes a saved state as bytes that another process, on another platform too, can read. Equal states give equal bytes.
+ * Writes a saved state as bytes that another process, even on another platform, can read. Equal states give equal
+ * bytes.
  */
 fmi2Status fmi2SerializeFMUstate(fmi2Component c, fmi2FMUstate FMUstate, fmi2Byte *serializedState, size_t size);
 
@@ -506,19 +505,19 @@ fmi2Status fmi2DoStep(fmi2Component c,
                       fmi2Real communicationStepSize,
                       fmi2Boolean noSetFMUStatePriorToCurrentPoint);
 
-/** Always an error: no step is ever pending. */
+/** Always an error: steps are never pending. */
 fmi2Status fmi2CancelStep(fmi2Component c);
 
-/** Always fmi2Discard: there is no asynchronous step to ask about. */
+/** Always fmi2Discard: there are no asynchronous steps. */
 fmi2Status fmi2GetStatus(fmi2Component c, fmi2StatusKind s, fmi2Status *value);
 
 /** `fmi2LastSuccessfulTime`: the end of the last completed step. fmi2Discard for other kinds. */
 fmi2Status fmi2GetRealStatus(fmi2Component c, fmi2StatusKind s, fmi2Real *value);
 
-/** Always fmi2Discard: no status is an integer. */
+/** Always fmi2Discard: there is no integer status. */
 fmi2Status fmi2GetIntegerStatus(fmi2Component c, fmi2StatusKind s, fmi2Integer *value);
 
-/** `fmi2Terminated`: no model ends the simulation by itself, so fmi2False. fmi2Discard for other kinds. */
+/** `fmi2Terminated`: no model ends the simulation, so fmi2False. fmi2Discard for other kinds. */
 fmi2Status fmi2GetBooleanStatus(fmi2Component c, fmi2StatusKind s, fmi2Boolean *value);
 
 /** Always fmi2Discard: there is no asynchronous step to ask about. */
@@ -542,7 +541,7 @@ fmi2Status fmi2SetReal(fmi2Component c, const fmi2ValueReference *vr, size_t nvr
 /** Sets Integer and Enumeration variables, as fmi2SetReal does. */
 fmi2Status fmi2SetInteger(fmi2Component c, const fmi2ValueReference *vr, size_t nvr, const fmi2Integer *value);
 
-/** Sets Boolean variables, as fmi2SetReal does; only `fmi2False` and `fmi2True` are taken. */
+/** Sets Boolean variables, as fmi2SetReal does; only `fmi2False` and `fmi2True` are accepted. */
 fmi2Status fmi2SetBoolean(fmi2Component c, const fmi2ValueReference *vr, size_t nvr, const fmi2Boolean *value);
 
 /** Sets String variables; no model has any, so only `nvr` = 0 succeeds. */
@@ -555,7 +554,7 @@ fmi2Status fmi2SetRealInputDerivatives(fmi2Component c,
                                        const fmi2Integer *order,
                                        const fmi2Real *value);
 
-/** Time derivatives of outputs at the present time: order 1 exact, higher orders 0 as the standard asks. */
+/** Time derivatives of outputs at the present time: order 1 exact, higher orders 0 as the standard requires. */
 fmi2Status fmi2GetRealOutputDerivatives(fmi2Component c,
                                         const fmi2ValueReference *vr,
                                         size_t nvr,
@@ -563,8 +562,9 @@ fmi2Status fmi2GetRealOutputDerivatives(fmi2Component c,
                                         fmi2Real *value);
 
 /**
- * Derivative of outputs, and of the states' time derivatives, in a direction of inputs, parameters and states: exact, by
- * automatic differentiation, but for the friction of ShockAbsorber before the run, which differences give.
+ * Derivative of outputs, and of the time derivatives of the states, in a direction of inputs, parameters and states:
+ * exact, by automatic differentiation, except for the friction of ShockAbsorber before the run, which is
+ * differentiated numerically.
  */
 fmi2Status fmi2GetDirectionalDerivative(fmi2Component c,
                                         const fmi2ValueReference *vUnknown_ref,
@@ -580,7 +580,7 @@ fmi2Status fmi2GetDirectionalDerivative(fmi2Component c,
 
 /** Choices of a variable of the type BengisuAkayVariant. */
 typedef enum stribeck_bengisu_akay_variant {
-  /** Product of two exponentials, as the thesis prints it. */
+  /** Product of two exponentials, as printed in the thesis. */
   STRIBECK_BENGISU_AKAY_VARIANT_THESIS = 1,
   /** Parabola up to the peak, exponential beyond it, as in Marques et al. (2016). */
   STRIBECK_BENGISU_AKAY_VARIANT_MARQUES = 2,
@@ -626,7 +626,7 @@ typedef enum stribeck_damper_mode {
 typedef enum stribeck_element_distribution {
   /** The shares of each element are given. */
   STRIBECK_ELEMENT_DISTRIBUTION_EXPLICIT = 1,
-  /** Equal stiffness, and displacements up to slip that are spread evenly: the virgin curve is nearly a parabola. */
+  /** Equal stiffness and evenly spaced slip displacements: the virgin curve is nearly a parabola. */
   STRIBECK_ELEMENT_DISTRIBUTION_UNIFORM = 2,
 } stribeck_element_distribution;
 
@@ -654,11 +654,11 @@ typedef enum stribeck_friction_model {
   STRIBECK_FRICTION_MODEL_BERNARD = 6,
   /** Coulomb friction with an exponential transition (Threlfall) */
   STRIBECK_FRICTION_MODEL_THRELFALL = 7,
-  /** Coulomb friction with an exponential transition that ends at the Coulomb level (modified Threlfall) */
+  /** Coulomb friction with an exponential transition up to the Coulomb level (modified Threlfall) */
   STRIBECK_FRICTION_MODEL_THRELFALL_MODIFIED = 8,
   /** Coulomb friction with a transition band (Rooney and Deravi) */
   STRIBECK_FRICTION_MODEL_ROONEY_DERAVI = 9,
-  /** Coulomb friction that is ramped in with speed (Ambrosio) */
+  /** Coulomb friction that is ramped up with speed (Ambrosio) */
   STRIBECK_FRICTION_MODEL_AMBROSIO = 10,
   /** Coulomb friction with a band of stiction (Karnopp) */
   STRIBECK_FRICTION_MODEL_KARNOPP = 11,
@@ -732,7 +732,7 @@ typedef enum stribeck_friction_switch {
 
 /** Choices of a variable of the type FrictionalLagVariant. */
 typedef enum stribeck_frictional_lag_variant {
-  /** The force follows the velocity of a time lag ago. */
+  /** The force follows the velocity one time lag earlier. */
   STRIBECK_FRICTIONAL_LAG_VARIANT_DELAY = 1,
   /** The force follows the velocity through a first-order filter. */
   STRIBECK_FRICTIONAL_LAG_VARIANT_FIRST_ORDER = 2,
@@ -740,7 +740,7 @@ typedef enum stribeck_frictional_lag_variant {
 
 /** Choices of a variable of the type InitialBonds. */
 typedef enum stribeck_initial_bonds {
-  /** All are bonded where they stand, so they snap together at the first breakaway. */
+  /** All are bonded in place, so they snap together at the first breakaway. */
   STRIBECK_INITIAL_BONDS_BONDED = 1,
   /** As after a long slide in the direction of the first motion. */
   STRIBECK_INITIAL_BONDS_STATIONARY = 2,
@@ -792,7 +792,7 @@ typedef enum stribeck_phase {
 
 /** Choices of a variable of the type RooneyDeraviVariant. */
 typedef enum stribeck_rooney_deravi_variant {
-  /** Hyperbolic tangent inside the band, as the thesis prints it; jumps at the end of the band. */
+  /** Hyperbolic tangent inside the band, as printed in the thesis; jumps at the end of the band. */
   STRIBECK_ROONEY_DERAVI_VARIANT_PRINTED = 1,
   /** Straight line inside the band. */
   STRIBECK_ROONEY_DERAVI_VARIANT_LINEAR = 2,
@@ -850,7 +850,7 @@ typedef enum stribeck_stribeck_curve {
 
 /** Choices of a variable of the type ThrelfallVariant. */
 typedef enum stribeck_threlfall_variant {
-  /** The exponential for all velocities, as the thesis prints it. */
+  /** The exponential for all velocities, as printed in the thesis. */
   STRIBECK_THRELFALL_VARIANT_PRINTED = 1,
   /** The original, which stops at 95 % of the Coulomb level. */
   STRIBECK_THRELFALL_VARIANT_CAPPED = 2,
@@ -865,8 +865,7 @@ typedef enum stribeck_coulomb_variable {
   STRIBECK_COULOMB_VELOCITY = 0,
   /** in [N]: Normal force that presses the surfaces together. (>= 0, default 9.81) */
   STRIBECK_COULOMB_NORMAL_FORCE = 1,
-  /** in [N]: All other tangential forces on body 1; if body 2 moves, mass times relative acceleration without friction.
-   *  (default 0) */
+  /** in [N]: Resultant of all other tangential forces on body 1; see Coupling if body 2 accelerates. (default 0) */
   STRIBECK_COULOMB_EXTERNAL_FORCE = 2,
   /** tunable [1]: Kinetic coefficient of friction. (>= 0, default 0.1) */
   STRIBECK_COULOMB_MU_K = 3,
@@ -914,14 +913,13 @@ typedef enum stribeck_coulomb_stiction_variable {
   STRIBECK_COULOMB_STICTION_VELOCITY = 0,
   /** in [N]: Normal force that presses the surfaces together. (>= 0, default 9.81) */
   STRIBECK_COULOMB_STICTION_NORMAL_FORCE = 1,
-  /** in [N]: All other tangential forces on body 1; if body 2 moves, mass times relative acceleration without friction.
-   *  (default 0) */
+  /** in [N]: Resultant of all other tangential forces on body 1; see Coupling if body 2 accelerates. (default 0) */
   STRIBECK_COULOMB_STICTION_EXTERNAL_FORCE = 2,
   /** tunable [1]: Kinetic coefficient of friction. (>= 0, default 0.1) */
   STRIBECK_COULOMB_STICTION_MU_K = 3,
   /** tunable [1]: Static coefficient of friction; not less than mu_k. (>= 0, default 0.15) */
   STRIBECK_COULOMB_STICTION_MU_S = 4,
-  /** state [Boolean]: Has the last step left the contact stuck? Only with mass > 0; phase tells it in Model Exchange.
+  /** state [Boolean]: Is the contact stuck since the last step? Only with mass > 0; in Model Exchange see phase.
    *  (default false) */
   STRIBECK_COULOMB_STICTION_STUCK = 5,
   /** tunable [kg]: Effective mass of the host, if in doubt too small, to hold it in co-simulation; 0 = the printed law.
@@ -968,8 +966,7 @@ typedef enum stribeck_coulomb_viscous_variable {
   STRIBECK_COULOMB_VISCOUS_VELOCITY = 0,
   /** in [N]: Normal force that presses the surfaces together. (>= 0, default 9.81) */
   STRIBECK_COULOMB_VISCOUS_NORMAL_FORCE = 1,
-  /** in [N]: All other tangential forces on body 1; if body 2 moves, mass times relative acceleration without friction.
-   *  (default 0) */
+  /** in [N]: Resultant of all other tangential forces on body 1; see Coupling if body 2 accelerates. (default 0) */
   STRIBECK_COULOMB_VISCOUS_EXTERNAL_FORCE = 2,
   /** tunable [1]: Kinetic coefficient of friction. (>= 0, default 0.1) */
   STRIBECK_COULOMB_VISCOUS_MU_K = 3,
@@ -1023,8 +1020,7 @@ typedef enum stribeck_stribeck_variable {
   STRIBECK_STRIBECK_VELOCITY = 0,
   /** in [N]: Normal force that presses the surfaces together. (>= 0, default 9.81) */
   STRIBECK_STRIBECK_NORMAL_FORCE = 1,
-  /** in [N]: All other tangential forces on body 1; if body 2 moves, mass times relative acceleration without friction.
-   *  (default 0) */
+  /** in [N]: Resultant of all other tangential forces on body 1; see Coupling if body 2 accelerates. (default 0) */
   STRIBECK_STRIBECK_EXTERNAL_FORCE = 2,
   /** fixed [stribeck_stribeck_curve]: How the level falls with speed. (default Gaussian) */
   STRIBECK_STRIBECK_CURVE = 3,
@@ -1035,7 +1031,7 @@ typedef enum stribeck_stribeck_variable {
   /** tunable [m/s]: Speed at which the excess of static over kinetic friction has fallen to 1/e (Lorentzian, hyperbola: 1/2).
    *  (> 0, default 0.001) */
   STRIBECK_STRIBECK_STRIBECK_VELOCITY = 6,
-  /** tunable [1]: Exponent of the falling level. (> 0, default 2) */
+  /** tunable [1]: Exponent of the Stribeck curve. (> 0, default 2) */
   STRIBECK_STRIBECK_STRIBECK_EXPONENT = 7,
   /** tunable [N.s/m]: Viscous friction coefficient. (>= 0, default 0) */
   STRIBECK_STRIBECK_VISCOUS_COEFFICIENT = 8,
@@ -1085,8 +1081,7 @@ typedef enum stribeck_bernard_variable {
   STRIBECK_BERNARD_VELOCITY = 0,
   /** in [N]: Normal force that presses the surfaces together. (>= 0, default 9.81) */
   STRIBECK_BERNARD_NORMAL_FORCE = 1,
-  /** in [N]: All other tangential forces on body 1; if body 2 moves, mass times relative acceleration without friction.
-   *  (default 0) */
+  /** in [N]: Resultant of all other tangential forces on body 1; see Coupling if body 2 accelerates. (default 0) */
   STRIBECK_BERNARD_EXTERNAL_FORCE = 2,
   /** tunable [1]: Kinetic coefficient of friction. (>= 0, default 0.1) */
   STRIBECK_BERNARD_MU_K = 3,
@@ -1136,8 +1131,7 @@ typedef enum stribeck_threlfall_variable {
   STRIBECK_THRELFALL_VELOCITY = 0,
   /** in [N]: Normal force that presses the surfaces together. (>= 0, default 9.81) */
   STRIBECK_THRELFALL_NORMAL_FORCE = 1,
-  /** in [N]: All other tangential forces on body 1; if body 2 moves, mass times relative acceleration without friction.
-   *  (default 0) */
+  /** in [N]: Resultant of all other tangential forces on body 1; see Coupling if body 2 accelerates. (default 0) */
   STRIBECK_THRELFALL_EXTERNAL_FORCE = 2,
   /** tunable [1]: Kinetic coefficient of friction. (>= 0, default 0.1) */
   STRIBECK_THRELFALL_MU_K = 3,
@@ -1183,14 +1177,13 @@ typedef enum stribeck_threlfall_variable {
 /** Guid of ThrelfallModified for fmi2Instantiate. */
 #define STRIBECK_THRELFALL_MODIFIED_GUID "{51d4042e-608e-5600-eead-99a5a0eae44a}"
 
-/** ThrelfallModified: Coulomb friction with an exponential transition that ends at the Coulomb level (modified Threlfall). Columns of "ThrelfallModified". */
+/** ThrelfallModified: Coulomb friction with an exponential transition up to the Coulomb level (modified Threlfall). Columns of "ThrelfallModified". */
 typedef enum stribeck_threlfall_modified_variable {
   /** in [m/s]: Sliding velocity of body 1 relative to body 2. (default 0) */
   STRIBECK_THRELFALL_MODIFIED_VELOCITY = 0,
   /** in [N]: Normal force that presses the surfaces together. (>= 0, default 9.81) */
   STRIBECK_THRELFALL_MODIFIED_NORMAL_FORCE = 1,
-  /** in [N]: All other tangential forces on body 1; if body 2 moves, mass times relative acceleration without friction.
-   *  (default 0) */
+  /** in [N]: Resultant of all other tangential forces on body 1; see Coupling if body 2 accelerates. (default 0) */
   STRIBECK_THRELFALL_MODIFIED_EXTERNAL_FORCE = 2,
   /** tunable [1]: Kinetic coefficient of friction. (>= 0, default 0.1) */
   STRIBECK_THRELFALL_MODIFIED_MU_K = 3,
@@ -1240,8 +1233,7 @@ typedef enum stribeck_rooney_deravi_variable {
   STRIBECK_ROONEY_DERAVI_VELOCITY = 0,
   /** in [N]: Normal force that presses the surfaces together. (>= 0, default 9.81) */
   STRIBECK_ROONEY_DERAVI_NORMAL_FORCE = 1,
-  /** in [N]: All other tangential forces on body 1; if body 2 moves, mass times relative acceleration without friction.
-   *  (default 0) */
+  /** in [N]: Resultant of all other tangential forces on body 1; see Coupling if body 2 accelerates. (default 0) */
   STRIBECK_ROONEY_DERAVI_EXTERNAL_FORCE = 2,
   /** tunable [1]: Kinetic coefficient of friction. (>= 0, default 0.1) */
   STRIBECK_ROONEY_DERAVI_MU_K = 3,
@@ -1287,14 +1279,13 @@ typedef enum stribeck_rooney_deravi_variable {
 /** Guid of Ambrosio for fmi2Instantiate. */
 #define STRIBECK_AMBROSIO_GUID "{4ed7c963-b21e-ea39-2768-a00ac6df0ac9}"
 
-/** Ambrosio: Coulomb friction that is ramped in with speed (Ambrosio). Columns of "Ambrosio". */
+/** Ambrosio: Coulomb friction that is ramped up with speed (Ambrosio). Columns of "Ambrosio". */
 typedef enum stribeck_ambrosio_variable {
   /** in [m/s]: Sliding velocity of body 1 relative to body 2. (default 0) */
   STRIBECK_AMBROSIO_VELOCITY = 0,
   /** in [N]: Normal force that presses the surfaces together. (>= 0, default 9.81) */
   STRIBECK_AMBROSIO_NORMAL_FORCE = 1,
-  /** in [N]: All other tangential forces on body 1; if body 2 moves, mass times relative acceleration without friction.
-   *  (default 0) */
+  /** in [N]: Resultant of all other tangential forces on body 1; see Coupling if body 2 accelerates. (default 0) */
   STRIBECK_AMBROSIO_EXTERNAL_FORCE = 2,
   /** tunable [1]: Kinetic coefficient of friction. (>= 0, default 0.1) */
   STRIBECK_AMBROSIO_MU_K = 3,
@@ -1346,8 +1337,7 @@ typedef enum stribeck_karnopp_variable {
   STRIBECK_KARNOPP_VELOCITY = 0,
   /** in [N]: Normal force that presses the surfaces together. (>= 0, default 9.81) */
   STRIBECK_KARNOPP_NORMAL_FORCE = 1,
-  /** in [N]: All other tangential forces on body 1; if body 2 moves, mass times relative acceleration without friction.
-   *  (default 0) */
+  /** in [N]: Resultant of all other tangential forces on body 1; see Coupling if body 2 accelerates. (default 0) */
   STRIBECK_KARNOPP_EXTERNAL_FORCE = 2,
   /** tunable [1]: Kinetic coefficient of friction. (>= 0, default 0.1) */
   STRIBECK_KARNOPP_MU_K = 3,
@@ -1355,7 +1345,7 @@ typedef enum stribeck_karnopp_variable {
   STRIBECK_KARNOPP_MU_S = 4,
   /** tunable [m/s]: Velocity that sets the width of the regularised band around rest. (> 0, default 0.001) */
   STRIBECK_KARNOPP_TRANSITION_VELOCITY = 5,
-  /** state [Boolean]: Has the last step left the contact stuck? Only with mass > 0; phase tells it in Model Exchange.
+  /** state [Boolean]: Is the contact stuck since the last step? Only with mass > 0; in Model Exchange see phase.
    *  (default false) */
   STRIBECK_KARNOPP_STUCK = 6,
   /** tunable [kg]: Effective mass of the host, if in doubt too small, to hold it in co-simulation; 0 = the printed law.
@@ -1402,8 +1392,7 @@ typedef enum stribeck_bengisu_akay_variable {
   STRIBECK_BENGISU_AKAY_VELOCITY = 0,
   /** in [N]: Normal force that presses the surfaces together. (>= 0, default 9.81) */
   STRIBECK_BENGISU_AKAY_NORMAL_FORCE = 1,
-  /** in [N]: All other tangential forces on body 1; if body 2 moves, mass times relative acceleration without friction.
-   *  (default 0) */
+  /** in [N]: Resultant of all other tangential forces on body 1; see Coupling if body 2 accelerates. (default 0) */
   STRIBECK_BENGISU_AKAY_EXTERNAL_FORCE = 2,
   /** tunable [1]: Kinetic coefficient of friction. (>= 0, default 0.1) */
   STRIBECK_BENGISU_AKAY_MU_K = 3,
@@ -1462,8 +1451,7 @@ typedef enum stribeck_hollars_variable {
   STRIBECK_HOLLARS_VELOCITY = 0,
   /** in [N]: Normal force that presses the surfaces together. (>= 0, default 9.81) */
   STRIBECK_HOLLARS_NORMAL_FORCE = 1,
-  /** in [N]: All other tangential forces on body 1; if body 2 moves, mass times relative acceleration without friction.
-   *  (default 0) */
+  /** in [N]: Resultant of all other tangential forces on body 1; see Coupling if body 2 accelerates. (default 0) */
   STRIBECK_HOLLARS_EXTERNAL_FORCE = 2,
   /** tunable [1]: Kinetic coefficient of friction. (>= 0, default 0.1) */
   STRIBECK_HOLLARS_MU_K = 3,
@@ -1517,8 +1505,7 @@ typedef enum stribeck_andersson_variable {
   STRIBECK_ANDERSSON_VELOCITY = 0,
   /** in [N]: Normal force that presses the surfaces together. (>= 0, default 9.81) */
   STRIBECK_ANDERSSON_NORMAL_FORCE = 1,
-  /** in [N]: All other tangential forces on body 1; if body 2 moves, mass times relative acceleration without friction.
-   *  (default 0) */
+  /** in [N]: Resultant of all other tangential forces on body 1; see Coupling if body 2 accelerates. (default 0) */
   STRIBECK_ANDERSSON_EXTERNAL_FORCE = 2,
   /** tunable [1]: Kinetic coefficient of friction. (>= 0, default 0.1) */
   STRIBECK_ANDERSSON_MU_K = 3,
@@ -1527,7 +1514,7 @@ typedef enum stribeck_andersson_variable {
   /** tunable [m/s]: Speed at which the excess of static over kinetic friction has fallen to 1/e (Lorentzian, hyperbola: 1/2).
    *  (> 0, default 0.001) */
   STRIBECK_ANDERSSON_STRIBECK_VELOCITY = 5,
-  /** tunable [1]: Exponent of the falling level. (> 0, default 2) */
+  /** tunable [1]: Exponent of the Stribeck curve. (> 0, default 2) */
   STRIBECK_ANDERSSON_STRIBECK_EXPONENT = 6,
   /** tunable [s/m]: Slope of the force at rest, relative to the level there. (> 0, default 10000) */
   STRIBECK_ANDERSSON_TRANSITION_SLOPE = 7,
@@ -1577,8 +1564,7 @@ typedef enum stribeck_awrejcewicz_variable {
   STRIBECK_AWREJCEWICZ_VELOCITY = 0,
   /** in [N]: Normal force that presses the surfaces together. (>= 0, default 9.81) */
   STRIBECK_AWREJCEWICZ_NORMAL_FORCE = 1,
-  /** in [N]: All other tangential forces on body 1; if body 2 moves, mass times relative acceleration without friction.
-   *  (default 0) */
+  /** in [N]: Resultant of all other tangential forces on body 1; see Coupling if body 2 accelerates. (default 0) */
   STRIBECK_AWREJCEWICZ_EXTERNAL_FORCE = 2,
   /** tunable [1]: Kinetic coefficient of friction. (>= 0, default 0.1) */
   STRIBECK_AWREJCEWICZ_MU_K = 3,
@@ -1633,8 +1619,7 @@ typedef enum stribeck_specker_variable {
   STRIBECK_SPECKER_VELOCITY = 0,
   /** in [N]: Normal force that presses the surfaces together. (>= 0, default 9.81) */
   STRIBECK_SPECKER_NORMAL_FORCE = 1,
-  /** in [N]: All other tangential forces on body 1; if body 2 moves, mass times relative acceleration without friction.
-   *  (default 0) */
+  /** in [N]: Resultant of all other tangential forces on body 1; see Coupling if body 2 accelerates. (default 0) */
   STRIBECK_SPECKER_EXTERNAL_FORCE = 2,
   /** tunable [1]: Kinetic coefficient of friction. (>= 0, default 0.1) */
   STRIBECK_SPECKER_MU_K = 3,
@@ -1690,8 +1675,7 @@ typedef enum stribeck_linear_stiction_variable {
   STRIBECK_LINEAR_STICTION_VELOCITY = 0,
   /** in [N]: Normal force that presses the surfaces together. (>= 0, default 9.81) */
   STRIBECK_LINEAR_STICTION_NORMAL_FORCE = 1,
-  /** in [N]: All other tangential forces on body 1; if body 2 moves, mass times relative acceleration without friction.
-   *  (default 0) */
+  /** in [N]: Resultant of all other tangential forces on body 1; see Coupling if body 2 accelerates. (default 0) */
   STRIBECK_LINEAR_STICTION_EXTERNAL_FORCE = 2,
   /** tunable [1]: Kinetic coefficient of friction. (>= 0, default 0.1) */
   STRIBECK_LINEAR_STICTION_MU_K = 3,
@@ -1745,8 +1729,7 @@ typedef enum stribeck_brown_mcphee_variable {
   STRIBECK_BROWN_MCPHEE_VELOCITY = 0,
   /** in [N]: Normal force that presses the surfaces together. (>= 0, default 9.81) */
   STRIBECK_BROWN_MCPHEE_NORMAL_FORCE = 1,
-  /** in [N]: All other tangential forces on body 1; if body 2 moves, mass times relative acceleration without friction.
-   *  (default 0) */
+  /** in [N]: Resultant of all other tangential forces on body 1; see Coupling if body 2 accelerates. (default 0) */
   STRIBECK_BROWN_MCPHEE_EXTERNAL_FORCE = 2,
   /** tunable [1]: Kinetic coefficient of friction. (>= 0, default 0.1) */
   STRIBECK_BROWN_MCPHEE_MU_K = 3,
@@ -1836,7 +1819,7 @@ typedef enum stribeck_lugre_variable {
   /** tunable [m/s]: Speed at which the excess of static over kinetic friction has fallen to 1/e (Lorentzian, hyperbola: 1/2).
    *  (> 0, default 0.001) */
   STRIBECK_LUGRE_STRIBECK_VELOCITY = 4,
-  /** tunable [1]: Exponent of the falling level. (> 0, default 2) */
+  /** tunable [1]: Exponent of the Stribeck curve. (> 0, default 2) */
   STRIBECK_LUGRE_STRIBECK_EXPONENT = 5,
   /** tunable [N/m]: Stiffness of the bristles. (> 0, default 100000) */
   STRIBECK_LUGRE_SIGMA_0 = 6,
@@ -1874,7 +1857,7 @@ typedef enum stribeck_frictional_lag_variable {
   /** tunable [m/s]: Speed at which the excess of static over kinetic friction has fallen to 1/e (Lorentzian, hyperbola: 1/2).
    *  (> 0, default 0.001) */
   STRIBECK_FRICTIONAL_LAG_STRIBECK_VELOCITY = 4,
-  /** tunable [1]: Exponent of the falling level. (> 0, default 2) */
+  /** tunable [1]: Exponent of the Stribeck curve. (> 0, default 2) */
   STRIBECK_FRICTIONAL_LAG_STRIBECK_EXPONENT = 5,
   /** tunable [N.s/m]: Viscous friction coefficient. (>= 0, default 0) */
   STRIBECK_FRICTIONAL_LAG_VISCOUS_COEFFICIENT = 6,
@@ -1882,7 +1865,8 @@ typedef enum stribeck_frictional_lag_variable {
   STRIBECK_FRICTIONAL_LAG_TIME_LAG = 7,
   /** fixed [stribeck_frictional_lag_variant]: Variant of the law. (default Delay) */
   STRIBECK_FRICTIONAL_LAG_VARIANT = 8,
-  /** state [Boolean]: Has the contact a past? Without one the level follows the present velocity. (default false) */
+  /** state [Boolean]: Does the contact have a past? Without one the level follows the present velocity.
+   *  (default false) */
   STRIBECK_FRICTIONAL_LAG_HAS_PAST = 9,
   /** state [m/s]: Velocity that the level of friction follows: that of a time lag ago, or a filtered one.
    *  (default 0) */
@@ -2721,7 +2705,7 @@ typedef enum stribeck_non_reversible_variable {
   STRIBECK_NON_REVERSIBLE_VELOCITY = 0,
   /** in [N]: Normal force that presses the surfaces together. (>= 0, default 9.81) */
   STRIBECK_NON_REVERSIBLE_NORMAL_FORCE = 1,
-  /** in [m/s2]: Acceleration of body 1 relative to body 2; used where the velocity has no slope. (default 0) */
+  /** in [m/s2]: Acceleration of body 1 relative to body 2; used if the velocity has no slope. (default 0) */
   STRIBECK_NON_REVERSIBLE_ACCELERATION = 2,
   /** state [m/s2]: Slope of the velocity over the last step; 0 if it was held. (default 0) */
   STRIBECK_NON_REVERSIBLE_VELOCITY_SLOPE = 3,
@@ -2755,7 +2739,7 @@ typedef enum stribeck_wojewoda_variable {
   STRIBECK_WOJEWODA_VELOCITY = 0,
   /** in [N]: Normal force that presses the surfaces together. (>= 0, default 9.81) */
   STRIBECK_WOJEWODA_NORMAL_FORCE = 1,
-  /** in [m/s2]: Acceleration of body 1 relative to body 2; used where the velocity has no slope. (default 0) */
+  /** in [m/s2]: Acceleration of body 1 relative to body 2; used if the velocity has no slope. (default 0) */
   STRIBECK_WOJEWODA_ACCELERATION = 2,
   /** state [m/s2]: Slope of the velocity over the last step; 0 if it was held. (default 0) */
   STRIBECK_WOJEWODA_VELOCITY_SLOPE = 3,
@@ -2890,7 +2874,7 @@ typedef enum stribeck_elasto_plastic_variable {
   /** tunable [m/s]: Speed at which the excess of static over kinetic friction has fallen to 1/e (Lorentzian, hyperbola: 1/2).
    *  (> 0, default 0.001) */
   STRIBECK_ELASTO_PLASTIC_STRIBECK_VELOCITY = 4,
-  /** tunable [1]: Exponent of the falling level. (> 0, default 2) */
+  /** tunable [1]: Exponent of the Stribeck curve. (> 0, default 2) */
   STRIBECK_ELASTO_PLASTIC_STRIBECK_EXPONENT = 5,
   /** tunable [1]: Part of the deflection of steady sliding up to which the contact is purely elastic.
    *  (> 0, <= 1, default 0.7) */
@@ -3255,7 +3239,7 @@ typedef enum stribeck_maxwell_slip_variable {
   /** tunable [m/s]: Speed at which the excess of static over kinetic friction has fallen to 1/e (Lorentzian, hyperbola: 1/2).
    *  (> 0, default 0.001) */
   STRIBECK_MAXWELL_SLIP_STRIBECK_VELOCITY = 4,
-  /** tunable [1]: Exponent of the falling level. (> 0, default 2) */
+  /** tunable [1]: Exponent of the Stribeck curve. (> 0, default 2) */
   STRIBECK_MAXWELL_SLIP_STRIBECK_EXPONENT = 5,
   /** tunable [N/m]: Stiffness of the bristles. (> 0, default 100000) */
   STRIBECK_MAXWELL_SLIP_SIGMA_0 = 6,
@@ -3808,7 +3792,7 @@ typedef enum stribeck_leuven_variable {
   /** tunable [m/s]: Speed at which the excess of static over kinetic friction has fallen to 1/e (Lorentzian, hyperbola: 1/2).
    *  (> 0, default 0.001) */
   STRIBECK_LEUVEN_STRIBECK_VELOCITY = 4,
-  /** tunable [1]: Exponent of the falling level. (> 0, default 2) */
+  /** tunable [1]: Exponent of the Stribeck curve. (> 0, default 2) */
   STRIBECK_LEUVEN_STRIBECK_EXPONENT = 5,
   /** tunable [N/m]: Stiffness of the bristles. (> 0, default 100000) */
   STRIBECK_LEUVEN_SIGMA_0 = 6,
@@ -4249,7 +4233,7 @@ typedef enum stribeck_gonthier_variable {
   STRIBECK_GONTHIER_DWELL_TIME_CONSTANT = 9,
   /** state [m]: Mean elastic deflection of the bristles. (default 0) */
   STRIBECK_GONTHIER_BRISTLE_DEFLECTION = 10,
-  /** state [1]: Memory of the time of rest: 0 after sliding, 1 after a long rest. (>= 0, <= 1, default 0) */
+  /** state [1]: Memory of the time at rest: 0 after sliding, 1 after a long rest. (>= 0, <= 1, default 0) */
   STRIBECK_GONTHIER_DWELL = 11,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
   STRIBECK_GONTHIER_DISSIPATED_ENERGY = 12,
@@ -4330,7 +4314,7 @@ typedef enum stribeck_lugre_planar_variable {
   /** tunable [m/s]: Speed at which the excess of static over kinetic friction has fallen to 1/e (Lorentzian, hyperbola: 1/2).
    *  (> 0, default 0.001) */
   STRIBECK_LUGRE_PLANAR_STRIBECK_VELOCITY = 5,
-  /** tunable [1]: Exponent of the falling level. (> 0, default 2) */
+  /** tunable [1]: Exponent of the Stribeck curve. (> 0, default 2) */
   STRIBECK_LUGRE_PLANAR_STRIBECK_EXPONENT = 6,
   /** tunable [N/m]: Stiffness of the bristles. (> 0, default 100000) */
   STRIBECK_LUGRE_PLANAR_SIGMA_0 = 7,
@@ -4374,7 +4358,7 @@ typedef enum stribeck_elasto_plastic_planar_variable {
   /** tunable [m/s]: Speed at which the excess of static over kinetic friction has fallen to 1/e (Lorentzian, hyperbola: 1/2).
    *  (> 0, default 0.001) */
   STRIBECK_ELASTO_PLASTIC_PLANAR_STRIBECK_VELOCITY = 5,
-  /** tunable [1]: Exponent of the falling level. (> 0, default 2) */
+  /** tunable [1]: Exponent of the Stribeck curve. (> 0, default 2) */
   STRIBECK_ELASTO_PLASTIC_PLANAR_STRIBECK_EXPONENT = 6,
   /** tunable [1]: Part of the deflection of steady sliding up to which the contact is purely elastic.
    *  (> 0, <= 0.99, default 0.7) */
@@ -4679,7 +4663,7 @@ typedef enum stribeck_shock_absorber_variable {
   /** tunable [m/s]: Speed at which the excess of static over kinetic friction has fallen to 1/e (Lorentzian, hyperbola: 1/2).
    *  (> 0, default 0.001) */
   STRIBECK_SHOCK_ABSORBER_FRICTION_STRIBECK_VELOCITY = 123,
-  /** tunable [1]: Exponent of the falling level. (> 0, default 2) */
+  /** tunable [1]: Exponent of the Stribeck curve. (> 0, default 2) */
   STRIBECK_SHOCK_ABSORBER_FRICTION_STRIBECK_EXPONENT = 124,
   /** tunable [N/m]: Stiffness of the bristles. (> 0, default 100000) */
   STRIBECK_SHOCK_ABSORBER_FRICTION_SIGMA_0 = 125,
@@ -5873,7 +5857,7 @@ typedef enum stribeck_guide_contact_variable {
   /** tunable [m/s]: Speed at which the excess of static over kinetic friction has fallen to 1/e (Lorentzian, hyperbola: 1/2).
    *  (> 0, default 0.001) */
   STRIBECK_GUIDE_CONTACT_FRICTION_STRIBECK_VELOCITY = 16,
-  /** tunable [1]: Exponent of the falling level. (> 0, default 2) */
+  /** tunable [1]: Exponent of the Stribeck curve. (> 0, default 2) */
   STRIBECK_GUIDE_CONTACT_FRICTION_STRIBECK_EXPONENT = 17,
   /** tunable [N/m]: Stiffness of the bristles. (> 0, default 100000) */
   STRIBECK_GUIDE_CONTACT_FRICTION_SIGMA_0 = 18,
@@ -7015,10 +6999,10 @@ typedef enum stribeck_quarter_car_variable {
   STRIBECK_QUARTER_CAR_MOTION_RATIO = 3,
   /** fixed [m]: Length of the strut at rest, eye to eye. (> 0, default 0.1775) */
   STRIBECK_QUARTER_CAR_STATIC_LENGTH = 4,
-  /** fixed [N]: Force of the strut at rest: its spring seat counts as adjusted so that this force balances the weight.
+  /** fixed [N]: Force of the strut at rest; its spring seat is assumed to be set so that this force balances the weight.
    *  (default 1325.2555) */
   STRIBECK_QUARTER_CAR_STATIC_FORCE = 5,
-  /** fixed [kg]: Mass of the wheel and of what moves with it. (> 0, default 16.36) */
+  /** fixed [kg]: Unsprung mass of the corner. (> 0, default 16.36) */
   STRIBECK_QUARTER_CAR_WHEEL_MASS = 6,
   /** fixed [N/m]: Stiffness of the tyre. (>= 0, default 87563.5) */
   STRIBECK_QUARTER_CAR_TYRE_STIFFNESS = 7,
@@ -7075,10 +7059,10 @@ typedef enum stribeck_four_post_car_variable {
   STRIBECK_FOUR_POST_CAR_FRONT_MOTION_RATIO = 12,
   /** fixed [m]: Length of the strut at rest, eye to eye. (> 0, default 0.1775) */
   STRIBECK_FOUR_POST_CAR_FRONT_STATIC_LENGTH = 13,
-  /** fixed [N]: Force of the strut at rest: its spring seat counts as adjusted so that this force balances the weight.
+  /** fixed [N]: Force of the strut at rest; its spring seat is assumed to be set so that this force balances the weight.
    *  (default 1325.2555) */
   STRIBECK_FOUR_POST_CAR_FRONT_STATIC_FORCE = 14,
-  /** fixed [kg]: Mass of the wheel and of what moves with it. (> 0, default 16.36) */
+  /** fixed [kg]: Unsprung mass of the corner. (> 0, default 16.36) */
   STRIBECK_FOUR_POST_CAR_FRONT_WHEEL_MASS = 15,
   /** fixed [N/m]: Stiffness of the tyre. (>= 0, default 87563.5) */
   STRIBECK_FOUR_POST_CAR_FRONT_TYRE_STIFFNESS = 16,
@@ -7090,10 +7074,10 @@ typedef enum stribeck_four_post_car_variable {
   STRIBECK_FOUR_POST_CAR_REAR_MOTION_RATIO = 19,
   /** fixed [m]: Length of the strut at rest, eye to eye. (> 0, default 0.1775) */
   STRIBECK_FOUR_POST_CAR_REAR_STATIC_LENGTH = 20,
-  /** fixed [N]: Force of the strut at rest: its spring seat counts as adjusted so that this force balances the weight.
+  /** fixed [N]: Force of the strut at rest; its spring seat is assumed to be set so that this force balances the weight.
    *  (default 1100.2555) */
   STRIBECK_FOUR_POST_CAR_REAR_STATIC_FORCE = 21,
-  /** fixed [kg]: Mass of the wheel and of what moves with it. (> 0, default 16.36) */
+  /** fixed [kg]: Unsprung mass of the corner. (> 0, default 16.36) */
   STRIBECK_FOUR_POST_CAR_REAR_WHEEL_MASS = 22,
   /** fixed [N/m]: Stiffness of the tyre. (>= 0, default 87563.5) */
   STRIBECK_FOUR_POST_CAR_REAR_TYRE_STIFFNESS = 23,
@@ -7168,7 +7152,7 @@ typedef enum stribeck_four_post_car_variable {
 /** Guid of DoubleTrackCar for fmi2Instantiate. */
 #define STRIBECK_DOUBLE_TRACK_CAR_GUID "{f2f80c84-2a09-d80f-5af4-53182eb5c19a}"
 
-/** DoubleTrackCar: Car on two tracks that is steered at constant speed, with tyres after the Magic Formula. Columns of "DoubleTrackCar". */
+/** DoubleTrackCar: Double-track car steered at constant speed, with Magic Formula tyres. Columns of "DoubleTrackCar". */
 typedef enum stribeck_double_track_car_variable {
   /** in [rad]: Steering angle of the front wheels; positive to the left. (default 0) */
   STRIBECK_DOUBLE_TRACK_CAR_STEERING_ANGLE = 0,
@@ -7200,15 +7184,16 @@ typedef enum stribeck_double_track_car_variable {
   STRIBECK_DOUBLE_TRACK_CAR_YAW_INERTIA = 13,
   /** fixed [m]: Height of the body's centre of gravity above the ground. (>= 0, default 0.3203) */
   STRIBECK_DOUBLE_TRACK_CAR_CG_HEIGHT = 14,
-  /** fixed [m]: Height of the wheels' centres of gravity above the ground; chosen. (>= 0, default 0.2) */
+  /** fixed [m]: Height of the wheels' centres of gravity above the ground (default chosen). (>= 0, default 0.2) */
   STRIBECK_DOUBLE_TRACK_CAR_WHEEL_CENTRE_HEIGHT = 15,
-  /** fixed [m]: Way that a tyre rolls until its side slip has followed by 63 per cent; chosen. (> 0, default 0.2) */
+  /** fixed [m]: Relaxation length: rolling distance after which the side slip has reached 63 % (default chosen).
+   *  (> 0, default 0.2) */
   STRIBECK_DOUBLE_TRACK_CAR_RELAXATION_LENGTH = 16,
   /** fixed [N]: Nominal load F_z0 of the set. (> 0, default 3000) */
   STRIBECK_DOUBLE_TRACK_CAR_TYRE_FNOMIN = 17,
-  /** fixed [m]: Radius R_0 of the tyre without load; chosen. (> 0, default 0.2) */
+  /** fixed [m]: Unloaded radius R_0 of the tyre (default chosen). (> 0, default 0.2) */
   STRIBECK_DOUBLE_TRACK_CAR_TYRE_UNLOADED_RADIUS = 18,
-  /** fixed [m/s]: Reference speed V_0 of the rolling resistance; chosen. (> 0, default 16.7) */
+  /** fixed [m/s]: Reference speed V_0 of the rolling resistance (default chosen). (> 0, default 16.7) */
   STRIBECK_DOUBLE_TRACK_CAR_TYRE_LONGVL = 19,
   /** fixed [1]: Scale factor of the nominal load; 700 N here, for Formula Student.
    *  (> 0, default 0.23333333333333334) */
@@ -7441,9 +7426,9 @@ typedef enum stribeck_double_track_car_variable {
   STRIBECK_DOUBLE_TRACK_CAR_TYRE_QSY4 = 133,
   /** fixed [stribeck_side]: Side that the set was measured for; tyres on the other side are mirrored. (default Left) */
   STRIBECK_DOUBLE_TRACK_CAR_TYRE_SIDE = 134,
-  /** state, out [m]: Position along the road of the car's centre of gravity. (default 0) */
+  /** state, out [m]: Position of the car's centre of gravity along the road. (default 0) */
   STRIBECK_DOUBLE_TRACK_CAR_POSITION_X = 135,
-  /** state, out [m]: Position to the left of the car's centre of gravity. (default 0) */
+  /** state, out [m]: Lateral position of the car's centre of gravity; positive to the left. (default 0) */
   STRIBECK_DOUBLE_TRACK_CAR_POSITION_Y = 136,
   /** state, out [rad]: Yaw angle; positive to the left. (default 0) */
   STRIBECK_DOUBLE_TRACK_CAR_YAW_ANGLE = 137,
@@ -7461,10 +7446,10 @@ typedef enum stribeck_double_track_car_variable {
   STRIBECK_DOUBLE_TRACK_CAR_FRONT_MOTION_RATIO = 143,
   /** fixed [m]: Length of the strut at rest, eye to eye. (> 0, default 0.1775) */
   STRIBECK_DOUBLE_TRACK_CAR_FRONT_STATIC_LENGTH = 144,
-  /** fixed [N]: Force of the strut at rest: its spring seat counts as adjusted so that this force balances the weight.
+  /** fixed [N]: Force of the strut at rest; its spring seat is assumed to be set so that this force balances the weight.
    *  (default 1325.2555) */
   STRIBECK_DOUBLE_TRACK_CAR_FRONT_STATIC_FORCE = 145,
-  /** fixed [kg]: Mass of the wheel and of what moves with it. (> 0, default 16.36) */
+  /** fixed [kg]: Unsprung mass of the corner. (> 0, default 16.36) */
   STRIBECK_DOUBLE_TRACK_CAR_FRONT_WHEEL_MASS = 146,
   /** fixed [N/m]: Stiffness of the tyre. (>= 0, default 87563.5) */
   STRIBECK_DOUBLE_TRACK_CAR_FRONT_TYRE_STIFFNESS = 147,
@@ -7478,10 +7463,10 @@ typedef enum stribeck_double_track_car_variable {
   STRIBECK_DOUBLE_TRACK_CAR_REAR_MOTION_RATIO = 151,
   /** fixed [m]: Length of the strut at rest, eye to eye. (> 0, default 0.1775) */
   STRIBECK_DOUBLE_TRACK_CAR_REAR_STATIC_LENGTH = 152,
-  /** fixed [N]: Force of the strut at rest: its spring seat counts as adjusted so that this force balances the weight.
+  /** fixed [N]: Force of the strut at rest; its spring seat is assumed to be set so that this force balances the weight.
    *  (default 1100.2555) */
   STRIBECK_DOUBLE_TRACK_CAR_REAR_STATIC_FORCE = 153,
-  /** fixed [kg]: Mass of the wheel and of what moves with it. (> 0, default 16.36) */
+  /** fixed [kg]: Unsprung mass of the corner. (> 0, default 16.36) */
   STRIBECK_DOUBLE_TRACK_CAR_REAR_WHEEL_MASS = 154,
   /** fixed [N/m]: Stiffness of the tyre. (>= 0, default 87563.5) */
   STRIBECK_DOUBLE_TRACK_CAR_REAR_TYRE_STIFFNESS = 155,
@@ -7572,7 +7557,7 @@ typedef enum stribeck_double_track_car_variable {
 /** Guid of Posts for fmi2Instantiate. */
 #define STRIBECK_POSTS_GUID "{9cf74dd5-8d05-60ef-a610-a20f57e55eed}"
 
-/** Posts: Four posts that shake a car. Columns of "Posts". */
+/** Posts: Four-post rig. Columns of "Posts". */
 typedef enum stribeck_posts_variable {
   /** out [m]: Height of the post under the wheel. */
   STRIBECK_POSTS_FL_POST_HEIGHT = 0,
@@ -7580,7 +7565,7 @@ typedef enum stribeck_posts_variable {
   STRIBECK_POSTS_FL_POST_VELOCITY = 1,
   /** fixed [m]: Travel of the post, lowest to highest. (>= 0, default 0.04) */
   STRIBECK_POSTS_FL_TRAVEL = 2,
-  /** fixed [rad]: Phase by which the post comes late; it rests until then. (>= 0, default 0) */
+  /** fixed [rad]: Phase lag of the post; it rests until then. (>= 0, default 0) */
   STRIBECK_POSTS_FL_PHASE = 3,
   /** out [m]: Height of the post under the wheel. */
   STRIBECK_POSTS_FR_POST_HEIGHT = 4,
@@ -7588,7 +7573,7 @@ typedef enum stribeck_posts_variable {
   STRIBECK_POSTS_FR_POST_VELOCITY = 5,
   /** fixed [m]: Travel of the post, lowest to highest. (>= 0, default 0.04) */
   STRIBECK_POSTS_FR_TRAVEL = 6,
-  /** fixed [rad]: Phase by which the post comes late; it rests until then. (>= 0, default 0) */
+  /** fixed [rad]: Phase lag of the post; it rests until then. (>= 0, default 0) */
   STRIBECK_POSTS_FR_PHASE = 7,
   /** out [m]: Height of the post under the wheel. */
   STRIBECK_POSTS_RL_POST_HEIGHT = 8,
@@ -7596,7 +7581,7 @@ typedef enum stribeck_posts_variable {
   STRIBECK_POSTS_RL_POST_VELOCITY = 9,
   /** fixed [m]: Travel of the post, lowest to highest. (>= 0, default 0.04) */
   STRIBECK_POSTS_RL_TRAVEL = 10,
-  /** fixed [rad]: Phase by which the post comes late; it rests until then. (>= 0, default 1.5707963267948966) */
+  /** fixed [rad]: Phase lag of the post; it rests until then. (>= 0, default 1.5707963267948966) */
   STRIBECK_POSTS_RL_PHASE = 11,
   /** out [m]: Height of the post under the wheel. */
   STRIBECK_POSTS_RR_POST_HEIGHT = 12,
@@ -7604,7 +7589,7 @@ typedef enum stribeck_posts_variable {
   STRIBECK_POSTS_RR_POST_VELOCITY = 13,
   /** fixed [m]: Travel of the post, lowest to highest. (>= 0, default 0.04) */
   STRIBECK_POSTS_RR_TRAVEL = 14,
-  /** fixed [rad]: Phase by which the post comes late; it rests until then. (>= 0, default 1.5707963267948966) */
+  /** fixed [rad]: Phase lag of the post; it rests until then. (>= 0, default 1.5707963267948966) */
   STRIBECK_POSTS_RR_PHASE = 15,
   /** tunable [Hz]: Frequency of the strokes. (>= 0, default 2) */
   STRIBECK_POSTS_FREQUENCY = 16,

@@ -1,4 +1,4 @@
-//! A live model: its row, its time and what the callers of both C interfaces share.
+//! A model instance: its row, its time and the code that both C interfaces share.
 
 use std::fmt;
 
@@ -7,24 +7,24 @@ use crate::memory::{self, OutOfMemory};
 use crate::model::{Brief, Fault, ModelType, Role, Variable};
 use crate::number::Dual;
 
-/// A live model.
+/// A model instance.
 pub struct Instance {
     model: &'static ModelType,
     row: Box<[f64]>,
-    /// What the model remembers beside the row.
+    /// Memory of the model beside the row.
     memory: Box<[f64]>,
-    /// Slopes of the inputs over the step to come or, after it, over the step just made.
+    /// Slopes of the inputs over the next step or, after it, over the step just made.
     slope: Box<[f64]>,
-    /// Do the slopes belong to the step to come? They are given for one step, and then used up.
+    /// Whether the slopes belong to the next step. They are given for one step and then used up.
     slopes_are_new: bool,
-    /// Is there a slope that is not zero?
+    /// Whether a slope is nonzero.
     has_slopes: bool,
-    /// Has a parameter been set since the parameters were last checked against each other?
+    /// Whether a parameter has been set since the parameters were last checked against each other.
     unchecked: bool,
-    /// Do the outputs lag behind the other columns?
+    /// Whether the outputs lag behind the other columns.
     stale: bool,
     time: f64,
-    // Room to work in, so that no call allocates, and rows of many elements do not fill the stack of a host.
+    // Workspace, so that no call allocates and rows of many elements do not fill the stack of a host.
     room: Box<[f64]>,
     rate: Box<[f64]>,
     duals: Box<[Dual]>,
@@ -33,22 +33,22 @@ pub struct Instance {
     memory_duals: Box<[Dual]>,
     /// Columns of the states that an importer may integrate itself; none if the model is for co-simulation only.
     continuous: Box<[usize]>,
-    // Columns of the results that jump, and what they are now; an importer that integrates sees what they were at the
-    // last event.
+    // Columns of the results that jump, and their present values; an importer that integrates sees those of the last
+    // event.
     jumping: Box<[usize]>,
     latest: Box<[f64]>,
     latest_is_known: bool,
     is_between_events: bool,
-    /// Of a model with a length and its derivative.
+    /// For a model with a length and its time derivative as inputs.
     consistency: Option<Box<Consistency>>,
 }
 
-/// Everything of an [`Instance`] that changes while it lives.
+/// Everything that changes in an [`Instance`] during its life.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Snapshot {
     /// The row.
     pub row: Box<[f64]>,
-    /// What the model remembers beside the row.
+    /// Memory of the model beside the row.
     pub memory: Box<[f64]>,
     /// Slopes of the inputs.
     pub slope: Box<[f64]>,
@@ -61,7 +61,7 @@ pub struct Snapshot {
 }
 
 impl Instance {
-    /// A model at its start values, at time 0. Panics if there is no memory for it; see [`Instance::try_new`].
+    /// A model at its start values, at time 0. Panics if memory runs out; see [`Instance::try_new`].
     pub fn new(model: &'static ModelType) -> Instance {
         Instance::try_new(model).unwrap_or_else(|error| panic!("{error}"))
     }
@@ -97,7 +97,7 @@ impl Instance {
         Ok(instance)
     }
 
-    /// Back to the start values and to time 0.
+    /// Resets to the start values and to time 0.
     pub fn reset(&mut self) {
         for (value, variable) in self.row.iter_mut().zip(self.model.table) {
             *value = variable.start;
@@ -124,7 +124,7 @@ impl Instance {
         self.model = model;
     }
 
-    /// The variable of a column, if there is such a column.
+    /// The variable of a column, if the column exists.
     #[inline]
     pub fn variable(&self, column: usize) -> Option<&'static Variable> {
         self.model.table.get(column)
@@ -135,7 +135,7 @@ impl Instance {
         self.time
     }
 
-    /// Declares the present time.
+    /// Sets the present time.
     pub fn set_time(&mut self, time: f64) {
         self.time = time;
     }
@@ -146,7 +146,7 @@ impl Instance {
         &self.row
     }
 
-    /// Writes a column without asking. Check with [`Variable::admits`] before: a refused value must change nothing.
+    /// Writes a column without a check. Check with [`Variable::admits`] first: a refused value must change nothing.
     #[inline]
     pub fn put(&mut self, column: usize, value: f64) {
         self.row[column] = value;
@@ -154,7 +154,8 @@ impl Instance {
         self.unchecked |= self.model.table[column].role.is_parameter();
     }
 
-    /// The row, for a caller that writes admitted values into columns that may be set; `parameters`: into parameters too?
+    /// The row, for a caller that writes admitted values into columns that may be set; `parameters`: including
+    /// parameters.
     #[inline(always)]
     pub(crate) fn row_to_set(&mut self, parameters: bool) -> &mut [f64] {
         self.stale = true;
@@ -162,8 +163,8 @@ impl Instance {
         &mut self.row
     }
 
-    /// Writes the values of the named preset; the other parameters get their start values. False if there is none of
-    /// that name.
+    /// Writes the values of the named preset; the other parameters get their start values. False if the preset does not
+    /// exist.
     pub fn apply(&mut self, preset: &str) -> bool {
         let Some(preset) = self.model.presets.iter().find(|known| known.name == preset) else { return false };
         for (column, variable) in self.model.table.iter().enumerate() {
@@ -194,7 +195,7 @@ impl Instance {
         self.has_slopes = false;
     }
 
-    /// Refuses parameters that are admitted one by one but not together.
+    /// Rejects parameters that are admitted one by one but not together.
     #[inline]
     pub fn check(&mut self) -> Result<(), Fault> {
         if self.unchecked {
@@ -204,7 +205,7 @@ impl Instance {
         Ok(())
     }
 
-    /// Do the outputs lag behind the other columns?
+    /// Whether the outputs lag behind the other columns.
     #[inline(always)]
     pub fn is_stale(&self) -> bool {
         self.stale
@@ -231,7 +232,7 @@ impl Instance {
         Ok(())
     }
 
-    /// Results that jump stay as they are.
+    /// Results that jump keep their values.
     fn refresh_between_events(&mut self) -> Result<(), Fault> {
         self.latest_is_known = false;
         for (value, column) in self.latest.iter_mut().zip(&self.jumping) {
@@ -245,32 +246,32 @@ impl Instance {
         Ok(())
     }
 
-    /// Refuses a saved state that only events of Model Exchange lead to, for an instance that goes on by steps.
+    /// Rejects a saved state that only events of Model Exchange can produce, for an instance that continues with steps.
     pub(crate) fn check_without_events(&self, snapshot: &Snapshot) -> Result<(), Fault> {
         let mut columns = self.model.table.iter().zip(&snapshot.row);
         columns.try_for_each(|(variable, value)| variable.check_without_events(*value))
     }
 
-    /// From here to the next event the results that jump stay as they are.
+    /// From here to the next event the results that jump keep their values.
     pub(crate) fn leave_event(&mut self) -> Result<(), Fault> {
         self.refresh()?;
         self.go_on_between_events();
         Ok(())
     }
 
-    /// As [`Instance::leave_event`], for a state that was saved behind it.
+    /// As [`Instance::leave_event`], for a state that was saved after it.
     pub(crate) fn go_on_between_events(&mut self) {
         self.is_between_events = true;
         self.latest_is_known = false;
     }
 
-    /// All results are what they are now.
+    /// Sets all results to their present values.
     pub(crate) fn enter_event(&mut self) {
         self.is_between_events = false;
         self.stale = true;
     }
 
-    /// Would an event change results?
+    /// Whether an event would change results.
     pub(crate) fn wants_event(&mut self) -> Result<bool, Fault> {
         if !self.is_between_events {
             return Ok(false);
@@ -281,7 +282,7 @@ impl Instance {
         Ok(self.jumping.iter().zip(&self.latest).any(|(column, value)| self.row[*column] != *value))
     }
 
-    /// Advances by `dt` > 0. On a fault nothing has changed.
+    /// Advances by `dt` > 0. If it fails, nothing has changed.
     #[inline(always)]
     pub fn step(&mut self, dt: f64) -> Result<(), Fault> {
         // The usual step has held inputs and unchanged parameters.
@@ -310,7 +311,7 @@ impl Instance {
         }
     }
 
-    /// What the user should know of values that were taken though they make no sense.
+    /// Warning about values that were accepted although they make no sense.
     pub fn warning(&self) -> Option<Fault> {
         let of_steps = || self.consistency.as_ref()?.warning();
         self.model.warning(&self.row).or_else(of_steps)
@@ -346,7 +347,7 @@ impl Instance {
         Ok(())
     }
 
-    /// Refuses slopes that lead an input out of its bound within the step, rounding aside.
+    /// Rejects slopes that lead an input out of its bounds within the step, apart from rounding.
     fn check_ramps(&self, dt: f64) -> Result<(), Fault> {
         for (column, slope) in self.slope.iter().enumerate().filter(|(_, slope)| **slope != 0.0) {
             let (variable, start, change) = (&self.model.table[column], self.row[column], slope * dt);
@@ -379,7 +380,7 @@ impl Instance {
         &self.continuous
     }
 
-    /// Writes the states, whatever their bounds: on the way to a result a solver may look beyond.
+    /// Writes the states, whatever their bounds: a solver may try values beyond them on its way to a result.
     pub(crate) fn put_states(&mut self, values: &[f64]) {
         for (column, value) in self.continuous.iter().zip(values) {
             self.row[*column] = *value;
@@ -403,8 +404,8 @@ impl Instance {
         self.model.rate_with(&self.row, memory, &mut self.rate, memory_rate);
     }
 
-    /// Time derivatives of the states, in the states' columns: to be read right after [`Instance::compute_rates`], for
-    /// other calls need the room for themselves.
+    /// Time derivatives of the states, in the columns of the states: read them right after [`Instance::compute_rates`],
+    /// because other calls reuse this workspace.
     pub fn rates(&self) -> &[f64] {
         &self.rate
     }
@@ -419,7 +420,7 @@ impl Instance {
         }
     }
 
-    /// Changes what changes at an event only. True if a continuous state was among it.
+    /// Changes whatever changes at events only. True if that includes a continuous state.
     pub fn at_event(&mut self) -> Result<bool, Fault> {
         self.rate.copy_from_slice(&self.row);
         if !self.model.try_at_event(&mut self.row, &mut self.memory, &mut self.room) {
@@ -429,14 +430,14 @@ impl Instance {
         Ok(self.continuous.iter().any(|column| self.rate[*column] != self.row[*column]))
     }
 
-    /// Derivative of each state's time derivative in the direction that `seeds` span; exact. For Model Exchange.
+    /// Derivative of the time derivative of each state in the direction given by `seeds`; exact. For Model Exchange.
     pub fn rate_derivative(&mut self, seeds: impl Iterator<Item = (usize, f64)>) -> &[Dual] {
         self.seed(seeds);
         self.model.rate_dual(&self.duals, &mut self.rate_duals);
         &self.rate_duals
     }
 
-    /// What [`Instance::derivative`] and [`Instance::rate_derivative`] have last computed.
+    /// Results of the last [`Instance::derivative`] or [`Instance::rate_derivative`].
     pub fn last_derivatives(&self) -> (&[Dual], &[Dual]) {
         (&self.duals, &self.rate_duals)
     }
@@ -465,7 +466,7 @@ impl Instance {
         }
     }
 
-    /// Derivative of each column in the direction that `seeds` (column, component) span; exact.
+    /// Derivative of each column in the direction given by `seeds` (column, component); exact.
     pub fn derivative(&mut self, seeds: impl Iterator<Item = (usize, f64)>) -> &[Dual] {
         self.seed(seeds);
         self.find_dual_outputs()
@@ -494,8 +495,7 @@ impl Instance {
         snapshot.time = self.time;
     }
 
-    /// Everything that changes, to be given back to [`Instance::restore`]. Panics if there is no memory for it; see
-    /// [`Instance::try_save`].
+    /// Everything that changes, for [`Instance::restore`]. Panics if memory runs out; see [`Instance::try_save`].
     pub fn save(&self) -> Snapshot {
         self.try_save().unwrap_or_else(|error| panic!("{error}"))
     }
@@ -512,7 +512,7 @@ impl Instance {
         })
     }
 
-    /// Back to a snapshot of the same model; whether it is one, the caller has made sure.
+    /// Restores a snapshot of the same model; the caller must make sure that it is one.
     pub fn restore(&mut self, snapshot: &Snapshot) {
         self.row.copy_from_slice(&snapshot.row);
         self.memory.copy_from_slice(&snapshot.memory);

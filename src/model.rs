@@ -1,7 +1,7 @@
 //! A model is one row of `f64` with a declared table: the [`model!`](crate::model!) block writes both.
 //!
-//! The column number of a variable is its FMI value reference. Get, set, reset, save and restore work on rows and never
-//! know which model they serve; a model cannot have a state that its table does not list.
+//! The column number of a variable is its FMI value reference. Get, set, reset, save and restore work on rows and need
+//! not know the model; a model cannot have a state that its table does not list.
 
 use std::ffi::CStr;
 use std::fmt;
@@ -29,28 +29,28 @@ pub enum Role {
 }
 
 impl Role {
-    /// Is the column a result that `output` computes?
+    /// Whether the column is a result that `output` computes.
     pub const fn is_computed(self) -> bool {
         matches!(self, Role::Output)
     }
 
-    /// Is the column part of the state?
+    /// Whether the column is part of the state.
     pub const fn is_state(self) -> bool {
         matches!(self, Role::State | Role::StateOutput)
     }
 
-    /// Is the column offered to other models (FMI causality `output`)?
+    /// Whether the column is available to other models (FMI causality `output`).
     pub const fn is_output(self) -> bool {
         matches!(self, Role::Output | Role::StateOutput)
     }
 
-    /// Is the column a parameter?
+    /// Whether the column is a parameter.
     pub const fn is_parameter(self) -> bool {
         matches!(self, Role::Fixed | Role::Tunable)
     }
 }
 
-/// What the number in a column stands for.
+/// Meaning of the number in a column.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Kind {
     /// A physical quantity with its unit.
@@ -63,7 +63,7 @@ pub enum Kind {
     Enumeration(&'static Enumeration),
 }
 
-/// The types that FMI tells apart; enumerations are integers there.
+/// The types that FMI distinguishes; enumerations are integers there.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum BaseType {
     /// Floating-point number.
@@ -75,7 +75,7 @@ pub enum BaseType {
 }
 
 impl Kind {
-    /// The type as FMI tells them apart.
+    /// The FMI type.
     #[inline(always)]
     pub const fn base_type(self) -> BaseType {
         match self {
@@ -100,7 +100,7 @@ pub struct Enumeration {
 pub struct Item {
     /// Name of the choice.
     pub name: &'static str,
-    /// One line that says what it means.
+    /// One line with its meaning.
     pub help: &'static str,
 }
 
@@ -113,16 +113,15 @@ pub struct Bound {
 }
 
 impl Bound {
-    /// The smallest number that is admitted where a value must be > 0, as a stiffness must (chosen). It is a bound like
-    /// others because FMI's `min` and `max` are admitted themselves: a description cannot say that 0 is not. It is
-    /// short to read, far below all that has a meaning, and has a finite reciprocal, which the very smallest numbers
-    /// do not have.
+    /// The smallest number admitted for values that must be > 0, such as a stiffness (chosen). FMI's `min` and `max`
+    /// are themselves admitted values, so a description cannot exclude 0 as such. This number is short, far below any
+    /// meaningful value, and has a finite reciprocal, unlike the smallest doubles.
     pub const SMALLEST_POSITIVE: f64 = 1e-300;
 
     /// Every finite number.
     pub const ANY: Bound = Bound { low: f64::MIN, high: f64::MAX };
 
-    /// Does the bound admit `value`?
+    /// Whether the bound admits `value`.
     #[inline]
     pub const fn admits(&self, value: f64) -> bool {
         value >= self.low && value <= self.high
@@ -143,7 +142,7 @@ impl Bound {
         self.high
     }
 
-    /// Admits what either of the two admits, and all between.
+    /// Admits the values of both bounds and everything between.
     pub(crate) const fn or(self, other: Bound) -> Bound {
         Bound { low: self.low.min(other.low), high: self.high.max(other.high) }
     }
@@ -153,7 +152,7 @@ impl Bound {
         Bound { high: self.high.min(high), ..self }
     }
 
-    /// Must values be > 0, as that of a stiffness?
+    /// Whether values must be > 0, as for a stiffness.
     pub const fn is_positive(&self) -> bool {
         self.low == Bound::SMALLEST_POSITIVE
     }
@@ -172,7 +171,7 @@ impl fmt::Display for Bound {
     }
 }
 
-/// A number as messages show it: with an exponent where it would have many zeros.
+/// A number as messages show it: with an exponent if it would have many zeros.
 pub(crate) struct Brief(pub f64);
 
 impl fmt::Display for Brief {
@@ -200,10 +199,10 @@ pub struct Path {
 }
 
 impl Path {
-    /// Parts may lie in parts up to this depth.
+    /// Maximum depth of nested parts.
     const DEPTH: usize = 4;
 
-    /// The name of a column that lies in no part.
+    /// The name of a column outside any part.
     pub const fn root(name: &'static str) -> Path {
         Path { segments: [Segment { name, index: 0 }; Path::DEPTH], depth: 1 }
     }
@@ -213,7 +212,7 @@ impl Path {
         self.segments.split_at(self.depth).0
     }
 
-    /// Is it the same name?
+    /// Whether both are the same name.
     pub(crate) const fn is(&self, other: &Path) -> bool {
         let mut at = 0;
         while at < self.depth && at < other.depth {
@@ -226,7 +225,7 @@ impl Path {
         self.depth == other.depth
     }
 
-    /// Is it the name, as [`Path`]'s `Display` spells it?
+    /// Whether this is the name, as spelled by [`Path`]'s `Display`.
     fn is_spelled(&self, name: &str) -> bool {
         struct Rest<'a>(&'a str);
         impl fmt::Write for Rest<'_> {
@@ -265,9 +264,9 @@ impl fmt::Display for Path {
     }
 }
 
-/// The right-hand side of a line in a `model!` block, before it has its name and role.
+/// The right-hand side of a line in a `model!` block, without name and role.
 ///
-/// Made by [`real`], [`integer`], [`boolean`] and [`choice`], narrowed by the methods.
+/// Made by [`real`], [`integer`], [`boolean`] and [`choice`], restricted by the methods.
 #[derive(Clone, Copy, Debug)]
 pub struct Column {
     kind: Kind,
@@ -286,37 +285,37 @@ impl Column {
         Column { kind, start, bound, nominal: 1.0, display: None, jumps, reinit: false, has_derivatives: true }
     }
 
-    /// Admits values > 0 only, from [`Bound::SMALLEST_POSITIVE`] on.
+    /// Admits only values > 0, from [`Bound::SMALLEST_POSITIVE`] on.
     pub const fn positive(mut self) -> Column {
         self.bound.low = Bound::SMALLEST_POSITIVE;
         self
     }
 
-    /// Admits values >= `min` only.
+    /// Admits only values >= `min`.
     pub const fn at_least(mut self, min: f64) -> Column {
         self.bound.low = min;
         self
     }
 
-    /// Admits values <= `max` only.
+    /// Admits only values <= `max`.
     pub const fn at_most(mut self, max: f64) -> Column {
         self.bound.high = max;
         self
     }
 
-    /// The usual size of the value, for error control and for importers. 1 unless given.
+    /// The usual magnitude of the value, for error control and for importers; 1 by default.
     pub const fn nominal(mut self, nominal: f64) -> Column {
         self.nominal = nominal;
         self
     }
 
-    /// The display unit an importer should show first; it must be one of the unit's own.
+    /// The display unit that an importer should show first; it must be one of the display units of the unit.
     pub const fn shown_in(mut self, display: &'static str) -> Column {
         self.display = Some(display);
         self
     }
 
-    /// A state that changes from step to step only, and not with time.
+    /// A state that changes only from step to step, not with time.
     pub const fn discrete(mut self) -> Column {
         self.jumps = true;
         self
@@ -328,7 +327,7 @@ impl Column {
         self
     }
 
-    /// A result that is advice, found by differences; it is not differentiated again.
+    /// A result that is advice, computed by differences; it cannot be differentiated itself.
     pub const fn without_derivatives(mut self) -> Column {
         self.has_derivatives = false;
         self
@@ -383,50 +382,50 @@ pub struct Variable {
     pub path: Path,
     /// Who writes it, and when.
     pub role: Role,
-    /// What the number stands for.
+    /// Meaning of the number.
     pub kind: Kind,
     /// Start value.
     pub start: f64,
     /// Values it admits.
     pub bound: Bound,
-    /// Usual size of the value.
+    /// Usual magnitude of the value.
     pub nominal: f64,
     /// Preferred display unit.
     pub display: Option<&'static str>,
-    /// Does it change at instants only, as all but real numbers do?
+    /// Whether it is piecewise constant (FMI variability `discrete`); always true for non-real kinds.
     pub jumps: bool,
-    /// Is it a continuous state that an event of Model Exchange may change?
+    /// Whether it is a continuous state that an event of Model Exchange may change.
     pub reinit: bool,
-    /// May it be differentiated, if it is a result?
+    /// Whether it can be differentiated, if it is a result.
     pub has_derivatives: bool,
-    /// One line of ASCII text that says what it is.
+    /// Description: one line of ASCII text.
     pub help: &'static str,
 }
 
 impl Variable {
-    /// Does the column admit `value`? Whole-numbered columns admit whole numbers only.
+    /// Whether the column admits `value`. Integer columns admit integers only.
     #[inline]
     pub fn admits(&self, value: f64) -> bool {
         self.bound.admits(value) && (matches!(self.kind, Kind::Real(_)) || value.fract() == 0.0)
     }
 
-    /// Is it a state that moves with time, as [`Law::derivatives`] says?
+    /// Whether it is a state that moves with time, as given by [`Law::derivatives`].
     pub const fn is_continuous_state(&self) -> bool {
         self.role.is_state() && !self.jumps
     }
 
-    /// Does only an event of Model Exchange settle it, as every choice that is a state? Steps know no events, and it
-    /// stays at its start value there.
+    /// Whether only an event of Model Exchange sets it, as is the case for every choice that is a state. Steps have no
+    /// events, so it keeps its start value there.
     pub const fn is_settled_by_events(&self) -> bool {
         self.role.is_state() && matches!(self.kind, Kind::Enumeration(_))
     }
 
-    /// Refuses values that steps do not admit, with the text that the user sees.
+    /// Rejects values that steps do not admit, with the message for the user.
     pub(crate) fn check_for_steps(&self, value: f64) -> Result<(), Fault> {
         if self.admits(value) { self.check_without_events(value) } else { Err(self.fault(value)) }
     }
 
-    /// Refuses what only events lead to.
+    /// Rejects a value that only an event can produce.
     pub(crate) fn check_without_events(&self, value: f64) -> Result<(), Fault> {
         if self.is_settled_by_events() && value != self.start {
             let text = "without events, which only Model Exchange has";
@@ -435,12 +434,12 @@ impl Variable {
         Ok(())
     }
 
-    /// Refuses to differentiate a result that is advice.
+    /// Rejects differentiating a result that is advice.
     pub(crate) fn check_derivatives(&self) -> Result<(), Fault> {
         if self.has_derivatives { Ok(()) } else { Err(Fault::new(format_args!("{} has no derivatives", self.path))) }
     }
 
-    /// Refuses `value` with the text that the user sees.
+    /// Rejects `value`, with the message for the user.
     pub fn fault(&self, value: f64) -> Fault {
         let (path, shown, bound) = (self.path, Brief(value), self.bound);
         match self.kind {
@@ -461,7 +460,7 @@ impl Variable {
 pub struct Fault(pub(crate) String);
 
 impl Fault {
-    /// A fault with this text. Where there is no memory for it, it is cut.
+    /// A fault with this text, truncated if memory runs out.
     pub fn new(text: impl fmt::Display) -> Fault {
         Fault(memory::text(text))
     }
@@ -481,7 +480,7 @@ impl From<OutOfMemory> for Fault {
     }
 }
 
-/// How many columns a field of a `model!` block takes: one for a number, those of its table for a part.
+/// Number of columns of a field in a `model!` block: one for a number, those of its table for a part.
 pub trait Width {
     /// Number of columns.
     const WIDTH: usize;
@@ -499,7 +498,7 @@ impl<P: Width, const N: usize> Width for [P; N] {
 /// [`part!`](crate::part!).
 ///
 /// # Safety
-/// The type must be `#[repr(C)]` and consist of exactly `TABLE.len()` numbers, because rows are viewed as it.
+/// The type must be `#[repr(C)]` and consist of exactly `TABLE.len()` numbers, because rows are viewed as this type.
 pub unsafe trait Columns: Copy + Width {
     /// The table: one entry per number, in the order of the fields.
     const TABLE: &'static [Variable];
@@ -508,13 +507,13 @@ pub unsafe trait Columns: Copy + Width {
 /// A struct of numbers of one type: a model or a part in that number type. Implemented by [`part!`](crate::part!).
 ///
 /// # Safety
-/// The type must be `#[repr(C)]` and consist of nothing but `Number`s, because numbers are viewed as it.
+/// The type must be `#[repr(C)]` and consist only of `Number`s, because numbers are viewed as this type.
 pub unsafe trait Numbers: Copy {
     /// Type of the numbers.
     type Number: Copy;
 }
 
-/// The text of a model: what `model!` takes from its doc comments.
+/// The text of a model: the part of its doc comments that `model!` uses.
 ///
 /// # Safety
 /// `Dual` must be the same struct in dual numbers: `#[repr(C)]`, with a [`Dual`] for each f64.
@@ -527,7 +526,7 @@ pub unsafe trait Described: Columns {
     const SUMMARY: &'static str;
     /// The documentation page, in Markdown.
     const DOCUMENTATION: &'static str;
-    /// What a master's calls on every step must know of the columns.
+    /// The facts about the columns that get and set need on every step.
     const PORTS: &'static [Port];
     /// The same model in dual numbers, for exact derivatives.
     type Dual: Law<Number = Dual>;
@@ -538,13 +537,13 @@ pub trait Law: Numbers {
     /// Computes the [`Role::Output`] columns from the others.
     fn output(&mut self);
 
-    /// How many numbers of its [`Model::MEMORY`] the model uses with its present parameters.
+    /// Number of values of its [`Model::MEMORY`] that the model uses with its present parameters.
     #[inline(always)]
     fn memory_in_use(&self) -> usize {
         0
     }
 
-    /// [`Law::output`] of a model with memory; like the other functions with memory, it gets what is in use.
+    /// [`Law::output`] of a model with memory; like the other functions with memory, it gets the part in use.
     #[inline(always)]
     fn output_with(&mut self, _memory: &[Self::Number]) {
         self.output();
@@ -559,16 +558,16 @@ pub trait Law: Numbers {
 pub struct Preset {
     /// Name, in lower case with underscores.
     pub name: &'static str,
-    /// One line: where the values come from. A set that is made up begins with "Example".
+    /// One line: the source of the values. A set without a source begins with "Example".
     pub source: &'static str,
     /// Variables and their values; the other parameters get their start values.
     pub values: &'static [(&'static str, f64)],
 }
 
-/// What a model adds to its table: how it moves in time.
+/// The part of a model beside its table: how it moves in time.
 pub trait Model: Described + Law<Number = f64> {
-    /// May an importer integrate the continuous states itself, as FMI's Model Exchange has it? Then they move by
-    /// [`Law::derivatives`] alone, and nothing else of the state matters or all of it changes in [`Model::at_event`].
+    /// Whether an importer may integrate the continuous states itself (FMI Model Exchange). Then they move only by
+    /// [`Law::derivatives`], and the rest of the state either has no effect or changes only in [`Model::at_event`].
     const MODEL_EXCHANGE: bool = false;
 
     /// Number of event indicators.
@@ -577,43 +576,43 @@ pub trait Model: Described + Law<Number = f64> {
     /// Named parameter sets.
     const PRESETS: &'static [Preset] = &[];
 
-    /// Numbers that an instance remembers beside the row: the part of the state that is too long for a table, such as
-    /// the elements of a law that can have a thousand. No variable names them. They are 0 at the start, and saved and
+    /// Values that an instance keeps beside the row: the part of the state that is too long for a table, such as the
+    /// elements of a law that can have a thousand. They have no variables. They are 0 at the start, and saved and
     /// restored with the row.
     const MEMORY: usize = 0;
 
-    /// Refuses parameters that are admitted one by one but not together.
+    /// Rejects parameters that are admitted one by one but not together.
     fn check(&self) -> Result<(), Fault> {
         Ok(())
     }
 
-    /// What the user should know of values that are taken though they make no sense here, such as an input that was left
-    /// open and stands at 0. Hosts tell it once.
+    /// Warning about values that are accepted although they make no sense here, such as an unconnected input at 0. The
+    /// log of an FMU reports each text once; `stribeck_warning` returns it as long as it holds.
     fn warning(&self) -> Option<Fault> {
         None
     }
 
-    /// Refuses inputs for which the equations give no number; asked where a result is not finite, to name the limit.
+    /// Rejects inputs for which the equations give no number; called if a result is not finite, to name the limit.
     fn check_motion(&self) -> Result<(), Fault> {
         Ok(())
     }
 
-    /// Refuses parameters with which the model is for co-simulation only.
+    /// Rejects parameters with which the model is for co-simulation only.
     fn check_exchange(&self) -> Result<(), Fault> {
         Ok(())
     }
 
     /// Writes functions that change sign where derivatives or outputs jump, so that an importer finds the instant. A
-    /// model need not write one for every jump or bend of its curves: solvers go on across those, with smaller steps.
+    /// model need not have one for every jump or kink of its curves: solvers cross those with smaller steps.
     fn event_indicators(&self, _indicators: &mut [f64]) {}
 
-    /// Changes what changes at an event only; the run begins with one. Model Exchange only.
+    /// Changes whatever changes at events only; the run begins with one. Model Exchange only.
     fn at_event(&mut self) {}
 
     /// Advances the states by `dt` > 0 while the inputs are held.
     fn step(&mut self, dt: f64);
 
-    /// [`Model::step`], and the outputs after it. To be overridden where both need the same costly term.
+    /// [`Model::step`], and the outputs after it. To be overridden if both need the same costly term.
     #[inline(always)]
     fn step_and_output(&mut self, dt: f64) {
         self.step(dt);
@@ -627,7 +626,7 @@ pub trait Model: Described + Law<Number = f64> {
     }
 
     /// Advances the states by `dt` while each input moves with the slope in its column of `slope`, and leaves the
-    /// inputs at their values at the end. By default by the rates of the continuous states, with error control.
+    /// inputs at their final values. By default it uses the rates of the continuous states, with error control.
     fn step_ramp(&mut self, slope: &Self, dt: f64) {
         crate::ramp::advance(self, slope, dt);
     }
@@ -637,29 +636,29 @@ pub trait Model: Described + Law<Number = f64> {
         self.step_ramp(slope, dt);
     }
 
-    /// Speeds at which the law jumps or bends in `velocity`; 0 for none. No piece of a ramp reaches across them.
+    /// Speeds at which the law has a jump or kink in `velocity`; 0 for none. No piece of a ramp extends across them.
     fn kinks(&self) -> [f64; 2] {
         [0.0; 2]
     }
 
-    /// Which branches of its equations a model with rates is in, one bit each: a tyre is on the ground or not. Its
-    /// steps are divided where this changes.
+    /// Active branches of the equations of a model with rates, one bit each, such as a tyre on the ground. Its steps
+    /// are divided where this changes.
     fn branches(&self) -> u32 {
         0
     }
 
-    /// [`Law::derivatives`]; to be overridden by a model that knows them as plain numbers only.
+    /// [`Law::derivatives`]; to be overridden by a model that has them only as plain numbers.
     fn rate(&self, rate: &mut Self) {
         self.derivatives(rate);
     }
 
-    /// [`Model::rate`] of a model with memory, which moves, too.
+    /// [`Model::rate`] of a model with memory, which moves as well.
     fn rate_with(&self, _memory: &[f64], rate: &mut Self, _memory_rate: &mut [f64]) {
         self.rate(rate);
     }
 }
 
-/// What a master's calls on every step must know of a column, packed closely.
+/// The per-column facts that get and set need on every step, packed for the cache.
 #[derive(Clone, Copy, Debug)]
 pub struct Port {
     low: f64,
@@ -669,7 +668,7 @@ pub struct Port {
 }
 
 impl Port {
-    /// May `value` be written while stepping, with no rule to obey but its range? True for admitted values of Real
+    /// Whether `value` may be written while stepping, with no rule but its range. True for admitted values of Real
     /// inputs, false for all other columns.
     #[inline(always)]
     pub fn takes(&self, value: f64) -> bool {
@@ -685,10 +684,10 @@ impl Port {
     }
 }
 
-/// Of row, memory, room for a copy, slopes and time.
+/// Arguments: row, memory, workspace for a copy, slopes and time.
 type AdvanceRamp = fn(&mut [f64], &mut [f64], Room, &[f64], f64) -> bool;
 
-/// Of row and memory, into the rates of row and memory.
+/// Arguments: row, memory, and the rates of row and memory.
 type Rate = fn(&[f64], &[f64], &mut [f64], &mut [f64]);
 
 /// Everything the library knows about a model, in one record of plain data and functions.
@@ -697,19 +696,19 @@ pub struct ModelType {
     pub name: &'static str,
     /// The name, for C.
     pub c_name: &'static CStr,
-    /// One line that says what it is.
+    /// One-line description.
     pub summary: &'static str,
     /// Its columns.
     pub table: &'static [Variable],
-    /// What a master's calls on every step must know of the columns.
+    /// The facts about the columns that get and set need on every step.
     pub ports: &'static [Port],
     /// Its named parameter sets.
     pub presets: &'static [Preset],
-    /// Is it offered for Model Exchange?
+    /// Whether it supports Model Exchange.
     pub model_exchange: bool,
     /// Number of its event indicators.
     pub event_indicators: usize,
-    /// Numbers that an instance remembers beside the row: [`Model::MEMORY`].
+    /// Number of values that an instance keeps beside the row: [`Model::MEMORY`].
     pub memory: usize,
     guid: GuidText,
     check: fn(&[f64]) -> Result<(), Fault>,
@@ -759,7 +758,7 @@ impl ModelType {
                     model.step_ramp_with(memory, slope, dt);
                     model.output_with(memory);
                 };
-                // The inputs have moved too.
+                // The inputs have moved as well.
                 commit::<M>(row, memory, room, 0, advance)
             },
             output: |row, memory, room| {
@@ -786,14 +785,14 @@ impl ModelType {
         std::str::from_utf8(&self.guid).unwrap_or_default()
     }
 
-    /// The guid, for what must not hold the address of its model.
+    /// The guid, for data that must not hold the address of the model.
     pub(crate) fn guid_text(&self) -> GuidText {
         self.guid
     }
 
-    /// The column of that name.
+    /// The column of this name.
     pub fn find(&self, name: &str) -> Option<usize> {
-        // Names are put together only where they begin alike: a table can have hundreds of rows.
+        // Full names are built only if they begin alike: a table can have hundreds of rows.
         let alike = |variable: &Variable| name.starts_with(variable.path.segments()[0].name);
         self.table.iter().position(|variable| alike(variable) && variable.path.is_spelled(name))
     }
@@ -803,7 +802,7 @@ impl ModelType {
         (self.check)(row)
     }
 
-    /// What the user should know of values that are taken though they make no sense here.
+    /// Warning about values that are accepted although they make no sense here.
     pub fn warning(&self, row: &[f64]) -> Option<Fault> {
         (self.warning)(row)
     }
@@ -813,21 +812,22 @@ impl ModelType {
         (self.check_motion)(row)
     }
 
-    /// How many numbers of the memory beside the row its parameters ask for. The functions that work on a row alone are
-    /// for rows that ask for none.
+    /// Number of values of the memory beside the row that the parameters ask for. The functions that work on a row
+    /// alone are for rows that need none.
     #[inline]
     pub fn memory_in_use(&self, row: &[f64]) -> usize {
         (self.memory_in_use)(row)
     }
 
-    /// Advances by `dt` with held inputs and computes the outputs. False if a result is not finite; the row is not to be
+    /// Advances by `dt` with held inputs and computes the outputs. False if a result is not finite; the row must not be
     /// used then.
     #[inline]
     pub fn advance(&self, row: &mut [f64], dt: f64) -> bool {
         (self.advance)(row, &mut [], &mut [], dt)
     }
 
-    /// As [`ModelType::advance`], but row and memory are as they were if a result is not finite, or if the model panics.
+    /// As [`ModelType::advance`], but row and memory are as they were if a result is not finite, or if the model
+    /// panics.
     #[inline(always)]
     pub(crate) fn try_advance(&self, row: &mut [f64], memory: &mut [f64], room: Room, dt: f64) -> bool {
         (self.advance)(row, memory, room, dt)
@@ -850,7 +850,7 @@ impl ModelType {
         (self.advance_ramp)(row, memory, room, slope, dt)
     }
 
-    /// Computes the outputs. False if one is not finite; the row is not to be used then.
+    /// Computes the outputs. False if one is not finite; the row must not be used then.
     #[inline]
     pub fn output(&self, row: &mut [f64]) -> bool {
         (self.output)(row, &mut [], &mut [])
@@ -867,17 +867,17 @@ impl ModelType {
         self.output_dual_with(row, &[]);
     }
 
-    /// As [`ModelType::output_dual`], with what is in use of the memory.
+    /// As [`ModelType::output_dual`], with the part of the memory that is in use.
     pub(crate) fn output_dual_with(&self, row: &mut [Dual], memory: &[Dual]) {
         (self.output_dual)(row, memory);
     }
 
-    /// Time derivatives of the states, in the states' columns; 0 elsewhere.
+    /// Time derivatives of the states, in the columns of the states; 0 elsewhere.
     pub fn rate(&self, row: &[f64], rate: &mut [f64]) {
         self.rate_with(row, &[], rate, &mut []);
     }
 
-    /// As [`ModelType::rate`], with what is in use of the memory.
+    /// As [`ModelType::rate`], with the part of the memory that is in use.
     pub(crate) fn rate_with(&self, row: &[f64], memory: &[f64], rate: &mut [f64], memory_rate: &mut [f64]) {
         (self.rate)(row, memory, rate, memory_rate);
     }
@@ -903,7 +903,7 @@ impl ModelType {
         (self.indicate)(row, indicators);
     }
 
-    /// Changes what changes at an event only. False if a result is not finite; the row is not to be used then.
+    /// Changes whatever changes at events only. False if a result is not finite; the row must not be used then.
     pub fn at_event(&self, row: &mut [f64]) -> bool {
         (self.at_event)(row, &mut [], &mut [])
     }
@@ -926,7 +926,7 @@ impl fmt::Debug for ModelType {
     }
 }
 
-/// The first column that a step or the outputs may change: before it there are inputs and parameters only.
+/// The first column that a step or the outputs may change: those before it are inputs and parameters.
 const fn first_result(table: &[Variable]) -> usize {
     let mut first = 0;
     while first < table.len() && (table[first].role.is_parameter() || matches!(table[first].role, Role::Input)) {
@@ -935,12 +935,12 @@ const fn first_result(table: &[Variable]) -> usize {
     first
 }
 
-/// Room for a copy of a row and its memory, or none: a row of many elements is too long for the stack of a host.
+/// Workspace for a copy of a row and its memory, or none: a row of many elements is too long for the stack of a host.
 pub(crate) type Room<'a> = &'a mut [f64];
 
-/// Works on row and memory and says whether every number from column `first` on is finite. Otherwise, and if the work
-/// panics, they are as they were, if there is room for a copy. Nothing before that column may be changed by the work.
-/// What is not in use of the memory costs nothing.
+/// Works on row and memory and returns whether every number from column `first` on is finite. Otherwise, and if the
+/// work panics, both are as before, provided that there is workspace for a copy. The work must not change anything
+/// before that column. The part of the memory that is not in use costs nothing.
 #[inline(always)]
 fn commit<M: Model>(
     row: &mut [f64],
@@ -972,8 +972,8 @@ fn are_finite(numbers: &[f64]) -> bool {
     numbers.iter().fold(0.0, |sum, value| sum + value * 0.0) == 0.0
 }
 
-/// Puts row and memory back unless it is told to keep them. The work is done in place, and not on a copy that is written
-/// back, because processors stall where a vector copy reads what was just written number by number.
+/// Restores row and memory unless told to keep them. The work is done in place, not on a copy that is written back,
+/// because processors stall where a vector copy reads numbers that were just written one by one.
 struct RollBack<'a, M: Model> {
     row: &'a mut M,
     memory: &'a mut [f64],
@@ -1000,7 +1000,7 @@ pub fn row_of<M: Columns>(model: &M) -> &[f64] {
     unsafe { std::slice::from_raw_parts(std::ptr::from_ref(model).cast::<f64>(), M::TABLE.len()) }
 }
 
-/// The row of a model, to write.
+/// The row of a model, mutable.
 pub fn row_of_mut<M: Columns>(model: &mut M) -> &mut [f64] {
     const { assert!(size_of::<M>() == M::TABLE.len() * size_of::<f64>()) };
     // SAFETY: as in `row_of`; every bit pattern is a valid f64, so no write can break the model.
@@ -1017,7 +1017,7 @@ fn view<M, T>(row: &[T]) -> &M {
     unsafe { &*row.as_ptr().cast::<M>() }
 }
 
-/// As [`view`], to write.
+/// As [`view`], mutable.
 #[inline(always)]
 fn view_mut<M, T>(row: &mut [T]) -> &mut M {
     const { assert!(align_of::<M>() == align_of::<T>() && size_of::<M>().is_multiple_of(size_of::<T>())) };
@@ -1026,20 +1026,20 @@ fn view_mut<M, T>(row: &mut [T]) -> &mut M {
     unsafe { &mut *row.as_mut_ptr().cast::<M>() }
 }
 
-/// Numbers seen as parts that follow one another; what is left over is no part.
+/// Numbers viewed as consecutive parts; a remainder is ignored.
 pub(crate) fn parts<P: Numbers>(numbers: &[P::Number]) -> &[P] {
     const { assert!(align_of::<P>() == align_of::<P::Number>() && size_of::<P>() > 0) };
     let count = size_of_val(numbers) / size_of::<P>();
-    // SAFETY: `Numbers` promises a `#[repr(C)]` struct of nothing but these numbers; the alignment was just checked, and
-    // so many parts lie in the slice.
+    // SAFETY: `Numbers` promises a `#[repr(C)]` struct that consists only of these numbers; the alignment was just
+    // checked, and the slice contains this many parts.
     unsafe { std::slice::from_raw_parts(numbers.as_ptr().cast::<P>(), count) }
 }
 
-/// As [`parts`], to write.
+/// As [`parts`], mutable.
 pub(crate) fn parts_mut<P: Numbers>(numbers: &mut [P::Number]) -> &mut [P] {
     const { assert!(align_of::<P>() == align_of::<P::Number>() && size_of::<P>() > 0) };
     let count = size_of_val(numbers) / size_of::<P>();
-    // SAFETY: as in `parts`; a part holds nothing but numbers, so no write can break the slice, and the borrow of it is
+    // SAFETY: as in `parts`; a part consists only of numbers, so no write can break the slice, and its borrow is
     // exclusive and passes on to the result.
     unsafe { std::slice::from_raw_parts_mut(numbers.as_mut_ptr().cast::<P>(), count) }
 }
@@ -1080,7 +1080,7 @@ pub const fn inline(table: &mut [Variable], at: usize, part: &[Variable]) -> usi
     at + column
 }
 
-/// Writes the table of a part under the name that it has here and returns the next free column.
+/// Writes the table of a part under its name in this table and returns the next free column.
 pub const fn graft(table: &mut [Variable], at: usize, place: Segment, part: &[Variable]) -> usize {
     let mut column = 0;
     while column < part.len() {
@@ -1119,11 +1119,11 @@ pub const fn ports<const COLUMNS: usize>(table: &[Variable]) -> [Port; COLUMNS] 
     ports
 }
 
-/// Start values by the name of a column: those of the first parts of an array, one after the other.
+/// Start values by column name: those of the first parts of an array, in order.
 pub type Starts<'a> = &'a [(&'a str, &'a [f64])];
 
-/// As [`graft_all`]; then the first parts get start values of their own. A name that the part does not have, more
-/// values than parts, or a value outside its bound does not compile.
+/// As [`graft_all`]; then the first parts get their own start values. A name that the part does not have, more values
+/// than parts, or a value outside its bound does not compile.
 pub const fn graft_with(
     table: &mut [Variable],
     at: usize,
@@ -1147,7 +1147,7 @@ pub const fn graft_with(
     end
 }
 
-/// As [`graft`]; then columns get start values of their own, as in [`graft_with`].
+/// As [`graft`]; then columns get their own start values, as in [`graft_with`].
 pub const fn graft_one_with(
     table: &mut [Variable],
     at: usize,
@@ -1165,7 +1165,7 @@ pub const fn graft_one_with(
     end
 }
 
-/// Gives a column of the part that was written at `at` another start value.
+/// Gives another start value to a column of the part that was written at `at`.
 const fn restart(table: &mut [Variable], at: usize, part: &[Variable], column: &str, value: f64) {
     let mut offset = 0;
     while !unit::same(part[offset].path.segments()[0].name, column) {
@@ -1179,11 +1179,11 @@ const fn restart(table: &mut [Variable], at: usize, part: &[Variable], column: &
 /// A table entry to be overwritten by [`place`] or [`graft`].
 pub const BLANK: Variable = real("1", 0.0).named(Path::root(""), Role::Output, "");
 
-/// Declares an enumeration whose choices a column may take; numbered from 1 as FMI wants it.
+/// Declares an enumeration whose choices a column may take, numbered from 1 as in FMI.
 ///
 /// ```
 /// stribeck::choices! {
-///     /// What the test bench does.
+///     /// Mode of the test bench.
 ///     pub enum Bench {
 ///         /// Pulls at constant velocity.
 ///         Pull,
@@ -1212,7 +1212,7 @@ macro_rules! choices {
                 },)+],
             };
 
-            /// The column that holds this choice at the start.
+            /// The column with this choice as its start value.
             pub const fn start(self) -> $crate::model::Column {
                 $crate::model::choice(Self::CHOICES, self as i32 + 1)
             }
@@ -1227,17 +1227,16 @@ macro_rules! choices {
 }
 
 /// Declares a part: columns that a model contains once (`stop: BumpStop`), several times (`element: [Element; 4]`), or
-/// once and under the names of the part itself (`time_stepping: (TimeStepping)`). A part may have start values of its
-/// own, `rear: Axle = &[("stiffness", 2.0)]`, and so may the first parts of an array,
-/// `element: [Element; 4] = &[("stiffness", &[3.0, 2.0])]`. Parameters and states may be arrays of numbers:
-/// `point: [tunable; 3] = [real("m", 0.0); 3]`.
-/// The syntax of the fields is that of [`model!`](crate::model!).
+/// once and under the names of the part itself (`time_stepping: (TimeStepping)`). A part may have its own start values,
+/// `rear: Axle = &[("stiffness", 2.0)]`, and so may the first parts of an array, `element: [Element; 4] =
+/// &[("stiffness", &[3.0, 2.0])]`. Parameters and states may be arrays of numbers: `point: [tunable; 3] = [real("m",
+/// 0.0); 3]`. The syntax of the fields is that of [`model!`](crate::model!).
 #[macro_export]
 macro_rules! part {
     ($(#[doc = $doc:expr])+ $Name:ident { $($(#[doc = $help:literal])+ $field:ident: $what:tt $(= $column:expr)?,)+ }) => {
         $(#[doc = $doc])+
         #[repr(C)]
-        #[allow(non_snake_case, reason = "a symbol such as V0 is a name, too")]
+        #[allow(non_snake_case, reason = "a symbol such as V0 is a name as well")]
         pub struct $Name<T = f64> { $($(#[doc = $help])+ pub $field: $crate::part!(@type $what T),)+ }
 
         impl<T: Copy> Clone for $Name<T> {
@@ -1441,7 +1440,8 @@ pub fn list<M: Columns>(model: &M, f: &mut fmt::Formatter) -> fmt::Result {
 
 /// A row of start values, as the struct.
 pub fn start<M: Columns>() -> M {
-    // A row of the right length is needed before it can be viewed; models are small, and this is not a hot path.
+    // A row of the right length is needed before it can be viewed; models are small, and this code is not critical for
+    // speed.
     let row: Vec<f64> = M::TABLE.iter().map(|variable| variable.start).collect();
     *view::<M, f64>(&row)
 }

@@ -1,15 +1,16 @@
-//! Panics must neither cross a C interface nor print into the host's console.
+//! Panics must neither cross a C interface nor print to the host's console.
 
 use std::any::Any;
 use std::panic::{self, PanicHookInfo};
 use std::sync::OnceLock;
 
 /// Silences the report that Rust prints for a panic in this library's code; all other panics keep their report. Called
-/// when an instance is made through a C interface or follows the library to another place, for there every panic is caught and told to the caller instead.
+/// when an instance is made through a C interface or follows the library to another address: every panic there is
+/// caught and reported to the caller.
 ///
-/// The place of the panic decides, and not a thread-local flag: that would cost as much as a friction law on each call.
+/// The location of the panic decides, not a thread-local flag: that would cost as much as a friction law on each call.
 pub(crate) fn silence() {
-    // A closure that captured the report would be lost, 16 bytes, whenever the library is unloaded.
+    // A closure that captured the previous hook would leak 16 bytes whenever the library is unloaded.
     static REPORT: OnceLock<Box<Report>> = OnceLock::new();
     REPORT.get_or_init(|| {
         let report = panic::take_hook();
@@ -27,16 +28,16 @@ pub(crate) fn silence() {
 type Report = dyn Fn(&PanicHookInfo<'_>) + Send + Sync;
 
 fn is_ours(info: &PanicHookInfo) -> bool {
-    // Unit tests live in the same folder and keep their reports; only their probe is told to panic.
+    // Unit tests are in the same folder and keep their reports; only their probe panics on purpose.
     let file = if cfg!(test) { "probe.rs" } else { "" };
     let folder = file!().strip_suffix("panics.rs").unwrap_or_default();
     let in_folder = |place: &str| place.strip_prefix(folder).is_some_and(|place| place.starts_with(file));
     info.location().is_some_and(|location| in_folder(location.file()))
 }
 
-/// What a caught panic says.
+/// The message of a caught panic.
 pub(crate) fn text(panic: &(dyn Any + Send)) -> String {
     let said = panic.downcast_ref::<&str>().copied();
     let said = said.or_else(|| panic.downcast_ref::<String>().map(String::as_str));
-    crate::memory::text(format_args!("internal fault, please report it: {}", said.unwrap_or("no message")))
+    crate::memory::text(format_args!("internal error, please report it: {}", said.unwrap_or("no message")))
 }

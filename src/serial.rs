@@ -1,7 +1,8 @@
-//! A snapshot as bytes: to be kept in a file or given to another process.
+//! A snapshot as bytes, to be kept in a file or passed to another process.
 //!
-//! Little-endian, the same on every platform: magic, format number, guid of the model, then time, flags, the owner's own
-//! numbers, row, slopes and memory as f64, and an FNV-1a checksum of all that. Foreign, truncated and damaged bytes are refused.
+//! Little-endian, the same on every platform: magic, format number, guid of the model, then time, flags, the owner's
+//! own numbers, row, slopes and memory as f64, and an FNV-1a checksum of all that. Foreign, truncated and damaged bytes
+//! are refused.
 
 use std::fmt;
 
@@ -10,17 +11,17 @@ use crate::memory;
 use crate::model::{Fault, ModelType, Role, Variable};
 
 const MAGIC: &[u8; 8] = b"STRIBECK";
-/// Raised when the layout changes; bytes of another format are refused.
+/// Incremented when the layout changes; bytes of another format are refused.
 const FORMAT: u32 = 1;
 const HEAD: usize = MAGIC.len() + 4 + 38;
 const CHECKSUM: usize = 8;
 /// Time and two flags.
 const OWN: usize = 3;
 
-/// Numbers that the owner of an instance adds to it.
+/// Numbers that the owner of an instance adds.
 pub const OWNERS: usize = 4;
 
-/// Number of bytes of a snapshot of that model.
+/// Number of bytes of a snapshot of this model.
 pub fn size(model: &ModelType) -> usize {
     HEAD + 8 * (OWN + OWNERS + 2 * model.table.len() + model.memory) + CHECKSUM
 }
@@ -45,7 +46,7 @@ pub fn write(model: &ModelType, snapshot: &Snapshot, owners: [f64; OWNERS], byte
 /// Reads a snapshot of `model` back.
 pub fn read(model: &ModelType, bytes: &[u8]) -> Result<(Snapshot, [f64; OWNERS]), Fault> {
     let refuse = |why: fmt::Arguments| Err(Fault::new(format_args!("serialised state of {}: {why}", model.name)));
-    // Who wrote the bytes comes first: those of another version are of another size, too.
+    // The origin is checked first: bytes of another version also have another size.
     let Some(head) = bytes.get(..HEAD).filter(|head| head.starts_with(MAGIC)) else {
         return refuse(format_args!("not a state of this library"));
     };
@@ -75,7 +76,7 @@ pub fn read(model: &ModelType, bytes: &[u8]) -> Result<(Snapshot, [f64; OWNERS])
     slope.fill_with(&mut take);
     memory.fill_with(&mut take);
     for (variable, value) in model.table.iter().zip(&*row) {
-        // On the way to a result a solver may set states beyond their bounds.
+        // A solver may set states beyond their bounds on its way to a result.
         let may_be_any = variable.role == Role::Output || (model.model_exchange && variable.is_continuous_state());
         let sound = if may_be_any { value.is_finite() } else { variable.admits(*value) };
         if !sound {
@@ -85,18 +86,18 @@ pub fn read(model: &ModelType, bytes: &[u8]) -> Result<(Snapshot, [f64; OWNERS])
     let is_sound =
         |(variable, slope): (&Variable, &f64)| slope.is_finite() && (*slope == 0.0 || variable.role == Role::Input);
     if !time.is_finite() || !model.table.iter().zip(&*slope).all(is_sound) {
-        return refuse(format_args!("time or a slope is not finite, or the slope is not that of an input"));
+        return refuse(format_args!("time or a slope is not finite, or the slope does not belong to an input"));
     }
     if !memory.iter().all(|value| value.is_finite()) {
         return refuse(format_args!("a number of the memory is not finite"));
     }
     let (Some(slopes_are_new), Some(stale)) = (flag(slopes_are_new), flag(stale)) else {
-        return refuse(format_args!("a flag is {slopes_are_new} or {stale}, and neither 0 nor 1"));
+        return refuse(format_args!("the flags are {slopes_are_new} and {stale}: must be 0 or 1"));
     };
     Ok((Snapshot { row, memory, slope, slopes_are_new, stale, time }, owners))
 }
 
-/// A flag that was written as a number. Bit by bit, so that what is read is what would be written.
+/// A flag that was written as a number. Compared bit by bit, so that writing it again gives the same bytes.
 pub fn flag(number: f64) -> Option<bool> {
     [false, true].into_iter().find(|flag| f64::from(*flag).to_bits() == number.to_bits())
 }
@@ -125,7 +126,7 @@ mod tests {
     #[test]
     fn what_is_written_is_read_back() {
         let (model, bytes) = bytes_of("LuGre");
-        let (snapshot, owners) = read(model, &bytes).expect("sound bytes");
+        let (snapshot, owners) = read(model, &bytes).expect("valid bytes");
         assert_eq!((snapshot.time, snapshot.row[0], snapshot.slope[0]), (1.25, 0.5, -3.0));
         assert!(snapshot.slopes_are_new && snapshot.stale);
         assert_eq!(owners, [1.0, 2.0, 3.0, 4.0]);
@@ -143,7 +144,7 @@ mod tests {
         assert!(read(model, &[]).is_err());
     }
 
-    /// Damage that brings a checksum of its own.
+    /// Damage with a matching checksum.
     #[test]
     fn a_fitting_checksum_does_not_make_bytes_sound() {
         let (model, bytes) = bytes_of("Dahl");
@@ -193,7 +194,7 @@ mod tests {
         assert!(read(karnopp, &bytes).is_err());
     }
 
-    /// A checksum that fits does not make a value admissible.
+    /// A matching checksum does not make a value admissible.
     #[test]
     fn values_outside_their_bounds_are_refused_by_name() {
         let (model, _) = bytes_of("LuGre");

@@ -368,7 +368,7 @@ fn experiments_that_make_no_sense_are_rejected() {
     let importer = Importer::new("LuGre");
     // SAFETY: an instance of this test.
     assert_eq!(unsafe { fmi2EnterInitializationMode(importer.c) }, fmi2Error);
-    assert!(importer.one_message().2.contains("fmi2SetupExperiment must be called before"));
+    assert!(importer.one_message().2.contains("fmi2SetupExperiment must be called first"));
 }
 
 #[test]
@@ -939,7 +939,7 @@ fn a_state_of_another_model_is_rejected() {
     // SAFETY: a live state, freed once.
     unsafe {
         assert_eq!(fmi2SetFMUstate(dahl.c, saved), fmi2Error);
-        assert!(dahl.one_message().2.contains("FMUstate is one of LuGre, not of Dahl"));
+        assert!(dahl.one_message().2.contains("FMUstate belongs to LuGre, not to Dahl"));
         let bytes = lugre.bytes(saved);
         let mut read = null_mut();
         assert_eq!(fmi2DeSerializeFMUstate(dahl.c, bytes.as_ptr(), bytes.len(), &mut read), fmi2Error);

@@ -164,7 +164,8 @@ fn shares_are_given_to_64_elements_at_most() {
     assert_eq!(refusal(1.0, 64.0), None);
     assert_eq!(refusal(2.0, 65.0), None);
     assert_eq!(refusal(2.0, 1000.0), None);
-    let text = "element_count = 65: must be <= 64 with distribution = Explicit, for no further element has variables";
+    let text = "element_count = 65: must be <= 64 with distribution = Explicit, because only the first \
+                64 elements have variables";
     assert_eq!(refusal(1.0, 65.0).as_deref(), Some(text));
     let law = Bench::new("MaxwellSlip", &[]);
     let count = law.instance.variable(law.column("element_count")).expect("a variable");

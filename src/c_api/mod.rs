@@ -1,4 +1,4 @@
-//! The library for C and C++ callers who want no FMU.
+//! The interface for C and C++ programs that do without an FMU.
 //!
 //! Conventions: a function returns a [`stribeck_status`]; results are written through pointers, and only on
 //! `STRIBECK_OK`. A refused call changes nothing, and [`stribeck_last_error`] says why, if there is a handle. Every
@@ -31,26 +31,26 @@ pub use warning::stribeck_warning;
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum stribeck_status {
-    /// All well.
+    /// Success.
     STRIBECK_OK = 0,
-    /// A pointer that must not be NULL is NULL.
+    /// A required pointer is NULL.
     STRIBECK_NULL = 1,
-    /// There is no model, or no preset, of that name.
+    /// The model or preset does not exist.
     STRIBECK_UNKNOWN_MODEL = 2,
-    /// The model has no variable of that name, or no column of that number, or the derivative asked for is not that of
-    /// a result with respect to something that can be set.
+    /// The variable or column does not exist in this model, or the requested derivative is not that of a result with
+    /// respect to something that can be set.
     STRIBECK_UNKNOWN_VARIABLE = 3,
-    /// The value is outside the bound of its variable, or the parameters do not fit together.
+    /// The value is outside the bounds of its variable, or the parameters do not fit together.
     STRIBECK_REFUSED_VALUE = 4,
     /// The variable is computed and cannot be set.
     STRIBECK_NOT_SETTABLE = 5,
     /// The result would not be finite.
     STRIBECK_NOT_FINITE = 6,
-    /// The buffer is too small, or holds no state of this model.
+    /// The buffer is too small, or does not contain a state of this model.
     STRIBECK_BAD_BUFFER = 7,
-    /// A fault of the library; please report it.
+    /// Internal error; please report it.
     STRIBECK_INTERNAL = 8,
-    /// There is no memory left.
+    /// Memory has run out.
     STRIBECK_OUT_OF_MEMORY = 9,
 }
 use stribeck_status::*;
@@ -61,7 +61,7 @@ use stribeck_status::*;
 pub enum stribeck_role {
     /// Set by the caller before each step.
     STRIBECK_INPUT = 0,
-    /// Parameter that is meant to stay constant during a run.
+    /// Parameter that stays constant during a run.
     STRIBECK_FIXED = 1,
     /// Parameter that may change between steps.
     STRIBECK_TUNABLE = 2,
@@ -74,7 +74,7 @@ pub enum stribeck_role {
 }
 use stribeck_role::*;
 
-/// What the number in a variable stands for.
+/// Meaning of the number in a variable.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum stribeck_kind {
@@ -89,7 +89,7 @@ pub enum stribeck_kind {
 }
 use stribeck_kind::*;
 
-/// Description of a variable, as stribeck_describe gives it. The texts belong to the handle and live as long as it.
+/// Description of a variable, as given by stribeck_describe. The texts belong to the handle and are freed with it.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct stribeck_variable {
@@ -97,21 +97,21 @@ pub struct stribeck_variable {
     pub name: *const c_char,
     /// Unit, `1` for a pure number; empty if the kind is not STRIBECK_REAL.
     pub unit: *const c_char,
-    /// One line that says what it is.
+    /// One-line description.
     pub help: *const c_char,
     /// Who writes it.
     pub role: stribeck_role,
-    /// What the number stands for.
+    /// Meaning of the number.
     pub kind: stribeck_kind,
     /// Start value.
     pub start: f64,
-    /// Smallest value admitted, `-DBL_MAX` if there is none; 1e-300 where a value must be > 0 (stiffness).
+    /// Smallest admitted value, `-DBL_MAX` if unbounded; 1e-300 if the value must be > 0 (stiffness).
     pub min: f64,
-    /// Largest value admitted, `DBL_MAX` if there is none.
+    /// Largest admitted value, `DBL_MAX` if unbounded.
     pub max: f64,
 }
 
-/// A live model. Made by stribeck_create, freed by stribeck_free.
+/// An instance of a model. Made by stribeck_create, freed by stribeck_free.
 pub struct stribeck_model {
     instance: Instance,
     texts: Vec<[CString; 3]>,
@@ -120,7 +120,7 @@ pub struct stribeck_model {
     warning: Cow<'static, CStr>,
 }
 
-/// Why a call was refused: the status for the program, the text for the human.
+/// Why a call was refused: the status for the program, the text for the user.
 struct Refusal(stribeck_status, String);
 
 type Outcome = Result<(), Refusal>;
@@ -141,7 +141,7 @@ fn fault(status: stribeck_status) -> impl FnOnce(Fault) -> Refusal {
 
 impl From<OutOfMemory> for Refusal {
     fn from(_: OutOfMemory) -> Refusal {
-        // An empty text stands for this very reason: see `enter`.
+        // An empty text stands for lack of memory: see `enter`.
         Refusal(STRIBECK_OUT_OF_MEMORY, String::new())
     }
 }
@@ -149,7 +149,7 @@ impl From<OutOfMemory> for Refusal {
 /// Runs `body` on the model behind the handle; turns refusals and panics into a status and a text.
 ///
 /// # Safety
-/// As the module says of handles.
+/// As in the documentation of the module.
 unsafe fn enter(model: *mut stribeck_model, body: impl FnOnce(&mut stribeck_model) -> Outcome) -> stribeck_status {
     // SAFETY: the caller's promise.
     let Some(model) = (unsafe { model.as_mut() }) else { return STRIBECK_NULL };
@@ -173,11 +173,11 @@ unsafe fn text<'a>(text: *const c_char, name: &str) -> Result<&'a str, Refusal> 
     if text.is_null() {
         return refuse(STRIBECK_NULL, format_args!("{name} is NULL"));
     }
-    // SAFETY: not NULL, and the caller promises a terminated text. A text that is not UTF-8 names nothing we have.
+    // SAFETY: not NULL, and the caller promises a terminated text. A text that is not UTF-8 matches no name.
     Ok(unsafe { CStr::from_ptr(text) }.to_str().unwrap_or("(a text that is not UTF-8)"))
 }
 
-/// The place behind a result pointer.
+/// The target of a result pointer.
 ///
 /// # Safety
 /// `place` must be NULL or writable.
@@ -214,7 +214,10 @@ impl stribeck_model {
         let model = self.instance.model();
         let count = model.table.len();
         let unknown = || {
-            Refusal::of(STRIBECK_UNKNOWN_VARIABLE, format_args!("{} has {count} columns, none {column}", model.name))
+            Refusal::of(
+                STRIBECK_UNKNOWN_VARIABLE,
+                format_args!("{} has {count} columns, no column {column}", model.name),
+            )
         };
         self.instance.variable(column).ok_or_else(unknown)
     }
@@ -236,35 +239,35 @@ pub extern "C" fn stribeck_model_count() -> usize {
     catalogue::models().count()
 }
 
-/// Name of the model of that index, from 0; NULL past the last. The text lives as long as the library.
+/// Name of the model with this index, from 0; NULL beyond the last. The text lives as long as the library.
 #[unsafe(no_mangle)]
 pub extern "C" fn stribeck_model_name(index: usize) -> *const c_char {
     catalogue::models().nth(index).map_or(null(), |model| model.c_name.as_ptr())
 }
 
-/// What a status means, in a few words. The text lives as long as the library.
+/// Meaning of a status, in a few words. The text lives as long as the library.
 ///
-/// Takes an `int`, because a number that is none of the enum's must not be harmful.
+/// Takes an `int`, because a number outside the enum must be harmless.
 #[unsafe(no_mangle)]
 pub extern "C" fn stribeck_status_text(status: c_int) -> *const c_char {
     const TEXTS: [&CStr; 10] = [
-        c"all well",
+        c"success",
         c"a pointer is NULL",
         c"unknown model or preset",
         c"unknown variable",
         c"value refused",
         c"variable cannot be set",
         c"result not finite",
-        c"buffer too small, or no state of this model",
-        c"fault of the library",
+        c"buffer too small, or not a state of this model",
+        c"internal error",
         OUT_OF_MEMORY,
     ];
     let index = usize::try_from(status).unwrap_or(usize::MAX);
     TEXTS.get(index).unwrap_or(&c"unknown status").as_ptr()
 }
 
-/// Makes a model at its start values and writes its handle to `*model`; NULL there on failure. To be freed once with
-/// stribeck_free.
+/// Makes a model at its start values and writes its handle to `*model`, or NULL on failure. The handle must be freed
+/// once with stribeck_free.
 ///
 /// # Safety
 /// `name` must be NULL or zero-terminated; `model` must be NULL or writable.
@@ -305,13 +308,14 @@ fn make(model: &'static ModelType) -> Result<Box<stribeck_model>, OutOfMemory> {
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stribeck_free(model: *mut stribeck_model) {
     if !model.is_null() {
-        // SAFETY: handles come from `Box::into_raw` in `stribeck_create`, and the caller promises the last use.
+        // SAFETY: handles come from `Box::into_raw` in `stribeck_create`, and the caller promises that this is the last
+        // use.
         drop(unsafe { Box::from_raw(model) });
     }
 }
 
-/// Why the last refused call on this handle was refused. The text lives until the next call on the handle. For NULL it
-/// says that the handle is NULL; why stribeck_create has made none, only its status says.
+/// Reason why the last refused call on this handle was refused. The text lives until the next call on the handle. For
+/// NULL it says that the handle is NULL; the only reason given by a failed stribeck_create is its status.
 ///
 /// # Safety
 /// As the module says of handles.
@@ -321,7 +325,7 @@ pub unsafe extern "C" fn stribeck_last_error(model: *const stribeck_model) -> *c
     unsafe { model.as_ref() }.map_or(c"the handle is NULL".as_ptr(), |model| model.error.as_ptr())
 }
 
-/// Back to the start values and to time 0.
+/// Resets the model to its start values and to time 0.
 ///
 /// # Safety
 /// As the module says of handles.
@@ -345,7 +349,7 @@ pub unsafe extern "C" fn stribeck_column_count(model: *const stribeck_model) -> 
     unsafe { model.as_ref() }.map_or(0, |model| model.instance.model().table.len() as u32)
 }
 
-/// Column of the variable of that name. The enums of this header hold the same numbers.
+/// Column of the variable with this name. The enums of this header hold the same numbers.
 ///
 /// # Safety
 /// As the module says of handles and pointers.
@@ -377,7 +381,7 @@ pub unsafe extern "C" fn stribeck_describe(
 ) -> stribeck_status {
     let body = |model: &mut stribeck_model| {
         let known = model.known(column as usize)?;
-        // No other value is taken where there are no events: see `check_for_steps`.
+        // Without events no other value is accepted: see `check_for_steps`.
         let (min, max) = match known.is_settled_by_events() {
             true => (known.start, known.start),
             false => (known.bound.min(), known.bound.max()),
@@ -420,7 +424,7 @@ fn kind(kind: Kind) -> stribeck_kind {
     }
 }
 
-/// Number of presets, that is, of named parameter sets of the model; 0 for NULL.
+/// Number of presets, that is, named parameter sets, of the model; 0 for NULL.
 ///
 /// # Safety
 /// As the module says of handles.
@@ -430,7 +434,7 @@ pub unsafe extern "C" fn stribeck_preset_count(model: *const stribeck_model) -> 
     unsafe { model.as_ref() }.map_or(0, |model| model.presets.len())
 }
 
-/// Name of the preset of that index, from 0; NULL past the last. The text belongs to the handle.
+/// Name of the preset with this index, from 0; NULL beyond the last. The text belongs to the handle.
 ///
 /// # Safety
 /// As the module says of handles.
@@ -440,7 +444,7 @@ pub unsafe extern "C" fn stribeck_preset_name(model: *const stribeck_model, inde
     unsafe { preset_text(model, index, 0) }
 }
 
-/// Where the values of the preset of that index come from; NULL past the last. The text belongs to the handle.
+/// Source of the values of the preset with this index; NULL beyond the last. The text belongs to the handle.
 ///
 /// # Safety
 /// As the module says of handles.
@@ -458,8 +462,8 @@ unsafe fn preset_text(model: *const stribeck_model, index: usize, which: usize) 
     preset.map_or(null(), |texts| texts[which].as_ptr())
 }
 
-/// Sets all parameters: those of the named preset to its values, the others to their start values. Inputs that the preset
-/// names are set too.
+/// Sets all parameters: those in the named preset to its values, the others to their start values. Inputs in the preset
+/// are set as well.
 ///
 /// # Safety
 /// As the module says of handles and pointers.
@@ -478,7 +482,7 @@ pub unsafe extern "C" fn stribeck_apply_preset(model: *mut stribeck_model, prese
     unsafe { enter(model, body) }
 }
 
-/// Sets a variable. Everything but computed results can be set at any time; outputs follow at once.
+/// Sets a variable. Everything except computed results can be set at any time; outputs follow at once.
 ///
 /// # Safety
 /// As the module says of handles.
@@ -488,7 +492,7 @@ pub unsafe extern "C" fn stribeck_set(model: *mut stribeck_model, column: u32, v
     unsafe { enter(model, |model| model.set(column as usize, value)) }
 }
 
-/// Reads a variable; results are computed first if anything was set since.
+/// Reads a variable; results are computed first if anything has been set since.
 ///
 /// # Safety
 /// As the module says of handles and pointers.
@@ -561,7 +565,7 @@ pub unsafe extern "C" fn stribeck_step(model: *mut stribeck_model, dt: f64) -> s
     unsafe { enter(model, body) }
 }
 
-/// Computes the results now, and says whether the parameters fit together and the results are finite.
+/// Computes the results now, and checks that the parameters fit together and the results are finite.
 ///
 /// # Safety
 /// As the module says of handles.
@@ -585,8 +589,8 @@ pub unsafe extern "C" fn stribeck_time(model: *const stribeck_model) -> f64 {
     unsafe { model.as_ref() }.map_or(f64::NAN, |model| model.instance.time())
 }
 
-/// Partial derivative of a result with respect to an input, parameter or state, at the present values: exact, but for the
-/// friction of ShockAbsorber before its first step, which differences give.
+/// Partial derivative of a result with respect to an input, parameter or state, at the present values: exact, except
+/// for the friction of ShockAbsorber before its first step, which is differentiated numerically.
 ///
 /// # Safety
 /// As the module says of handles and pointers.
@@ -629,7 +633,7 @@ pub unsafe extern "C" fn stribeck_state_size(model: *const stribeck_model) -> us
     unsafe { model.as_ref() }.map_or(0, |model| serial::size(model.instance.model()))
 }
 
-/// Writes the complete state of the model, parameters and time included, as bytes that any process can read.
+/// Writes the complete state of the model, including parameters and time, as bytes that any process can read.
 ///
 /// # Safety
 /// As the module says of handles; `buffer` must be NULL or have `size` writable bytes.
@@ -656,8 +660,8 @@ pub unsafe extern "C" fn stribeck_save(
     unsafe { enter(model, body) }
 }
 
-/// Goes back to a saved state of this or of another model of the same kind. Foreign or damaged bytes are refused, and a
-/// state that only events of Model Exchange lead to (`phase`).
+/// Restores a saved state of this or of another instance of the same model. Foreign or damaged bytes are refused, and
+/// so is a state that only events of Model Exchange can produce (`phase`).
 ///
 /// # Safety
 /// As the module says of handles; `buffer` must be NULL or have `size` readable bytes.
@@ -674,7 +678,7 @@ pub unsafe extern "C" fn stribeck_restore(
         // SAFETY: not NULL, and the caller promises `size` bytes.
         let bytes = unsafe { std::slice::from_raw_parts(buffer.cast::<u8>(), size) };
         let (snapshot, _) = serial::read(model.instance.model(), bytes).map_err(fault(STRIBECK_BAD_BUFFER))?;
-        // It may be that of an FMU in Model Exchange.
+        // The state may come from an FMU in Model Exchange.
         model.instance.check_without_events(&snapshot).map_err(fault(STRIBECK_BAD_BUFFER))?;
         model.instance.restore(&snapshot);
         Ok(())

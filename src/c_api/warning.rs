@@ -1,4 +1,4 @@
-//! What a caller should know of values that were taken.
+//! Warnings about accepted values.
 
 use std::borrow::Cow;
 
@@ -7,10 +7,9 @@ use libc::c_char;
 use super::{STRIBECK_OK, enter, stribeck_model};
 use crate::memory::{self, OUT_OF_MEMORY};
 
-/// What should be known of the present values, which were taken though they make no sense, such as an input that was left
-/// open and stands at 0; an empty text if there is nothing. To be asked whenever it matters, best after the first step:
-/// the library does not tell it by itself. The text lives until the next call of this function on the handle. For NULL it
-/// says that the handle is NULL.
+/// Warning about the present values, if some were accepted although they make no sense, such as an unconnected input at
+/// 0; otherwise an empty text. Best called after the first step; the library does not report warnings by itself. The
+/// text lives until the next call of this function on the handle. For NULL it says that the handle is NULL.
 ///
 /// # Safety
 /// As the module says of handles.
@@ -27,7 +26,7 @@ pub unsafe extern "C" fn stribeck_warning(model: *mut stribeck_model) -> *const 
     };
     // SAFETY: the caller's promise.
     let status = unsafe { enter(model, body) };
-    // A model that panics has said why, for stribeck_last_error.
+    // A model that panics has given the reason to stribeck_last_error.
     if status == STRIBECK_OK || model.is_null() { text } else { c"".as_ptr() }
 }
 
@@ -53,7 +52,7 @@ mod tests {
             assert_eq!(text(model), c"");
             assert_eq!(stribeck_set_by_name(model, c"rate".as_ptr(), -7.0), STRIBECK_OK);
             assert_eq!(text(model), c"rate = -7: the probe counts up");
-            assert_eq!(stribeck_step(model, 0.5), STRIBECK_OK, "the value is taken");
+            assert_eq!(stribeck_step(model, 0.5), STRIBECK_OK, "the value is accepted");
             assert_eq!(stribeck_set_by_name(model, c"rate".as_ptr(), 1.0), STRIBECK_OK);
             assert_eq!(text(model), c"");
             assert_eq!(text(null_mut()), c"the handle is NULL");

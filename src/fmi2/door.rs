@@ -1,4 +1,4 @@
-//! The one door through which every call on an instance passes: null pointer, state, panic, log.
+//! The entry of every call on an instance: checks of pointer and state, panics, log.
 
 use std::ffi::CStr;
 use std::fmt;
@@ -14,25 +14,25 @@ use crate::instance::Instance;
 use crate::memory::{self, OutOfMemory};
 use crate::model::Fault;
 
-/// What an importer holds as `fmi2Component`.
+/// The instance behind an importer's `fmi2Component`.
 pub(super) struct Slave {
     magic: u64,
-    /// Where the library was in the last call.
+    /// Address of the library in the last call.
     home: usize,
-    /// Which model it is of, wherever the library is.
+    /// Guid of the model, wherever the library is.
     pub guid: GuidText,
     pub instance: Instance,
     pub purpose: Purpose,
     pub state: State,
     pub experiment: Experiment,
-    /// Has the end of the initialization changed states, and fmi2NewDiscreteStates not told of it yet?
+    /// Whether states jumped in fmi2ExitInitializationMode; the next fmi2NewDiscreteStates must report it.
     pub has_jumped: bool,
     /// Number of steps of the run.
     steps: u64,
     pub log: Log,
 }
 
-/// What fmi2SetupExperiment declared.
+/// The experiment as declared by fmi2SetupExperiment.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Experiment {
     pub is_set_up: bool,
@@ -45,10 +45,10 @@ impl Experiment {
     pub const NONE: Experiment = Experiment { is_set_up: false, start: 0.0, stop: f64::INFINITY };
 }
 
-/// Marks the memory of a live instance, so that a pointer to something else is refused.
+/// Marks the memory of a live instance, so that a pointer to anything else is refused.
 const MAGIC: u64 = u64::from_le_bytes(*b"STRIBECK");
 
-/// Where the library is.
+/// Address of the library.
 fn home() -> usize {
     static HERE: u8 = 0;
     (&raw const HERE).addr()
@@ -70,8 +70,8 @@ impl Slave {
         }
     }
 
-    /// Follows the library to where it is now. An importer may unload it and load it again while instances live, and it
-    /// may then be elsewhere: Ecos 0.7.2 does so before each further instance of an FMU. Of all that an instance holds
+    /// Follows the library to its present address. An importer may unload and reload it while instances live, possibly
+    /// to another address: Ecos 0.7.2 does so before each further instance of an FMU. Of all that an instance holds
     /// only its model is in the library; the rest is in the host's memory and stays.
     #[cold]
     #[inline(never)]
@@ -82,7 +82,7 @@ impl Slave {
         Some(())
     }
 
-    /// Refuses parameters that do not fit together, or that do not serve this instance's purpose.
+    /// Rejects parameters that do not fit together, or that do not suit the interface type of this instance.
     pub fn check(&mut self) -> Result<(), Fault> {
         self.instance.check()?;
         match self.purpose {
@@ -91,14 +91,13 @@ impl Slave {
         }
     }
 
-    /// A run begins.
+    /// Starts a run.
     pub fn begin(&mut self) {
         self.steps = 0;
     }
 
-    /// Counts a step, and asks the model now and then whether it knows of values that make no sense: after the steps
-    /// 1, 2, 4, 8 and so on. The first is not enough, for some hosts set inputs late, and some faults show in time; every
-    /// one would cost time.
+    /// Counts a step, and after steps 1, 2, 4, 8 and so on asks the model for warnings. The first step is not enough,
+    /// because some hosts set inputs late and some faults show only with time; every step would cost too much.
     #[inline(always)]
     pub fn count_step(&mut self) {
         self.steps += 1;
@@ -115,7 +114,8 @@ impl Slave {
         }
     }
 
-    /// Results that would not be finite: a solver may try a smaller step, or other inputs. Elsewhere the run is over.
+    /// Results that would not be finite: during a run a solver may try a smaller step or other inputs; elsewhere the
+    /// run is over.
     pub fn out_of_domain(&self, fault: Fault) -> Refusal {
         match self.state {
             State::EventMode | State::ContinuousTimeMode => Refusal::Trial(fault.0),
@@ -124,11 +124,11 @@ impl Slave {
     }
 }
 
-/// Why a call was refused. Where there is no memory for a text it is cut, even to nothing.
+/// Why a call was refused. The text is truncated if memory runs out, possibly to nothing.
 pub(super) enum Refusal {
-    /// The value cannot be taken; another one can be tried.
+    /// The value is refused; another one can be tried.
     Discard(String),
-    /// As `Discard`, in the ordinary course of a run: a solver tries, or an importer asks for what there is not.
+    /// As `Discard`, in the ordinary course of a run: a solver's trial, or a query for something that does not exist.
     Trial(String),
     /// The call is wrong.
     Error(String),
@@ -152,7 +152,7 @@ impl From<OutOfMemory> for Refusal {
 
 pub(super) type Outcome = Result<(), Refusal>;
 
-/// A fault of the model, seen from the door.
+/// A fault of the model, as a refusal.
 impl From<Fault> for Refusal {
     fn from(fault: Fault) -> Refusal {
         Refusal::Error(fault.0)
@@ -164,11 +164,11 @@ pub(super) fn refuse<T>(text: impl fmt::Display) -> Result<T, Refusal> {
 }
 
 /// Runs `body` on the instance behind `c` if the call is allowed in its state, and turns the outcome into a status. A
-/// refused call is logged; after an error only reset, free and restore lead on, as the standard has it.
+/// refused call is logged; after an error only reset, free and restore are allowed, as in the standard.
 ///
-/// The logger is called when all else is done: if it throws, the exception passes to the host as if the function of this
-/// library had thrown it, and the instance is as the status would have said. See [`Log`] for what that asks of this
-/// function and of those that call it: nothing in them may need to be dropped.
+/// The logger is called last: if it throws, the exception passes to the host as if the function of this library had
+/// thrown it, and the instance is in the state implied by the status. See [`Log`] for what that requires of this
+/// function and its callers: nothing in them may need to be dropped.
 ///
 /// # Safety
 /// `c` must be NULL or an instance made by `fmi2Instantiate` and not yet freed, not in use by another thread.
@@ -183,7 +183,7 @@ pub(super) unsafe fn enter(c: fmi2Component, call: Call, body: impl FnOnce(&mut 
     status
 }
 
-/// What [`enter`] does before anything is told.
+/// The part of [`enter`] before any message is logged.
 #[inline(never)]
 fn guarded(slave: &mut Slave, call: Call, body: impl FnOnce(&mut Slave) -> Outcome) -> fmi2Status {
     if !call.is_allowed(slave.state) || !call.is_for(slave.purpose) {
@@ -198,8 +198,8 @@ fn guarded(slave: &mut Slave, call: Call, body: impl FnOnce(&mut Slave) -> Outco
     }
 }
 
-/// The instance behind `c` if it is ready to step: what a call needs to know before it may take the short way, in which
-/// nothing can be refused. Everything unusual takes the long way through [`enter`].
+/// The instance behind `c` if it is ready to step: the condition for the fast path, in which nothing can be refused.
+/// Anything else goes through [`enter`].
 ///
 /// # Safety
 /// As for [`enter`].
@@ -216,8 +216,8 @@ pub(super) unsafe fn stepping<'a>(c: fmi2Component) -> Option<&'a mut Slave> {
 #[inline(always)]
 unsafe fn slave<'a>(c: fmi2Component) -> Option<&'a mut Slave> {
     let slave = c.cast::<Slave>();
-    // SAFETY: the caller promises NULL or a `Slave` that nobody else uses now. Only its mark is read before it is known
-    // to be one.
+    // SAFETY: the caller promises NULL or a `Slave` that is not in use elsewhere. Only its mark is read before it is
+    // known to be one.
     let slave = unsafe {
         let is_one = !slave.is_null() && (&raw const (*slave).magic).read() == MAGIC;
         is_one.then(|| &mut *slave)
@@ -228,7 +228,7 @@ unsafe fn slave<'a>(c: fmi2Component) -> Option<&'a mut Slave> {
     Some(slave)
 }
 
-/// Takes an instance back to free it. `None` for NULL and for memory that is no instance.
+/// Takes an instance back to free it. `None` for NULL and for memory that is not an instance.
 ///
 /// # Safety
 /// As for [`enter`]; `c` must not be used afterwards.
@@ -249,7 +249,7 @@ fn not_allowed(slave: &Slave, call: Call) -> Refusal {
     if call.is_for(slave.purpose) {
         Refusal::error(format_args!("may not be called in state {:?}", slave.state))
     } else {
-        Refusal::error(format_args!("is no function of an instance for {:?}", slave.purpose))
+        Refusal::error(format_args!("is not available on an instance for {:?}", slave.purpose))
     }
 }
 
@@ -277,7 +277,7 @@ fn refused(slave: &mut Slave, call: Call, refusal: Refusal) -> fmi2Status {
 /// The `n` elements at `pointer`. FMI leaves the pointer undefined for n = 0.
 ///
 /// # Safety
-/// `pointer` must be NULL or point to `n` readable elements that nobody writes during the call.
+/// `pointer` must be NULL or point to `n` readable elements that are not written during the call.
 #[inline(always)]
 pub(super) unsafe fn array<'a, T>(pointer: *const T, n: usize, name: &str) -> Result<&'a [T], Refusal> {
     if n == 0 {
@@ -290,10 +290,10 @@ pub(super) unsafe fn array<'a, T>(pointer: *const T, n: usize, name: &str) -> Re
     Ok(unsafe { std::slice::from_raw_parts(pointer, n) })
 }
 
-/// As [`array`], to write.
+/// As [`array`], mutable.
 ///
 /// # Safety
-/// `pointer` must be NULL or point to `n` writable elements that nobody else uses during the call.
+/// `pointer` must be NULL or point to `n` writable elements that are not used elsewhere during the call.
 #[inline(always)]
 pub(super) unsafe fn array_mut<'a, T>(pointer: *mut T, n: usize, name: &str) -> Result<&'a mut [T], Refusal> {
     if n == 0 {

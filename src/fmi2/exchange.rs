@@ -1,12 +1,12 @@
-//! Model Exchange: the importer integrates the states, and asks for their derivatives.
+//! Model Exchange: the importer integrates the states, using their derivatives.
 
 use super::door::{Outcome, Refusal, Slave, array, array_mut, enter, refuse};
 use super::lifecycle::{Call, State};
 use super::types::*;
 
-/// Refuses an array of another length than that of what it is to hold.
+/// Refuses an array of the wrong length.
 fn check_length(given: usize, wanted: usize, what: &str) -> Outcome {
-    if given == wanted { Ok(()) } else { refuse(format_args!("{given} {what}: there are {wanted}")) }
+    if given == wanted { Ok(()) } else { refuse(format_args!("{given} {what}: must be {wanted}")) }
 }
 
 /// Enters event mode, in which inputs may jump.
@@ -24,7 +24,8 @@ pub unsafe extern "C-unwind" fn fmi2EnterEventMode(c: fmi2Component) -> fmi2Stat
     unsafe { enter(c, Call::EnterEventMode, body) }
 }
 
-/// Settles what an event changes: once is enough. No model knows the time of its next event or ends the simulation.
+/// Applies the changes of an event: one call is enough. No model knows the time of its next event or ends the
+/// simulation.
 ///
 /// # Safety
 /// `c` as for every call on an instance; `eventInfo` must be NULL or writable.
@@ -65,7 +66,7 @@ pub unsafe extern "C-unwind" fn fmi2EnterContinuousTimeMode(c: fmi2Component) ->
     unsafe { enter(c, Call::EnterContinuousTimeMode, body) }
 }
 
-/// A step of the importer's solver is done. It asks for an event where a result that jumps has another value now.
+/// Completes a step of the importer's solver. Requests an event if a result that jumps has a new value.
 ///
 /// # Safety
 /// `c` as for every call on an instance; `enterEventMode` and `terminateSimulation` must be NULL or writable.
@@ -80,7 +81,7 @@ pub unsafe extern "C-unwind" fn fmi2CompletedIntegratorStep(
         // SAFETY: the caller promises NULL or writable values.
         let answers = unsafe { (enterEventMode.as_mut(), terminateSimulation.as_mut()) };
         let (Some(event), Some(end)) = answers else { return refuse("enterEventMode or terminateSimulation is NULL") };
-        // Results that would not be finite have no status here: the solver hears of them when it reads them.
+        // Results that would not be finite cannot be reported here: the solver is notified when it reads them.
         let wants_event = slave.instance.wants_event().unwrap_or(false);
         (*event, *end) = (fmi2Boolean::from(wants_event), fmi2False);
         slave.count_step();
@@ -90,7 +91,7 @@ pub unsafe extern "C-unwind" fn fmi2CompletedIntegratorStep(
     unsafe { enter(c, Call::CompletedIntegratorStep, body) }
 }
 
-/// Declares the present time.
+/// Sets the present time.
 ///
 /// # Safety
 /// `c` as for every call on an instance.
@@ -128,7 +129,7 @@ pub unsafe extern "C-unwind" fn fmi2SetContinuousStates(c: fmi2Component, x: *co
 }
 
 /// Time derivatives of the states. If one is not finite: fmi2Discard at and between events, where the solver may try a
-/// smaller step, else fmi2Error.
+/// smaller step, otherwise fmi2Error.
 ///
 /// # Safety
 /// `c` as for every call on an instance; `derivatives` must have `nx` elements.
@@ -153,8 +154,8 @@ pub unsafe extern "C-unwind" fn fmi2GetDerivatives(
     unsafe { enter(c, Call::GetDerivatives, body) }
 }
 
-/// Functions that change sign where derivatives or outputs jump. If one is not finite: fmi2Discard at and between events,
-/// else fmi2Error.
+/// Functions that change sign where derivatives or outputs jump. If one is not finite: fmi2Discard at and between
+/// events, otherwise fmi2Error.
 ///
 /// # Safety
 /// `c` as for every call on an instance; `eventIndicators` must have `ni` elements.
@@ -193,7 +194,7 @@ pub unsafe extern "C-unwind" fn fmi2GetContinuousStates(c: fmi2Component, x: *mu
     unsafe { enter(c, Call::GetContinuousStates, body) }
 }
 
-/// The usual sizes of the states.
+/// The nominal values of the states.
 ///
 /// # Safety
 /// `c` as for every call on an instance; `x_nominal` must have `nx` elements.

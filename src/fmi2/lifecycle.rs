@@ -1,7 +1,7 @@
-//! The state machines of FMI 2.0.5 sections 3.2.3 (Model Exchange) and 4.2.4 (co-simulation), as one table: which function
-//! may be called in which state.
+//! The state machines of FMI 2.0.5 sections 3.2.3 (Model Exchange) and 4.2.4 (co-simulation), as one table: which
+//! function may be called in which state.
 
-/// What an instance is for, as it was said to fmi2Instantiate.
+/// Interface type requested in fmi2Instantiate.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Purpose {
     /// The instance makes steps.
@@ -10,7 +10,7 @@ pub enum Purpose {
     ModelExchange,
 }
 
-/// States that an instance can reach. It never discards a step, and never fails beyond repair.
+/// States that an instance can reach. It never discards a step, and never fails irrecoverably.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum State {
     /// After fmi2Instantiate or fmi2Reset.
@@ -41,7 +41,7 @@ pub const STATES: [State; 7] = [
 ];
 
 impl State {
-    /// Can an instance for that purpose be in this state?
+    /// Whether an instance of this interface type can be in this state.
     pub const fn is_for(self, purpose: Purpose) -> bool {
         match self {
             State::StepComplete => matches!(purpose, Purpose::CoSimulation),
@@ -104,8 +104,8 @@ const BOTH: [Purpose; 2] = [Purpose::CoSimulation, Purpose::ModelExchange];
 const CS: [Purpose; 2] = [Purpose::CoSimulation; 2];
 const ME: [Purpose; 2] = [Purpose::ModelExchange; 2];
 
-/// Row: function, in the order of [`Call`]; instances that have it. Column: instantiated, initialization, stepComplete,
-/// terminated, error, event mode, continuous-time mode.
+/// Row: function, in the order of [`Call`], and the interface types that have it. Column: instantiated, initialization,
+/// stepComplete, terminated, error, event mode, continuous-time mode.
 #[rustfmt::skip]
 pub const ALLOWED: [(Call, [Purpose; 2], [bool; 7]); 40] = [
     (Call::SetDebugLogging,               BOTH, [X, X, X, X, X, X, X]),
@@ -151,13 +151,13 @@ pub const ALLOWED: [(Call, [Purpose; 2], [bool; 7]); 40] = [
 ];
 
 impl Call {
-    /// May it be called in that state?
+    /// Whether it may be called in this state.
     #[inline]
     pub const fn is_allowed(self, state: State) -> bool {
         ALLOWED[self as usize].2[state as usize]
     }
 
-    /// Do instances for that purpose have it?
+    /// Whether instances of this interface type have it.
     #[inline]
     pub const fn is_for(self, purpose: Purpose) -> bool {
         let [one, other] = ALLOWED[self as usize].1;

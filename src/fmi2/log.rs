@@ -8,16 +8,16 @@ use crate::memory::{self, OUT_OF_MEMORY, OutOfMemory};
 
 /// A log category of FMI 2.0.5 section 2.2.4.
 pub struct Category {
-    /// Name, as it stands in modelDescription.xml.
+    /// Name, as in modelDescription.xml.
     pub name: &'static CStr,
-    /// What is reported under it.
+    /// Messages reported under it.
     pub description: &'static str,
 }
 
-/// Values that make no sense, and are taken.
+/// Values that make no sense but are accepted.
 pub const WARNING: Category = Category {
     name: c"logStatusWarning",
-    description: "What was taken, though it makes no sense, such as an input that was left open.",
+    description: "Values that were accepted although they make no sense, such as an unconnected input at 0.",
 };
 /// Refused values.
 pub const DISCARD: Category =
@@ -30,37 +30,37 @@ pub const ALL: Category = Category { name: c"logAll", description: "All messages
 /// Every category of this library.
 pub const CATEGORIES: [Category; 4] = [WARNING, DISCARD, ERROR, ALL];
 
-/// The importer's logger, and what it wants to hear.
+/// The importer's logger and its settings.
 ///
-/// A message is kept first, and told when nothing else is left to do in a call. The logger of a C++ host may throw: no
-/// function that it then leaves may have anything to clean up, because that would be done by the unwinder of this
-/// library, and unwinders of two libraries need not understand each other. For the same reason the text belongs to the
-/// log, which frees it later if it must.
+/// A message is stored first, and logged after everything else in a call is done. The logger of a C++ host may throw:
+/// no function that the exception passes may have anything to clean up, because that would be done by the unwinder of
+/// this library, and the unwinders of two libraries need not be compatible. For the same reason the text belongs to the
+/// log, which frees it later if necessary.
 pub(super) struct Log {
     callbacks: fmi2CallbackFunctions,
     instance_name: CString,
     hears: Hears,
-    /// `None` where there was no memory for it.
+    /// `None` if there was no memory for it.
     message: Option<CString>,
     waiting: Option<Reason>,
     told: Told,
 }
 
-/// What the importer wants to hear.
+/// The categories that the importer has enabled.
 ///
-/// `loggingOn` switches debug logging, and the reason of a failure is none: many importers leave it off, and their users
-/// would see no reason at all. As in the Reference-FMUs errors are told all the same, and here what a user has set wrongly
-/// or left open. Only fmi2SetDebugLogging switches that off.
+/// `loggingOn` enables debug logging, but the reason of a failure is not debug output: many importers leave it off, and
+/// their users would not see any reason. As in the Reference-FMUs errors are logged in any case, and here also the
+/// values that a user has set wrongly or left open. Only fmi2SetDebugLogging switches those off.
 #[derive(Clone, Copy)]
 struct Hears {
     warning: bool,
     discard: bool,
-    /// Answers to a solver's trials and to questions, which are discarded in the ordinary course of a run.
+    /// Answers to a solver's trials and to queries, which are discarded in the ordinary course of a run.
     trial: bool,
     error: bool,
 }
 
-// The environment pointer is only handed back to the importer, which must accept calls from any thread it uses.
+// The environment pointer is only passed back to the importer, which must accept calls from any thread it uses.
 impl Log {
     pub fn new(callbacks: fmi2CallbackFunctions, instance_name: &CStr, debug: bool) -> Result<Log, OutOfMemory> {
         Ok(Log {
@@ -73,7 +73,7 @@ impl Log {
         })
     }
 
-    /// Switches the named category; `None` if there is none of that name.
+    /// Switches the named category; `None` if it does not exist.
     pub fn switch(&mut self, category: &CStr, enabled: bool) -> Option<()> {
         let hears = &mut self.hears;
         if category == WARNING.name {
@@ -90,7 +90,7 @@ impl Log {
         Some(())
     }
 
-    /// Keeps a message, to be told by [`Log::tell`], if the importer wants to hear of it.
+    /// Stores a message for [`Log::tell`] if the importer has enabled its category.
     pub fn keep(&mut self, reason: Reason, text: fmt::Arguments) {
         let is_heard = match reason {
             Reason::Warning => self.hears.warning,
@@ -104,20 +104,20 @@ impl Log {
         }
     }
 
-    /// Keeps a warning, once.
+    /// Stores a warning, once.
     pub fn warn(&mut self, text: &str) {
         if self.hears.warning && self.told.is_new(text) {
             self.keep(Reason::Warning, format_args!("{text}"));
         }
     }
 
-    /// Is there a message to be told?
+    /// Whether a message is pending.
     #[inline(always)]
     pub fn is_waiting(&self) -> bool {
         self.waiting.is_some()
     }
 
-    /// Tells the importer the message that was kept. It may throw.
+    /// Passes the pending message to the importer's logger, which may throw.
     #[cold]
     #[inline(never)]
     pub fn tell(&mut self) {
@@ -134,20 +134,20 @@ impl Log {
     }
 }
 
-/// Why the importer hears of a call.
+/// Why a call is logged.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Reason {
     /// Done, but it makes no sense.
     Warning,
     /// A value was refused.
     Discard,
-    /// A solver's trial, or a question, was answered with no.
+    /// A solver's trial or a query was discarded.
     Trial,
     /// A call was refused.
     Error,
 }
 
-/// Warnings that were told: an instance tells none twice, and no more than these.
+/// Warnings already logged: an instance logs none twice, and no more than these.
 #[derive(Default)]
 struct Told {
     marks: [u64; 16],
@@ -188,8 +188,8 @@ pub(super) unsafe fn send(
     }
 }
 
-/// A message that is told where there is no instance to keep it: of a fixed length, so that there is nothing to free.
-/// What is longer is cut.
+/// A message logged where no instance can store it: of a fixed length, so that nothing needs to be freed. Longer texts
+/// are truncated.
 pub(super) struct Line {
     bytes: [u8; 512],
     length: usize,
@@ -199,7 +199,7 @@ impl Line {
     pub const EMPTY: Line = Line { bytes: [0; 512], length: 0 };
 
     pub fn write(&mut self, text: fmt::Arguments) {
-        // An error says that the text is cut, which is what it is for.
+        // An error says that the text is truncated, as intended.
         let _ = write!(self, "{}", Doubled(text));
     }
 
@@ -211,7 +211,7 @@ impl Line {
 
 impl Write for Line {
     fn write_str(&mut self, more: &str) -> fmt::Result {
-        // A zero remains at the end, and no character is cut in two.
+        // A zero remains at the end, and no character is split.
         let room = self.bytes.len() - 1 - self.length;
         let fits = (0..=more.len().min(room)).rev().find(|end| more.is_char_boundary(*end)).unwrap_or_default();
         self.bytes[self.length..self.length + fits].copy_from_slice(&more.as_bytes()[..fits]);

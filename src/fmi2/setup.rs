@@ -27,10 +27,10 @@ pub extern "C-unwind" fn fmi2GetVersion() -> fmi2String {
 
 /// Makes an instance of the model whose guid is `fmuGUID`, to be freed once with fmi2FreeInstance.
 ///
-/// `fmuType` must be `fmi2CoSimulation` or, for the models that offer it, `fmi2ModelExchange`. `callbacks` is copied;
-/// its function pointers may all be NULL. `fmuResourceLocation` and `visible` are not used. Returns NULL, and says why
-/// to the logger, if the guid is that of no model of this library, if the model does not offer that type, if the name
-/// is blank, or if there is no memory; without a word if `callbacks` is NULL, for then there is no logger.
+/// `fmuType` must be `fmi2CoSimulation` or, for models that support it, `fmi2ModelExchange`. `callbacks` is copied; its
+/// function pointers may all be NULL. `fmuResourceLocation` and `visible` are not used. Returns NULL, and logs the
+/// reason, if the guid does not belong to a model of this library, if the model does not support that type, if the name
+/// is blank, or if memory runs out; silently if `callbacks` is NULL, as there is no logger.
 ///
 /// # Safety
 /// Texts must be NULL or zero-terminated; `callbacks` must be NULL or point to a valid struct.
@@ -60,7 +60,7 @@ pub unsafe extern "C-unwind" fn fmi2Instantiate(
     c
 }
 
-/// Makes an instance; NULL if it cannot, and `line` says why.
+/// Makes an instance, or returns NULL with the reason in `line`.
 #[inline(never)]
 fn make(
     name: &CStr,
@@ -90,10 +90,10 @@ fn instantiate(
         return Err(memory::text("instanceName is NULL or blank"));
     }
     let guid = guid.ok_or_else(|| memory::text("fmuGUID is NULL"))?;
-    let guid = guid.to_str().unwrap_or("that is no UTF-8");
+    let guid = guid.to_str().unwrap_or("(a text that is not UTF-8)");
     let model = catalogue::by_guid(guid).ok_or_else(|| {
         memory::text(format_args!(
-            "guid {guid} belongs to no model of stribeck {}: modelDescription.xml and library are of different versions",
+            "guid {guid} does not belong to a model of stribeck {}: modelDescription.xml and library differ in version",
             env!("CARGO_PKG_VERSION")
         ))
     })?;
@@ -127,8 +127,8 @@ pub unsafe extern "C-unwind" fn fmi2FreeInstance(c: fmi2Component) {
 }
 
 /// Switches log categories (`logStatusWarning`, `logStatusDiscard`, `logStatusError`, `logAll`); all of them if
-/// `nCategories` is 0. Before, an importer hears of errors, refused values and warnings even if `loggingOn` of
-/// fmi2Instantiate was false; of what a solver's trials meet only if it was true.
+/// `nCategories` is 0. Before this call, errors, refused values and warnings are logged even if `loggingOn` of
+/// fmi2Instantiate was false; values refused in a solver's trials only if it was true.
 ///
 /// # Safety
 /// `c` as for every call on an instance; `categories` must hold `nCategories` zero-terminated texts.
@@ -158,8 +158,8 @@ pub unsafe extern "C-unwind" fn fmi2SetDebugLogging(
     unsafe { enter(c, Call::SetDebugLogging, body) }
 }
 
-/// Declares start time and, if defined, stop time, beyond which no step may reach. The tolerance is only checked: the
-/// steps are exact or hold a tighter tolerance of their own.
+/// Declares start time and, if defined, stop time, which no step may exceed. The tolerance is only checked: the steps
+/// are exact or keep a tighter tolerance of their own.
 ///
 /// # Safety
 /// `c` as for every call on an instance.
@@ -191,7 +191,7 @@ pub unsafe extern "C-unwind" fn fmi2SetupExperiment(
     unsafe { enter(c, Call::SetupExperiment, body) }
 }
 
-/// Enters the initialization mode, in which inputs are set and outputs read at the start time.
+/// Enters initialization mode, in which inputs are set and outputs read at the start time.
 ///
 /// # Safety
 /// `c` as for every call on an instance.
@@ -199,7 +199,7 @@ pub unsafe extern "C-unwind" fn fmi2SetupExperiment(
 pub unsafe extern "C-unwind" fn fmi2EnterInitializationMode(c: fmi2Component) -> fmi2Status {
     let body = |slave: &mut Slave| {
         if !slave.experiment.is_set_up {
-            return refuse("fmi2SetupExperiment must be called before");
+            return refuse("fmi2SetupExperiment must be called first");
         }
         slave.state = State::Initialization;
         Ok(())
@@ -208,8 +208,9 @@ pub unsafe extern "C-unwind" fn fmi2EnterInitializationMode(c: fmi2Component) ->
     unsafe { enter(c, Call::EnterInitializationMode, body) }
 }
 
-/// Ends the initialization: parameters must now fit together, outputs must be finite. Model Exchange goes on in event
-/// mode; what the start values have left open is settled, and the first fmi2NewDiscreteStates says whether states jumped.
+/// Ends the initialization: parameters must now fit together, outputs must be finite. Model Exchange continues in event
+/// mode; the states left undetermined by the start values are set, and the first fmi2NewDiscreteStates reports whether
+/// states jumped.
 ///
 /// # Safety
 /// `c` as for every call on an instance.
@@ -246,7 +247,7 @@ pub unsafe extern "C-unwind" fn fmi2Terminate(c: fmi2Component) -> fmi2Status {
     unsafe { enter(c, Call::Terminate, body) }
 }
 
-/// Back to the state after fmi2Instantiate: start values, no experiment, time 0. Log settings stay.
+/// Resets to the state after fmi2Instantiate: start values, no experiment, time 0. Log settings are kept.
 ///
 /// # Safety
 /// `c` as for every call on an instance.

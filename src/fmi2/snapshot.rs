@@ -10,7 +10,7 @@ use crate::memory::{self, OutOfMemory};
 use crate::model::ModelType;
 use crate::serial;
 
-/// What an importer holds as `fmi2FMUstate`.
+/// The state behind an importer's `fmi2FMUstate`.
 struct Saved {
     magic: u64,
     guid: GuidText,
@@ -19,7 +19,7 @@ struct Saved {
     snapshot: Snapshot,
 }
 
-/// Marks the memory of a saved state, so that a pointer to something else is refused.
+/// Marks the memory of a saved state, so that a pointer to anything else is refused.
 const MAGIC: u64 = u64::from_le_bytes(*b"STRISAVE");
 
 impl Saved {
@@ -51,10 +51,10 @@ impl Saved {
         let number = STATES.iter().enumerate().find(|(index, _)| (*index as f64).to_bits() == state.to_bits());
         let Some((_, state)) = number else { return refuse(format_args!("unknown state {state}")) };
         if !start.is_finite() || stop.is_nan() {
-            return refuse(format_args!("start time {start} or stop time {stop} is no time"));
+            return refuse(format_args!("start time {start} or stop time {stop} is not valid"));
         }
         let Some(is_set_up) = serial::flag(is_set_up) else {
-            return refuse(format_args!("the flag of the experiment is {is_set_up}, and neither 0 nor 1"));
+            return refuse(format_args!("the flag of the experiment is {is_set_up}: must be 0 or 1"));
         };
         let experiment = Experiment { is_set_up, start, stop };
         Ok(Saved { magic: MAGIC, guid: model.guid_text(), state: *state, experiment, snapshot })
@@ -69,28 +69,28 @@ unsafe fn saved<'a>(slave: &Slave, state: fmi2FMUstate) -> Result<&'a Saved, Ref
     // SAFETY: the caller's promise.
     match unsafe { state.cast::<Saved>().as_ref() } {
         None => refuse("FMUstate is NULL"),
-        Some(saved) if saved.magic != MAGIC => refuse("FMUstate is no state of this library"),
+        Some(saved) if saved.magic != MAGIC => refuse("FMUstate is not a state of this library"),
         Some(saved) if saved.guid != slave.guid => {
             let whose = catalogue::by_guid(saved.guid).map_or("another version", |model| model.name);
-            refuse(format_args!("FMUstate is one of {whose}, not of {}", slave.instance.model().name))
+            refuse(format_args!("FMUstate belongs to {whose}, not to {}", slave.instance.model().name))
         }
         Some(saved) => Ok(saved),
     }
 }
 
-/// As [`saved`], to write.
+/// As [`saved`], mutable.
 ///
 /// # Safety
-/// As for [`saved`]; nobody else may use the state during the call.
+/// As for [`saved`]; the state must not be used elsewhere during the call.
 unsafe fn saved_mut<'a>(slave: &Slave, state: fmi2FMUstate) -> Result<&'a mut Saved, Refusal> {
     // SAFETY: the caller's promise.
     unsafe { saved(slave, state) }?;
-    // SAFETY: `saved` has found a state there, and the caller promises that nobody else uses it.
+    // SAFETY: `saved` has found a state there, and the caller promises that it is not used elsewhere.
     Ok(unsafe { &mut *state.cast::<Saved>() })
 }
 
-/// Saves the state. `*FMUstate` must be NULL, to make a new one, or an earlier state, to overwrite it. To be freed once
-/// with fmi2FreeFMUstate.
+/// Saves the state. `*FMUstate` must be NULL, to make a new one, or an earlier state, to overwrite it. The state must
+/// be freed once with fmi2FreeFMUstate.
 ///
 /// # Safety
 /// `c` as for every call on an instance; `FMUstate` must be NULL or point to NULL or to a state of this library.
@@ -111,8 +111,8 @@ pub unsafe extern "C-unwind" fn fmi2GetFMUstate(c: fmi2Component, FMUstate: *mut
     unsafe { enter(c, Call::GetFMUstate, body) }
 }
 
-/// Goes back to a saved state, of this or of another instance of the same model. The state can be used again.
-/// Co-simulation refuses one that only events lead to (`phase`).
+/// Restores a saved state of this or of another instance of the same model. The state can be used again. Co-simulation
+/// refuses a state that only events can produce (`phase`).
 ///
 /// # Safety
 /// `c` as for every call on an instance; `FMUstate` must be NULL or a state of this library.
@@ -122,7 +122,10 @@ pub unsafe extern "C-unwind" fn fmi2SetFMUstate(c: fmi2Component, FMUstate: fmi2
         // SAFETY: the caller's promise.
         let saved = unsafe { saved(slave, FMUstate) }?;
         if !saved.state.is_for(slave.purpose) {
-            return refuse(format_args!("FMUstate is in state {:?}, not one of {:?}", saved.state, slave.purpose));
+            return refuse(format_args!(
+                "FMUstate is in state {:?}, which {:?} does not have",
+                saved.state, slave.purpose
+            ));
         }
         if slave.purpose == Purpose::CoSimulation {
             slave.instance.check_without_events(&saved.snapshot)?;
@@ -131,7 +134,7 @@ pub unsafe extern "C-unwind" fn fmi2SetFMUstate(c: fmi2Component, FMUstate: fmi2
         if saved.state == State::ContinuousTimeMode {
             slave.instance.go_on_between_events();
         }
-        // It is not saved whether an event was told of; to read the states again is never wrong.
+        // Whether an event was reported is not saved; reading the states again is never wrong.
         slave.has_jumped = saved.state == State::EventMode;
         slave.state = saved.state;
         slave.experiment = saved.experiment;
@@ -182,11 +185,12 @@ pub unsafe extern "C-unwind" fn fmi2SerializedFMUstateSize(
     unsafe { enter(c, Call::SerializedFMUstateSize, body) }
 }
 
-/// Writes a saved state as bytes that another process, on another platform too, can read. Equal states give equal bytes.
+/// Writes a saved state as bytes that another process, even on another platform, can read. Equal states give equal
+/// bytes.
 ///
 /// # Safety
-/// `c` as for every call on an instance; `FMUstate` must be NULL or a state of this library; `serializedState` must have
-/// `size` bytes.
+/// `c` as for every call on an instance; `FMUstate` must be NULL or a state of this library; `serializedState` must
+/// have `size` bytes.
 #[unsafe(no_mangle)]
 pub unsafe extern "C-unwind" fn fmi2SerializeFMUstate(
     c: fmi2Component,
@@ -243,7 +247,7 @@ mod tests {
     use super::*;
     use crate::instance::Instance;
 
-    /// The checksum only says that nothing was damaged: what the FMI layer adds is looked at too.
+    /// The checksum only shows that nothing was damaged: the values of the FMI layer are checked as well.
     #[test]
     fn owners_numbers_that_make_no_sense_are_refused() {
         let model = crate::catalogue::by_name("LuGre").expect("a model of the catalogue");
@@ -253,7 +257,7 @@ mod tests {
             serial::write(model, &snapshot, owners, &mut bytes);
             Saved::read(model, &bytes)
         };
-        let sound = read([0.0, 1.0, 0.5, f64::INFINITY]).ok().expect("a sound state");
+        let sound = read([0.0, 1.0, 0.5, f64::INFINITY]).ok().expect("a valid state");
         assert!(sound.state == STATES[0] && sound.experiment.is_set_up && sound.experiment.start == 0.5);
         let states = STATES.len() as f64;
         for (owners, why) in [
@@ -264,7 +268,7 @@ mod tests {
             ([0.0, 0.5, 0.0, 1.0], "the flag of the experiment is 0.5".to_owned()),
             ([0.0, -0.0, 0.0, 1.0], "the flag of the experiment is -0".to_owned()),
         ] {
-            let Err(Refusal::Error(text)) = read(owners) else { panic!("{owners:?} was taken") };
+            let Err(Refusal::Error(text)) = read(owners) else { panic!("{owners:?} was accepted") };
             assert!(text.contains(&why), "{text}");
         }
     }

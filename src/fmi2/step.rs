@@ -1,4 +1,4 @@
-//! fmi2DoStep and the questions about it.
+//! fmi2DoStep and the queries about it.
 
 use super::door::{Outcome, Refusal, Slave, enter, refuse};
 use super::lifecycle::Call;
@@ -9,12 +9,12 @@ use crate::memory;
 /// nanoseconds.
 const TIME_SLACK: f64 = 1e-9;
 
-/// Slack relative to the time: masters keep it in single precision, and two such times are off by half a digit each.
-/// However far that clock drifts, each step begins where the last one ended by the same clock.
+/// Slack relative to the time: some masters keep it in single precision, and two such times are off by half a digit
+/// each. However far that clock drifts, each step begins where the last one ended by the same clock.
 const RELATIVE_SLACK: f64 = f32::EPSILON as f64;
 
-/// But never more than this part of the step (chosen), apart from rounding: a step that is repeated or left out is wrong
-/// by a whole one.
+/// But never more than this part of the step (chosen), apart from rounding: a step that is repeated or skipped is off
+/// by a whole step.
 const STEP_SLACK: f64 = 0.4;
 
 fn slack(t: f64, time: f64, h: f64) -> f64 {
@@ -39,7 +39,7 @@ pub unsafe extern "C-unwind" fn fmi2DoStep(
         let (t, h) = (currentCommunicationPoint, communicationStepSize);
         check_step(slave, t, h)?;
         slave.instance.step(h)?;
-        // The master's clock is the clock.
+        // The master's clock is the reference.
         slave.instance.set_time(t + h);
         slave.count_step();
         Ok(())
@@ -58,7 +58,7 @@ fn check_step(slave: &Slave, t: f64, h: f64) -> Outcome {
     check_unusual_step(slave, t, h)
 }
 
-/// A step that begins, or ends, a rounding error away from where it should; or a wrong one.
+/// A step that begins, or ends, a rounding error away from where it should; otherwise a wrong one.
 #[inline(never)]
 fn check_unusual_step(slave: &Slave, t: f64, h: f64) -> Outcome {
     let (time, stop) = (slave.instance.time(), slave.experiment.stop);
@@ -75,7 +75,7 @@ fn check_unusual_step(slave: &Slave, t: f64, h: f64) -> Outcome {
     Ok(())
 }
 
-/// Always an error: no step is ever pending.
+/// Always an error: steps are never pending.
 ///
 /// # Safety
 /// `c` as for every call on an instance.
@@ -85,7 +85,7 @@ pub unsafe extern "C-unwind" fn fmi2CancelStep(c: fmi2Component) -> fmi2Status {
     unsafe { enter(c, Call::CancelStep, |_| Ok(())) }
 }
 
-/// Answers a question about the last step: `answer` gives the value for a kind, if it has one.
+/// Answers a query about the last step: `answer` gives the value for a kind, if it has one.
 ///
 /// # Safety
 /// `c` as for every call on an instance; `value` must be NULL or writable.
@@ -102,7 +102,7 @@ unsafe fn status<T>(
         match answer(slave) {
             Some(found) => *value = found,
             None => {
-                let text = format_args!("status kind {kind} has no such value: steps are synchronous");
+                let text = format_args!("status kind {kind} is not available: steps are synchronous");
                 return Err(Refusal::Trial(memory::text(text)));
             }
         }
@@ -112,7 +112,7 @@ unsafe fn status<T>(
     unsafe { enter(c, call, body) }
 }
 
-/// Always fmi2Discard: there is no asynchronous step to ask about.
+/// Always fmi2Discard: there are no asynchronous steps.
 ///
 /// # Safety
 /// `c` as for every call on an instance; `value` must be NULL or writable.
@@ -141,7 +141,7 @@ pub unsafe extern "C-unwind" fn fmi2GetRealStatus(
     unsafe { status(c, Call::GetRealStatus, s, value, time) }
 }
 
-/// Always fmi2Discard: no status is an integer.
+/// Always fmi2Discard: there is no integer status.
 ///
 /// # Safety
 /// As for fmi2GetStatus.
@@ -155,7 +155,7 @@ pub unsafe extern "C-unwind" fn fmi2GetIntegerStatus(
     unsafe { status(c, Call::GetIntegerStatus, s, value, |_| None) }
 }
 
-/// `fmi2Terminated`: no model ends the simulation by itself, so fmi2False. fmi2Discard for other kinds.
+/// `fmi2Terminated`: no model ends the simulation, so fmi2False. fmi2Discard for other kinds.
 ///
 /// # Safety
 /// As for fmi2GetStatus.

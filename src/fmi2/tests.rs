@@ -1,4 +1,5 @@
-//! What needs the probe: base types, enumerations, parts, panics. The rest is tested from outside in `tests/fmi.rs`.
+//! Tests that need the probe: base types, enumerations, parts, panics. The rest is tested from outside in
+//! `tests/fmi.rs`.
 
 use std::ffi::{CStr, CString, c_void};
 use std::process::Command;
@@ -82,7 +83,7 @@ fn integers_booleans_and_enumerations_have_their_own_functions_and_bounds() {
         assert_eq!(fmi2SetReal(c, &column("element[2].stiffness"), 1, &5.0), fmi2Status::fmi2OK);
         assert_eq!(get_real(c, "element[2].stiffness"), 5.0);
         assert_eq!(get_real(c, "element[3].stiffness"), 2.0);
-        assert_eq!(fmi2GetReal(c, &column("count"), 1, &mut 0.0), fmi2Status::fmi2Error, "an Integer is no Real");
+        assert_eq!(fmi2GetReal(c, &column("count"), 1, &mut 0.0), fmi2Status::fmi2Error, "an Integer is not a Real");
         fmi2FreeInstance(c);
     }
 }
@@ -97,13 +98,13 @@ fn a_step_that_would_overflow_is_an_error_and_changes_nothing() {
         assert_eq!(set_integer(c, "behaviour", 3), fmi2Status::fmi2OK);
         assert_eq!(step(c, 0.5), fmi2Status::fmi2Error);
         assert_eq!(get_real(c, "doubled"), 4.0);
-        assert_eq!(step(c, 0.5), fmi2Status::fmi2Error, "after an error only reset, free and restore lead on");
+        assert_eq!(step(c, 0.5), fmi2Status::fmi2Error, "after an error only reset, free and restore are allowed");
         assert_eq!(fmi2Reset(c), fmi2Status::fmi2OK);
         fmi2FreeInstance(c);
     }
 }
 
-/// What the logger of the probe heard: the status, and where the text begins that it names.
+/// A message logged by the probe: the status, the category, and the beginning of the text.
 static TOLD: Mutex<Vec<(fmi2Status, String, String)>> = Mutex::new(Vec::new());
 
 /// Rust cannot define variadic functions; see `tests/common/importer.rs`.
@@ -120,8 +121,8 @@ unsafe extern "C" fn listen(
     TOLD.lock().expect("one test").push((status, text(category), text(argument)));
 }
 
-/// Values that make no sense are taken: the step returns fmi2OK, and the logger hears why, once for each text, after the
-/// steps 1, 2, 4 and so on, also where logging is off.
+/// Values that make no sense are accepted: the step returns fmi2OK, and the logger gets the reason, once for each text,
+/// after the steps 1, 2, 4 and so on, even if logging is off.
 #[test]
 fn a_warning_is_told_once() {
     type Fixed = unsafe extern "C" fn(*mut c_void, fmi2String, fmi2Status, fmi2String, fmi2String, fmi2String);
@@ -165,7 +166,7 @@ fn a_warning_is_told_once() {
 
 const CHILD: &str = "STRIBECK_TEST_PANICS";
 
-/// Run by the next test in a process of its own, whose output can be seen.
+/// Run by the next test in a separate process, whose output can be seen.
 #[test]
 fn child_panics() {
     if std::env::var_os(CHILD).is_none() {
@@ -195,7 +196,7 @@ fn a_panic_becomes_an_error_and_prints_nothing() {
     assert!(passed && said.is_empty(), "{said}");
 }
 
-/// The rows of the table of section 4.2.4 are as many as the functions on an instance, and no state is without a way out.
+/// The table of section 4.2.4 has one row per function on an instance, and no state is without a way out.
 #[test]
 fn every_state_allows_reset_free_and_restore() {
     use super::lifecycle::Call;

@@ -6,7 +6,7 @@ use libc::{c_char, c_int, c_uint};
 
 /// An instance of a model.
 pub type fmi2Component = *mut c_void;
-/// What the importer gets back in its logger.
+/// Pointer that the importer gets back in its logger.
 pub type fmi2ComponentEnvironment = *mut c_void;
 /// A saved state of an instance.
 pub type fmi2FMUstate = *mut c_void;
@@ -34,28 +34,28 @@ pub const fmi2False: fmi2Boolean = 0;
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum fmi2Status {
-    /// All well.
+    /// Success.
     fmi2OK,
-    /// Done, but with a remark in the log.
+    /// Success, with a warning in the log.
     fmi2Warning,
-    /// Refused; nothing was changed and the simulation can go on.
+    /// Refused; nothing was changed and the simulation can continue.
     fmi2Discard,
     /// Refused; the instance must be reset, freed or given a saved state.
     fmi2Error,
-    /// The instance is lost.
+    /// The instance cannot be used any more.
     fmi2Fatal,
-    /// Still working (never returned: all calls are synchronous).
+    /// Still running (never returned: all calls are synchronous).
     fmi2Pending,
 }
 
-/// Kind of an FMU, an argument of fmi2Instantiate: `fmi2ModelExchange` or `fmi2CoSimulation`.
+/// Interface type of an FMU, an argument of fmi2Instantiate: `fmi2ModelExchange` or `fmi2CoSimulation`.
 pub type fmi2Type = c_int;
 /// Model exchange.
 pub const fmi2ModelExchange: fmi2Type = 0;
 /// Co-simulation.
 pub const fmi2CoSimulation: fmi2Type = 1;
 
-/// What fmi2GetXXXStatus asks for.
+/// Kinds of status for fmi2GetXXXStatus.
 pub type fmi2StatusKind = c_int;
 /// Result of an asynchronous step.
 pub const fmi2DoStepStatus: fmi2StatusKind = 0;
@@ -63,7 +63,7 @@ pub const fmi2DoStepStatus: fmi2StatusKind = 0;
 pub const fmi2PendingStatus: fmi2StatusKind = 1;
 /// End of the last completed step.
 pub const fmi2LastSuccessfulTime: fmi2StatusKind = 2;
-/// Does the instance want to end the simulation?
+/// Whether the instance wants to end the simulation.
 pub const fmi2Terminated: fmi2StatusKind = 3;
 
 /// Receives a message. `message` is a printf format; this library passes "%s" and the text.
@@ -85,25 +85,25 @@ pub type fmi2CallbackFreeMemory = Option<unsafe extern "C" fn(obj: *mut c_void)>
 pub type fmi2StepFinished =
     Option<unsafe extern "C" fn(componentEnvironment: fmi2ComponentEnvironment, status: fmi2Status)>;
 
-/// What an event has changed, or needs.
+/// Changes and requests of an event.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct fmi2EventInfo {
-    /// Must fmi2NewDiscreteStates be called again?
+    /// Whether fmi2NewDiscreteStates must be called again.
     pub newDiscreteStatesNeeded: fmi2Boolean,
-    /// Is the simulation to end?
+    /// Whether the simulation must end.
     pub terminateSimulation: fmi2Boolean,
-    /// Are there new nominal values of the states?
+    /// Whether the states have new nominal values.
     pub nominalsOfContinuousStatesChanged: fmi2Boolean,
-    /// Have the states jumped?
+    /// Whether the states have jumped.
     pub valuesOfContinuousStatesChanged: fmi2Boolean,
-    /// Is the time of the next event known?
+    /// Whether the time of the next event is known.
     pub nextEventTimeDefined: fmi2Boolean,
-    /// That time.
+    /// Time of the next event.
     pub nextEventTime: fmi2Real,
 }
 
-/// What the importer offers. It is copied by fmi2Instantiate and need not outlive that call.
+/// Functions of the importer. The struct is copied by fmi2Instantiate and need not outlive that call.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct fmi2CallbackFunctions {
@@ -115,6 +115,6 @@ pub struct fmi2CallbackFunctions {
     pub freeMemory: fmi2CallbackFreeMemory,
     /// Not used; may be NULL.
     pub stepFinished: fmi2StepFinished,
-    /// Given back to the logger.
+    /// Passed back to the logger.
     pub componentEnvironment: fmi2ComponentEnvironment,
 }

@@ -8,7 +8,7 @@ use super::types::fmi2Status::fmi2OK;
 use super::types::*;
 use crate::model::{BaseType, Fault, Role, Variable};
 
-/// How one of FMI's base types looks at a column.
+/// View of a column as one of FMI's base types.
 trait Base {
     type Value: Copy;
     const TYPE: BaseType;
@@ -56,24 +56,24 @@ impl Base for Boolean {
 }
 
 impl Slave {
-    /// Is it the value reference of the independent variable `time`, the one behind the last column?
+    /// Whether this is the value reference of the independent variable `time`, the one after the last column.
     fn is_time<B: Base>(&self, reference: fmi2ValueReference) -> bool {
         reference as usize == self.instance.row().len() && B::TYPE == BaseType::Real
     }
 
-    /// The column of the state whose derivative that value reference means: they follow behind `time`, in the order of
-    /// the states.
+    /// The column of the state whose derivative has this value reference; the derivatives follow `time`, in the order
+    /// of the states.
     fn derivative_of<B: Base>(&self, reference: fmi2ValueReference) -> Option<usize> {
         let place = (reference as usize).checked_sub(self.instance.row().len() + 1)?;
         self.instance.continuous_states().get(place).copied().filter(|_| B::TYPE == BaseType::Real)
     }
 
-    /// Is it a result, which may lag behind the other columns?
+    /// Whether it is a result, which may lag behind the other columns.
     fn is_computed(&self, reference: fmi2ValueReference) -> bool {
         self.instance.variable(reference as usize).is_some_and(|variable| variable.role.is_computed())
     }
 
-    /// The variable behind a value reference; an error if it is of another type, or if there is none.
+    /// The variable with this value reference; an error if it is of another type or does not exist.
     fn variable<B: Base>(&self, reference: fmi2ValueReference) -> Result<&'static Variable, Refusal> {
         match self.instance.variable(reference as usize) {
             Some(variable) if variable.kind.base_type() == B::TYPE => Ok(variable),
@@ -82,8 +82,8 @@ impl Slave {
     }
 }
 
-/// FMI 2.0.5, conditions of the tables in sections 3.2.3 (1, 3, 4 and 5) and 4.2.4 (1, 3 and 6): what may be set in a
-/// state.
+/// FMI 2.0.5, conditions of the tables in sections 3.2.3 (1, 3, 4 and 5) and 4.2.4 (1, 3 and 6): whether the variable
+/// may be set in a state.
 fn may_set(state: State, variable: &Variable) -> bool {
     match variable.role {
         Role::Input => true,
@@ -98,14 +98,14 @@ fn may_set(state: State, variable: &Variable) -> bool {
 
 fn wrong_reference(slave: &Slave, reference: fmi2ValueReference, wanted: BaseType) -> Refusal {
     match slave.instance.variable(reference as usize) {
-        None => Refusal::error(format_args!("value reference {reference} is that of no {wanted:?} variable")),
+        None => Refusal::error(format_args!("value reference {reference} does not belong to any {wanted:?} variable")),
         Some(variable) => {
             Refusal::error(format_args!("{} (value reference {reference}) is not of type {wanted:?}", variable.path))
         }
     }
 }
 
-/// Refuses a value that may not be set now, or that its variable does not admit.
+/// Refuses a value that may not be set now, or that is not admitted by its variable.
 fn check_value(slave: &Slave, variable: &Variable, value: f64) -> Outcome {
     let state = slave.state;
     if variable.role == Role::Output {
@@ -123,7 +123,7 @@ fn check_value(slave: &Slave, variable: &Variable, value: f64) -> Outcome {
     checked.map_err(|fault| Refusal::Discard(fault.0))
 }
 
-/// Reads `n` variables. After an error the values are not to be used.
+/// Reads `n` variables. After an error the values must not be used.
 #[inline(never)]
 unsafe fn get<B: Base>(
     c: fmi2Component,
@@ -187,8 +187,8 @@ unsafe fn set<B: Base>(
     unsafe { enter(c, call, body) }
 }
 
-/// The short way of fmi2GetReal: results that need no computing. False if there is anything else among them; what was
-/// written until then is written again by the long way, or not to be used.
+/// The fast path of fmi2GetReal: results that need no computing. False if there is anything else among them; the values
+/// written so far are then overwritten by the slow path, or must not be used.
 ///
 /// # Safety
 /// `vr` and `value` must be NULL or have `n` elements.
@@ -209,8 +209,8 @@ unsafe fn read_at_once(slave: &Slave, vr: *const fmi2ValueReference, n: usize, v
     !slave.instance.is_stale()
 }
 
-/// The short way of fmi2SetReal: admitted values of inputs, to which no rule but their range applies. False, and nothing
-/// changed, if there is anything else among them.
+/// The fast path of fmi2SetReal: admitted values of inputs with no rule but their range. False, with nothing changed,
+/// if there is anything else among them.
 ///
 /// # Safety
 /// `vr` and `value` must be NULL or have `n` elements.
@@ -340,7 +340,7 @@ pub unsafe extern "C-unwind" fn fmi2SetInteger(
     unsafe { set::<Integer>(c, Call::SetInteger, vr, nvr, value) }
 }
 
-/// Sets Boolean variables, as fmi2SetReal does; only `fmi2False` and `fmi2True` are taken.
+/// Sets Boolean variables, as fmi2SetReal does; only `fmi2False` and `fmi2True` are accepted.
 ///
 /// # Safety
 /// As for fmi2SetReal.
@@ -374,7 +374,7 @@ fn no_strings(vr: *const fmi2ValueReference, n: usize) -> Outcome {
     // SAFETY: the importer promises `n` value references.
     match unsafe { array(vr, n, "vr") }? {
         [] => Ok(()),
-        [reference, ..] => refuse(format_args!("value reference {reference} is that of no String variable")),
+        [reference, ..] => refuse(format_args!("value reference {reference} does not belong to any String variable")),
     }
 }
 
@@ -400,7 +400,7 @@ pub unsafe extern "C-unwind" fn fmi2SetRealInputDerivatives(
                 return refuse(format_args!("{} is not an input", variable.path));
             }
             if *order != 1 {
-                return refuse(format_args!("order {order} of {}: only order 1 is taken", variable.path));
+                return refuse(format_args!("order {order} of {}: only order 1 is supported", variable.path));
             }
             if !value.is_finite() {
                 return Err(Refusal::discard(format_args!(
@@ -418,7 +418,7 @@ pub unsafe extern "C-unwind" fn fmi2SetRealInputDerivatives(
     unsafe { enter(c, Call::SetRealInputDerivatives, body) }
 }
 
-/// Time derivatives of outputs at the present time: order 1 exact, higher orders 0 as the standard asks.
+/// Time derivatives of outputs at the present time: order 1 exact, higher orders 0 as the standard requires.
 ///
 /// # Safety
 /// `c` as for every call on an instance; `vr`, `order` and `value` must have `nvr` elements.
@@ -459,8 +459,9 @@ pub unsafe extern "C-unwind" fn fmi2GetRealOutputDerivatives(
     unsafe { enter(c, Call::GetRealOutputDerivatives, body) }
 }
 
-/// Derivative of outputs, and of the states' time derivatives, in a direction of inputs, parameters and states: exact, by
-/// automatic differentiation, but for the friction of ShockAbsorber before the run, which differences give.
+/// Derivative of outputs, and of the time derivatives of the states, in a direction of inputs, parameters and states:
+/// exact, by automatic differentiation, except for the friction of ShockAbsorber before the run, which is
+/// differentiated numerically.
 ///
 /// # Safety
 /// `c` as for every call on an instance; the arrays must have `nUnknown` and `nKnown` elements.
@@ -494,7 +495,10 @@ pub unsafe extern "C-unwind" fn fmi2GetDirectionalDerivative(
         for reference in knowns {
             let variable = slave.variable::<Real>(*reference)?;
             if variable.role == Role::Output {
-                return refuse(format_args!("{} is computed: outputs are differentiated, not varied", variable.path));
+                return refuse(format_args!(
+                    "{} is computed: nothing can be differentiated with respect to it",
+                    variable.path
+                ));
             }
         }
         if unknowns.iter().any(|reference| slave.is_computed(*reference)) {

@@ -3,8 +3,8 @@ use crate::model::{Fault, Model, Preset, boolean, real};
 use crate::number::Real;
 
 crate::model! {
-    /// Ambrosio friction: Coulomb friction that is off at rest and is ramped in between two velocities, for contacts in
-    /// multibody systems.
+    /// Ambrosio friction: Coulomb friction that is zero around rest and ramped up between two velocities, for contacts
+    /// in multibody systems.
     ///
     /// # Equations
     ///
@@ -16,7 +16,7 @@ crate::model! {
     /// ```
     ///
     /// With `mass` m > 0 the force over a step h is that of the velocity w at its end, and of several solutions the
-    /// first that is met from v on in the direction of the acceleration (implicit Euler):
+    /// first one reached from v in the direction of the acceleration (implicit Euler):
     ///
     /// ```text
     /// m (w - v) / h = f_e - f_f(w)
@@ -40,9 +40,9 @@ crate::model! {
     ///
     /// # Step
     /// Without `mass` the law has no memory; only the dissipated energy is integrated, exactly for held inputs. A
-    /// master that couples it explicitly to a mass m needs a communication step below 2 m / f'(0), where f'(v_0) = f_C
-    /// / (v_1 - v_0) in place of f'(0) (1090 N.s/m for the defaults: 1.8 ms for 1 kg); above, a held body chatters.
-    /// With `mass` there is no largest step. `sticking` says |v| < v_1.
+    /// master that couples it explicitly to a mass m needs a communication step below 2 m / f'(0), where f'(v_0) =
+    /// f_C / (v_1 - v_0) in place of f'(0) (1090 N.s/m for the defaults: 1.8 ms for 1 kg); above, a held body chatters.
+    /// With `mass` there is no largest step. `sticking` means |v| < v_1.
     ///
     #[doc = include_str!("coupling.md")]
     /// # Errors
@@ -66,12 +66,12 @@ crate::model! {
     /// law.output();
     /// assert!((law.friction_force + 0.981 / 2.0).abs() < 1e-15);
     /// ```
-    Ambrosio: "Coulomb friction that is ramped in with speed (Ambrosio)" {
+    Ambrosio: "Coulomb friction that is ramped up with speed (Ambrosio)" {
         /// Sliding velocity of body 1 relative to body 2.
         velocity: input = real("m/s", 0.0).shown_in("mm/s"),
         /// Normal force that presses the surfaces together.
         normal_force: input = real("N", 9.81).at_least(0.0),
-        /// All other tangential forces on body 1; if body 2 moves, mass times relative acceleration without friction.
+        /// Resultant of all other tangential forces on body 1; see Coupling if body 2 accelerates.
         external_force: input = real("N", 0.0),
         /// Kinetic coefficient of friction.
         mu_k: tunable = real("1", 0.1).at_least(0.0),
@@ -79,7 +79,7 @@ crate::model! {
         transition_velocity: tunable = real("m/s", 0.0001).at_least(0.0).shown_in("mm/s"),
         /// Velocity at which the kinetic level is reached.
         sliding_velocity: tunable = real("m/s", 0.001).positive().shown_in("mm/s"),
-        /// What the law needs of the host in co-simulation.
+        /// Data for co-simulation with a body of known mass.
         time_stepping: (TimeStepping),
         /// Energy taken out of the motion since the start.
         dissipated_energy: state_output = real("J", 0.0).nominal(1e-3),
@@ -98,7 +98,7 @@ impl<T: Real> Curve<T> for Ambrosio<T> {
     fn curve(&self, velocity: T) -> T {
         let [speed, from, to] = [velocity.abs(), self.transition_velocity, self.sliding_velocity];
         let share = if speed <= from {
-            // Without dead zone the ramp goes through rest.
+            // Without dead zone the ramp passes through rest.
             if from.is(0.0) { velocity / to } else { T::zero() }
         } else if speed < to {
             (speed - from) / (to - from) * velocity.sign()
@@ -125,7 +125,7 @@ memoryless!(Ambrosio);
 
 impl Model for Ambrosio {
     const PRESETS: &'static [Preset] =
-        &[Preset { name: "thesis", source: "Novais (2024), Tables 6.1 and 6.2: the start values", values: &[] }];
+        &[Preset { name: "thesis", source: "Novais (2024), Tables 6.1 and 6.2 (the start values)", values: &[] }];
 
     fn check(&self) -> Result<(), Fault> {
         if self.sliding_velocity <= self.transition_velocity {

@@ -14,7 +14,7 @@ crate::model! {
     /// ```
     ///
     /// With `mass` m > 0 the force over a step h is that of the velocity w at its end, and of several solutions the
-    /// first that is met from v on in the direction of the acceleration (implicit Euler):
+    /// first one reached from v in the direction of the acceleration (implicit Euler):
     ///
     /// ```text
     /// m (w - v) / h = f_e - f_f(w)
@@ -28,7 +28,7 @@ crate::model! {
     /// | mu_k   | `mu_k`                | 1     | kinetic coefficient of friction                 |
     /// | mu_s   | `mu_s`                | 1     | static coefficient of friction                  |
     /// | v_S    | `stribeck_velocity`   | m/s   | Stribeck velocity                               |
-    /// | p      | `stribeck_exponent`   | 1     | shape of the falling level                      |
+    /// | p      | `stribeck_exponent`   | 1     | shape of the Stribeck curve                     |
     /// | k_t    | `transition_slope`    | s/m   | slope at rest over f_s                          |
     /// | f_v    | `viscous_coefficient` | N.s/m | viscous coefficient                             |
     /// | m      | `mass`                | kg    | effective mass of the host, 0 = the printed law |
@@ -43,7 +43,7 @@ crate::model! {
     /// Without `mass` the law has no memory; only the dissipated energy is integrated, exactly for held inputs. A
     /// master that couples it explicitly to a mass m needs a communication step below 2 m / f'(0), where f'(0) = f_s
     /// k_t + f_v (14715 N.s/m for the defaults: 0.14 ms for 1 kg, the shortest of all static laws); above, a held body
-    /// chatters. With `mass` there is no largest step. `sticking` says |v| < 3 / k_t (chosen: 99.5 % of the rise).
+    /// chatters. With `mass` there is no largest step. `sticking` means |v| < 3 / k_t (chosen: 99.5 % of the rise).
     ///
     #[doc = include_str!("coupling.md")]
     /// # Errors
@@ -58,7 +58,7 @@ crate::model! {
     /// # Source
     /// Andersson, Soderberg, Bjorklund (2007), doi:10.1016/j.triboint.2005.11.014, and Nikravesh, Planar Multibody
     /// Dynamics, whose programs have the same function. No equation of the thesis was available. Defaults as in those
-    /// programs. Public ports have mu_k - mu_s in the bracket, which turns the stiction peak into a dip.
+    /// programs. Some public implementations have mu_k - mu_s in the bracket, which turns the stiction peak into a dip.
     ///
     /// # Example
     /// ```
@@ -73,7 +73,7 @@ crate::model! {
         velocity: input = real("m/s", 0.0).shown_in("mm/s"),
         /// Normal force that presses the surfaces together.
         normal_force: input = real("N", 9.81).at_least(0.0),
-        /// All other tangential forces on body 1; if body 2 moves, mass times relative acceleration without friction.
+        /// Resultant of all other tangential forces on body 1; see Coupling if body 2 accelerates.
         external_force: input = real("N", 0.0),
         /// Kinetic coefficient of friction.
         mu_k: tunable = real("1", 0.1).at_least(0.0),
@@ -81,13 +81,13 @@ crate::model! {
         mu_s: tunable = real("1", 0.15).at_least(0.0),
         /// Speed at which the excess of static over kinetic friction has fallen to 1/e (Lorentzian, hyperbola: 1/2).
         stribeck_velocity: tunable = real("m/s", 0.001).positive().shown_in("mm/s"),
-        /// Exponent of the falling level.
+        /// Exponent of the Stribeck curve.
         stribeck_exponent: tunable = real("1", 2.0).positive(),
         /// Slope of the force at rest, relative to the level there.
         transition_slope: tunable = real("s/m", 10_000.0).positive().nominal(1e3),
         /// Viscous friction coefficient.
         viscous_coefficient: tunable = real("N.s/m", 0.0).at_least(0.0),
-        /// What the law needs of the host in co-simulation.
+        /// Data for co-simulation with a body of known mass.
         time_stepping: (TimeStepping),
         /// Energy taken out of the motion since the start.
         dissipated_energy: state_output = real("J", 0.0).nominal(1e-3),
@@ -157,7 +157,7 @@ mod tests {
         assert!((peak(Andersson { stribeck_exponent: 1.0, ..law }) / 1.4715 - 0.913_878).abs() < 1e-6);
     }
 
-    /// k_t v_S = 1: no stiction peak is left.
+    /// k_t v_S = 1: no stiction peak.
     #[test]
     fn a_flat_transition_hides_the_peak() {
         let law = Andersson { transition_slope: 1e3, ..Default::default() };

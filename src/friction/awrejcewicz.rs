@@ -19,7 +19,7 @@ crate::model! {
     /// ```
     ///
     /// With `mass` m > 0 the force over a step h is that of the velocity w at its end, and of several solutions the
-    /// first that is met from v on in the direction of the acceleration (implicit Euler):
+    /// first one reached from v in the direction of the acceleration (implicit Euler):
     ///
     /// ```text
     /// m (w - v) / h = f_e - f_f(w)
@@ -45,9 +45,9 @@ crate::model! {
     ///
     /// # Step
     /// Without `mass` the law has no memory; only the dissipated energy is integrated, exactly for held inputs. A
-    /// master that couples it explicitly to a mass m needs a communication step below 2 m / f'(0), where f'(0) is to be
+    /// master that couples it explicitly to a mass m needs a communication step below 2 m / f'(0), where f'(0) must be
     /// replaced by the largest slope 3 f_s / v_0 (4415 N.s/m for the defaults: 0.45 ms for 1 kg); above, a held body
-    /// chatters. With `mass` there is no largest step. `sticking` says |v| < v_0.
+    /// chatters. With `mass` there is no largest step. `sticking` means |v| < v_0.
     ///
     #[doc = include_str!("coupling.md")]
     /// # Errors
@@ -55,9 +55,8 @@ crate::model! {
     ///
     /// # Limits
     /// Holds at v = 0 exactly; inside the band, under a load below f_s, the net force is A (f_s sgn(v) - f_e), which
-    /// vanishes with v^2: a body slows down as 1 / t in the end, instead of stopping. Passive
-    /// outside the band only. The peak is exactly f_s at v_0. No pre-sliding displacement. `normal_force` = 0 gives
-    /// force 0.
+    /// vanishes with v^2: in the end a body slows down as 1 / t instead of stopping. Passive outside the band only. The
+    /// peak is exactly f_s at v_0. No pre-sliding displacement. `normal_force` = 0 gives force 0.
     ///
     /// # Source
     /// Awrejcewicz, Grzelczyk, Pyryev (2008), Journal of Vibroengineering 10, 475-482; equations (6.22) and (6.23) of
@@ -78,7 +77,7 @@ crate::model! {
         velocity: input = real("m/s", 0.0).shown_in("mm/s"),
         /// Normal force that presses the surfaces together.
         normal_force: input = real("N", 9.81).at_least(0.0),
-        /// All other tangential forces on body 1; if body 2 moves, mass times relative acceleration without friction.
+        /// Resultant of all other tangential forces on body 1; see Coupling if body 2 accelerates.
         external_force: input = real("N", 0.0),
         /// Kinetic coefficient of friction.
         mu_k: tunable = real("1", 0.1).at_least(0.0),
@@ -88,7 +87,7 @@ crate::model! {
         transition_velocity: tunable = real("m/s", 0.001).positive().shown_in("mm/s"),
         /// Rate at which the excess of static over kinetic friction decays with speed (default chosen).
         stiction_decay: tunable = real("s/m", 1000.0).positive().nominal(1e3),
-        /// What the law needs of the host in co-simulation.
+        /// Data for co-simulation with a body of known mass.
         time_stepping: (TimeStepping),
         /// Energy taken out of the motion since the start.
         dissipated_energy: state_output = real("J", 0.0).nominal(1e-3),
@@ -173,7 +172,7 @@ mod tests {
         }
     }
 
-    /// Continuous in velocity and load: no small change makes a large one; the steepest slopes are 3 f_s / v_0 and 1.
+    /// Continuous in velocity and load: a small change has a small effect; the steepest slopes are 3 f_s / v_0 and 1.
     #[test]
     fn is_continuous() {
         for i in -300..300 {

@@ -6,7 +6,7 @@ use crate::number::Real;
 crate::choices! {
     /// Variants of the law.
     pub enum BengisuAkayVariant {
-        /// Product of two exponentials, as the thesis prints it.
+        /// Product of two exponentials, as printed in the thesis.
         Thesis,
         /// Parabola up to the peak, exponential beyond it, as in Marques et al. (2016).
         Marques,
@@ -27,7 +27,7 @@ crate::model! {
     /// ```
     ///
     /// With `mass` m > 0 the force over a step h is that of the velocity w at its end, and of several solutions the
-    /// first that is met from v on in the direction of the acceleration (implicit Euler):
+    /// first one reached from v in the direction of the acceleration (implicit Euler):
     ///
     /// ```text
     /// m (w - v) / h = f_e - f_f(w)
@@ -40,7 +40,7 @@ crate::model! {
     /// | f_e    | `external_force`      | N    | all other tangential forces on body 1              |
     /// | mu_k   | `mu_k`                | 1    | kinetic coefficient of friction                    |
     /// | mu_s   | `mu_s`                | 1    | static coefficient of friction                     |
-    /// |        | `variant`             |      | which of the two forms                             |
+    /// |        | `variant`             |      | one of the two forms                               |
     /// | beta   | `transition_slope`    | s/m  | Thesis: slope at rest over f_s                     |
     /// | alpha  | `stiction_decay`      | s/m  | decay of stiction with speed; xi in Marques et al. |
     /// | v_0    | `transition_velocity` | m/s  | Marques: velocity of the peak                      |
@@ -56,7 +56,7 @@ crate::model! {
     /// Without `mass` the law has no memory; only the dissipated energy is integrated, exactly for held inputs. A
     /// master that couples it explicitly to a mass m needs a communication step below 2 m / f'(0), where f'(0) = f_s
     /// beta for Thesis (7358 N.s/m for the defaults: 0.27 ms for 1 kg) and 2 f_s / v_0 for Marques (2943 N.s/m: 0.68
-    /// ms); above, a held body chatters. With `mass` there is no largest step. `sticking` says |v| < 3 / beta (Thesis,
+    /// ms); above, a held body chatters. With `mass` there is no largest step. `sticking` means |v| < 3 / beta (Thesis,
     /// chosen: 95 % of the rise) or |v| < v_0 (Marques).
     ///
     #[doc = include_str!("coupling.md")]
@@ -89,7 +89,7 @@ crate::model! {
         velocity: input = real("m/s", 0.0).shown_in("mm/s"),
         /// Normal force that presses the surfaces together.
         normal_force: input = real("N", 9.81).at_least(0.0),
-        /// All other tangential forces on body 1; if body 2 moves, mass times relative acceleration without friction.
+        /// Resultant of all other tangential forces on body 1; see Coupling if body 2 accelerates.
         external_force: input = real("N", 0.0),
         /// Kinetic coefficient of friction.
         mu_k: tunable = real("1", 0.1).at_least(0.0),
@@ -103,7 +103,7 @@ crate::model! {
         stiction_decay: tunable = real("s/m", 500.0).positive().nominal(1e3),
         /// Velocity that sets the width of the regularised band around rest.
         transition_velocity: tunable = real("m/s", 0.001).positive().shown_in("mm/s"),
-        /// What the law needs of the host in co-simulation.
+        /// Data for co-simulation with a body of known mass.
         time_stepping: (TimeStepping),
         /// Energy taken out of the motion since the start.
         dissipated_energy: state_output = real("J", 0.0).nominal(1e-3),
@@ -162,7 +162,7 @@ memoryless!(BengisuAkay);
 impl Model for BengisuAkay {
     const PRESETS: &'static [Preset] = &[Preset {
         name: "marques_2016",
-        source: "Form of Marques et al. (2016), with a decay that is chosen: 1/e in 1 mm/s",
+        source: "Form of Marques et al. (2016), with a chosen decay: 1/e in 1 mm/s",
         values: &[("variant", 2.0), ("stiction_decay", 1000.0)],
     }];
 

@@ -3,7 +3,7 @@ use crate::model::{Model, Preset, boolean, real};
 use crate::number::Real;
 
 crate::model! {
-    /// Bernard friction: Coulomb friction with a steep straight line through rest, so that a solver meets no jump.
+    /// Bernard friction: Coulomb friction with a steep straight line through rest, so that a solver sees no jump.
     ///
     /// # Equations
     ///
@@ -13,7 +13,7 @@ crate::model! {
     /// ```
     ///
     /// With `mass` m > 0 the force over a step h is that of the velocity w at its end, and of several solutions the
-    /// first that is met from v on in the direction of the acceleration (implicit Euler):
+    /// first one reached from v in the direction of the acceleration (implicit Euler):
     ///
     /// ```text
     /// m (w - v) / h = f_e - f_f(w)
@@ -38,7 +38,7 @@ crate::model! {
     /// Without `mass` the law has no memory; only the dissipated energy is integrated, exactly for held inputs. A
     /// master that couples it explicitly to a mass m needs a communication step below 2 m / f'(0), where f'(0) = f_C
     /// k_l (1962 N.s/m for the defaults: 1.0 ms for 1 kg); above, a held body chatters. With `mass` there is no largest
-    /// step. `sticking` says |v| < 1 / k_l.
+    /// step. `sticking` means |v| < 1 / k_l.
     ///
     #[doc = include_str!("coupling.md")]
     /// # Errors
@@ -65,13 +65,13 @@ crate::model! {
         velocity: input = real("m/s", 0.0).shown_in("mm/s"),
         /// Normal force that presses the surfaces together.
         normal_force: input = real("N", 9.81).at_least(0.0),
-        /// All other tangential forces on body 1; if body 2 moves, mass times relative acceleration without friction.
+        /// Resultant of all other tangential forces on body 1; see Coupling if body 2 accelerates.
         external_force: input = real("N", 0.0),
         /// Kinetic coefficient of friction.
         mu_k: tunable = real("1", 0.1).at_least(0.0),
         /// Slope of the force at rest, relative to the level there.
         transition_slope: tunable = real("s/m", 2000.0).positive().nominal(1e3),
-        /// What the law needs of the host in co-simulation.
+        /// Data for co-simulation with a body of known mass.
         time_stepping: (TimeStepping),
         /// Energy taken out of the motion since the start.
         dissipated_energy: state_output = real("J", 0.0).nominal(1e-3),
@@ -108,7 +108,7 @@ memoryless!(Bernard);
 
 impl Model for Bernard {
     const PRESETS: &'static [Preset] =
-        &[Preset { name: "thesis", source: "Novais (2024), Tables 6.1 and 6.2: the start values", values: &[] }];
+        &[Preset { name: "thesis", source: "Novais (2024), Tables 6.1 and 6.2 (the start values)", values: &[] }];
 
     memoryless!();
 }

@@ -68,13 +68,13 @@ crate::model! {
     ///
     /// # Step
     /// The force depends on the sliding distance only. With held inputs each relaxation is solved exactly, so the
-    /// result does not depend on how an interval is divided; the energy is its closed form. No events. `sticking` says
+    /// result does not depend on how an interval is divided; the energy is its closed form. No events. `sticking` means
     /// that more than 1 % (chosen) of the fast relaxation is still to come, or that there is no motion.
     ///
     /// A master that integrates a mass m with the force it reads couples it explicitly to the stiffness k of the
     /// contact at rest. If the friction steps first, a held body stays still for communication steps below 2 sqrt(m /
     /// k), which is 6.3 ms for the defaults and 1 kg; above, it chatters within the bounds of the force. If all models
-    /// step at once and exchange afterwards, it chatters at every step, since nothing damps the stiffness: take the
+    /// step at once and exchange afterwards, it chatters at every step, because the stiffness is undamped: step the
     /// friction first, or Model Exchange.
     ///
     #[doc = include_str!("slopes.md")]
@@ -82,9 +82,9 @@ crate::model! {
     /// Refused: a parameter outside its bound.
     ///
     /// # Limits
-    /// No dependence on the speed. A reversal out of steady sliding doubles the way of the force, so the peak of the
+    /// No dependence on the speed. A reversal out of steady sliding doubles the change of the force, so the peak of the
     /// second order is then 2 f_peak - f_C (1.962 N for the defaults), which no path exceeds. The peak of the second
-    /// order needs a fresh path of a few eps_f: a contact that is recaptured after slipping has no stiction again, so
+    /// order needs a fresh path of a few eps_f: a contact that is caught again after slipping has no stiction peak, so
     /// the belt benchmark shows one stick-slip cycle only. Drifts under a load that cycles below the peak.
     ///
     /// Passive at constant load, for both orders: from the start values `dissipated_energy` never becomes negative,
@@ -96,10 +96,10 @@ crate::model! {
     /// Bliman and Sorine (1995), "Easy-to-use realistic dry friction models for automatic control", European Control
     /// Conference; equations (7.12) to (7.14) of F. Novais, "A critical analysis on friction force models in dynamical
     /// systems", MSc thesis, University of Minho (2024); second order as in Olsson et al. (1998),
-    /// doi:10.1016/S0947-3580(98)70113-X. (7.13) has D sgn(v) in f_f, too; D is 0 in both orders. The levels are given
-    /// as coefficients, and the states in units of their level: both are ours, and nothing else at constant load. The
-    /// defaults are calibrated to f_C = 0.981 N, f_peak = 1.4715 N and the initial stiffness 1e5 N/m of Table 7.1 at
-    /// eta = 0.5: mu_2 = 0.1 + sqrt(0.03), eps_f = (3 + sqrt(3)) f_C / sigma_0.
+    /// doi:10.1016/S0947-3580(98)70113-X. In (7.13) f_f also has a term D sgn(v); D is 0 in both orders. The levels are
+    /// given as coefficients, and the states in units of their level: both are our choice, and make no difference at
+    /// constant load. The defaults are calibrated to f_C = 0.981 N, f_peak = 1.4715 N and the initial stiffness 1e5 N/m
+    /// of Table 7.1 at eta = 0.5: mu_2 = 0.1 + sqrt(0.03), eps_f = (3 + sqrt(3)) f_C / sigma_0.
     ///
     /// # Example
     /// ```
@@ -267,7 +267,7 @@ mod tests {
         }
     }
 
-    /// The state of the other variant does not leak in.
+    /// The state of the other variant has no effect.
     #[test]
     fn first_order_has_one_state() {
         let law = slide(BlimanSorine { variant: 1.0, y_2: 0.7, ..Default::default() }, 1.0);

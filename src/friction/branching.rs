@@ -1,13 +1,13 @@
-//! The part of those laws that tell acceleration from deceleration.
+//! The common part of the laws that distinguish acceleration from deceleration.
 
 use crate::laws::motion::Motion;
 use crate::model::real;
 use crate::number::Real;
 
 crate::part! {
-    /// How the acceleration of the contact is known.
+    /// Source of the acceleration of the contact.
     Branching {
-        /// Acceleration of body 1 relative to body 2; used where the velocity has no slope.
+        /// Acceleration of body 1 relative to body 2; used if the velocity has no slope.
         acceleration: input = real("m/s2", 0.0),
         /// Slope of the velocity over the last step; 0 if it was held.
         velocity_slope: state = real("m/s2", 0.0),
@@ -15,7 +15,7 @@ crate::part! {
 }
 
 impl<T: Real> Branching<T> {
-    /// Slope of the velocity if there is one, else the input.
+    /// Slope of the velocity if there is one, otherwise the input.
     pub(crate) fn known_acceleration(&self) -> T {
         if self.velocity_slope.value() == 0.0 { self.acceleration } else { self.velocity_slope }
     }

@@ -1,13 +1,13 @@
 use crate::model::{Fault, Law, Model, Preset, boolean, integer, real};
 use crate::number::Real;
 
-/// Most bristles a contact can have. The authors find fewer than 50 sufficient.
+/// Largest number of bristles in a contact. The authors find fewer than 50 sufficient.
 const MOST: usize = 64;
 
 crate::choices! {
     /// State of the bristles when the motion starts.
     pub enum InitialBonds {
-        /// All are bonded where they stand, so they snap together at the first breakaway.
+        /// All are bonded in place, so they snap together at the first breakaway.
         Bonded,
         /// As after a long slide in the direction of the first motion.
         Stationary,
@@ -25,8 +25,8 @@ crate::part! {
 }
 
 crate::model! {
-    /// Bristle friction (Haessig and Friedland): a number of bonds that snap one by one and form again at random
-    /// places, so that the force of a sliding contact fluctuates as measured friction does.
+    /// Bristle friction (Haessig and Friedland): bonds that snap one by one and form again at random places, so that
+    /// the force of a sliding contact fluctuates as measured friction does.
     ///
     /// # Equations
     ///
@@ -52,8 +52,8 @@ crate::model! {
     /// | -       | `bristle[i].draws` | 1    | random numbers that bristle i has used                 |
     /// | f_f     | `friction_force`   | N    | friction force                                         |
     ///
-    /// The theory of renewal gives for a long slide, where delta - |x - b_i| has the density 2 / Delta (1 - d / Delta)
-    /// on [0, Delta],
+    /// Renewal theory gives for a long slide, where delta - |x - b_i| has the density 2 / Delta (1 - d / Delta) on [0,
+    /// Delta],
     ///
     /// ```text
     /// mean               N sigma (delta - Delta / 3) = f_C
@@ -69,8 +69,8 @@ crate::model! {
     /// # Step
     /// The law depends on the displacement only. The snaps of a step are followed one by one, at the places where they
     /// happen, so the step is exact and needs no events. The k-th random number of bristle i is a function of seed, i
-    /// and k alone (the mixing function of SplitMix64), so the same path gives the same force however it is divided
-    /// into steps, and a saved and restored instance repeats its future.
+    /// and k only (the mixing function of SplitMix64), so the same path gives the same force however it is divided into
+    /// steps, and a saved and restored instance repeats its future.
     ///
     /// A bristle that would slide by more than 20 Delta (about 40 snaps) in one step is instead drawn from the density
     /// above, which it approaches as exp(-2.09 s / Delta): the work of a step is bounded, the force is the same in
@@ -78,8 +78,8 @@ crate::model! {
     /// displacement, and with it the force, is exact between the instants where it changes sign; the energy takes the
     /// load in the middle, which is of second order. A contact at rest keeps its bonds, however long.
     ///
-    /// `sticking` says that the force is less than half (chosen) of f_C in the direction of the motion. Steady sliding
-    /// of 25 bristles is 7 standard deviations away from that; a single bristle passes below now and then.
+    /// `sticking` means that the force is less than half (chosen) of f_C in the direction of the motion. Steady sliding
+    /// of 25 bristles is 7 standard deviations away from that; a single bristle passes below it occasionally.
     ///
     /// A master that integrates a mass m with the force it reads couples it explicitly to the stiffness k of the
     /// contact at rest. If the friction steps first, a held body stays still for communication steps below 2 sqrt(m /
@@ -94,20 +94,20 @@ crate::model! {
     /// # Limits
     /// No damping and no dependence on the speed; no stiction after the first breakaway other than by chance, because
     /// the bristles stay spread. Steady sliding gives a force against the motion at every instant only if Delta <=
-    /// delta (`mu_k` >= 2/3 `mu_s`); below that it does so on average. Passive at constant load: a snap takes away
-    /// strain energy, 1/2 sigma (delta^2 - (delta - u)^2) >= 0 for u <= Delta <= 2 delta, so from bonded bristles
-    /// `dissipated_energy` never becomes negative. A stationary start brings strain energy with it, at most f_s delta /
+    /// delta (`mu_k` >= 2/3 `mu_s`); below that it does so on average. Passive at constant load: a snap removes strain
+    /// energy, 1/2 sigma (delta^2 - (delta - u)^2) >= 0 for u <= Delta <= 2 delta, so from bonded bristles
+    /// `dissipated_energy` never becomes negative. A stationary start contains strain energy, at most f_s delta /
     /// 2. Strains do not depend on the load, forces are proportional to it. `normal_force` = 0 releases the contact
-    /// (force 0, strains 0; the random numbers go on), and the bristles then bond where they stand. `mu_s` = `mu_k` has
+    /// (force 0, strains 0; the random numbers continue), and the bristles then bond in place. `mu_s` = `mu_k` has
     /// Delta = 0: elastic and perfectly plastic, no random numbers.
     ///
     /// # Source
     /// Haessig and Friedland (1991), doi:10.1115/1.2896418; equations (7.7) and (7.8) of F. Novais, "A critical
     /// analysis on friction force models in dynamical systems", MSc thesis, University of Minho (2024), where the
     /// argument of sgn and the interval of uniform( ) are lost and x carries an index, though all bristles share it.
-    /// sigma_i, Delta and delta = f_s / sigma_0 follow from the levels and the stiffness 1e5 N/m of Table 7.1; that the
-    /// stiffness, and not delta, is proportional to the load is ours. N = 25 is chosen. Random numbers: Steele, Lea,
-    /// Flood (2014), doi:10.1145/2660193.2660195.
+    /// sigma_i, Delta and delta = f_s / sigma_0 follow from the levels and the stiffness 1e5 N/m of Table 7.1; the
+    /// choice that the stiffness, not delta, is proportional to the load is ours. N = 25 is chosen. Random numbers:
+    /// Steele, Lea, Flood (2014), doi:10.1145/2660193.2660195.
     ///
     /// # Example
     /// ```
@@ -151,7 +151,7 @@ crate::model! {
 /// A slide longer than this many Delta is drawn from the stationary density (chosen: exp(-2.09 * 20) = 7e-19).
 const LONG: f64 = 20.0;
 
-/// A Delta below this part of delta counts as 0 (chosen), because its snaps would be lost in rounding.
+/// A Delta below this part of delta counts as 0 (chosen), because its snaps would be lost to rounding.
 const SMALL: f64 = 1e-9;
 
 /// Part of the mean sliding force below which the contact counts as sticking (chosen).
@@ -187,8 +187,8 @@ impl Bristle {
         if span > SMALL * self.delta { span } else { 0.0 }
     }
 
-    /// Moves the surfaces by `displacement` under the present load. Without motion there is no direction to count
-    /// strains in, and no bond changes.
+    /// Moves the surfaces by `displacement` under the present load. Without motion strains have no direction, and no
+    /// bond changes.
     fn shift(&mut self, displacement: f64) {
         if displacement == 0.0 {
             return;
@@ -210,7 +210,7 @@ impl Bristle {
         self.dissipated_energy += self.mu_s * self.normal_force * (area / (count as f64 * self.delta));
     }
 
-    /// Does a bond that forms again without a random number slide along at delta?
+    /// Whether a bond that forms again without a random number slides along at delta.
     fn slides(&self, bond: &Bond) -> bool {
         self.span() == 0.0 && bond.strain * self.velocity.sign() >= self.delta
     }
@@ -226,7 +226,7 @@ impl Model for Bristle {
     const PRESETS: &'static [Preset] = &[
         Preset {
             name: "thesis",
-            source: "Novais (2024), Tables 6.1 and 7.1 for levels and stiffness; 25 bristles are chosen: the start values",
+            source: "Novais (2024), Tables 6.1 and 7.1 for levels and stiffness; 25 bristles chosen (the start values)",
             values: &[],
         },
         Preset {
@@ -281,7 +281,7 @@ impl Model for Bristle {
     }
 }
 
-/// What all bristles have in common.
+/// Data that all bristles share.
 struct Surface {
     delta: f64,
     /// Delta.
@@ -306,7 +306,7 @@ impl Surface {
     fn slide(&self, number: usize, bond: &mut Bond, strain: &mut f64, distance: f64) -> f64 {
         let mut left = distance;
         let mut area = 0.0;
-        // A strain beyond delta (it was set so, or delta was lowered) snaps at once.
+        // A strain beyond delta (set by the user, or after delta was lowered) snaps at once.
         loop {
             let stretch = left.min((self.delta - *strain).max(0.0));
             area += stretch * (*strain + 0.5 * stretch);
@@ -394,7 +394,7 @@ mod tests {
         }
     }
 
-    /// However a path is divided, the same bonds snap at the same places.
+    /// However a path is divided, the same bonds snap at the same positions.
     #[test]
     fn force_does_not_depend_on_the_steps() {
         let mut whole = Bristle::default();
@@ -410,7 +410,7 @@ mod tests {
         }
     }
 
-    /// The energy is what the springs hold and what the snaps took: the fine sum of force times distance.
+    /// The energy is the sum of what the springs hold and what the snaps removed: the fine sum of force times distance.
     #[test]
     fn energy_is_the_integral_of_force_over_distance() {
         for law in
@@ -436,7 +436,7 @@ mod tests {
             let law = moved(&Bristle::default(), distance);
             assert!(law.bristle.iter().take(25).all(|bristle| bristle.draws == 1.0));
             assert!(law.bristle.iter().take(25).all(|bristle| (0.0..=1.4715e-5).contains(&bristle.strain)));
-            // f_C times the distance, less the rise and what is left in the springs.
+            // f_C times the distance, less the rise and the energy still in the springs.
             assert!((law.dissipated_energy - 0.981 * distance).abs() < 2.0 * 1.4715 * 1.4715e-5);
         }
     }

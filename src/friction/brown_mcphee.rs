@@ -16,7 +16,7 @@ crate::model! {
     /// ```
     ///
     /// With `mass` m > 0 the force over a step h is that of the velocity w at its end, and of several solutions the
-    /// first that is met from v on in the direction of the acceleration (implicit Euler):
+    /// first one reached from v in the direction of the acceleration (implicit Euler):
     ///
     /// ```text
     /// m (w - v) / h = f_e - f_f(w)
@@ -42,9 +42,9 @@ crate::model! {
     ///
     /// # Step
     /// Without `mass` the law has no memory; only the dissipated energy is integrated, exactly for held inputs. A
-    /// master that couples it explicitly to a mass m needs a communication step below 2 m / f'(0), where
-    /// f'(0) = (4 f_C + 16/9 (f_s - f_C)) / v_0 (4796 N.s/m for the defaults: 0.42 ms for 1 kg); above, a held body
-    /// chatters. With `mass` there is no largest step. `sticking` says |v| < v_0.
+    /// master that couples it explicitly to a mass m needs a communication step below 2 m / f'(0), where f'(0) = (4
+    /// f_C + 16/9 (f_s - f_C)) / v_0 (4796 N.s/m for the defaults: 0.42 ms for 1 kg); above, a held body chatters. With
+    /// `mass` there is no largest step. `sticking` means |v| < v_0.
     ///
     #[doc = include_str!("coupling.md")]
     /// # Errors
@@ -74,7 +74,7 @@ crate::model! {
         velocity: input = real("m/s", 0.0).shown_in("mm/s"),
         /// Normal force that presses the surfaces together.
         normal_force: input = real("N", 9.81).at_least(0.0),
-        /// All other tangential forces on body 1; if body 2 moves, mass times relative acceleration without friction.
+        /// Resultant of all other tangential forces on body 1; see Coupling if body 2 accelerates.
         external_force: input = real("N", 0.0),
         /// Kinetic coefficient of friction.
         mu_k: tunable = real("1", 0.1).at_least(0.0),
@@ -86,7 +86,7 @@ crate::model! {
         viscous_coefficient: tunable = real("N.s/m", 0.0).at_least(0.0),
         /// Normal force at which the viscous part is fully active (default chosen).
         transition_normal_force: tunable = real("N", 1.0).positive(),
-        /// What the law needs of the host in co-simulation.
+        /// Data for co-simulation with a body of known mass.
         time_stepping: (TimeStepping),
         /// Energy taken out of the motion since the start.
         dissipated_energy: state_output = real("J", 0.0).nominal(1e-3),
@@ -109,7 +109,7 @@ impl<T: Real> Curve<T> for BrownMcPhee<T> {
         let u = velocity / self.transition_velocity;
         let base = quarter * u * u + three_quarters;
         let sliding = coulomb * (four * u).tanh() + (statical - coulomb) * u / (base * base);
-        // Usually absent, and a hyperbolic tangent costs more than all the rest.
+        // Usually absent, and a hyperbolic tangent costs more than everything else.
         if self.viscous_coefficient.is(0.0) {
             return sliding;
         }

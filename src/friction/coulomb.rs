@@ -3,8 +3,8 @@ use crate::model::{Model, boolean, real};
 use crate::number::Real;
 
 crate::model! {
-    /// Coulomb friction: a sliding contact resists with a constant force, one at rest holds up to the same force. The
-    /// law that all others refine.
+    /// Coulomb friction: a sliding contact resists with a constant force, one at rest holds up to the same force. All
+    /// other laws refine it.
     ///
     /// # Equations
     ///
@@ -15,7 +15,7 @@ crate::model! {
     /// ```
     ///
     /// With `mass` m > 0 the force over a step h is that of the velocity w at its end; the jump at rest is part of f_f.
-    /// Of several solutions it is the first that is met from v on in the direction of the acceleration (implicit Euler;
+    /// Of several solutions it is the first one reached from v in the direction of the acceleration (implicit Euler;
     /// time stepping in the sense of Moreau):
     ///
     /// ```text
@@ -39,20 +39,19 @@ crate::model! {
     ///
     /// # Step
     /// Without `mass` the law has no memory; only the dissipated energy is integrated, exactly for held inputs. A host
-    /// that integrates the body itself never meets v = 0 exactly, so the force of a contact at rest then alternates at
-    /// any step. With `mass` the body is caught where it comes to rest and neither chatters nor creeps; there is no
-    /// largest step.
-    /// In Model Exchange a contact is held or slides in one direction from one event to the next. A held contact gives
-    /// `external_force` back: connect it, or the body is let go and caught again without end.
+    /// that integrates the body itself never reaches v = 0 exactly, so the force of a contact at rest then alternates
+    /// at any step. With `mass` the body is caught where it comes to rest and neither chatters nor creeps; there is no
+    /// largest step. In Model Exchange a contact is held or slides in one direction from one event to the next. A held
+    /// contact returns `external_force`: connect it, or the body is released and caught again endlessly.
     ///
     #[doc = include_str!("coupling.md")]
     /// # Errors
     /// Refused: a parameter outside its bound.
     ///
     /// # Limits
-    /// No stiction: what holds is not stronger than what slides. No Stribeck effect, no viscous part, no pre-sliding
-    /// displacement. `normal_force` = 0 releases the contact (force 0, not sticking). `sticking` says that the step
-    /// ends at rest or, without `mass`, that v = 0 and |f_e| is within the level.
+    /// No stiction: the holding force does not exceed the sliding force. No Stribeck effect, no viscous part, no
+    /// pre-sliding displacement. `normal_force` = 0 releases the contact (force 0, not sticking). `sticking` means that
+    /// the step ends at rest or, without `mass`, that v = 0 and |f_e| is within the level.
     ///
     /// # Source
     /// Coulomb (1785); section 4.1.2 of F. Novais, "A critical analysis on friction force models in dynamical systems",
@@ -72,11 +71,11 @@ crate::model! {
         velocity: input = real("m/s", 0.0).shown_in("mm/s"),
         /// Normal force that presses the surfaces together.
         normal_force: input = real("N", 9.81).at_least(0.0),
-        /// All other tangential forces on body 1; if body 2 moves, mass times relative acceleration without friction.
+        /// Resultant of all other tangential forces on body 1; see Coupling if body 2 accelerates.
         external_force: input = real("N", 0.0),
         /// Kinetic coefficient of friction.
         mu_k: tunable = real("1", 0.1).at_least(0.0),
-        /// What the law needs of the host in co-simulation.
+        /// Data for co-simulation with a body of known mass.
         time_stepping: (TimeStepping),
         /// Energy taken out of the motion since the start.
         dissipated_energy: state_output = real("J", 0.0).nominal(1e-3),

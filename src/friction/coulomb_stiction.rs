@@ -4,7 +4,7 @@ use crate::number::Real;
 
 crate::model! {
     /// Coulomb friction with stiction: a contact at rest holds up to the static level, a sliding one resists with the
-    /// kinetic level. The reference law of stick-slip; it needs the external force to know what to hold.
+    /// kinetic level. The reference law of stick-slip; it needs the external force that it has to hold.
     ///
     /// # Equations
     ///
@@ -38,10 +38,10 @@ crate::model! {
     ///
     /// # Step
     /// Without `mass` the law has no memory. With `mass` it remembers whether it is stuck and how long the last step
-    /// was. A stuck body then neither chatters nor creeps, at any step size: what velocity remains is the one that a
-    /// change of `external_force` within a step causes.
-    /// In Model Exchange a contact is held or slides in one direction from one event to the next. A held contact gives
-    /// `external_force` back: connect it, or the body is let go and caught again without end.
+    /// was. A stuck body then neither chatters nor creeps, at any step size: the only velocity that remains is the one
+    /// caused by a change of `external_force` within a step. In Model Exchange a contact is held or slides in one
+    /// direction from one event to the next. A held contact returns `external_force`: connect it, or the body is
+    /// released and caught again endlessly.
     ///
     #[doc = include_str!("coupling.md")]
     /// # Errors
@@ -49,13 +49,13 @@ crate::model! {
     ///
     /// # Limits
     /// No Stribeck effect, no pre-sliding displacement, no viscous part. Without `mass` a host that integrates the body
-    /// itself never meets v = 0 exactly, so the force alternates: use `mass`, or a regularised or bristle law.
+    /// itself never reaches v = 0 exactly, so the force alternates: use `mass`, or a regularised or bristle law.
     /// `normal_force` = 0 releases the contact (force 0, not stuck). `mu_s` = `mu_k` is plain Coulomb friction.
     ///
     /// # Source
     /// Morin (1833); Rabinowicz (1951), doi:10.1063/1.1699869; equation (5.1) of F. Novais, "A critical analysis on
     /// friction force models in dynamical systems", MSc thesis, University of Minho (2024). Time stepping: Moreau
-    /// (1988), doi:10.1007/978-3-7091-2624-0_1. The choice `exchange` is ours.
+    /// (1988), doi:10.1007/978-3-7091-2624-0_1. The choice `exchange` is our addition.
     ///
     /// # Example
     /// ```
@@ -70,15 +70,15 @@ crate::model! {
         velocity: input = real("m/s", 0.0).shown_in("mm/s"),
         /// Normal force that presses the surfaces together.
         normal_force: input = real("N", 9.81).at_least(0.0),
-        /// All other tangential forces on body 1; if body 2 moves, mass times relative acceleration without friction.
+        /// Resultant of all other tangential forces on body 1; see Coupling if body 2 accelerates.
         external_force: input = real("N", 0.0),
         /// Kinetic coefficient of friction.
         mu_k: tunable = real("1", 0.1).at_least(0.0),
         /// Static coefficient of friction; not less than mu_k.
         mu_s: tunable = real("1", 0.15).at_least(0.0),
-        /// Has the last step left the contact stuck? Only with mass > 0; phase tells it in Model Exchange.
+        /// Is the contact stuck since the last step? Only with mass > 0; in Model Exchange see phase.
         stuck: state = boolean(false),
-        /// What the law needs to hold a body in co-simulation.
+        /// Data for co-simulation with a body of known mass.
         time_stepping: (TimeStepping),
         /// Energy taken out of the motion since the start.
         dissipated_energy: state_output = real("J", 0.0).nominal(1e-3),
@@ -141,7 +141,7 @@ mod tests {
         assert!(after > 0.0);
     }
 
-    /// Each event leaves an indicator that is clearly positive, whichever side of the instant it was taken on.
+    /// Each event leaves an indicator that is clearly positive, on whichever side of the instant it occurred.
     #[test]
     fn a_body_at_rest_is_caught_below_the_static_level_and_driven_on_above_it() {
         for error in [-1e-13, 0.0, 1e-13] {

@@ -28,7 +28,7 @@ crate::model! {
     /// In (5.3) |v| stands for |v| / (1 m/s), so that f_v has the same unit for every exponent up to a factor 1 m/s.
     ///
     /// With `mass` m > 0 the force over a step h is that of the velocity w at its end; the jump at rest is part of f_f.
-    /// Of several solutions it is the first that is met from v on in the direction of the acceleration (implicit Euler;
+    /// Of several solutions it is the first one reached from v in the direction of the acceleration (implicit Euler;
     /// time stepping in the sense of Moreau):
     ///
     /// ```text
@@ -55,11 +55,10 @@ crate::model! {
     ///
     /// # Step
     /// Without `mass` the law has no memory; only the dissipated energy is integrated, exactly for held inputs. A host
-    /// that integrates the body itself never meets v = 0 exactly, so the force of a contact at rest then alternates at
-    /// any step. With `mass` the body is caught where it comes to rest and neither chatters nor creeps; there is no
-    /// largest step.
-    /// In Model Exchange a contact is held or slides in one direction from one event to the next. A held contact gives
-    /// `external_force` back: connect it, or the body is let go and caught again without end.
+    /// that integrates the body itself never reaches v = 0 exactly, so the force of a contact at rest then alternates
+    /// at any step. With `mass` the body is caught where it comes to rest and neither chatters nor creeps; there is no
+    /// largest step. In Model Exchange a contact is held or slides in one direction from one event to the next. A held
+    /// contact returns `external_force`: connect it, or the body is released and caught again endlessly.
     ///
     #[doc = include_str!("coupling.md")]
     /// # Errors
@@ -68,7 +67,7 @@ crate::model! {
     /// # Limits
     /// No stiction, no Stribeck effect, no pre-sliding displacement. `normal_force` = 0 releases the contact: force 0,
     /// also of the viscous part. d_v < 1 gives the force an infinite slope at rest. f_v = 0 is plain Coulomb friction.
-    /// `sticking` says that the step ends at rest or, without `mass`, that v = 0 and |f_e| is within the level.
+    /// `sticking` means that the step ends at rest or, without `mass`, that v = 0 and |f_e| is within the level.
     ///
     /// # Source
     /// Equations (5.2) and (5.3) of F. Novais, "A critical analysis on friction force models in dynamical systems", MSc
@@ -89,7 +88,7 @@ crate::model! {
         velocity: input = real("m/s", 0.0).shown_in("mm/s"),
         /// Normal force that presses the surfaces together.
         normal_force: input = real("N", 9.81).at_least(0.0),
-        /// All other tangential forces on body 1; if body 2 moves, mass times relative acceleration without friction.
+        /// Resultant of all other tangential forces on body 1; see Coupling if body 2 accelerates.
         external_force: input = real("N", 0.0),
         /// Kinetic coefficient of friction.
         mu_k: tunable = real("1", 0.1).at_least(0.0),
@@ -99,7 +98,7 @@ crate::model! {
         viscous_coefficient: tunable = real("N.s/m", 0.1).at_least(0.0),
         /// Exponent of the viscous part.
         viscous_exponent: tunable = real("1", 1.0).positive(),
-        /// What the law needs of the host in co-simulation.
+        /// Data for co-simulation with a body of known mass.
         time_stepping: (TimeStepping),
         /// Energy taken out of the motion since the start.
         dissipated_energy: state_output = real("J", 0.0).nominal(1e-3),

@@ -41,7 +41,7 @@ crate::model! {
     /// y(q) = (y_0^(1 - alpha) - (1 - alpha) q)_+^(1 / (1 - alpha))  alpha != 1
     /// ```
     ///
-    /// For alpha < 1 sliding is reached after a finite distance; the bracket is then zero. `sticking` says that more
+    /// For alpha < 1 sliding is reached after a finite distance; the bracket is then zero. `sticking` means that more
     /// than 1 % (chosen) of the motion is still elastic.
     ///
     /// A master that integrates a mass m with the force it reads couples it explicitly to the stiffness k of the
@@ -139,7 +139,7 @@ impl Model for Dahl {
     const PRESETS: &'static [Preset] = &[
         Preset {
             name: "thesis",
-            source: "Novais (2024), Tables 6.1 and 7.1, in the form (7.5), alpha = 1: the start values",
+            source: "Novais (2024), Tables 6.1 and 7.1, in the form (7.5), alpha = 1 (the start values)",
             values: &[],
         },
         Preset {
@@ -166,7 +166,7 @@ impl Model for Dahl {
         }
         let direction = self.velocity.sign();
         let distance = self.velocity.abs() * dt;
-        // Everything below is for sliding forwards; `missing` is what the force lacks to the level, f_C y.
+        // Everything below is for sliding forwards; `missing` is the distance of the force from the level, f_C y.
         let missing = coulomb - direction * self.force();
         let shrinkage = log_shrinkage(missing.abs() / coulomb, self.sigma_0 * distance / coulomb, self.alpha);
         self.bristle_deflection -= direction * missing * shrinkage.exp_m1() / self.sigma_0;
@@ -190,7 +190,8 @@ fn log_shrinkage(y_0: f64, q: f64, alpha: f64) -> f64 {
     if relative >= 1.0 {
         f64::NEG_INFINITY
     } else if relative == f64::NEG_INFINITY {
-        // A level far below the force, with a large exponent: ln(1 + w) is ln w, taken apart so that w may overflow.
+        // A level far below the force, with a large exponent: ln(1 + w) is ln w, computed in parts so that w may
+        // overflow.
         -((alpha - 1.0) * q).ln() / (alpha - 1.0) - y_0.ln()
     } else {
         (-relative).ln_1p() / (1.0 - alpha)
@@ -245,7 +246,7 @@ mod tests {
         }
     }
 
-    /// The closed forms of the single exponents, written as they stand in textbooks.
+    /// The closed forms for single exponents, as in textbooks.
     #[test]
     fn general_exponent_agrees_with_the_special_closed_forms() {
         let (level, q) = (0.981, 0.7);

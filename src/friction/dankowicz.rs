@@ -6,7 +6,7 @@ use crate::number::Real;
 
 crate::model! {
     /// Dankowicz friction, reconstructed: asperities yield by a given shear deflection before gross sliding; Dahl's law
-    /// with a length in place of a stiffness, so that the force follows the load.
+    /// with a length instead of a stiffness, so that the force follows the load.
     ///
     /// # Equations
     ///
@@ -31,7 +31,7 @@ crate::model! {
     ///
     /// # Step
     /// With held inputs the equation of z is linear and solved exactly, so the result does not depend on how an
-    /// interval is divided; the energy is its closed form. No events. `sticking` says that more than 1 % (chosen) of
+    /// interval is divided; the energy is its closed form. No events. `sticking` means that more than 1 % (chosen) of
     /// the motion is still elastic.
     ///
     /// A master that integrates a mass m with the force it reads couples it explicitly to the stiffness k of the
@@ -53,9 +53,9 @@ crate::model! {
     /// # Source
     /// Reconstructed after the summary of Dankowicz (1999), "On the modeling of dynamic friction phenomena", ZAMM 79,
     /// 399-409, in Andersson, Soderberg and Bjorklund (2007), doi:10.1016/j.triboint.2005.11.014, where the law is one
-    /// of friction as a function of displacement; the paper itself was not at hand. F. Novais, "A critical analysis on
-    /// friction force models in dynamical systems", MSc thesis, University of Minho (2024), Table 7.1 has no value of
-    /// its own for delta_t; the default is f_C / sigma_0 with the sigma_0 = 1e5 N/m that the table gives for all
+    /// of friction as a function of displacement; the paper itself was not available. F. Novais, "A critical analysis
+    /// on friction force models in dynamical systems", MSc thesis, University of Minho (2024), Table 7.1 has no value
+    /// of its own for delta_t; the default is f_C / sigma_0 with the sigma_0 = 1e5 N/m that the table gives for all
     /// models.
     ///
     /// # Example
@@ -125,7 +125,7 @@ impl Model for Dankowicz {
     const MODEL_EXCHANGE: bool = true;
     const PRESETS: &'static [Preset] = &[Preset {
         name: "thesis",
-        source: "Novais (2024), Tables 6.1 and 7.1; delta_t = f_C / sigma_0 is derived: the start values",
+        source: "Novais (2024), Tables 6.1 and 7.1; delta_t = f_C / sigma_0 is derived (the start values)",
         values: &[],
     }];
 
@@ -150,7 +150,7 @@ mod tests {
     use super::*;
     use crate::friction::Dahl;
 
-    /// At constant load the two laws are one, on any path.
+    /// At constant load the two laws agree, on any path.
     #[test]
     fn is_dahl_with_the_stiffness_of_the_asperities() {
         let mut law = Dankowicz { delta_t: 2e-5, mu_k: 0.3, ..Default::default() };
@@ -167,7 +167,7 @@ mod tests {
         }
     }
 
-    /// What Dahl's law does not do: the force follows the load at rest.
+    /// The difference from Dahl's law: the force follows the load at rest.
     #[test]
     fn force_follows_the_load() {
         let mut law = Dankowicz { velocity: 1e-3, ..Default::default() };

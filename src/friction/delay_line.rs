@@ -4,11 +4,11 @@
 //! does. Nothing is lost as long as the delay holds up to [`PIECES`] steps with different velocities: a velocity that
 //! stays the same takes one piece, however many steps it lasts.
 //!
-//! When there are more, the two neighbours with the least duration together become one piece, a straight line from the
+//! If there are more, the two neighbours with the shortest joint duration become one piece, a straight line from the
 //! beginning of the older to the end of the younger. The past then still spans the whole delay, whatever the step: 62
-//! pairs share less than twice the delay, so no piece that is made this way is longer than 1/31 of it. Such a line
-//! differs from a velocity with the second derivative c by at most c (delay / 31)^2 / 8, and from a sampled one by the
-//! change over one step in addition. A jump becomes a ramp of that duration.
+//! pairs share less than twice the delay, so no piece made this way is longer than 1/31 of it. Such a line differs from
+//! a velocity with the second derivative c by at most c (delay / 31)^2 / 8, and from a sampled one additionally by the
+//! change over one step. A jump becomes a ramp of that duration.
 
 use crate::laws::motion::Motion;
 use crate::model::real;
@@ -16,8 +16,9 @@ use crate::model::real;
 /// Number of pieces (chosen).
 const PIECES: usize = 64;
 
-/// A delay that misses the beginning of a piece by less, relative to the delay, meets it (chosen): communication steps
-/// add up with rounding errors far below, and the jump of a held input must not depend on them.
+/// A delay that misses the beginning of a piece by less than this, relative to the delay, counts as reaching it
+/// (chosen): the rounding errors of accumulated communication steps are far below, and the jump of a held input must
+/// not depend on them.
 const SLACK: f64 = 1e-9;
 
 crate::part! {
@@ -35,7 +36,7 @@ crate::part! {
 impl Piece {
     const UNUSED: Piece = Piece { duration: 0.0, begin: 0.0, end: 0.0 };
 
-    /// A velocity that is held.
+    /// A constant velocity.
     pub(crate) fn held(duration: f64, velocity: f64) -> Piece {
         Piece { duration, begin: velocity, end: velocity }
     }
@@ -45,12 +46,12 @@ impl Piece {
         Piece { duration: motion.duration, begin: motion.velocity, end: motion.velocity_at(motion.duration) }
     }
 
-    /// Is the velocity the same all the time?
+    /// Whether the velocity is constant.
     pub(crate) fn is_constant(&self) -> bool {
         self.begin == self.end
     }
 
-    /// Velocity at a time after its beginning; that of its ends outside.
+    /// Velocity at a time after its beginning; outside, the velocity of the nearer end.
     pub(crate) fn at(&self, time: f64) -> f64 {
         let share = time / self.duration;
         if share >= 1.0 {
@@ -82,12 +83,12 @@ impl DelayLine {
         self.history.fill(Piece::UNUSED);
     }
 
-    /// Has nothing been added yet?
+    /// Whether nothing has been added yet.
     pub(crate) fn is_empty(&self) -> bool {
         self.history[0].duration == 0.0
     }
 
-    /// Adds what has just happened. What happened more than `delay` ago is forgotten.
+    /// Adds the latest motion. The past older than `delay` is forgotten.
     pub(crate) fn push(&mut self, piece: Piece, delay: f64) {
         if self.goes_on_with(piece) {
             self.history[0].duration += piece.duration;
@@ -102,7 +103,7 @@ impl DelayLine {
         self.history[0] = piece;
     }
 
-    /// Does the latest piece simply go on?
+    /// Whether the latest piece continues.
     fn goes_on_with(&self, piece: Piece) -> bool {
         let latest = self.history[0];
         latest.duration > 0.0 && latest.is_constant() && piece.is_constant() && latest.begin == piece.begin
@@ -120,7 +121,7 @@ impl DelayLine {
         }
     }
 
-    /// Joins the two neighbours with the least duration together; of equals, the oldest.
+    /// Joins the two neighbours with the shortest joint duration; of equals, the oldest.
     fn thin(&mut self) {
         let sum = |k: &usize| self.history[*k].duration + self.history[k + 1].duration;
         let least = (0..PIECES - 1).rev().min_by(|a, b| sum(a).total_cmp(&sum(b))).unwrap_or(0);
@@ -154,7 +155,7 @@ impl DelayLine {
         found
     }
 
-    /// Velocity at an instant `delay` > 0 ago: beyond the known past its first value, without a past 0.
+    /// Velocity at an instant `delay` > 0 ago: before the known past its first value, without a past 0.
     pub(crate) fn velocity(&self, delay: f64) -> f64 {
         self.find(delay).map_or(0.0, |(piece, time)| piece.at(time))
     }
@@ -165,8 +166,8 @@ impl DelayLine {
         within.map_or(0.0, |(piece, _)| (piece.end - piece.begin) / piece.duration)
     }
 
-    /// The delayed velocity during a step in which `present` happens: for each of its pieces the time in the step at
-    /// which it begins, and the piece. Time without a known past has the first known value.
+    /// The delayed velocity during a step with the motion `present`: each of its pieces, with the time in the step at
+    /// which it begins. Time before the known past has the first known value.
     pub(crate) fn delayed(&self, present: Piece, delay: f64, mut visit: impl FnMut(f64, Piece)) {
         let end = present.duration;
         if delay < end {
@@ -207,8 +208,7 @@ mod tests {
         line.pieces().count()
     }
 
-    /// Five steps of 1 ms, as a master with rounding errors makes them: the value is that of the step that began 5 ms
-    /// ago.
+    /// Five steps of 1 ms in a master with rounding errors: the value is that of the step that began 5 ms ago.
     #[test]
     fn a_jump_is_met_in_spite_of_rounding() {
         for h in [1e-3, 9.999999999998899e-4, 1.000_000_000_000_1e-3] {
@@ -240,7 +240,7 @@ mod tests {
         assert_eq!((line.velocity(DELAY), line.slope(DELAY)), (3.0, 0.0));
     }
 
-    /// A velocity that stays the same takes one piece; 64 different ones take 64; none of them is changed.
+    /// A constant velocity takes one piece; 64 different ones take 64; none of them is changed.
     #[test]
     fn up_to_64_different_velocities_are_kept_exactly() {
         let mut line = line();
@@ -257,8 +257,8 @@ mod tests {
         }
     }
 
-    /// 5000 samples in the delay: the past spans it all the time, no piece is longer than 1/31 of it, and the error is
-    /// within the stated bound. (The stated order is tested with a coarser curve in the next test.)
+    /// 5000 samples in the delay: the past always spans it, no piece is longer than 1/31 of it, and the error is within
+    /// the stated bound. (The stated order is tested with a coarser curve in the next test.)
     #[test]
     fn many_samples_are_thinned_within_the_stated_error() {
         let (h, w) = (1e-6, 500.0);
@@ -279,10 +279,10 @@ mod tests {
         }
         let bound = w * w * (DELAY / 31.0).powi(2) / 8.0 + w * h;
         assert!(worst <= bound, "{worst} against {bound}");
-        assert!(worst > 0.05 * bound, "the bound {bound} would say nothing about {worst}");
+        assert!(worst > 0.05 * bound, "the bound {bound} is too wide for {worst}");
     }
 
-    /// Lines that join without a jump and without a bend are kept exactly, whatever is thinned.
+    /// Lines that join without a jump and without a kink are kept exactly, whatever is thinned.
     #[test]
     fn thinning_leaves_a_straight_line_straight() {
         let mut line = line();

@@ -31,7 +31,7 @@ crate::model! {
     /// | mu_k    | `mu_k`                | 1     | kinetic coefficient of friction                 |
     /// | mu_s    | `mu_s`                | 1     | static coefficient of friction                  |
     /// | v_S     | `stribeck_velocity`   | m/s   | speed at which the level has fallen             |
-    /// | delta   | `stribeck_exponent`   | 1     | shape of the falling level                      |
+    /// | delta   | `stribeck_exponent`   | 1     | shape of the Stribeck curve                     |
     /// | kappa   | `breakaway_ratio`     | 1     | z_ba / z_ss: part that is purely elastic        |
     /// | i       | `plastic_exponent`    | -     | shape of the transition, odd                    |
     /// | sigma_0 | `sigma_0`             | N/m   | stiffness of the bristles                       |
@@ -55,10 +55,10 @@ crate::model! {
     /// dp/dq = ((1 - alpha |z| / z_ss) / y)^i                 falls from (1 - kappa)^-i to 1
     /// ```
     ///
-    /// The approach to steady sliding, p = q, is therefore followed exactly over any distance, and an explicit method
-    /// of order 5 (Dormand and Prince) with error control does for the rest what an implicit one would do for z itself.
-    /// Its error per step is below 1e-12 z_ss (chosen), and two half steps equal one to 1e-10 of the level. `sticking`
-    /// says that more than 1 % (chosen) of the motion still goes into the bristles.
+    /// The approach to steady sliding, p = q, is therefore exact over any distance, and for the rest an explicit method
+    /// of order 5 (Dormand and Prince) with error control is as stable as an implicit one would be for z itself. Its
+    /// error per step is below 1e-12 z_ss (chosen), and two half steps equal one to 1e-10 of the level. `sticking`
+    /// means that more than 1 % (chosen) of the motion still goes into the bristles.
     ///
     /// A master that integrates a mass m with the force it reads couples it explicitly to the stiffness k and the
     /// damping c of the contact at rest, sigma_0 and sigma_1 + sigma_2 as with `LuGre`. If the friction steps first, a
@@ -69,17 +69,17 @@ crate::model! {
     #[doc = include_str!("slopes.md")]
     /// # Errors
     /// Refused: a parameter outside its bound; `mu_s` < `mu_k`; an even `plastic_exponent`, for which the bracket
-    /// cannot become negative and z could not come back when z_ss(v) falls below |z|; in Model Exchange `mu_k` = 0.
+    /// cannot become negative, so that z could not return when z_ss(v) falls below |z|; in Model Exchange `mu_k` = 0.
     ///
     /// # Limits
-    /// No drift as long as |z| stays below z_ba = kappa z_ss. The damping has the weakness of LuGre: with the bracket r
-    /// = 1 - |z| / z_ss(v) >= 1 - f_s / f_C the power is above -sigma_1 (f_s / f_C - 1)^i v^2, so that the law is
+    /// No drift as long as |z| stays below z_ba = kappa z_ss. The damping has the weakness of LuGre: with the bracket
+    /// r = 1 - |z| / z_ss(v) >= 1 - f_s / f_C the power is above -sigma_1 (f_s / f_C - 1)^i v^2, so that the law is
     /// passive for every motion at constant load only if sigma_2 >= sigma_1 (f_s / f_C - 1)^i, or if `mu_s` = `mu_k`,
     /// or `sigma_1` = 0. A velocity that jumps from full stiction to 0.1 m/s gives -14.3 N; `damping_velocity` (of the
     /// size of v_S) removes that, and the default 0 keeps the law of the paper. For i > 1 steady sliding is approached
-    /// as q^(-1 / (i - 1)) only. `breakaway_ratio` = 1 is elastic and perfectly plastic; small values come near to
-    /// LuGre, but do not reach it, because alpha still rises with |z|. `normal_force` = 0 releases the contact (force
-    /// 0, deflection 0).
+    /// as q^(-1 / (i - 1)) only. `breakaway_ratio` = 1 is elastic and perfectly plastic; small values come close to
+    /// LuGre without reaching it, because alpha still rises with |z|. `normal_force` = 0 releases the contact (force 0,
+    /// deflection 0).
     ///
     /// # Source
     /// Dupont, Hayward, Armstrong, Altpeter (2002), "Single state elastoplastic friction models",
@@ -87,8 +87,8 @@ crate::model! {
     /// models in dynamical systems", MSc thesis, University of Minho (2024), whose Table 7.1 gives sigma_0, sigma_1,
     /// sigma_2, v_S and i, and whose text gives kappa = 0.7. Differences: the sine (7.34) is printed with z, which is
     /// right for z > 0 only; here it has |z|. i is any integer there and odd here. `damping_velocity`: Olsson (1996),
-    /// PhD thesis, Lund University. A public library of friction models has z for |z|, and lacks alpha = 0 for sgn v !=
-    /// sgn z.
+    /// PhD thesis, Lund University. A public library of friction models has z instead of |z|, and lacks alpha = 0 for
+    /// sgn v != sgn z.
     ///
     /// # Example
     /// ```
@@ -111,7 +111,7 @@ crate::model! {
         mu_s: tunable = real("1", 0.15).at_least(0.0),
         /// Speed at which the excess of static over kinetic friction has fallen to 1/e (Lorentzian, hyperbola: 1/2).
         stribeck_velocity: tunable = real("m/s", 0.001).positive().shown_in("mm/s"),
-        /// Exponent of the falling level.
+        /// Exponent of the Stribeck curve.
         stribeck_exponent: tunable = real("1", 2.0).positive(),
         /// Part of the deflection of steady sliding up to which the contact is purely elastic.
         breakaway_ratio: tunable = real("1", 0.7).positive().at_most(1.0),
@@ -212,12 +212,12 @@ impl Model for ElastoPlastic {
     const PRESETS: &'static [Preset] = &[
         Preset {
             name: "thesis",
-            source: "Novais (2024), Tables 6.1 and 7.1, and kappa = 0.7 from its text: the start values",
+            source: "Novais (2024), Tables 6.1 and 7.1, and kappa = 0.7 from its text (the start values)",
             values: &[],
         },
         Preset {
             name: "sampled",
-            source: "Example: the thesis' values with a bristle damping that fades at 1 mm/s, for sampled velocities",
+            source: "Example: the thesis's values with a bristle damping that fades at 1 mm/s, for sampled velocities",
             values: &[("damping_velocity", 0.001)],
         },
     ];
@@ -263,11 +263,11 @@ impl Model for ElastoPlastic {
     }
 }
 
-/// A slide from u >= kappa on at constant speed, in units of z_ss: du/dq = (1 - alpha(u) u)^i.
+/// A slide from u >= kappa at constant speed, in units of z_ss: du/dq = (1 - alpha(u) u)^i.
 struct Slide {
     /// sgn(v) z / z_ss.
     u: f64,
-    /// Distance still to go.
+    /// Remaining distance.
     left: f64,
     /// Integral of u over the distance.
     area: f64,
@@ -277,7 +277,7 @@ struct Slide {
 /// halves of a step may differ by).
 const TOLERANCE: f64 = 1e-12;
 
-/// From here on u is 1 to rounding.
+/// From here on u is 1 apart from rounding.
 const NOTHING: f64 = 1e-17;
 
 impl Slide {
@@ -378,7 +378,7 @@ mod tests {
         slide
     }
 
-    /// alpha as it stands in (7.33) and (7.34), with u = |z| / z_ss.
+    /// alpha as printed in (7.33) and (7.34), with u = |z| / z_ss.
     fn alpha(u: f64, kappa: f64) -> f64 {
         ElastoPlastic { breakaway_ratio: kappa, ..Default::default() }.alpha(u)
     }
@@ -401,7 +401,7 @@ mod tests {
         }
     }
 
-    /// u and its integral against a fine integration of du/dq = (1 - alpha u)^i as it stands.
+    /// u and its integral against a fine integration of du/dq = (1 - alpha u)^i as printed.
     #[test]
     fn slides_follow_the_differential_equation() {
         for (kappa, exponent) in [(0.7, 1.0), (0.2, 1.0), (0.95, 1.0), (0.7, 3.0), (0.5, 5.0)] {

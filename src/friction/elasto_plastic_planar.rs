@@ -54,14 +54,13 @@ crate::model! {
     /// power is the scalar product of friction force and velocity; it is negative while the bristles spring back.
     ///
     /// # Step
-    /// With held inputs z depends on the distance only. The elastic part of the way is solved exactly and its end is
+    /// With held inputs z depends on the distance only. The elastic part of the path is solved exactly and its end is
     /// located; the plastic part is integrated with error control (Dormand-Prince, 1e-13 of z_ss per step), and its
     /// end, the approach to steady sliding, is an exponential again. The result does not depend on how an interval is
-    /// divided by more than 1e-10. `sticking` says that more than 1 % (chosen) of the motion still goes into the
+    /// divided by more than 1e-10. `sticking` means that more than 1 % (chosen) of the motion still goes into the
     /// bristles. For the largest communication step see `LuGrePlanar`, which has the same stiffness and damping at
-    /// rest.
-    /// Where the master gives slopes of the inputs, a step is made in sixteen pieces from one kink to the next, with the
-    /// inputs of the middle of each: of second order.
+    /// rest. If the master gives slopes of the inputs, each interval between two kinks is divided into sixteen pieces
+    /// with the inputs of their middle; the error is of second order.
     ///
     /// # Errors
     /// Refused: a parameter outside its bound; `mu_s` < `mu_k`; in Model Exchange `mu_k` = 0. kappa <= 0.99 (chosen):
@@ -76,8 +75,8 @@ crate::model! {
     /// The law along a line: Dupont, Hayward, Armstrong, Altpeter (2002), "Single state elastoplastic friction models",
     /// IEEE Transactions on Automatic Control 47, 787-792; equations (7.30) to (7.34) of F. Novais, "A critical
     /// analysis on friction force models in dynamical systems", MSc thesis, University of Minho (2024), here with the
-    /// exponent i = 1. The sine (7.34) is printed with z; |z| is meant. The step to the plane is ours. Defaults: Tables
-    /// 6.1 and 7.1 of the thesis and kappa = 0.7 from its text.
+    /// exponent i = 1. The sine (7.34) is printed with z; |z| is meant. The extension to the plane is ours. Defaults:
+    /// Tables 6.1 and 7.1 of the thesis and kappa = 0.7 from its text.
     ///
     /// # Example
     /// ```
@@ -100,7 +99,7 @@ crate::model! {
         mu_s: tunable = real("1", 0.15).at_least(0.0),
         /// Speed at which the excess of static over kinetic friction has fallen to 1/e (Lorentzian, hyperbola: 1/2).
         stribeck_velocity: tunable = real("m/s", 0.001).positive().shown_in("mm/s"),
-        /// Exponent of the falling level.
+        /// Exponent of the Stribeck curve.
         stribeck_exponent: tunable = real("1", 2.0).positive(),
         /// Part of the deflection of steady sliding up to which the contact is purely elastic.
         breakaway_ratio: tunable = real("1", 0.7).positive().at_most(0.99),
@@ -133,8 +132,8 @@ crate::model! {
 /// by).
 const TOLERANCE: f64 = 1e-13;
 
-/// So close to steady sliding, in units of z_ss - z_ba, its approach is an exponential (chosen: there 1 - alpha is less
-/// than 3e-13, which is (pi / 2 NEAR)^2).
+/// Within this distance of steady sliding, in units of z_ss - z_ba, the approach is an exponential (chosen: there 1 -
+/// alpha is less than 3e-13, which is (pi / 2 NEAR)^2).
 const NEAR: f64 = 3e-7;
 
 impl<T: Component> ElastoPlasticPlanar<T> {
@@ -146,7 +145,7 @@ impl<T: Component> ElastoPlasticPlanar<T> {
         Vector2::new(self.bristle_deflection_x, self.bristle_deflection_y)
     }
 
-    /// g(|v|); 0 if it has all but vanished, as it does at high speed for f_C = 0.
+    /// g(|v|); 0 if it has almost vanished, as it does at high speed for f_C = 0.
     fn level(&self) -> T {
         let coulomb = self.mu_k * self.normal_force;
         let statical = self.mu_s * self.normal_force;
@@ -208,7 +207,7 @@ impl Model for ElastoPlasticPlanar {
     const MODEL_EXCHANGE: bool = true;
     const PRESETS: &'static [Preset] = &[Preset {
         name: "thesis",
-        source: "The law along a line in Novais (2024), Tables 6.1 and 7.1, and kappa = 0.7: the start values",
+        source: "The law along a line in Novais (2024), Tables 6.1 and 7.1, and kappa = 0.7 (the start values)",
         values: &[],
     }];
 
@@ -285,7 +284,7 @@ impl Bristle {
             let (next, error) = dormand_prince(|_, at| rates(kappa, at), at, length);
             let deflection = error[0].hypot(error[1]) / at[0].hypot(at[1]).max(1.0);
             let error = f64::max(deflection, error[2].abs() / at[2].abs().max(1.0)) / TOLERANCE;
-            // A length that vanishes means numbers out of range: what comes out is refused by the caller.
+            // A length that vanishes means numbers out of range: the caller refuses the result.
             if error <= 1.0 || length <= 1e-14 || error.is_nan() {
                 at = next;
                 left = if length < left { left - length } else { 0.0 };
@@ -339,7 +338,7 @@ mod tests {
         }
     }
 
-    /// A load that goes round in a circle within the elastic range leaves the contact where it was.
+    /// A load that rotates within the elastic range leaves the contact where it was.
     #[test]
     fn no_drift_below_breakaway_in_any_direction() {
         let mut law = ElastoPlasticPlanar::default();

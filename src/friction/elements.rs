@@ -1,9 +1,9 @@
-//! How the laws with Maxwell-slip elements divide stiffness and strength among their elements.
+//! Division of stiffness and strength among the elements of the Maxwell-slip laws.
 
 use crate::model::real;
 use crate::number::Real;
 
-/// Largest number of elements with shares of their own.
+/// Largest number of elements with individual shares.
 pub(crate) const MOST: usize = 64;
 
 /// Four elements of growing strength and falling stiffness, so that they slip one after the other (chosen).
@@ -11,17 +11,17 @@ pub(crate) const FOUR: crate::model::Starts =
     &[("stiffness_share", &[0.5, 0.25, 0.15, 0.1]), ("strength_share", &[0.1, 0.2, 0.3, 0.4])];
 
 crate::choices! {
-    /// Where the shares of the elements come from.
+    /// Source of the elements' shares.
     pub enum ElementDistribution {
         /// The shares of each element are given.
         Explicit,
-        /// Equal stiffness, and displacements up to slip that are spread evenly: the virgin curve is nearly a parabola.
+        /// Equal stiffness and evenly spaced slip displacements: the virgin curve is nearly a parabola.
         Uniform,
     }
 }
 
 crate::part! {
-    /// What an element has of the whole.
+    /// Share of an element in the whole.
     Share {
         /// Stiffness of the element, relative to the sum over all elements in use.
         stiffness_share: tunable = real("1", 0.1).positive(),
@@ -30,7 +30,7 @@ crate::part! {
     }
 }
 
-/// The share of an element that is given none: it gets an equal one, or nothing.
+/// The share of an element without individual shares: an equal one, or nothing.
 pub(crate) fn no_share<T: Real>() -> Share<T> {
     Share { stiffness_share: T::zero(), strength_share: T::zero() }
 }
@@ -52,12 +52,12 @@ impl<T: Real> Division<T> {
         Division { distribution: ElementDistribution::of(distribution.value()), count, sum }
     }
 
-    /// The same division among more elements, which are given no shares.
+    /// The same division among more elements, which have no individual shares.
     pub(crate) fn among(self, count: usize) -> Division<T> {
         Division { count: count as f64, ..self }
     }
 
-    /// The shares of the element with that index, counted from 0; over all elements their sums are 1.
+    /// The shares of the element with this index, counted from 0; over all elements their sums are 1.
     #[inline]
     pub(crate) fn of(&self, index: usize, given: &Share<T>) -> Share<T> {
         match self.distribution {
@@ -81,14 +81,15 @@ pub(crate) struct Ramp {
     pub(crate) velocity: [f64; 2],
     /// Value at the beginning and slope.
     pub(crate) normal_force: [f64; 2],
-    /// Time that the step takes.
+    /// Duration of the step.
     pub(crate) duration: f64,
 }
 
 /// Equal parts of a step with moving inputs (chosen).
 const PARTS: u32 = 4;
 
-/// Levels of (|v| / v_S)^delta at which a step with moving inputs is cut, because the Stribeck level bends there (chosen).
+/// Levels of (|v| / v_S)^delta at which a step with moving inputs is cut, because the Stribeck level is curved there
+/// (chosen).
 const BENDS: [f64; 7] = [1.0 / 16.0, 0.25, 9.0 / 16.0, 1.0, 2.25, 4.0, 9.0];
 
 /// Instants at which a step is cut, in rising order.
@@ -103,7 +104,7 @@ impl Cuts {
         self.count += 1;
     }
 
-    /// In rising order, without pieces that are nothing but rounding.
+    /// In rising order, without pieces that are only rounding.
     fn sort(&mut self, duration: f64) {
         self.times[..self.count].sort_unstable_by(f64::total_cmp);
         let (count, mut last) = (self.count, 0.0);
@@ -142,7 +143,7 @@ impl Ramp {
         (a * a + a * b + b * b) / 3.0 * (to - from)
     }
 
-    /// Cuts the step where the motion turns back, where the level bends, and into equal parts.
+    /// Cuts the step where the motion reverses, where the level is curved, and into equal parts.
     pub(crate) fn cuts(&self, stribeck_velocity: f64, exponent: f64) -> Cuts {
         let mut cuts = Cuts { times: [0.0; PARTS as usize + 1 + 2 * BENDS.len()], count: 0 };
         (1..=PARTS).for_each(|part| cuts.add(self.duration * (f64::from(part) / f64::from(PARTS))));

@@ -9,7 +9,7 @@ use crate::ramp;
 crate::choices! {
     /// How the friction force lags behind the velocity.
     pub enum FrictionalLagVariant {
-        /// The force follows the velocity of a time lag ago.
+        /// The force follows the velocity one time lag earlier.
         Delay,
         /// The force follows the velocity through a first-order filter.
         FirstOrder,
@@ -52,8 +52,8 @@ crate::model! {
     ///
     /// # Step
     /// Exact for inputs that are held and for inputs that move linearly: two half steps equal one. A held velocity is
-    /// taken as what it is, a staircase, and the delayed one is the same staircase later. If it stands for a smooth
-    /// velocity, it is late by up to one communication step (half of one on average); slopes of the inputs
+    /// taken as a staircase, and the delayed velocity is the same staircase later. If it stands for a smooth velocity,
+    /// it is late by up to one communication step (half of one on average); slopes of the inputs
     /// (fmi2SetRealInputDerivatives) remove that. A step may be longer than tau_L: the force at its end then follows
     /// the velocity of the same step.
     ///
@@ -63,13 +63,14 @@ crate::model! {
     /// error of w is at most |d2v/dt2| (tau_L / 31)^2 / 8, and for a held velocity its change over one step in
     /// addition.
     ///
-    /// A host that integrates the body itself never meets v = 0 exactly: the force alternates, and the body trembles
-    /// with up to f_s h / m, which has to stay well below v_S, or the level at rest is not the static one. Of a block of
-    /// 1 kg on a belt the period of stick-slip is short by 0.2 % at h = 31 us, by 4 % at 125 us and by 39 % at 1 ms.
+    /// A host that integrates the body itself never reaches v = 0 exactly: the force alternates, and the velocity of
+    /// the body alternates by up to f_s h / m, which has to stay well below v_S, or the level at rest is not the static
+    /// one. For a block of 1 kg on a belt the stick-slip period is 0.2 % too short at h = 31 us, 4 % at 125 us and 39 %
+    /// at 1 ms.
     ///
     /// Before the first step, and again after the contact was released, w is the velocity with which the contact
-    /// begins. The dissipated energy is a closed form where w and the inputs are constant, and else a quadrature with a
-    /// relative error below 1e-10. `sticking` says that the velocity is exactly zero.
+    /// begins. The dissipated energy is a closed form where w and the inputs are constant, otherwise a quadrature with
+    /// a relative error below 1e-10. `sticking` means that the velocity is exactly zero.
     ///
     /// # Errors
     /// Refused: a parameter outside its bound; `mu_s` < `mu_k`.
@@ -77,9 +78,9 @@ crate::model! {
     /// # Limits
     /// No stiction: the force is zero at v = 0, so the law cannot hold a load, and a host that integrates the body
     /// itself sees the force alternate around rest. No pre-sliding displacement. When the velocity changes its sign,
-    /// the level still follows the speed of a time lag ago, so the force need not pass the static level. `time_lag` = 0
-    /// is the static law; `mu_s` = `mu_k` leaves only the viscous part to lag. `normal_force` = 0 releases the contact:
-    /// force 0, also of the viscous part, and the next step forgets the past.
+    /// the level still follows the speed one time lag earlier, so the force need not pass the static level.
+    /// `time_lag` = 0 is the static law; `mu_s` = `mu_k` leaves only the viscous part to lag. `normal_force` = 0
+    /// releases the contact: force 0, also of the viscous part, and the next step forgets the past.
     ///
     /// # Source
     /// Hess and Soom (1990), Journal of Tribology 112, 147-152; Armstrong-Helouvry, Dupont and Canudas de Wit (1994),
@@ -112,7 +113,7 @@ crate::model! {
         mu_s: tunable = real("1", 0.15).at_least(0.0),
         /// Speed at which the excess of static over kinetic friction has fallen to 1/e (Lorentzian, hyperbola: 1/2).
         stribeck_velocity: tunable = real("m/s", 0.001).positive().shown_in("mm/s"),
-        /// Exponent of the falling level.
+        /// Exponent of the Stribeck curve.
         stribeck_exponent: tunable = real("1", 2.0).positive(),
         /// Viscous friction coefficient.
         viscous_coefficient: tunable = real("N.s/m", 0.0).at_least(0.0),
@@ -120,7 +121,7 @@ crate::model! {
         time_lag: fixed = real("s", 0.005).at_least(0.0).nominal(1e-3).shown_in("ms"),
         /// Variant of the law.
         variant: fixed = FrictionalLagVariant::Delay.start(),
-        /// Has the contact a past? Without one the level follows the present velocity.
+        /// Does the contact have a past? Without one the level follows the present velocity.
         has_past: state = boolean(false),
         /// Velocity that the level of friction follows: that of a time lag ago, or a filtered one.
         lagged_velocity: state = real("m/s", 0.0).nominal(1e-3).shown_in("mm/s"),
@@ -137,7 +138,7 @@ crate::model! {
     }
 }
 
-/// The Stribeck peak is left out of sight where it is below exp(-40), which no sum of levels can resolve.
+/// The Stribeck peak is ignored where it is below exp(-40), which no sum of levels can resolve.
 const NEGLIGIBLE: f64 = 40.0;
 
 impl<T: Real> FrictionalLag<T> {
@@ -269,7 +270,7 @@ impl Model for FrictionalLag {
         },
         Preset {
             name: "slow_oscillation",
-            source: "Example for a visible loop: to be driven with (2 + 1.5 sin(2 pi t)) mm/s",
+            source: "Example for a visible loop: drive it with (2 + 1.5 sin(2 pi t)) mm/s",
             values: &[("time_lag", 0.05)],
         },
     ];
@@ -320,7 +321,7 @@ impl Filter {
         let x = t / self.time_lag;
         let lag = self.motion.acceleration * self.time_lag;
         let relaxed = relaxation::after(self.start, self.motion.velocity, x);
-        // 0 times an infinite x would be no number.
+        // 0 times an infinite x would not be a number.
         if lag == 0.0 { relaxed } else { relaxed + lag * (x + (-x).exp_m1()) }
     }
 
@@ -341,7 +342,7 @@ impl Filter {
     }
 }
 
-/// Lags after which the exponential is e^-2, e^-10 and, of no account, e^-40.
+/// Lags after which the exponential is e^-2, e^-10 and, negligibly small, e^-40.
 const FADING: [f64; 3] = [2.0, 10.0, 40.0];
 
 #[cfg(test)]
@@ -379,7 +380,8 @@ mod tests {
         }
     }
 
-    /// The sign is that of the present velocity, the level that of a lag ago, until exactly a lag after the change.
+    /// The sign is that of the present velocity, the level that of one lag earlier, until exactly one lag after the
+    /// change.
     #[test]
     fn a_jump_of_the_velocity_reaches_the_level_one_lag_later() {
         let mut law = law(FrictionalLagVariant::Delay, 0.005);

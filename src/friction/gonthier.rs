@@ -45,7 +45,7 @@ crate::model! {
     ///
     /// # Step
     /// With held inputs both states relax linearly and are solved exactly; the instants at which f_br passes f_max are
-    /// located for the energy. So the result does not depend on how an interval is divided. `sticking` says that f_br
+    /// located for the energy. So the result does not depend on how an interval is divided. `sticking` means that f_br
     /// is within f_max and more than 1 % (chosen) of the motion still goes into the bristles.
     ///
     /// A master that integrates a mass m with the force it reads couples it explicitly to the stiffness k and the
@@ -59,15 +59,15 @@ crate::model! {
     ///
     /// # Limits
     /// The steady force is min{f_C + sigma_1 v / (exp(v^2 / v_S^2) - 1), f_C + (f_s - f_C) exp(-v^2 / v_S^2)} + sigma_2
-    /// v, the second of the two for all v if 1.56697399 sigma_1 v_S >= f_s - f_C, as the defaults only just have it.
-    /// f_max starts from f_C (s_d = 0): a new contact has no stiction yet.
+    /// v, the second of the two for all v if 1.56697399 sigma_1 v_S >= f_s - f_C, as the defaults just satisfy. f_max
+    /// starts from f_C (s_d = 0): a new contact has no stiction yet.
     ///
-    /// The limit acts on the force, not on the bristle: at speeds far below v_S the deflection grows on while the force
-    /// stays at f_max, up to about sigma_1 v_S^2 / (sigma_0 v), and the same way back is driven, not braked, by the
-    /// bristle. Slow strokes therefore dissipate little, and if f_max has risen in between, the law gives back more
-    /// than it got: it is not passive, but gives back no more than (f_s - f_C) times the distance travelled. For f_s =
-    /// f_C and constant load it is passive in all histories that were tried. `normal_force` = 0 releases the contact
-    /// (force, deflection and s_d 0).
+    /// The limit acts on the force, not on the bristle: at speeds far below v_S the deflection continues to grow while
+    /// the force stays at f_max, up to about sigma_1 v_S^2 / (sigma_0 v), and the same distance back is driven, not
+    /// braked, by the bristle. Slow strokes therefore dissipate little, and if f_max has risen in between, the law
+    /// returns more energy than it received: it is not passive, but returns no more than (f_s - f_C) times the distance
+    /// travelled. For f_s = f_C and constant load it is passive in all histories that were tried. `normal_force` = 0
+    /// releases the contact (force, deflection and s_d 0).
     ///
     /// # Source
     /// Gonthier, McPhee, Lange, Piedboeuf (2004), "A regularized contact model with asymmetric damping and dwell-time
@@ -75,8 +75,8 @@ crate::model! {
     /// Novais, "A critical analysis on friction force models in dynamical systems", MSc thesis, University of Minho
     /// (2024). Only two of the equations above carry their number: those of the others were not legible in the copy
     /// that was available. The thesis calls v_0 at least one tenth of v_S and commonly one hundredth, which contradicts
-    /// itself: it should be at most one tenth, and here it is one hundredth. Here the scalar form; for a motion in a
-    /// plane the paper takes vectors.
+    /// itself: it should be at most one tenth, and here it is one hundredth. This is the scalar form; for a motion in a
+    /// plane the paper uses vectors.
     ///
     /// # Example
     /// ```
@@ -113,7 +113,7 @@ crate::model! {
         dwell_time_constant: tunable = real("s", 2.0).positive(),
         /// Mean elastic deflection of the bristles.
         bristle_deflection: state = real("m", 0.0).nominal(1e-5).shown_in("um").reinit(),
-        /// Memory of the time of rest: 0 after sliding, 1 after a long rest.
+        /// Memory of the time at rest: 0 after sliding, 1 after a long rest.
         dwell: state = real("1", 0.0).at_least(0.0).at_most(1.0).reinit(),
         /// Energy taken out of the motion since the start.
         dissipated_energy: state_output = real("J", 0.0).nominal(1e-3),
@@ -165,7 +165,7 @@ impl<T: Real> Gonthier<T> {
         self.coulomb() + self.excess() * self.dwell
     }
 
-    /// Rate at which s_d goes to s.
+    /// Rate at which s_d approaches s.
     fn dwell_rate(&self) -> T {
         let rises = self.stick_share() >= self.dwell;
         if rises { T::from(1.0) / self.dwell_time_constant } else { self.sigma_0 / self.sigma_1 }
@@ -199,7 +199,7 @@ impl<T: Real> Law for Gonthier<T> {
 }
 
 impl Gonthier {
-    /// The motion of the states from now on, while the inputs are held.
+    /// The motion of the states from now on, with held inputs.
     fn course(&self) -> Course {
         let u = self.velocity / self.stribeck_velocity;
         Course {
@@ -217,7 +217,7 @@ impl Model for Gonthier {
     const MODEL_EXCHANGE: bool = true;
     const PRESETS: &'static [Preset] = &[Preset {
         name: "thesis",
-        source: "Novais (2024), Tables 6.1 and 7.1, v_0 = v_S / 100 of its text: the start values",
+        source: "Novais (2024), Tables 6.1 and 7.1, v_0 = v_S / 100 of its text (the start values)",
         values: &[],
     }];
 
@@ -305,14 +305,14 @@ impl Course {
         }
     }
 
-    /// The instants up to `end` at which f_max = side f_br: at most two; `end` stands for none.
+    /// The instants up to `end` at which f_max = side f_br: at most two; `end` stands for a missing one.
     fn crossings(&self, side: f64, end: f64) -> [f64; 2] {
         let gap = |t: f64| self.limit(t) - side * self.bristle_force(t);
         let turn = self.turn(side).filter(|turn| *turn > 0.0 && *turn < end).unwrap_or(end);
         [bisect(gap, 0.0, turn).unwrap_or(end), bisect(gap, turn, end).unwrap_or(end)]
     }
 
-    /// Where f_max - side f_br, the sum of two exponentials and a constant, has its only extremum.
+    /// The instant of the only extremum of f_max - side f_br, the sum of two exponentials and a constant.
     fn turn(&self, side: f64) -> Option<f64> {
         let rise = self.law.excess() * self.dwell_missing * self.dwell_rate;
         let bristle_rise = side * (self.law.sigma_0 - self.law.sigma_1 * self.rate) * self.deflection_rate;
@@ -335,7 +335,7 @@ fn second(x: f64) -> f64 {
     (3..=20).rev().fold(1.0, |sum, k| 1.0 - x * sum / f64::from(k)) / 2.0
 }
 
-/// Where a monotonous function changes its sign.
+/// The instant at which a monotonic function changes its sign.
 fn bisect(function: impl Fn(f64) -> f64, from: f64, to: f64) -> Option<f64> {
     let (mut low, mut high) = (from, to);
     let begins_above = function(low) > 0.0;
@@ -391,7 +391,8 @@ mod tests {
         }
     }
 
-    /// Slide slowly, rest, slide back: the bristle has wound up and returns more than it got, within the stated bound.
+    /// Slides slowly, rests, slides back: the bristle has wound up and returns more energy than it received, within the
+    /// stated bound.
     #[test]
     fn dwell_makes_the_law_active_within_the_stated_bound() {
         let mut law =
@@ -405,7 +406,7 @@ mod tests {
         assert!(law.dissipated_energy > -0.4905 * 6e-5, "{}", law.dissipated_energy);
     }
 
-    /// tau_d -> 0: at rest the static level is there at once.
+    /// tau_d -> 0: at rest the static level is reached at once.
     #[test]
     fn short_dwell_time_gives_full_stiction_at_once() {
         let mut law = Gonthier { dwell_time_constant: 1e-9, bristle_deflection: 1e-3, ..Default::default() };
@@ -424,7 +425,7 @@ mod tests {
         for side in [1.0, -1.0] {
             assert_eq!([at(side), at(3.0 * side), at(0.0)], [side, side, 0.0]);
             let h = 1e-4;
-            // A parabola touches the plateau: 3/2 h^2 are missing at a distance of h.
+            // A parabola touches the plateau: it is 3/2 h^2 lower at a distance of h.
             assert!(((1.0 - side * at(side * (1.0 - h))) / (h * h) - 1.5).abs() < 1e-3);
             assert_eq!(at(-0.3 * side), -at(0.3 * side));
         }

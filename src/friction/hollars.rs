@@ -3,8 +3,8 @@ use crate::model::{Fault, Model, Preset, boolean, real};
 use crate::number::Real;
 
 crate::model! {
-    /// Hollars friction: a continuous law with a stiction peak made of rational functions only, known from the contact
-    /// models of Simbody.
+    /// Hollars friction: a continuous law with a stiction peak that uses only rational functions, known from the
+    /// contact models of Simbody.
     ///
     /// # Equations
     ///
@@ -15,7 +15,7 @@ crate::model! {
     /// ```
     ///
     /// With `mass` m > 0 the force over a step h is that of the velocity w at its end, and of several solutions the
-    /// first that is met from v on in the direction of the acceleration (implicit Euler):
+    /// first one reached from v in the direction of the acceleration (implicit Euler):
     ///
     /// ```text
     /// m (w - v) / h = f_e - f_f(w)
@@ -40,9 +40,9 @@ crate::model! {
     ///
     /// # Step
     /// Without `mass` the law has no memory; only the dissipated energy is integrated, exactly for held inputs. A
-    /// master that couples it explicitly to a mass m needs a communication step below 2 m / f'(0), where
-    /// f'(0) = (2 f_s - f_C) / v_0 + mu_v f_n (1962 N.s/m for the defaults: 1.0 ms for 1 kg); above, a held body
-    /// chatters. With `mass` there is no largest step. `sticking` says |v| < v_0.
+    /// master that couples it explicitly to a mass m needs a communication step below 2 m / f'(0), where f'(0) = (2
+    /// f_s - f_C) / v_0 + mu_v f_n (1962 N.s/m for the defaults: 1.0 ms for 1 kg); above, a held body chatters. With
+    /// `mass` there is no largest step. `sticking` means |v| < v_0.
     ///
     #[doc = include_str!("coupling.md")]
     /// # Errors
@@ -57,7 +57,7 @@ crate::model! {
     /// # Source
     /// Hollars, Rosenthal, Sherman (1994), SD/FAST manual, as documented for Simbody: Sherman, Seth, Delp (2011),
     /// doi:10.1016/j.piutam.2011.04.023. No equation of the thesis was available. The default v_0 = 0.001 m/s is chosen
-    /// (Simbody: 0.01 m/s, preset `simbody`). Newer contact models of Simbody use another, quintic transition.
+    /// (Simbody: 0.01 m/s, preset `simbody`). Newer contact models of Simbody use a quintic transition instead.
     ///
     /// # Example
     /// ```
@@ -72,7 +72,7 @@ crate::model! {
         velocity: input = real("m/s", 0.0).shown_in("mm/s"),
         /// Normal force that presses the surfaces together.
         normal_force: input = real("N", 9.81).at_least(0.0),
-        /// All other tangential forces on body 1; if body 2 moves, mass times relative acceleration without friction.
+        /// Resultant of all other tangential forces on body 1; see Coupling if body 2 accelerates.
         external_force: input = real("N", 0.0),
         /// Kinetic coefficient of friction.
         mu_k: tunable = real("1", 0.1).at_least(0.0),
@@ -82,7 +82,7 @@ crate::model! {
         transition_velocity: tunable = real("m/s", 0.001).positive().shown_in("mm/s"),
         /// Viscous coefficient of friction, per normal force.
         mu_v: tunable = real("s/m", 0.0).at_least(0.0),
-        /// What the law needs of the host in co-simulation.
+        /// Data for co-simulation with a body of known mass.
         time_stepping: (TimeStepping),
         /// Energy taken out of the motion since the start.
         dissipated_energy: state_output = real("J", 0.0).nominal(1e-3),

@@ -40,10 +40,9 @@ crate::model! {
     /// # Step
     /// Without `mass` the law has no memory. Inside the band its force balances the external force, so the velocity
     /// stays constant instead of going to zero: a captured body creeps with up to v_0. With `mass` it is brought to
-    /// rest and neither chatters nor creeps, at any step size.
-    /// In Model Exchange a contact is inside the band, or slides in one direction, from one event to the next. Inside
-    /// it gives `external_force` back up to f_s: connect it, or nothing is held there and events follow one another at
-    /// the edge without end.
+    /// rest and neither chatters nor creeps, at any step size. In Model Exchange a contact is inside the band, or
+    /// slides in one direction, from one event to the next. Inside the band it returns `external_force`, up to f_s:
+    /// connect it, or nothing is held and events repeat endlessly at the edge of the band.
     ///
     #[doc = include_str!("coupling.md")]
     /// # Errors
@@ -58,7 +57,7 @@ crate::model! {
     /// Karnopp (1985), doi:10.1115/1.3140698; equation (6.7) of F. Novais, "A critical analysis on friction force
     /// models in dynamical systems", MSc thesis, University of Minho (2024). Differs: outside the band (6.7) allows any
     /// f(v), here it is f_C sgn(v) without a viscous or a Stribeck part. The default v_0 = 0.001 m/s is chosen. Time
-    /// stepping: Moreau (1988), doi:10.1007/978-3-7091-2624-0_1. The choice `exchange` is ours.
+    /// stepping: Moreau (1988), doi:10.1007/978-3-7091-2624-0_1. The choice `exchange` is our addition.
     ///
     /// # Example
     /// ```
@@ -73,7 +72,7 @@ crate::model! {
         velocity: input = real("m/s", 0.0).shown_in("mm/s"),
         /// Normal force that presses the surfaces together.
         normal_force: input = real("N", 9.81).at_least(0.0),
-        /// All other tangential forces on body 1; if body 2 moves, mass times relative acceleration without friction.
+        /// Resultant of all other tangential forces on body 1; see Coupling if body 2 accelerates.
         external_force: input = real("N", 0.0),
         /// Kinetic coefficient of friction.
         mu_k: tunable = real("1", 0.1).at_least(0.0),
@@ -81,9 +80,9 @@ crate::model! {
         mu_s: tunable = real("1", 0.15).at_least(0.0),
         /// Velocity that sets the width of the regularised band around rest.
         transition_velocity: tunable = real("m/s", 0.001).positive().shown_in("mm/s"),
-        /// Has the last step left the contact stuck? Only with mass > 0; phase tells it in Model Exchange.
+        /// Is the contact stuck since the last step? Only with mass > 0; in Model Exchange see phase.
         stuck: state = boolean(false),
-        /// What the law needs to hold a body in co-simulation.
+        /// Data for co-simulation with a body of known mass.
         time_stepping: (TimeStepping),
         /// Energy taken out of the motion since the start.
         dissipated_energy: state_output = real("J", 0.0).nominal(1e-3),
@@ -134,7 +133,7 @@ mod tests {
         assert!((law.friction_force - 0.981).abs() < 1e-12);
         law.velocity = 0.0009;
         law.output();
-        assert!((law.friction_force - 0.981).abs() < 1e-12, "no event has found it inside yet");
+        assert!((law.friction_force - 0.981).abs() < 1e-12, "no event has put it inside yet");
         law.at_event();
         law.output();
         assert_eq!(law.friction_force, 0.2);

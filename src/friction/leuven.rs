@@ -7,7 +7,7 @@ use crate::number::Real;
 crate::part! {
     /// A Maxwell-slip element of the hysteresis force.
     Element {
-        /// What the element has of the whole.
+        /// Share of the element.
         share: (Share),
         /// Force of the element.
         force: state = real("N", 0.0),
@@ -62,18 +62,18 @@ crate::model! {
     ///
     /// (for motion forwards), and a deflection that grows or falls throughout the step. For n = 1 the pieces are solved
     /// in closed form, otherwise by quadrature of time over force to 1e-13; each slip is located inside the step. So
-    /// the result does not depend on how an interval is divided. `sticking` says that more than 1 % (chosen) of the
+    /// the result does not depend on how an interval is divided. `sticking` means that more than 1 % (chosen) of the
     /// motion still goes into the bristles.
     ///
-    /// With linearly moving inputs the step is of second order, in 4 to 19 pieces (chosen): it is cut where v changes sign
-    /// and where the level bends, and in each piece level and strengths count as linear. F_h follows a moving level as
-    /// closely as the bristles do. An element that slips while the load rises stays at its strength, unless that outruns
-    /// it.
+    /// With linearly moving inputs the step is of second order, in 4 to 19 pieces (chosen): it is cut where v changes
+    /// sign and where the level is curved, and in each piece level and strengths count as linear. F_h follows a moving
+    /// level as closely as the bristles do. An element that slips while the load rises stays at its strength unless the
+    /// strength grows faster than the element's force can.
     ///
     /// # Errors
     /// Refused: a parameter outside its bound; `mu_s` < `mu_k`; `hysteresis_strength` < 1, because elements that are
-    /// together weaker than f_s all slip before the level is reached, and z runs away; `approach_exponent` < 0.1
-    /// (chosen), where nearly all motion would be sliding from the start.
+    /// together weaker than f_s all slip before the level is reached, and z grows without limit; `approach_exponent` <
+    /// 0.1 (chosen), where nearly all motion would be sliding from the start.
     ///
     /// # Limits
     /// Not passive for sampled velocities if sigma_1 > 0 and f_s > f_C, for the same reason as LuGre and by the same
@@ -88,10 +88,10 @@ crate::model! {
     /// integrated friction model structure with improved presliding behavior for accurate friction compensation", the
     /// same journal 45, 675-686. Deviations: s(v) and the strengths carry the normal force; the deflections of the
     /// slipping ends of the elements are replaced by the forces F_i. The hysteresis of 2000, with a stack of reversal
-    /// points, is not offered. Levels, sigma_0, sigma_1, sigma_2: Tables 6.1 and 7.1 of F. Novais, "A critical analysis
-    /// on friction force models in dynamical systems", MSc thesis, University of Minho (2024), for its other bristle
-    /// models; n, the elements and their strength are chosen.
-    /// A public port misplaces a parenthesis of the equation of z and has v (1 - sgn r) |r|^n.
+    /// points, is not included. Levels, sigma_0, sigma_1, sigma_2: Tables 6.1 and 7.1 of F. Novais, "A critical
+    /// analysis on friction force models in dynamical systems", MSc thesis, University of Minho (2024), for its other
+    /// bristle models; n, the elements and their strength are chosen. A public implementation misplaces a parenthesis
+    /// in the equation of z and has v (1 - sgn r) |r|^n.
     ///
     /// # Example
     /// ```
@@ -114,7 +114,7 @@ crate::model! {
         mu_s: tunable = real("1", 0.15).at_least(0.0),
         /// Speed at which the excess of static over kinetic friction has fallen to 1/e (Lorentzian, hyperbola: 1/2).
         stribeck_velocity: tunable = real("m/s", 0.001).positive().shown_in("mm/s"),
-        /// Exponent of the falling level.
+        /// Exponent of the Stribeck curve.
         stribeck_exponent: tunable = real("1", 2.0).positive(),
         /// Stiffness of the bristles.
         sigma_0: tunable = real("N/m", 1e5).positive().nominal(1e5),
@@ -145,7 +145,7 @@ crate::model! {
     }
 }
 
-/// Rounding of F_h, relative to the forces that its parts can have (chosen: the most that 64 elements can add up).
+/// Rounding error of F_h, relative to the largest forces of its parts (chosen: the most that 64 elements can add up).
 const ROUNDING: f64 = 1e-14;
 
 impl<T: Real> Leuven<T> {
@@ -171,7 +171,8 @@ impl<T: Real> Leuven<T> {
         self.element[..self.count()].iter().fold(T::zero(), |sum, element| sum + element.force)
     }
 
-    /// F_h as it goes on while the load rises: elements that slip follow their strength, unless it outruns them.
+    /// F_h as it continues while the load rises: elements that slip follow their strength unless it grows too fast for
+    /// them.
     fn moving_hysteresis(&self) -> T {
         let strength = self.strength();
         let rate = self.deflection_rate(self.level());
@@ -179,7 +180,7 @@ impl<T: Real> Leuven<T> {
             return self.hysteresis();
         }
         let division = Division::new(self.distribution, self.element[..self.count()].iter().map(|e| e.share));
-        // Nothing but what it changes by.
+        // The change only.
         let motion = self.bristle_deflection - T::from(self.bristle_deflection.value());
         self.element[..self.count()].iter().enumerate().fold(T::zero(), |sum, (index, element)| {
             let share = division.of(index, &element.share);
@@ -194,7 +195,7 @@ impl<T: Real> Leuven<T> {
         })
     }
 
-    /// Is F_h at that level, as far as a sum of forces of both signs can tell?
+    /// Whether F_h is at that level, within the resolution of a sum of forces of both signs.
     fn is_at(&self, level: T) -> bool {
         let forces = self.element[..self.count()].iter().map(|element| element.force.value().abs());
         let scale = forces.fold(self.strength().value(), |sum, force| sum + force);
@@ -206,7 +207,7 @@ impl<T: Real> Leuven<T> {
         self.rate_under(level, self.hysteresis())
     }
 
-    /// dz/dt under that F_h.
+    /// dz/dt at the given F_h.
     fn rate_under(&self, level: T, hysteresis: T) -> T {
         if level.value() == 0.0 || self.is_at(level) {
             return T::zero();
@@ -259,7 +260,8 @@ impl Leuven {
     /// Moves over a distance at one level. Advances the deflection and returns the work of F_h.
     fn advance(&mut self, limits: &mut Limits, level: f64, distance: f64) -> f64 {
         let (mut left, mut work) = (distance, 0.0);
-        // Each piece but the last ends with an element that begins to slip, and in one direction each does so once.
+        // Each piece but the last ends with an element that begins to slip, and each does so only once in one
+        // direction.
         for _ in 0..=self.count() {
             let (done, area) = self.piece(limits, level, left);
             work += area;
@@ -271,7 +273,8 @@ impl Leuven {
         work
     }
 
-    /// One piece of a step, at most until an element begins to slip. Returns the distance travelled and the work of F_h.
+    /// One piece of a step, at most until an element begins to slip. Returns the distance travelled and the work of
+    /// F_h.
     fn piece(&mut self, limits: &mut Limits, level: f64, distance: f64) -> (f64, f64) {
         let direction = self.velocity.sign();
         let force = direction * self.hysteresis();
@@ -292,7 +295,7 @@ impl Leuven {
         (done, travelled.area * unit * level)
     }
 
-    /// Stiffness of the elements that follow a motion in that direction, and the deflection at which the next one
+    /// Stiffness of the elements that follow a motion in this direction, and the deflection at which the next one
     /// slips.
     fn yielding(&self, limits: &Limits, direction: f64) -> (f64, f64) {
         let (mut sum, mut room) = (0.0, f64::INFINITY);
@@ -324,11 +327,11 @@ impl Leuven {
     }
 }
 
-/// What the elements can carry, in shares of w f_s.
+/// Forces that the elements can carry, in shares of w f_s.
 #[derive(Clone, Copy)]
 struct Limits<'a> {
     division: &'a Division<f64>,
-    /// w f_s as far as the elements meet it; it falls with the deflection where the load falls, down to a floor.
+    /// w f_s as seen by the elements; it falls with the deflection where the load falls, down to a floor.
     line: f64,
     fall: f64,
     floor: f64,
@@ -338,7 +341,7 @@ struct Limits<'a> {
 }
 
 impl<'a> Limits<'a> {
-    /// Of a load that is held.
+    /// Limits for a held load.
     fn held(division: &'a Division<f64>, strength: f64) -> Limits<'a> {
         Limits { division, line: strength, fall: 0.0, floor: strength, slipping: Marks::default(), held: strength }
     }
@@ -347,7 +350,7 @@ impl<'a> Limits<'a> {
         if self.slipping.has(index) { self.held } else { self.line }
     }
 
-    /// The deflection at which an element slips, with that force in the direction of the deflection; none if it does
+    /// The deflection at which an element slips, given its force in the direction of the deflection; none if it does
     /// not follow.
     #[inline]
     fn room(&self, index: usize, stiffness: f64, share: f64, force: f64) -> Option<f64> {
@@ -379,11 +382,11 @@ impl Marks {
     }
 }
 
-/// An element this close to its strength, in shares of what it can move over a piece of a ramp, counts as slipping
-/// (chosen).
+/// Distance from its strength, in shares of its possible change over a piece of a ramp, within which an element counts
+/// as slipping (chosen).
 const NEAR: f64 = 1e-3;
 
-/// Both ends of a piece of a ramp, and its middle, at which the inputs are.
+/// Both ends of a piece of a ramp, and its middle, whose inputs are set.
 struct Stretch {
     /// w f_s at both ends.
     strength: [f64; 2],
@@ -406,8 +409,7 @@ impl Stretch {
     }
 }
 
-/// 1 / x - 1 / (e^x - 1): how far behind its moving level, in shares of the change, an exponential approach stays that
-/// has taken x.
+/// 1 / x - 1 / (e^x - 1): the lag of an exponential approach behind its moving level after x, in shares of the change.
 fn lag(x: f64) -> f64 {
     if x < 1e-3 { 0.5 - x / 12.0 } else { 1.0 / x - 1.0 / x.exp_m1() }
 }
@@ -415,9 +417,9 @@ fn lag(x: f64) -> f64 {
 impl Leuven {
     /// Advances over a piece of a ramp in which the velocity keeps its sign, and level and strengths count as linear.
     ///
-    /// The approach to the level is that of held inputs, at the level which an exponential approach to the moving one
-    /// would have to see to end where it ends. Elements that slip along a rising strength are lifted half a piece
-    /// before and after.
+    /// The approach to the level is that of held inputs, at the level for which it ends where an exponential approach
+    /// to the moving level would end. Elements that slip along a rising strength are lifted half a piece before and
+    /// after.
     fn follow(&mut self, ramp: &Ramp, [from, to]: [f64; 2], division: &Division<f64>) {
         let Some(stretch) = self.enter(ramp, [from, to]) else { return };
         let (direction, distance) = (self.velocity.sign(), self.velocity.abs() * stretch.duration);
@@ -441,7 +443,8 @@ impl Leuven {
             + self.viscous_coefficient * ramp.squares([from, to]);
     }
 
-    /// Moves the inputs to the middle of a piece and says what there is at its ends; none if there is nothing to follow.
+    /// Moves the inputs to the middle of a piece and returns the limits at its ends; none if there is nothing to
+    /// follow.
     fn enter(&mut self, ramp: &Ramp, [from, to]: [f64; 2]) -> Option<Stretch> {
         let [begin, end, middle] = [from, to, 0.5 * (from + to)].map(|time| {
             (self.velocity, self.normal_force) = (ramp.velocity_at(time), ramp.normal_force_at(time));
@@ -464,7 +467,7 @@ impl Leuven {
         self.velocity.abs() * (1.0 - r.sign() * r.abs().powf(self.approach_exponent))
     }
 
-    /// Limits over a piece of a ramp, at that speed of deflection. Lifts the elements that slip to the middle.
+    /// Limits over a piece of a ramp, at this speed of deflection. Lifts the elements that slip to the middle.
     fn limits<'a>(&mut self, stretch: &Stretch, division: &'a Division<f64>, rate: f64, outward: f64) -> Limits<'a> {
         let [begin, end] = stretch.strength;
         let mut limits = Limits { held: 0.5 * (begin + end), ..Limits::held(division, end) };
@@ -504,8 +507,8 @@ impl Leuven {
         }
     }
 
-    /// Where elements have begun to slip, the others end by more behind the level than was aimed at: moves them there,
-    /// as far as the approach has come.
+    /// Where elements have begun to slip, the others end further behind the level than intended: moves them there, as
+    /// far as the approach has come.
     fn settle(&mut self, division: &Division<f64>, stretch: &Stretch, aim: f64) {
         let (direction, [begin, end]) = (self.velocity.sign(), stretch.level);
         let outward = if direction * self.hysteresis() <= end { direction } else { -direction };
@@ -527,12 +530,12 @@ impl Model for Leuven {
     const PRESETS: &'static [Preset] = &[
         Preset {
             name: "four_elements",
-            source: "Example: levels and stiffness of Novais (2024), Tables 6.1 and 7.1; the rest chosen: the start values",
+            source: "Example: levels and stiffness of Novais (2024), Tables 6.1, 7.1; rest chosen (the start values)",
             values: &[],
         },
         Preset {
             name: "smooth",
-            source: "Example of a smooth virgin curve: 64 elements with evenly spread displacements up to slip",
+            source: "Example of a smooth virgin curve: 64 elements with evenly spaced slip displacements",
             values: &[("distribution", 2.0), ("element_count", 64.0)],
         },
     ];
@@ -619,7 +622,7 @@ mod tests {
         }
     }
 
-    /// Far below the level nothing slides (n large): the elements alone, which follow Masing's rules.
+    /// Far below the level nothing slides (n large): only the elements act, and follow Masing's rules.
     #[test]
     fn large_exponent_leaves_the_elements_alone() {
         let mut law = Leuven { approach_exponent: 200.0, sigma_1: 0.0, viscous_coefficient: 0.0, ..Default::default() };

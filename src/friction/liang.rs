@@ -5,7 +5,7 @@ use crate::laws::{root, turning};
 use crate::model::{Fault, Law, Model, Preset, boolean, real};
 
 crate::choices! {
-    /// What happens to the bristle at its largest deflection.
+    /// Behaviour of the bristle at its largest deflection.
     pub enum LiangVariant {
         /// The deflection keeps its direction and is shortened: the force is continuous.
         RadialReturn,
@@ -31,7 +31,7 @@ crate::model! {
     /// ```
     ///
     /// z, v_t and f_f are vectors in the plane with the normal n. While z slides along the circle |z| = z_max,
-    /// RadialReturn leaves it only the motion across z: dz/dt = v_t - (v_t . z) z / |z|^2.
+    /// RadialReturn keeps only the motion across z: dz/dt = v_t - (v_t . z) z / |z|^2.
     ///
     /// | symbol  | variable                 | unit  | meaning                                            |
     /// |---------|--------------------------|-------|----------------------------------------------------|
@@ -47,7 +47,7 @@ crate::model! {
     /// | v_0     | `transition_velocity`    | m/s   | speed up to which the static limit holds           |
     /// | sigma_0 | `sigma_0`                | N/m   | stiffness of the bristle                           |
     /// | sigma_1 | `sigma_1`                | N.s/m | damping of the bristle                             |
-    /// |         | `variant`                |       | what happens at the limit                          |
+    /// |         | `variant`                |       | behaviour at the limit                             |
     /// | z       | `bristle_deflection_x`   | m     | deflection of the bristle                          |
     /// |         | `bristle_deflection_y`   |       |                                                    |
     /// |         | `bristle_deflection_z`   |       |                                                    |
@@ -62,19 +62,19 @@ crate::model! {
     ///
     /// # Step
     /// Exact for held inputs in both variants, so the result does not depend on how an interval is divided: the bristle
-    /// moves with v_t until it meets the circle at a located instant, and then turns towards v_t by
+    /// moves with v_t until it reaches the circle at a located instant, and then turns towards v_t by
     ///
     /// ```text
     /// tan(phi / 2) = tan(phi_0 / 2) exp(-|v_t| t / z_max),   phi = angle between z and v_t
     /// ```
     ///
     /// At the start of a step z is turned into the plane of the present normal: projected, with its length kept.
-    /// `sticking` says that the bristle is not at its limit.
+    /// `sticking` means that the bristle is not at its limit.
     ///
-    /// With linearly moving inputs the step is of second order, in eight pieces (chosen), the plane turning with its
+    /// With linearly moving inputs the step is of second order, in eight pieces (chosen); the plane turns with its
     /// normal. A bristle that slides stays on the circle while the load, and with it the circle, grows or shrinks, and
-    /// leaves it where the circle outruns it. The energy has the damping of the motion with the growing circle; the force
-    /// that is given out belongs to held inputs, and has not.
+    /// leaves it where the circle grows faster than the bristle moves outwards. The dissipated energy includes the
+    /// damping of the motion with the growing circle; the output force, which is that of held inputs, does not.
     ///
     /// A master that integrates a mass m with the force it reads couples it explicitly to the stiffness k and the
     /// damping c of the contact at rest. If the friction steps first, a held body stays still for communication steps h
@@ -82,8 +82,8 @@ crate::model! {
     /// force. If all models step at once and exchange afterwards, the limit is h < 1 / (k / c + c / m), 1.6 ms.
     ///
     /// # Errors
-    /// Refused: a parameter outside its bound; `mu_s` < `mu_k`. A normal of length 0, as importers have it that start from
-    /// zeros, is taken with a warning: there is no tangent plane then, and the whole velocity counts as tangential.
+    /// Refused: a parameter outside its bound; `mu_s` < `mu_k`. A normal of length 0, as given by importers that start
+    /// from zeros, is accepted with a warning: there is no tangent plane, and the whole velocity counts as tangential.
     ///
     /// # Limits
     /// No Stribeck curve: the limit falls at once by f_s - f_C when the speed passes v_0, and the damping force ends
@@ -92,7 +92,7 @@ crate::model! {
     /// deflection that opposes the velocity, the force flips by up to 2 f_C; at v_t = 0, where the printed rule says
     /// nothing, z keeps its direction. `normal_force` = 0 releases the contact (force 0, deflection 0). In one
     /// dimension this is the reset integrator without its stiction gain (a = 0) and with a limit that switches with the
-    /// speed. sigma_0 should be ten times the largest stiffness of the system that the contact is in (Liang et al.).
+    /// speed. sigma_0 should be ten times the largest stiffness of the system that contains the contact (Liang et al.).
     ///
     /// # Source
     /// Liang, Fillmore, Ma (2012), "An extended bristle friction force model with experimental validation", Mechanism
@@ -159,7 +159,7 @@ crate::model! {
     }
 }
 
-/// A deflection counts as at its limit from this part of it on (chosen): a sum of squares does not tell more.
+/// A deflection counts as at its limit from this part of the limit on (chosen), the resolution of a sum of squares.
 const AT_LIMIT: f64 = 1.0 - 1e-12;
 
 impl<T: Component> Liang<T> {
@@ -188,7 +188,7 @@ impl<T: Component> Liang<T> {
         let z = Vector3::new(self.bristle_deflection_x, self.bristle_deflection_y, self.bristle_deflection_z);
         let z = turned_into(&z, &self.normal());
         let (limit, velocity) = (self.limit(), self.tangential_velocity());
-        // A deflection that was left at its limit must not count as beyond it by rounding.
+        // A deflection that was left at its limit must not count as beyond it because of rounding.
         if (length(&z) * T::from(AT_LIMIT)) > limit {
             direction(if self.is_printed() && length(&velocity).value() > 0.0 { &velocity } else { &z }) * limit
         } else if self.slides(&z) {
@@ -205,7 +205,7 @@ impl<T: Component> Liang<T> {
         LiangVariant::of(self.variant.value()) == LiangVariant::Printed
     }
 
-    /// Is z at its limit, and moved outwards? Without a limit there is nothing but sliding.
+    /// Whether z is at its limit and moved outwards. Without a limit there is only sliding.
     fn slides(&self, z: &Vector3<T>) -> bool {
         let limit = self.limit().value();
         let outward = z.dot(&self.tangential_velocity()).value() > 0.0;
@@ -243,10 +243,10 @@ impl<T: Component> Law for Liang<T> {
 
 impl Model for Liang {
     const PRESETS: &'static [Preset] = &[
-        Preset { name: "thesis", source: "Novais (2024), Tables 6.1 and 7.1: the start values", values: &[] },
+        Preset { name: "thesis", source: "Novais (2024), Tables 6.1 and 7.1 (the start values)", values: &[] },
         Preset {
             name: "printed",
-            source: "Novais (2024), Tables 6.1 and 7.1, with the clamp of (7.49) as printed",
+            source: "Novais (2024), Tables 6.1 and 7.1, with the limit rule of (7.49) as printed",
             values: &[("variant", 2.0)],
         },
     ];
@@ -257,7 +257,7 @@ impl Model for Liang {
 
     fn warning(&self) -> Option<Fault> {
         let has_normal = [self.normal_x, self.normal_y, self.normal_z] != [0.0; 3];
-        let text = "a contact without a normal has no plane, so the whole velocity counts as tangential";
+        let text = "the contact has no normal, so the whole velocity counts as tangential";
         (!has_normal).then(|| Fault::new(format_args!("normal_x, normal_y, normal_z = 0, 0, 0: {text}")))
     }
 
@@ -287,8 +287,8 @@ impl Model for Liang {
         self.put(&z);
     }
 
-    /// In pieces over which velocity, normal and load count as linear. In the plane of its normal each has its instants
-    /// located: where the speed passes v_0, and where the bristle meets its circle or leaves it.
+    /// In pieces over which velocity, normal and load count as linear. In the plane of its normal the instants of each
+    /// piece are located: where the speed passes v_0, and where the bristle reaches its circle or leaves it.
     fn step_ramp(&mut self, slope: &Self, dt: f64) {
         let begin = *self;
         let mut z = self.deflection();
@@ -342,7 +342,7 @@ impl Liang {
     fn follow_part(&mut self, z: &mut Vector3<f64>, ramp: &Ramp, limit: [f64; 2]) {
         let growth = (limit[1] - limit[0]) / ramp.duration;
         let (mut from, mut has_left) = (0.0, false);
-        // It seldom takes more than two: a bristle that swings back and forth within a part would be taken as it is.
+        // It seldom takes more than two: a bristle that swings back and forth within a part is accepted as it is.
         for _ in 0..8 {
             if from >= 1.0 {
                 break;
@@ -367,7 +367,7 @@ impl Liang {
         self.clamp(z, &ramp.velocity[1], limit[1]);
     }
 
-    /// Takes a deflection back to its limit.
+    /// Shortens a deflection to its limit.
     fn clamp(&self, z: &mut Vector3<f64>, velocity: &Vector3<f64>, limit: f64) {
         if length(z) * AT_LIMIT > limit {
             *z = direction(if self.is_printed() && length(velocity) > 0.0 { velocity } else { z }) * limit;
@@ -405,13 +405,14 @@ impl Liang {
         }
         *z = direction(z) * limit[1];
         let outward = middle * along / ramp.duration;
-        // Damping of what the circle lets the bristle move outwards, and of a free one that a shrinking circle overtakes.
+        // Damping of the outward motion that the circle allows, and of a free bristle that a shrinking circle
+        // overtakes.
         let radial = if outward > 0.0 { ((limit[1] - limit[0]) / ramp.duration).max(0.0) } else { outward };
         self.sigma_0 * middle * middle * along
             + self.sigma_1 * (speed * middle * across + radial * outward * ramp.duration)
     }
 
-    /// Moves within the circle until the bristle meets it; returns the share of the ramp that this takes.
+    /// Moves within the circle until the bristle reaches it; returns the share of the ramp that this takes.
     fn move_freely(&mut self, z: &mut Vector3<f64>, ramp: &Ramp, limit: [f64; 2]) -> f64 {
         let start = *z;
         let at = |share: f64| start + (ramp.velocity[0] + ramp.velocity_at(share)) * (0.5 * share * ramp.duration);
@@ -462,9 +463,9 @@ fn slide(
     (turn.along, turn.across)
 }
 
-/// A vector in the plane of one normal taken along as the plane turns into that of another.
+/// A vector in the plane of one normal, carried along as the plane turns into that of another.
 fn carried(vector: &Vector3<f64>, from: &Vector3<f64>, to: &Vector3<f64>) -> Vector3<f64> {
-    // The plane does not care which way its normal points.
+    // The plane does not depend on which way its normal points.
     let cos = from.dot(to);
     let to = if cos < 0.0 { -to } else { *to };
     vector - (from + to) * (vector.dot(&to) / (1.0 + cos.abs()))
@@ -490,7 +491,7 @@ impl Ramp {
         self.load[0] + (self.load[1] - self.load[0]) * share
     }
 
-    /// What lies between two shares of the duration.
+    /// The part between two shares of the duration.
     fn part(&self, from: f64, to: f64) -> Ramp {
         Ramp {
             velocity: [self.velocity_at(from), self.velocity_at(to)],
@@ -509,7 +510,7 @@ impl Ramp {
         [lowest - half, lowest, lowest + half]
     }
 
-    /// A speed that is nothing but rounding has no direction.
+    /// A speed below which there is only rounding and no direction.
     fn rounded(mut self) -> Ramp {
         let largest = length(&self.velocity[0]).max(length(&self.velocity[1]));
         for velocity in &mut self.velocity {
@@ -588,13 +589,13 @@ mod tests {
         assert!((forces(&law) - Vector3::new(0.0, 0.0, -0.981)).norm() < 1e-15);
     }
 
-    /// Importers start from zeros: without a plane every direction is tangential, and the user hears of it.
+    /// Importers start from zeros: without a plane every direction is tangential, and the user is warned.
     #[test]
     fn without_a_normal_the_whole_velocity_is_tangential() {
         let mut law = Liang { normal_z: 0.0, velocity_x: 0.3, velocity_z: -0.4, ..Default::default() };
         assert!(law.check().is_ok());
         let warning = law.warning().map(|fault| fault.0).unwrap_or_default();
-        assert!(warning.starts_with("normal_x, normal_y, normal_z = 0, 0, 0: a contact without a normal"), "{warning}");
+        assert!(warning.starts_with("normal_x, normal_y, normal_z = 0, 0, 0: the contact has no normal"), "{warning}");
         law.step(1.0);
         assert!((forces(&law) - Vector3::new(0.6, 0.0, -0.8) * 0.981).norm() < 1e-15, "{}", forces(&law));
         let slope = Liang { velocity_x: 1.0, velocity_y: 2.0, ..Liang::at_zero() };

@@ -4,8 +4,8 @@ use crate::number::Real;
 
 crate::model! {
     /// Linear friction with stiction: three straight lines, up to the static level, down to the kinetic one and on at
-    /// that. In the comparison of the thesis it has the shortest run of all static laws with stiction (Table 6.5, with
-    /// ode23s; on average over the solvers Awrejcewicz's law is the fastest).
+    /// that level. In the thesis's comparison it has the shortest run time of all static laws with stiction (Table 6.5,
+    /// with ode23s; averaged over the solvers, Awrejcewicz's law is the fastest).
     ///
     /// # Equations
     ///
@@ -17,7 +17,7 @@ crate::model! {
     /// ```
     ///
     /// With `mass` m > 0 the force over a step h is that of the velocity w at its end, and of several solutions the
-    /// first that is met from v on in the direction of the acceleration (implicit Euler):
+    /// first one reached from v in the direction of the acceleration (implicit Euler):
     ///
     /// ```text
     /// m (w - v) / h = f_e - f_f(w)
@@ -44,7 +44,7 @@ crate::model! {
     /// Without `mass` the law has no memory; only the dissipated energy is integrated, exactly for held inputs. A
     /// master that couples it explicitly to a mass m needs a communication step below 2 m / f'(0), where f'(0) = f_s /
     /// v_0 (1472 N.s/m for the defaults: 1.4 ms for 1 kg); above, a held body chatters. With `mass` there is no largest
-    /// step. `sticking` says |v| < v_0.
+    /// step. `sticking` means |v| < v_0.
     ///
     #[doc = include_str!("coupling.md")]
     /// # Errors
@@ -73,7 +73,7 @@ crate::model! {
         velocity: input = real("m/s", 0.0).shown_in("mm/s"),
         /// Normal force that presses the surfaces together.
         normal_force: input = real("N", 9.81).at_least(0.0),
-        /// All other tangential forces on body 1; if body 2 moves, mass times relative acceleration without friction.
+        /// Resultant of all other tangential forces on body 1; see Coupling if body 2 accelerates.
         external_force: input = real("N", 0.0),
         /// Kinetic coefficient of friction.
         mu_k: tunable = real("1", 0.1).at_least(0.0),
@@ -83,7 +83,7 @@ crate::model! {
         transition_velocity: tunable = real("m/s", 0.001).positive().shown_in("mm/s"),
         /// Velocity at which the kinetic level is reached.
         sliding_velocity: tunable = real("m/s", 0.0015).positive().shown_in("mm/s"),
-        /// What the law needs of the host in co-simulation.
+        /// Data for co-simulation with a body of known mass.
         time_stepping: (TimeStepping),
         /// Energy taken out of the motion since the start.
         dissipated_energy: state_output = real("J", 0.0).nominal(1e-3),

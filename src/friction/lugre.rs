@@ -6,7 +6,7 @@ use crate::number::Real;
 
 crate::model! {
     /// LuGre friction: bristles that yield before they slide (Dahl) with a level that falls with speed (Stribeck) and
-    /// with damping; the most used dynamic friction model.
+    /// with damping; the most widely used dynamic friction model.
     ///
     /// # Equations
     ///
@@ -25,7 +25,7 @@ crate::model! {
     /// | mu_k    | `mu_k`                | 1     | kinetic coefficient of friction                 |
     /// | mu_s    | `mu_s`                | 1     | static coefficient of friction                  |
     /// | v_S     | `stribeck_velocity`   | m/s   | speed at which the level has fallen             |
-    /// | delta   | `stribeck_exponent`   | 1     | shape of the falling level                      |
+    /// | delta   | `stribeck_exponent`   | 1     | shape of the Stribeck curve                     |
     /// | sigma_0 | `sigma_0`             | N/m   | stiffness of the bristles                       |
     /// | sigma_1 | `sigma_1`             | N.s/m | damping of the bristles                         |
     /// | sigma_2 | `viscous_coefficient` | N.s/m | viscous coefficient                             |
@@ -39,8 +39,8 @@ crate::model! {
     ///
     /// # Step
     /// With held inputs the equation of z is linear and solved exactly, so the result does not depend on how an
-    /// interval is divided, from 1 us to 1 s. `sticking` says that more than 1 % (chosen) of the motion still goes into
-    /// the bristles.
+    /// interval is divided, from 1 us to 1 s. `sticking` means that more than 1 % (chosen) of the motion still goes
+    /// into the bristles.
     ///
     /// A master that integrates a mass m with the force it reads couples it explicitly to the stiffness k and the
     /// damping c of the contact at rest. If the friction steps first, a held body stays still for communication steps h
@@ -53,8 +53,8 @@ crate::model! {
     /// Refused: a parameter outside its bound; `mu_s` < `mu_k`.
     ///
     /// # Limits
-    /// Drifts under a load that cycles below breakaway. mu_k = 0 is refused: g would vanish at high speed, and the
-    /// equation of z with it. Passive for every motion only if sigma_2 >= sigma_1 (f_s - f_C) / f_C, which no common
+    /// Drifts under a load that cycles below breakaway. mu_k = 0 is refused: g would vanish at high speed, and with it
+    /// the equation of z. Passive for every motion only if sigma_2 >= sigma_1 (f_s - f_C) / f_C, which no common
     /// parameter set satisfies: a velocity that jumps, as a sampled one does, can give a force spike of sigma_1 dz/dt
     /// (0 -> 0.1 m/s from full stiction: -14.3 N). `damping_velocity` (of the size of v_S) removes it; the default 0
     /// keeps the law of the paper. `normal_force` = 0 releases the contact (force 0, deflection 0).
@@ -86,7 +86,7 @@ crate::model! {
         mu_s: tunable = real("1", 0.15).at_least(0.0),
         /// Speed at which the excess of static over kinetic friction has fallen to 1/e (Lorentzian, hyperbola: 1/2).
         stribeck_velocity: tunable = real("m/s", 0.001).positive().shown_in("mm/s"),
-        /// Exponent of the falling level.
+        /// Exponent of the Stribeck curve.
         stribeck_exponent: tunable = real("1", 2.0).positive(),
         /// Stiffness of the bristles.
         sigma_0: tunable = real("N/m", 1e5).positive().nominal(1e5),
@@ -131,8 +131,8 @@ impl<T: Real> LuGre<T> {
     /// dz/dt.
     #[inline]
     fn deflection_rate(&self, level: T) -> T {
-        // Without load: a step drops the deflection then, and so does the event of Model Exchange at which the load
-        // goes.
+        // Without load: a step then drops the deflection, and so does the event of Model Exchange at which the load
+        // vanishes.
         if level.value() == 0.0 {
             return T::zero();
         }
@@ -199,7 +199,7 @@ impl LuGre {
 impl Model for LuGre {
     const MODEL_EXCHANGE: bool = true;
     const PRESETS: &'static [Preset] = &[
-        Preset { name: "thesis", source: "Novais (2024), Tables 6.1 and 7.1: the start values", values: &[] },
+        Preset { name: "thesis", source: "Novais (2024), Tables 6.1 and 7.1 (the start values)", values: &[] },
         Preset {
             name: "canudas_1995",
             source: "Canudas de Wit et al. (1995), Table I: F_C = 1 N, F_S = 1.5 N, here at a normal force of 1 N",
@@ -263,7 +263,7 @@ mod tests {
         }
     }
 
-    /// At rest a small motion meets a spring and a damper: f = sigma_0 x + (sigma_1 + sigma_2) dx/dt.
+    /// At rest a small motion sees a spring and a damper: f = sigma_0 x + (sigma_1 + sigma_2) dx/dt.
     #[test]
     fn small_motion_meets_spring_and_damper() {
         let law = slide(1e-7, 1e-3);
@@ -271,7 +271,7 @@ mod tests {
         assert!((law.friction_force / expected - 1.0).abs() < 1e-4);
     }
 
-    /// Energy balance: what goes in is stored in the bristles or dissipated, and the dissipated part is not negative.
+    /// Energy balance: the input is stored in the bristles or dissipated, and the dissipated part is not negative.
     #[test]
     fn energy_is_the_integral_of_power() {
         let mut law = LuGre::default();

@@ -30,7 +30,7 @@ crate::model! {
     /// | mu_k    | `mu_k`                   | 1     | kinetic coefficient of friction                 |
     /// | mu_s    | `mu_s`                   | 1     | static coefficient of friction                  |
     /// | v_S     | `stribeck_velocity`      | m/s   | speed at which the level has fallen             |
-    /// | delta   | `stribeck_exponent`      | 1     | shape of the falling level                      |
+    /// | delta   | `stribeck_exponent`      | 1     | shape of the Stribeck curve                     |
     /// | sigma_0 | `sigma_0`                | N/m   | stiffness of the bristles                       |
     /// | sigma_1 | `sigma_1`                | N.s/m | damping of the bristles                         |
     /// | sigma_2 | `viscous_coefficient`    | N.s/m | viscous coefficient                             |
@@ -46,7 +46,7 @@ crate::model! {
     ///
     /// # Step
     /// With held inputs the equation of z is linear and solved exactly, so the result does not depend on how an
-    /// interval is divided. `sticking` says that more than 1 % (chosen) of the motion still goes into the bristles.
+    /// interval is divided. `sticking` means that more than 1 % (chosen) of the motion still goes into the bristles.
     ///
     /// A master that integrates a mass m with the force it reads couples it explicitly to the stiffness k and the
     /// damping c of the contact at rest. If the friction steps first, a held body stays still for communication steps h
@@ -64,9 +64,9 @@ crate::model! {
     /// releases the contact (force 0, deflection 0).
     ///
     /// # Source
-    /// The law along a line: Canudas de Wit, Olsson, Astrom, Lischinsky (1995), doi:10.1109/9.376053. The step to the
-    /// plane, |v| for the magnitude and vectors for the rest, is the usual one for an isotropic contact; here it is
-    /// written down without a source of its own. Defaults: Tables 6.1 and 7.1 of F. Novais, "A critical analysis on
+    /// The law along a line: Canudas de Wit, Olsson, Astrom, Lischinsky (1995), doi:10.1109/9.376053. The extension to
+    /// the plane, |v| for the magnitude and vectors for the rest, is the usual one for an isotropic contact; here it is
+    /// written down without a particular source. Defaults: Tables 6.1 and 7.1 of F. Novais, "A critical analysis on
     /// friction force models in dynamical systems", MSc thesis, University of Minho (2024).
     ///
     /// # Example
@@ -92,7 +92,7 @@ crate::model! {
         mu_s: tunable = real("1", 0.15).at_least(0.0),
         /// Speed at which the excess of static over kinetic friction has fallen to 1/e (Lorentzian, hyperbola: 1/2).
         stribeck_velocity: tunable = real("m/s", 0.001).positive().shown_in("mm/s"),
-        /// Exponent of the falling level.
+        /// Exponent of the Stribeck curve.
         stribeck_exponent: tunable = real("1", 2.0).positive(),
         /// Stiffness of the bristles.
         sigma_0: tunable = real("N/m", 1e5).positive().nominal(1e5),
@@ -147,8 +147,8 @@ impl<T: Component> LuGrePlanar<T> {
 
     /// dz/dt.
     fn deflection_rate(&self, level: T) -> Vector2<T> {
-        // Without load, or at high speed without Coulomb level (f_C = 0): a step drops the deflection then, and in
-        // Model Exchange, where f_C > 0, the event at which the load goes.
+        // Without load, or at high speed without Coulomb level (f_C = 0): a step then drops the deflection, and in
+        // Model Exchange, where f_C > 0, the event at which the load vanishes does.
         if level.value() == 0.0 {
             return Vector2::repeat(T::from(0.0));
         }
@@ -186,7 +186,7 @@ impl Model for LuGrePlanar {
     const MODEL_EXCHANGE: bool = true;
     const PRESETS: &'static [Preset] = &[Preset {
         name: "thesis",
-        source: "The law along a line in Novais (2024), Tables 6.1 and 7.1: the start values",
+        source: "The law along a line in Novais (2024), Tables 6.1 and 7.1 (the start values)",
         values: &[],
     }];
 
@@ -217,7 +217,7 @@ impl Model for LuGrePlanar {
         let steady = forward * (level / self.sigma_0);
         let after = before.zip_map(&steady, |z, steady| relaxation::after(z, steady, decay));
         [self.bristle_deflection_x, self.bristle_deflection_y] = after.into();
-        // The integral of the force along the way: sigma_0 |v| z / g = v - dz/dt gives the first term.
+        // The integral of the force over the path: sigma_0 |v| z / g = v - dz/dt gives the first term.
         self.dissipated_energy += level * (distance - (after - before).dot(&forward))
             + self.damping() * (after - before).dot(&velocity)
             + viscous;

@@ -16,9 +16,9 @@ crate::part! {
 crate::part! {
     /// A Maxwell-slip element: a spring in series with a block that sticks or slips.
     Element {
-        /// What the element has of the whole.
+        /// Share of the element.
         share: (Share),
-        /// How it is.
+        /// State of the element.
         block: (Block),
     }
 }
@@ -26,7 +26,7 @@ crate::part! {
 /// Elements that have variables.
 const LISTED: usize = elements::MOST;
 
-/// Largest number of elements: the thesis takes about as many for a smooth response.
+/// Largest number of elements: the thesis uses about as many for a smooth response.
 const MOST: usize = 1000;
 
 crate::model! {
@@ -46,15 +46,15 @@ crate::model! {
     ///
     /// An element begins to slip when, moving outwards, |F_i| reaches alpha_i s(v). It sticks again only when v comes
     /// to rest or changes sign. `distribution` Explicit takes k_i / sigma_0 and alpha_i from the elements, each
-    /// relative to their sum; Uniform has for N elements
+    /// relative to their sum; for N elements Uniform has
     ///
     /// ```text
     /// k_i = sigma_0 / N,   alpha_i = (2 i - 1) / N^2,   i = 1 ... N
     /// ```
     ///
-    /// so that for many elements the virgin curve is f_s (1 - (1 - sigma_0 x / (2 f_s))^2), to within f_s / (4 N^2).
-    /// There are up to 1000 elements. The first 64 have variables; more, which have none, take Uniform. They are part of
-    /// a saved state like the others. A step takes time in proportion to N.
+    /// so that for many elements the virgin curve is f_s (1 - (1 - sigma_0 x / (2 f_s))^2), to within f_s / (4 N^2). Up
+    /// to 1000 elements are possible. The first 64 have variables; a larger number requires Uniform. All elements are
+    /// part of a saved state. The time of a step is proportional to N.
     ///
     /// | symbol           | variable                     | unit  | meaning                                           |
     /// |------------------|------------------------------|-------|---------------------------------------------------|
@@ -82,12 +82,12 @@ crate::model! {
     ///
     /// # Step
     /// With held inputs both modes are solved exactly, and the instant at which an element begins to slip is located
-    /// inside the step, so the result does not depend on how an interval is divided. `sticking` says that not all
+    /// inside the step, so the result does not depend on how an interval is divided. `sticking` means that not all
     /// elements slip.
     ///
-    /// With linearly moving inputs the step is of second order, in 4 to 19 pieces (chosen): it is cut where v changes sign
-    /// and where the level bends, and in each piece the level counts as linear. The onset of slip is where the force of
-    /// the element meets its moving level.
+    /// With linearly moving inputs the step is of second order, in 4 to 19 pieces (chosen): it is cut where v changes
+    /// sign and where the level is curved, and in each piece the level counts as linear. The onset of slip is where the
+    /// force of the element reaches its moving level.
     ///
     /// A master that integrates a mass m with the force it reads couples it explicitly to the stiffness k of the
     /// contact at rest. If the friction steps first, a held body stays still for communication steps below 2 sqrt(m /
@@ -103,15 +103,15 @@ crate::model! {
     /// elements; the preset `damped` has the damping of the form of 2003. A stuck element whose level falls below its
     /// force (by a higher speed or a smaller load) begins to slip as soon as it moves outwards, and keeps its force
     /// while it moves inwards. v = 0 counts as rest: all elements stick, and the force is held. If the load falls at
-    /// rest, so is the old force until there is motion. `normal_force` = 0 releases the contact (force 0, elements
+    /// rest, the old force is held until there is motion. `normal_force` = 0 releases the contact (force 0, elements
     /// relaxed and sticking). With equal levels (f_s = f_C) the elements are elastic and perfectly plastic, and C does
     /// not matter.
     ///
     /// Passive for f_s = f_C and a constant load. Otherwise not: a slipping element that slows down gains force, and
-    /// with it elastic energy, without moving. Each rise of the level from f_C to f_s can give back up to
-    /// sum_i alpha_i^2 (f_s^2 - f_C^2) / (2 k_i); an element that is then sped up on its way back gives
-    /// (f_s - f_C)^2 / (2 sigma_0) = 1.2 uJ per cycle with one element and the default levels. With sigma_1 > 0 the
-    /// force also has peaks of sigma_i dz_i/dt while the level changes.
+    /// with it elastic energy, without moving. Each rise of the level from f_C to f_s can return up to sum_i alpha_i^2
+    /// (f_s^2 - f_C^2) / (2 k_i); an element that then speeds up on its way back returns (f_s - f_C)^2 / (2 sigma_0) =
+    /// 1.2 uJ per cycle with one element and the default levels. With sigma_1 > 0 the force also has peaks of sigma_i
+    /// dz_i/dt while the level changes.
     ///
     /// # Source
     /// Lampaert, Al-Bender, Swevers (2003), "A generalized Maxwell-slip friction model appropriate for control
@@ -119,12 +119,12 @@ crate::model! {
     /// 1883-1887; equations (7.35) to (7.37) of F. Novais, "A critical analysis on friction force models in dynamical
     /// systems", MSc thesis, University of Minho (2024). The thesis writes the forms of 2003 and the year 2003 beside a
     /// figure that says 2004. Its (7.36) reads dz_i/dt = sgn(v) C_i (1 - z_i / s_i(v)), which is right only if s_i
-    /// carries the sign of v: with s_i > 0 it diverges for v < 0. Here the sign stands with the level. C is in N/s; the
-    /// C_i of (7.36), called a gain there, is C alpha_i / k_i in m/s. Deviation: the thesis gives each element its own C_i
-    /// and sigma_i; here both follow from one C and one sigma_1, so that all elements have one time constant. The sources
-    /// leave v = 0 open. Stiffness: Table 7.1; levels: Table 6.1; the number of elements and their shares are chosen. The
-    /// thesis takes about 1000 elements for a smooth response, as the preset `smooth` does.
-    /// A public library has the form of (7.36) with s > 0, which diverges for v < 0.
+    /// carries the sign of v: with s_i > 0 it diverges for v < 0. Here the sign multiplies the level. C is in N/s; the
+    /// C_i of (7.36), called a gain there, is C alpha_i / k_i in m/s. Deviation: the thesis gives each element its own
+    /// C_i and sigma_i; here both follow from one C and one sigma_1, so that all elements have one time constant. The
+    /// sources leave v = 0 open. Stiffness: Table 7.1; levels: Table 6.1; the number of elements and their shares are
+    /// chosen. The thesis uses about 1000 elements for a smooth response, as the preset `smooth` does. A public library
+    /// has the form of (7.36) with s > 0, which diverges for v < 0.
     ///
     /// # Example
     /// ```
@@ -147,7 +147,7 @@ crate::model! {
         mu_s: tunable = real("1", 0.15).at_least(0.0),
         /// Speed at which the excess of static over kinetic friction has fallen to 1/e (Lorentzian, hyperbola: 1/2).
         stribeck_velocity: tunable = real("m/s", 0.001).positive().shown_in("mm/s"),
-        /// Exponent of the falling level.
+        /// Exponent of the Stribeck curve.
         stribeck_exponent: tunable = real("1", 2.0).positive(),
         /// Stiffness of the bristles.
         sigma_0: tunable = real("N/m", 1e5).positive().nominal(1e5),
@@ -191,14 +191,14 @@ impl<T: Real> MaxwellSlip<T> {
         self.count().min(LISTED)
     }
 
-    /// What each element in use has of the whole, and its state.
+    /// Shares of each element in use, and its state.
     fn elements<'a>(&'a self, memory: &'a [T]) -> impl Iterator<Item = (Share<T>, &'a Block<T>)> {
         self.assert_memory(memory.len());
         let (listed, more) = (self.element[..self.listed()].iter(), model::parts(memory).iter());
         listed.map(|element| (element.share, &element.block)).chain(more.map(|block| (elements::no_share(), block)))
     }
 
-    /// As [`MaxwellSlip::elements`], to write.
+    /// As [`MaxwellSlip::elements`], mutable.
     fn elements_mut<'a>(&'a mut self, memory: &'a mut [T]) -> impl Iterator<Item = (Share<T>, &'a mut Block<T>)> {
         self.assert_memory(memory.len());
         let listed = self.listed();
@@ -253,7 +253,7 @@ struct Springs<T> {
 }
 
 impl<T: Real> Springs<T> {
-    /// The law of the element of that index.
+    /// The law of the element with this index.
     fn of(&self, index: usize, given: &Share<T>) -> Spring<T> {
         let share = self.division.of(index, given);
         Spring {
@@ -291,7 +291,7 @@ impl Model for MaxwellSlip {
     const PRESETS: &'static [Preset] = &[
         Preset {
             name: "four_elements",
-            source: "Example: levels and stiffness of Novais (2024), Tables 6.1 and 7.1; the rest chosen: the start values",
+            source: "Example: levels and stiffness of Novais (2024), Tables 6.1, 7.1; rest chosen (the start values)",
             values: &[],
         },
         Preset {
@@ -301,7 +301,7 @@ impl Model for MaxwellSlip {
         },
         Preset {
             name: "smooth",
-            source: "Example of a smooth virgin curve: 1000 elements with evenly spread displacements up to slip",
+            source: "Example of a smooth virgin curve: 1000 elements with evenly spaced slip displacements",
             values: &[("distribution", 2.0), ("element_count", 1000.0)],
         },
     ];
@@ -310,7 +310,7 @@ impl Model for MaxwellSlip {
 
     fn check(&self) -> Result<(), Fault> {
         if self.count() > LISTED && ElementDistribution::of(self.distribution) == ElementDistribution::Explicit {
-            let text = "with distribution = Explicit, for no further element has variables";
+            let text = "with distribution = Explicit, because only the first 64 elements have variables";
             return Err(Fault::new(format_args!("element_count = {}: must be <= {LISTED} {text}", self.count())));
         }
         crate::friction::static_not_below_kinetic(self.mu_s, self.mu_k)
@@ -335,7 +335,7 @@ impl Model for MaxwellSlip {
             normal_force: [self.normal_force, slope.normal_force],
             duration: dt,
         };
-        // In the pieces the level moves; the division stays.
+        // In the pieces the level moves; the division into elements stays.
         let division = self.springs(0.0).division;
         for [from, to] in ramp.cuts(self.stribeck_velocity, self.stribeck_exponent).pieces() {
             self.follow(memory, &ramp, from, to, &division);
@@ -416,7 +416,7 @@ impl MaxwellSlip {
     }
 }
 
-/// Integral of the square of what moves linearly.
+/// Integral of the square of a linear function.
 fn square_integral([a, b]: [f64; 2], duration: f64) -> f64 {
     (a * a + a * b + b * b) / 3.0 * duration
 }
@@ -431,7 +431,7 @@ struct Follower {
     damping: f64,
 }
 
-/// What an element follows while speed and level move linearly.
+/// Limits of an element while speed and level move linearly.
 struct Path {
     stiffness: f64,
     /// alpha_i s(v) at both ends.
@@ -466,7 +466,7 @@ impl Path {
         self.speed[0] + (self.speed[1] - self.speed[0]) * (time / self.duration)
     }
 
-    /// The instant at which a spring meets its moving level; infinite if it does not.
+    /// The instant at which a spring reaches its moving level; infinite if it does not.
     fn onset(&self, force: f64) -> f64 {
         // c + b t + a t^2 >= 0
         let a = 0.5 * self.stiffness * (self.speed[1] - self.speed[0]) / self.duration;
@@ -492,8 +492,8 @@ impl Path {
         element.damping += self.stiffness * square_integral(speed, time);
     }
 
-    /// Slips from an instant to the end. Of force and level the difference g follows `dg/dt = -rate g - slope`, with the
-    /// rate in the middle.
+    /// Slips from an instant to the end. The difference g of force and level follows `dg/dt = -rate g - slope`, with
+    /// the rate in the middle.
     fn slip(&self, element: &mut Follower, from: f64) {
         let (time, strength) = (self.duration - from, [self.strength_at(from), self.strength[1]]);
         let (before, change) = (element.force, strength[1] - strength[0]);
@@ -511,7 +511,7 @@ impl Path {
     }
 }
 
-/// What an element follows while the inputs are held.
+/// Limits of an element while the inputs are held.
 struct Spring<T> {
     /// k_i.
     stiffness: T,
@@ -522,7 +522,7 @@ struct Spring<T> {
 }
 
 impl<T: Real> Spring<T> {
-    /// Does the element slip at that velocity, or from now on?
+    /// Whether the element slips at that velocity, or from now on.
     fn slips(&self, block: &Block<T>, velocity: T) -> bool {
         let outward = (block.force * velocity.sign()).value();
         velocity.value() != 0.0 && (block.slipping.value() != 0.0 && outward > 0.0 || outward >= self.strength.value())
@@ -597,7 +597,7 @@ mod tests {
         }
     }
 
-    /// Slip is left only when the velocity changes sign: slowing down raises the force with the time constant s / C.
+    /// Slip ends only when the velocity changes sign: slowing down raises the force with the time constant s / C.
     #[test]
     fn a_slipping_element_follows_the_level_and_does_not_stick_again() {
         let mut law = one_element();
@@ -614,7 +614,7 @@ mod tests {
         assert_eq!(law.sticking, 1.0);
     }
 
-    /// Backwards the printed (7.36) would run away; here it is the mirror image.
+    /// Backwards the printed (7.36) would diverge; here it is the mirror image.
     #[test]
     fn slip_backwards_settles_at_the_negative_level() {
         let mut law = one_element();
@@ -624,7 +624,7 @@ mod tests {
         assert!((law.friction_force + 0.981 + 0.4905 / 1f64.exp()).abs() < 1e-12);
     }
 
-    /// Rest holds the force, for any time and any element.
+    /// Rest holds the force, for any duration and any element.
     #[test]
     fn rest_holds_the_force() {
         let mut law = MaxwellSlip::default();

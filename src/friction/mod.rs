@@ -2,10 +2,10 @@
 //!
 //! Sign: `velocity` is that of body 1 relative to body 2; `friction_force` is the resistance and has the sign of
 //! `velocity` when sliding. Body 1 feels `-friction_force`, body 2 feels `+friction_force`. `external_force` is the
-//! resultant of all other tangential forces on body 1 or, if body 2 moves too, the effective mass times the relative
-//! acceleration that they give; see the section Coupling of the laws that have it.
+//! resultant of all other tangential forces on body 1 or, if body 2 accelerates too, the effective mass times the
+//! relative acceleration that they cause; see the section Coupling of the laws that have it.
 
-// The choice of a law in the shock absorber counts in this order: a new law goes to the end.
+// The choice of a law in the shock absorber is numbered in this order: a new law goes to the end.
 crate::catalogue::family! {
     coulomb::Coulomb,
     coulomb_stiction::CoulombStiction,
@@ -54,7 +54,7 @@ mod unloading;
 
 use crate::model::Fault;
 
-/// The rule between the two coefficients that every model with stiction has.
+/// Condition on the two coefficients in every model with stiction.
 fn static_not_below_kinetic(mu_s: f64, mu_k: f64) -> Result<(), Fault> {
     if mu_s < mu_k {
         return Err(Fault::new(format_args!("mu_s = {mu_s}: must be >= mu_k = {mu_k}")));
@@ -62,11 +62,11 @@ fn static_not_below_kinetic(mu_s: f64, mu_k: f64) -> Result<(), Fault> {
     Ok(())
 }
 
-/// The rule of laws with bristles in Model Exchange. Where the level is 0 the bristles carry nothing; a step drops
-/// their deflection there, but a solver that integrates it would keep the force it had.
+/// Condition of laws with bristles in Model Exchange. Where the level is 0 the bristles carry nothing; a step drops
+/// their deflection there, but a solver that integrates it would keep its force.
 fn kinetic_friction_for_exchange(mu_k: f64) -> Result<(), Fault> {
     if mu_k == 0.0 {
-        let why = "must be > 0 in Model Exchange, where nothing lets go of bristles whose level has fallen to 0";
+        let why = "must be > 0 in Model Exchange, where bristles are not released when their level falls to 0";
         return Err(Fault::new(format_args!("mu_k = {mu_k}: {why}")));
     }
     Ok(())

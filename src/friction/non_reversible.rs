@@ -39,16 +39,16 @@ crate::model! {
     ///
     /// # Step
     /// The sign of the acceleration is that of the slope of `velocity` where the master gives one
-    /// (fmi2SetRealInputDerivatives), else that of the input `acceleration` at the beginning of the step; without
+    /// (fmi2SetRealInputDerivatives), otherwise that of the input `acceleration` at the beginning of the step; without
     /// either it is 0 and the upper curve counts. After a step with a slope the outputs use that slope until the next
     /// step. The law has no other memory. The dissipated energy is exact for held inputs; for inputs that move linearly
     /// it is a quadrature with a relative error below 1e-10, divided where the velocity passes through zero. `sticking`
     /// says that the velocity is exactly zero.
     ///
-    /// A host that integrates the body itself never meets v = 0 exactly, so at rest the force alternates at any
-    /// communication step h, and the body trembles with up to f_s h / m. If the acceleration is what the last force
-    /// gave, both curves alternate wherever neither is consistent with the sign that it causes: the body feels their
-    /// mean, at any step, and begins to slide at (f_s + f_l0) / 2.
+    /// A host that integrates the body itself never reaches v = 0 exactly, so at rest the force alternates at any
+    /// communication step h, and its velocity alternates by up to f_s h / m. If the acceleration is computed from the
+    /// last force, the two curves alternate wherever neither agrees with the sign of the acceleration that it causes;
+    /// at any step size the body then feels their mean, and begins to slide at (f_s + f_l0) / 2.
     ///
     /// # Errors
     /// Refused: a parameter outside its bound; `mu_s` < `mu_k`; `mu_stop` > `mu_s`.
@@ -153,12 +153,12 @@ impl Model for NonReversible {
     const PRESETS: &'static [Preset] = &[
         Preset {
             name: "mirrored",
-            source: "Example: the variant of the literature whose lower curve is the mirror image, f_l0 = 2 f_C - f_s",
+            source: "Example: the variant in the literature whose lower curve is the mirror image, f_l0 = 2 f_C - f_s",
             values: &[("mu_stop", 0.05)],
         },
         Preset {
             name: "reversible",
-            source: "Example: both curves equal, which is the curve of Tustin with a Stribeck velocity of 2 mm/s",
+            source: "Example: both curves equal, that is, the curve of Tustin with a Stribeck velocity of 2 mm/s",
             values: &[("mu_stop", 0.15)],
         },
     ];

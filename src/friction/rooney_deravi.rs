@@ -5,7 +5,7 @@ use crate::number::Real;
 crate::choices! {
     /// Variants of the law.
     pub enum RooneyDeraviVariant {
-        /// Hyperbolic tangent inside the band, as the thesis prints it; jumps at the end of the band.
+        /// Hyperbolic tangent inside the band, as printed in the thesis; jumps at the end of the band.
         Printed,
         /// Straight line inside the band.
         Linear,
@@ -15,8 +15,8 @@ crate::choices! {
 }
 
 crate::model! {
-    /// Rooney-Deravi friction: Coulomb friction with a transition band, in the form that the thesis prints and in two
-    /// that are continuous.
+    /// Rooney-Deravi friction: Coulomb friction with a transition band, in the form printed in the thesis and in two
+    /// continuous forms.
     ///
     /// # Equations
     ///
@@ -28,7 +28,7 @@ crate::model! {
     /// ```
     ///
     /// With `mass` m > 0 the force over a step h is that of the velocity w at its end, and of several solutions the
-    /// first that is met from v on in the direction of the acceleration (implicit Euler):
+    /// first one reached from v in the direction of the acceleration (implicit Euler):
     ///
     /// ```text
     /// m (w - v) / h = f_e - f_f(w)
@@ -54,7 +54,7 @@ crate::model! {
     /// Without `mass` the law has no memory; only the dissipated energy is integrated, exactly for held inputs. A
     /// master that couples it explicitly to a mass m needs a communication step below 2 m / f'(0), where f'(0) = f_C /
     /// v_0 (981 N.s/m for the defaults: 2.0 ms for 1 kg); above, a held body chatters. With `mass` there is no largest
-    /// step. `sticking` says |v| < v_0.
+    /// step. `sticking` means |v| < v_0.
     ///
     #[doc = include_str!("coupling.md")]
     /// # Errors
@@ -69,9 +69,9 @@ crate::model! {
     /// # Source
     /// Rooney and Deravi (1982), Mechanism and Machine Theory 17, 207-211; equation (6.5) of F. Novais, "A critical
     /// analysis on friction force models in dynamical systems", MSc thesis, University of Minho (2024), default of
-    /// Table 6.2. Differs from the thesis: the second branch lacks the sign of v there. Linear is what the literature
-    /// on joints with clearance uses under this name (the paper itself was not seen) and the default, because (6.5)
-    /// jumps; Tanh is (6.5) without its second branch.
+    /// Table 6.2. Differs from the thesis: the second branch lacks the sign of v there. Linear is the form that the
+    /// literature on joints with clearance uses under this name (the paper itself was not seen) and the default,
+    /// because (6.5) jumps; Tanh is (6.5) without its second branch.
     ///
     /// # Example
     /// ```
@@ -86,7 +86,7 @@ crate::model! {
         velocity: input = real("m/s", 0.0).shown_in("mm/s"),
         /// Normal force that presses the surfaces together.
         normal_force: input = real("N", 9.81).at_least(0.0),
-        /// All other tangential forces on body 1; if body 2 moves, mass times relative acceleration without friction.
+        /// Resultant of all other tangential forces on body 1; see Coupling if body 2 accelerates.
         external_force: input = real("N", 0.0),
         /// Kinetic coefficient of friction.
         mu_k: tunable = real("1", 0.1).at_least(0.0),
@@ -94,7 +94,7 @@ crate::model! {
         variant: fixed = RooneyDeraviVariant::Linear.start(),
         /// Velocity that sets the width of the regularised band around rest.
         transition_velocity: tunable = real("m/s", 0.001).positive().shown_in("mm/s"),
-        /// What the law needs of the host in co-simulation.
+        /// Data for co-simulation with a body of known mass.
         time_stepping: (TimeStepping),
         /// Energy taken out of the motion since the start.
         dissipated_energy: state_output = real("J", 0.0).nominal(1e-3),
@@ -138,7 +138,7 @@ memoryless!(RooneyDeravi);
 impl Model for RooneyDeravi {
     const PRESETS: &'static [Preset] = &[Preset {
         name: "thesis",
-        source: "Novais (2024), Tables 6.1 and 6.2: the start values, in the form of (6.5)",
+        source: "Novais (2024), Tables 6.1 and 6.2 (the start values), in the form of (6.5)",
         values: &[("variant", 1.0)],
     }];
 

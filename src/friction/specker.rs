@@ -17,7 +17,7 @@ crate::model! {
     /// ```
     ///
     /// With `mass` m > 0 the force over a step h is that of the velocity w at its end, and of several solutions the
-    /// first that is met from v on in the direction of the acceleration (implicit Euler):
+    /// first one reached from v in the direction of the acceleration (implicit Euler):
     ///
     /// ```text
     /// m (w - v) / h = f_e - f_f(w)
@@ -45,7 +45,7 @@ crate::model! {
     /// Without `mass` the law has no memory; only the dissipated energy is integrated, exactly for held inputs. A
     /// master that couples it explicitly to a mass m needs a communication step below 2 m / f'(0), where f'(0) = f_C /
     /// v_0 + f_p exp(1/2) / v_p + c_v (5658 N.s/m for the defaults: 0.35 ms for 1 kg); above, a held body chatters.
-    /// With `mass` there is no largest step. `sticking` says |v| < v_p.
+    /// With `mass` there is no largest step. `sticking` means |v| < v_p.
     ///
     #[doc = include_str!("coupling.md")]
     /// # Errors
@@ -61,8 +61,8 @@ crate::model! {
     /// Specker, Buchholz, Dietmayer (2014), IFAC Proceedings Volumes 47(3), 4523-4528; equations (6.24) to (6.28) of F.
     /// Novais, "A critical analysis on friction force models in dynamical systems", MSc thesis, University of Minho
     /// (2024), of which (6.24) is the first term, (6.27) the whole and (6.28) the guidance. Differs: f_p is kept from
-    /// becoming negative, which would drive the motion; with `mu_s` >= `mu_k` that concerns the viscous part at small
-    /// loads only. v_0 = 0.25 mm/s and v_p = 0.5 mm/s follow the guidance for v_S = 1 mm/s, which is chosen.
+    /// becoming negative, which would drive the motion; with `mu_s` >= `mu_k` that only concerns the viscous part at
+    /// small loads. v_0 = 0.25 mm/s and v_p = 0.5 mm/s follow the guidance for v_S = 1 mm/s, which is chosen.
     /// Translational Friction of Simscape has the same form without the corrections in f_p (preset `simscape`).
     ///
     /// # Example
@@ -78,7 +78,7 @@ crate::model! {
         velocity: input = real("m/s", 0.0).shown_in("mm/s"),
         /// Normal force that presses the surfaces together.
         normal_force: input = real("N", 9.81).at_least(0.0),
-        /// All other tangential forces on body 1; if body 2 moves, mass times relative acceleration without friction.
+        /// Resultant of all other tangential forces on body 1; see Coupling if body 2 accelerates.
         external_force: input = real("N", 0.0),
         /// Kinetic coefficient of friction.
         mu_k: tunable = real("1", 0.1).at_least(0.0),
@@ -90,7 +90,7 @@ crate::model! {
         peak_velocity: tunable = real("m/s", 0.0005).positive().shown_in("mm/s"),
         /// Viscous friction coefficient.
         viscous_coefficient: tunable = real("N.s/m", 0.0).at_least(0.0),
-        /// What the law needs of the host in co-simulation.
+        /// Data for co-simulation with a body of known mass.
         time_stepping: (TimeStepping),
         /// Energy taken out of the motion since the start.
         dissipated_energy: state_output = real("J", 0.0).nominal(1e-3),

@@ -6,7 +6,7 @@ use crate::number::Real;
 
 crate::model! {
     /// Dynamic Specker friction, reconstructed: the smooth curve of Specker behind a first-order low-pass whose time
-    /// constant depends on the velocity, so that small motions meet a spring instead of a damper.
+    /// constant depends on the velocity, so that small motions see a spring instead of a damper.
     ///
     /// # Equations
     ///
@@ -28,7 +28,7 @@ crate::model! {
     /// | v_0     | `transition_velocity` | m/s   | velocity scale of the transition                     |
     /// | v_Sp    | `peak_velocity`       | m/s   | velocity at which f_stat is f_s                      |
     /// | c_v     | `viscous_coefficient` | N.s/m | viscous coefficient                                  |
-    /// | sigma_0 | `sigma_0`             | N/m   | stiffness met by small and short motions             |
+    /// | sigma_0 | `sigma_0`             | N/m   | stiffness seen by small and short motions            |
     /// | T_slip  | `slip_time`           | s     | lag of the force while sliding                       |
     /// | f_f     | `friction_force`      | N     | friction force; its state is `lagging_force`         |
     ///
@@ -38,7 +38,7 @@ crate::model! {
     ///
     /// # Step
     /// With held inputs the equation of f_f is linear and solved exactly, so the result does not depend on how an
-    /// interval is divided, from 1 us to 1 s; the energy is its closed form. No events. `sticking` says |v| < v_Sp.
+    /// interval is divided, from 1 us to 1 s; the energy is its closed form. No events. `sticking` means |v| < v_Sp.
     ///
     /// A master that integrates a mass m with the force it reads couples it explicitly to the stiffness k of the
     /// contact at rest. If the friction steps first, a held body stays still for communication steps below 2 sqrt(m /
@@ -49,19 +49,19 @@ crate::model! {
     #[doc = include_str!("slopes.md")]
     /// # Errors
     /// Refused: a parameter outside its bound; `mu_s` < `mu_k`; in Model Exchange `mu_s` = 0 without viscous part,
-    /// where the force has no time constant at rest, and a solver would keep what it had.
+    /// where the force has no time constant at rest, and a solver would keep the old force.
     ///
     /// # Limits
     /// Cannot hold a load: under a constant load below f_s the body creeps with the speed at which f_stat is the load,
-    /// and after a stop the force is lost within T_stick (57 ms for the defaults). A step of the velocity to v << v_Sp
+    /// and after a stop the force vanishes within T_stick (57 ms for the defaults). A step of the velocity to v << v_Sp
     /// gives f_f = K_0 v (1 - exp(-t / T_stick)), which is sigma_0 x for t << T_stick. |f_f| never exceeds the maximum
     /// of |f_stat| (1.0044 f_s for the defaults) and the viscous part.
     ///
-    /// Not passive: after a reversal from a force f_0 to a speed V well above v_Sp the contact gives back the energy
-    /// V T_slip (f_0 - f_C ln(1 + f_0 / f_C)), and fast cycles with slow parts in between gain energy. The power that
-    /// it gives back is below |f_f v|, and vanishes with T_slip and T_stick, for which the law is the static curve.
+    /// Not passive: after a reversal from a force f_0 to a speed V well above v_Sp the contact returns the energy V
+    /// T_slip (f_0 - f_C ln(1 + f_0 / f_C)), and fast cycles with slow parts in between gain energy. The power that it
+    /// returns is below |f_f v|, and vanishes with T_slip and T_stick, for which the law is the static curve.
     /// `normal_force` = 0 releases the contact (force 0, also of the viscous part and of the memory). `mu_s` = `mu_k`
-    /// leaves f_C tanh(v / v_0) and a rest of 3.6 % of f_C in f_p for the defaults.
+    /// leaves f_C tanh(v / v_0) and a remainder of 3.6 % of f_C in f_p for the defaults.
     ///
     /// # Source
     /// Reconstructed: F. Novais, "A critical analysis on friction force models in dynamical systems", MSc thesis,
@@ -163,7 +163,7 @@ impl Model for SpeckerDynamic {
     const MODEL_EXCHANGE: bool = true;
     const PRESETS: &'static [Preset] = &[Preset {
         name: "guidance",
-        source: "Guidance (6.28) of Novais (2024) for v_S = 1 mm/s, which is chosen, as T_slip is: the start values",
+        source: "Guidance (6.28) of Novais (2024) for v_S = 1 mm/s, which is chosen, as is T_slip (the start values)",
         values: &[],
     }];
 
@@ -175,7 +175,7 @@ impl Model for SpeckerDynamic {
 
     fn check_exchange(&self) -> Result<(), Fault> {
         if self.mu_s == 0.0 && self.viscous_coefficient == 0.0 {
-            let why = "must be > 0 in Model Exchange, or viscous_coefficient, for a time constant at rest";
+            let why = "must be > 0 in Model Exchange unless viscous_coefficient is, for a time constant at rest";
             return Err(Fault::new(format_args!("mu_s = {}: {why}", self.mu_s)));
         }
         Ok(())
@@ -230,7 +230,7 @@ mod tests {
         assert!((whole / integral - 1.0).abs() < 1e-8, "{whole} {integral}");
     }
 
-    /// A reversal from f_0 to the speed V >> v_Sp gives back V T_slip (f_0 - f_C ln(1 + f_0 / f_C)) until f_f is 0.
+    /// A reversal from f_0 to the speed V >> v_Sp returns V T_slip (f_0 - f_C ln(1 + f_0 / f_C)) until f_f is 0.
     #[test]
     fn a_fast_reversal_gives_back_energy() {
         let (f_0, v) = (1.4715, 1.0);

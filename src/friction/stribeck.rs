@@ -4,7 +4,7 @@ use crate::model::{Fault, Model, boolean, real};
 use crate::number::Real;
 
 crate::choices! {
-    /// How the level falls with speed.
+    /// Shape of the Stribeck curve.
     pub enum StribeckCurve {
         /// Exponential of speed.
         Tustin,
@@ -38,7 +38,7 @@ crate::model! {
     /// ```
     ///
     /// With `mass` m > 0 the force over a step h is that of the velocity w at its end; the jump at rest is part of f_f.
-    /// Of several solutions it is the first that is met from v on in the direction of the acceleration (implicit Euler;
+    /// Of several solutions it is the first one reached from v in the direction of the acceleration (implicit Euler;
     /// time stepping in the sense of Moreau):
     ///
     /// ```text
@@ -68,21 +68,20 @@ crate::model! {
     ///
     /// # Step
     /// Without `mass` the law has no memory; only the dissipated energy is integrated, exactly for held inputs. A host
-    /// that integrates the body itself never meets v = 0 exactly, so the force of a contact at rest then alternates at
-    /// any step. With `mass` the body is caught where it comes to rest and neither chatters nor creeps; there is no
-    /// largest step.
-    /// In Model Exchange a contact is held or slides in one direction from one event to the next. A held contact gives
-    /// `external_force` back: connect it, or the body is let go and caught again without end.
+    /// that integrates the body itself never reaches v = 0 exactly, so the force of a contact at rest then alternates
+    /// at any step. With `mass` the body is caught where it comes to rest and neither chatters nor creeps; there is no
+    /// largest step. In Model Exchange a contact is held or slides in one direction from one event to the next. A held
+    /// contact returns `external_force`: connect it, or the body is released and caught again endlessly.
     ///
     #[doc = include_str!("coupling.md")]
     /// # Errors
     /// Refused: a parameter outside its bound; `mu_s` < `mu_k`.
     ///
     /// # Limits
-    /// Of the excess f_s - f_C there is left at v_S: 1/e (Tustin, BoPavelescu, Gaussian) or one half (HessSoom,
+    /// At v_S the remaining part of the excess f_s - f_C is 1/e (Tustin, BoPavelescu, Gaussian) or one half (HessSoom,
     /// PoppStelter). No pre-sliding displacement. The falling branch takes a driven body through stick-slip; with
     /// `mass` a step longer than about m v_S / (f_s - f_C) crosses it in one go. `mu_s` = `mu_k` is Coulomb friction,
-    /// with viscous part. `normal_force` = 0 releases the contact: force 0, also of the viscous part. `sticking` says
+    /// with viscous part. `normal_force` = 0 releases the contact: force 0, also of the viscous part. `sticking` means
     /// that the step ends at rest or, without `mass`, that v = 0 and |f_e| is within the level.
     ///
     /// # Source
@@ -92,9 +91,9 @@ crate::model! {
     /// F. Novais, "A critical analysis on friction force models in dynamical systems", MSc thesis, University of Minho
     /// (2024). Differs from the thesis: the sign of v is missing there; (5.5) has 1 - exp(..), which would rise with
     /// speed; the constant of (5.8) has the subscript s, which would give 2 f_s - f_C at rest. Bo and Pavelescu write
-    /// exp(-a |v|^delta), here a = v_S^-delta; Popp and Stelter write 1 + d |v|, here d = 1 / v_S. f_v is offered for
+    /// exp(-a |v|^delta), here a = v_S^-delta; Popp and Stelter write 1 + d |v|, here d = 1 / v_S. f_v is available for
     /// every form. v_S = 0.001 m/s and delta = 2 are chosen. Time stepping: Moreau (1988),
-    /// doi:10.1007/978-3-7091-2624-0_1. The choice `exchange` is ours.
+    /// doi:10.1007/978-3-7091-2624-0_1. The choice `exchange` is our addition.
     ///
     /// # Example
     /// ```
@@ -109,7 +108,7 @@ crate::model! {
         velocity: input = real("m/s", 0.0).shown_in("mm/s"),
         /// Normal force that presses the surfaces together.
         normal_force: input = real("N", 9.81).at_least(0.0),
-        /// All other tangential forces on body 1; if body 2 moves, mass times relative acceleration without friction.
+        /// Resultant of all other tangential forces on body 1; see Coupling if body 2 accelerates.
         external_force: input = real("N", 0.0),
         /// How the level falls with speed.
         curve: fixed = StribeckCurve::Gaussian.start(),
@@ -119,13 +118,13 @@ crate::model! {
         mu_s: tunable = real("1", 0.15).at_least(0.0),
         /// Speed at which the excess of static over kinetic friction has fallen to 1/e (Lorentzian, hyperbola: 1/2).
         stribeck_velocity: tunable = real("m/s", 0.001).positive().shown_in("mm/s"),
-        /// Exponent of the falling level.
+        /// Exponent of the Stribeck curve.
         stribeck_exponent: tunable = real("1", 2.0).positive(),
         /// Viscous friction coefficient.
         viscous_coefficient: tunable = real("N.s/m", 0.0).at_least(0.0),
         /// Quadratic friction coefficient; used by PoppStelter.
         quadratic_coefficient: tunable = real("N.s2/m2", 0.0).at_least(0.0),
-        /// What the law needs of the host in co-simulation.
+        /// Data for co-simulation with a body of known mass.
         time_stepping: (TimeStepping),
         /// Energy taken out of the motion since the start.
         dissipated_energy: state_output = real("J", 0.0).nominal(1e-3),
@@ -214,7 +213,7 @@ mod tests {
         }
     }
 
-    /// Where half of the excess is left: v_S ln 2, v_S sqrt(ln 2), v_S, v_S.
+    /// Speeds at which half of the excess is left: v_S ln 2, v_S sqrt(ln 2), v_S, v_S.
     #[test]
     fn half_way_points() {
         let ln_2 = std::f64::consts::LN_2;

@@ -6,7 +6,7 @@ use crate::number::Real;
 crate::choices! {
     /// Variants of the law.
     pub enum ThrelfallVariant {
-        /// The exponential for all velocities, as the thesis prints it.
+        /// The exponential for all velocities, as printed in the thesis.
         Printed,
         /// The original, which stops at 95 % of the Coulomb level.
         Capped,
@@ -14,7 +14,7 @@ crate::choices! {
 }
 
 crate::model! {
-    /// Threlfall friction: Coulomb friction with an exponential transition, smooth but for rest itself.
+    /// Threlfall friction: Coulomb friction with an exponential transition, smooth except at rest.
     ///
     /// # Equations
     ///
@@ -25,7 +25,7 @@ crate::model! {
     /// ```
     ///
     /// With `mass` m > 0 the force over a step h is that of the velocity w at its end, and of several solutions the
-    /// first that is met from v on in the direction of the acceleration (implicit Euler):
+    /// first one reached from v in the direction of the acceleration (implicit Euler):
     ///
     /// ```text
     /// m (w - v) / h = f_e - f_f(w)
@@ -49,9 +49,9 @@ crate::model! {
     ///
     /// # Step
     /// Without `mass` the law has no memory; only the dissipated energy is integrated, exactly for held inputs. A
-    /// master that couples it explicitly to a mass m needs a communication step below 2 m / f'(0), where f'(0) = 3 f_C
-    /// / v_0 (2943 N.s/m for the defaults: 0.68 ms for 1 kg); above, a held body chatters. With `mass` there is no
-    /// largest step. `sticking` says |v| < v_0.
+    /// master that couples it explicitly to a mass m needs a communication step below 2 m / f'(0), where f'(0) = 3
+    /// f_C / v_0 (2943 N.s/m for the defaults: 0.68 ms for 1 kg); above, a held body chatters. With `mass` there is no
+    /// largest step. `sticking` means |v| < v_0.
     ///
     #[doc = include_str!("coupling.md")]
     /// # Errors
@@ -80,7 +80,7 @@ crate::model! {
         velocity: input = real("m/s", 0.0).shown_in("mm/s"),
         /// Normal force that presses the surfaces together.
         normal_force: input = real("N", 9.81).at_least(0.0),
-        /// All other tangential forces on body 1; if body 2 moves, mass times relative acceleration without friction.
+        /// Resultant of all other tangential forces on body 1; see Coupling if body 2 accelerates.
         external_force: input = real("N", 0.0),
         /// Kinetic coefficient of friction.
         mu_k: tunable = real("1", 0.1).at_least(0.0),
@@ -88,7 +88,7 @@ crate::model! {
         variant: fixed = ThrelfallVariant::Printed.start(),
         /// Velocity that sets the width of the regularised band around rest.
         transition_velocity: tunable = real("m/s", 0.001).positive().shown_in("mm/s"),
-        /// What the law needs of the host in co-simulation.
+        /// Data for co-simulation with a body of known mass.
         time_stepping: (TimeStepping),
         /// Energy taken out of the motion since the start.
         dissipated_energy: state_output = real("J", 0.0).nominal(1e-3),
@@ -131,7 +131,7 @@ memoryless!(Threlfall);
 
 impl Model for Threlfall {
     const PRESETS: &'static [Preset] =
-        &[Preset { name: "thesis", source: "Novais (2024), Tables 6.1 and 6.2: the start values", values: &[] }];
+        &[Preset { name: "thesis", source: "Novais (2024), Tables 6.1 and 6.2 (the start values)", values: &[] }];
 
     memoryless!();
 }

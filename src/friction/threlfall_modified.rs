@@ -16,7 +16,7 @@ crate::model! {
     /// ```
     ///
     /// With `mass` m > 0 the force over a step h is that of the velocity w at its end, and of several solutions the
-    /// first that is met from v on in the direction of the acceleration (implicit Euler):
+    /// first one reached from v in the direction of the acceleration (implicit Euler):
     ///
     /// ```text
     /// m (w - v) / h = f_e - f_f(w)
@@ -41,7 +41,7 @@ crate::model! {
     /// Without `mass` the law has no memory; only the dissipated energy is integrated, exactly for held inputs. A
     /// master that couples it explicitly to a mass m needs a communication step below 2 m / f'(0), where f'(0) = 3.157
     /// f_C / v_0 (3097 N.s/m for the defaults: 0.65 ms for 1 kg); above, a held body chatters. With `mass` there is no
-    /// largest step. `sticking` says |v| < v_0.
+    /// largest step. `sticking` means |v| < v_0.
     ///
     #[doc = include_str!("coupling.md")]
     /// # Errors
@@ -55,8 +55,8 @@ crate::model! {
     /// Marques, Flores, Claro, Lankarani (2016), doi:10.1007/s11071-016-2999-3, after Threlfall (1978), Mechanism and
     /// Machine Theory 13, 475-483; equation (6.4) of F. Novais, "A critical analysis on friction force models in
     /// dynamical systems", MSc thesis, University of Minho (2024), default of Table 6.2. Differs from the thesis: (6.4)
-    /// has no condition; unbounded, the formula would reach 1.0524 f_C. What is legible of its denominator fits
-    /// 1 - exp(-1), with which the force at v_0 would be 1.503 f_C: a misprint for 1 - exp(-3), which gives f_C there.
+    /// has no condition; unbounded, the formula would reach 1.0524 f_C. The legible part of its denominator fits 1 -
+    /// exp(-1), with which the force at v_0 would be 1.503 f_C: a misprint for 1 - exp(-3), which gives f_C there.
     ///
     /// # Example
     /// ```
@@ -66,18 +66,18 @@ crate::model! {
     /// law.output();
     /// assert!((law.friction_force - 0.981).abs() < 1e-15);
     /// ```
-    ThrelfallModified: "Coulomb friction with an exponential transition that ends at the Coulomb level (modified Threlfall)" {
+    ThrelfallModified: "Coulomb friction with an exponential transition up to the Coulomb level (modified Threlfall)" {
         /// Sliding velocity of body 1 relative to body 2.
         velocity: input = real("m/s", 0.0).shown_in("mm/s"),
         /// Normal force that presses the surfaces together.
         normal_force: input = real("N", 9.81).at_least(0.0),
-        /// All other tangential forces on body 1; if body 2 moves, mass times relative acceleration without friction.
+        /// Resultant of all other tangential forces on body 1; see Coupling if body 2 accelerates.
         external_force: input = real("N", 0.0),
         /// Kinetic coefficient of friction.
         mu_k: tunable = real("1", 0.1).at_least(0.0),
         /// Velocity that sets the width of the regularised band around rest.
         transition_velocity: tunable = real("m/s", 0.001).positive().shown_in("mm/s"),
-        /// What the law needs of the host in co-simulation.
+        /// Data for co-simulation with a body of known mass.
         time_stepping: (TimeStepping),
         /// Energy taken out of the motion since the start.
         dissipated_energy: state_output = real("J", 0.0).nominal(1e-3),
@@ -118,7 +118,7 @@ memoryless!(ThrelfallModified);
 
 impl Model for ThrelfallModified {
     const PRESETS: &'static [Preset] =
-        &[Preset { name: "thesis", source: "Novais (2024), Tables 6.1 and 6.2: the start values", values: &[] }];
+        &[Preset { name: "thesis", source: "Novais (2024), Tables 6.1 and 6.2 (the start values)", values: &[] }];
 
     memoryless!();
 }

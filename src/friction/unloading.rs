@@ -1,15 +1,15 @@
-//! What a law with bristles does in Model Exchange where its load vanishes: an event releases them.
+//! Event of laws with bristles in Model Exchange where the load vanishes: it releases the bristles.
 
 /// Normal force up to which a contact counts as unloaded at an event, in N (chosen).
 pub(crate) const UNLOADED: f64 = 1e-6;
 
-/// Event indicator: negative where the contact is unloaded.
+/// Event indicator: negative while the contact is unloaded.
 pub(crate) fn load(normal_force: f64) -> f64 {
     (normal_force - UNLOADED) / (normal_force + UNLOADED)
 }
 
-/// At an event: is the contact unloaded? The limit lies beyond that of the indicator, whose zero an importer meets from
-/// either side.
+/// Whether the contact is unloaded at an event. The limit lies beyond that of the indicator, whose zero an importer
+/// approaches from either side.
 pub(crate) fn is_unloaded(normal_force: f64) -> bool {
     normal_force <= 2.0 * UNLOADED
 }

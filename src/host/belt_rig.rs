@@ -24,18 +24,18 @@ crate::model! {
     /// | f_e    | `external_force` | N    | spring force on the block                  |
     ///
     /// # Sign
-    /// `friction_force` has the sign of `velocity` when sliding; the block feels `-friction_force`. While the block sticks,
-    /// `friction_force` is `external_force`: negative as the belt pulls it to positive positions.
+    /// `friction_force` has the sign of `velocity` when sliding; the block feels `-friction_force`. While the block
+    /// sticks, `friction_force` is `external_force`: negative as the belt pulls it to positive positions.
     ///
     /// # Step
-    /// The system is linear, so the step is exact for a held friction force and for one that moves linearly. All outputs
-    /// are states or follow from states alone: there is no direct feed-through from input to output.
+    /// The system is linear, so the step is exact for a held friction force and for one that moves linearly. All
+    /// outputs are states or follow from states alone: there is no direct feed-through from input to output.
     ///
     /// # Errors
     /// Refused: a parameter outside its bound.
     ///
     /// # Limits
-    /// The friction force is what the master delivers: held over a step, it makes the coupling a method of first order.
+    /// The friction force comes from the master: held over a step, it makes the coupling a method of first order.
     /// `stiffness` = 0 is a free block.
     ///
     /// # Source
@@ -96,7 +96,7 @@ impl BeltRig {
     /// x(t) = x + x' t + a t^2 c_2(u) + j t^3 c_3(u),   u = k t^2 / m
     /// ```
     ///
-    /// with acceleration a and jerk j at the start. Increments, so that a block almost at rest keeps its digits.
+    /// with acceleration a and jerk j at the start. In increments, so that a block almost at rest keeps its digits.
     fn advance(&mut self, force_rate: f64, t: f64) {
         let [c_1, c_2, c_3] = stumpff(self.stiffness / self.mass * t * t);
         let acceleration = self.acceleration();

@@ -31,9 +31,9 @@ crate::part! {
 }
 
 crate::model! {
-    /// A car on two tracks at constant speed: it is steered, slips sideways, yaws, rolls and pitches. Its tyres follow
-    /// the Magic Formula; its four struts are other models. It adds the plane of the road to the car on four posts.
-    ///
+    /// A car with two tracks at constant speed: it is steered, slips sideways, yaws, rolls and pitches. Its tyres
+    /// follow the Magic Formula; its four struts are other models. It adds the motion in the plane of the road to the
+    /// car on four posts.
     /// # Equations
     ///
     /// In the plane of the road. A wheel k is X_k ahead of the car's centre of gravity; delta_k is 0 at the rear:
@@ -75,9 +75,10 @@ crate::model! {
     /// W_a              = 2 m_u (a_y + X_a dr/dt)
     /// ```
     ///
-    /// F_a is the lateral force of both tyres of an axle a; W_a is what its wheels need of it and B_a what the body
-    /// gets, at the height h_a of the roll centre. C_a tilts the axle: s_k is 1 for its left wheel and -1 for its right
-    /// wheel. h_r is the height, at the body's centre of gravity, of the line through both roll centres.
+    /// F_a is the lateral force of both tyres of an axle a; W_a is the part that accelerates its wheels and B_a the
+    /// part that acts on the body, at the height h_a of the roll centre. C_a tilts the axle: s_k is 1 for its left
+    /// wheel and -1 for its right wheel. h_r is the height, at the body's centre of gravity, of the line through both
+    /// roll centres.
     ///
     /// | symbol     | variable                   | unit  | meaning                                             |
     /// |------------|----------------------------|-------|-----------------------------------------------------|
@@ -113,7 +114,7 @@ crate::model! {
     /// | MR         | `front.motion_ratio`       | 1     | damper travel per wheel travel                      |
     /// | l_0        | `front.static_length`      | m     | length of the strut at rest                         |
     /// | f_0        | `front.static_force`       | N     | force of the strut at rest                          |
-    /// | m_u        | `front.wheel_mass`         | kg    | mass of a wheel and of what moves with it           |
+    /// | m_u        | `front.wheel_mass`         | kg    | unsprung mass of a corner                           |
     /// | k_t        | `front.tyre_stiffness`     | N/m   | stiffness of a tyre                                 |
     /// | c_t        | `front.tyre_damping`       | N.s/m | damping of a tyre                                   |
     /// | f_k        | `fl.strut_force`           | N     | force of the strut                                  |
@@ -176,7 +177,7 @@ crate::model! {
     /// let force: f64 = wheels.iter().map(|wheel| wheel.lateral_force).sum();
     /// assert!(force > 0.0 && (force / 288.64 - car.lateral_acceleration).abs() < 1e-12);
     /// ```
-    DoubleTrackCar: "Car on two tracks that is steered at constant speed, with tyres after the Magic Formula" {
+    DoubleTrackCar: "Double-track car steered at constant speed, with Magic Formula tyres" {
         /// Steering angle of the front wheels; positive to the left.
         steering_angle: input = real("rad", 0.0).shown_in("deg"),
         /// The body.
@@ -187,15 +188,15 @@ crate::model! {
         yaw_inertia: fixed = real("kg.m2", 142.92).positive(),
         /// Height of the body's centre of gravity above the ground.
         cg_height: fixed = real("m", 0.3203).at_least(0.0),
-        /// Height of the wheels' centres of gravity above the ground; chosen.
+        /// Height of the wheels' centres of gravity above the ground (default chosen).
         wheel_centre_height: fixed = real("m", 0.2).at_least(0.0),
-        /// Way that a tyre rolls until its side slip has followed by 63 per cent; chosen.
+        /// Relaxation length: rolling distance after which the side slip has reached 63 % (default chosen).
         relaxation_length: fixed = real("m", 0.2).positive(),
-        /// The tyres: four alike.
+        /// The tyres: four identical ones.
         tyre: MagicFormula,
-        /// Position along the road of the car's centre of gravity.
+        /// Position of the car's centre of gravity along the road.
         position_x: state_output = real("m", 0.0),
-        /// Position to the left of the car's centre of gravity.
+        /// Lateral position of the car's centre of gravity; positive to the left.
         position_y: state_output = real("m", 0.0),
         /// Yaw angle; positive to the left.
         yaw_angle: state_output = real("rad", 0.0).nominal(0.1).shown_in("deg"),
@@ -328,7 +329,7 @@ impl<T: Real> Law for DoubleTrackCar<T> {
     }
 }
 
-/// How the car moves in the plane of the road.
+/// Motion of the car in the plane of the road.
 struct PlaneMotion<T> {
     /// Acceleration of the car's centre of gravity.
     acceleration: T,
@@ -337,7 +338,7 @@ struct PlaneMotion<T> {
     axles: [AxleForce<T>; 2],
 }
 
-/// What the road does to an axle.
+/// Action of the road on an axle.
 #[derive(Clone, Copy)]
 struct AxleForce<T> {
     /// Place of the axle ahead of the car's centre of gravity.
@@ -359,7 +360,7 @@ impl<T: Real> PlaneMotion<T> {
         T::from(2.0) * axle.axle.suspension.wheel_mass * acceleration
     }
 
-    /// What the body takes of the lateral force of an axle: B_a.
+    /// Lateral force of an axle on the body: B_a.
     fn on_body(&self, corner: Corner, axle: &RollingAxle<T>) -> T {
         self.axle(corner).force - self.of_wheels(corner, axle)
     }
@@ -459,7 +460,7 @@ mod tests {
         }
     }
 
-    /// Drives in steps of 1 ms, struts first, and looks at each.
+    /// Drives in steps of 1 ms, struts first, and inspects each.
     fn drive(
         car: &mut DoubleTrackCar,
         duration: f64,
@@ -476,7 +477,7 @@ mod tests {
         }
     }
 
-    /// The bicycle of the textbooks: mass and distances of the car, cornering stiffness and trail of each axle.
+    /// The textbook bicycle model: mass and distances of the car, cornering stiffness and trail of each axle.
     struct Bicycle {
         mass: f64,
         places: [f64; 2],
@@ -485,7 +486,7 @@ mod tests {
     }
 
     impl Bicycle {
-        /// Numbers of ZR26: 288.64 kg, 48 per cent in front; the stiffness is that of the formula at each load.
+        /// Numbers of ZR26: 288.64 kg, 48 % in front; the stiffness is that of the formula at each load.
         fn of(car: &DoubleTrackCar) -> Bicycle {
             let mass = 223.2 + 4.0 * 16.36;
             let behind: f64 = 1.528 - 0.8035;
@@ -690,7 +691,7 @@ mod tests {
         }
     }
 
-    /// Nothing but inertia: the car slides on in its old direction.
+    /// Inertia only: the car slides on in its old direction.
     #[test]
     fn without_grip_steering_does_nothing() {
         let mut car = DoubleTrackCar { lateral_velocity: 0.5, steering_angle: 0.1, ..Default::default() };

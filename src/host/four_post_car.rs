@@ -52,7 +52,7 @@ crate::model! {
     /// | r          | `front.motion_ratio`   | 1     | damper travel per wheel travel                     |
     /// | l_0        | `front.static_length`  | m     | length of the strut at rest                        |
     /// | f_0        | `front.static_force`   | N     | force of the strut at rest                         |
-    /// | m_u        | `front.wheel_mass`     | kg    | mass of a wheel and of what moves with it          |
+    /// | m_u        | `front.wheel_mass`     | kg    | unsprung mass of a corner                          |
     /// | k_t        | `front.tyre_stiffness` | N/m   | stiffness of a tyre                                |
     /// | c_t        | `front.tyre_damping`   | N.s/m | damping of a tyre                                  |
     /// | 2 abs(Y_k) | `front.track`          | m     | distance between the wheels of the axle            |
@@ -207,7 +207,7 @@ mod tests {
     use crate::host::vertical::Suspension;
     use crate::model::{row_of, row_of_mut};
 
-    /// Front and rear alike, with the centre of gravity in the middle.
+    /// Front and rear equal, with the centre of gravity in the middle.
     fn symmetrical() -> FourPostCar {
         let mut car = FourPostCar::default();
         car.rear = car.front;
@@ -274,7 +274,7 @@ mod tests {
         assert!(flights > 10, "{flights}");
     }
 
-    /// Left up, right down: the body rolls, as a quarter car whose mass is I / Y^2 / 4. So does it pitch.
+    /// Left up, right down: the body rolls, as a quarter car whose mass is I / Y^2 / 4. It pitches in the same way.
     #[test]
     fn opposite_posts_roll_and_pitch_as_quarter_cars() {
         let modes = |car: &FourPostCar| {
@@ -348,7 +348,8 @@ mod tests {
         assert_eq!(fault.0, "cg_to_front = 2: must be <= wheelbase = 1.528");
     }
 
-    /// What the pages say of the struts at rest: preload, spring and gas of the default shock absorber at 22.5 mm.
+    /// Force of the struts at rest as stated on the pages: preload, spring and gas of the default shock absorber at
+    /// 22.5 mm.
     #[test]
     fn static_forces_are_those_of_the_default_struts() {
         let area = std::f64::consts::PI * 0.007 * 0.007;

@@ -11,12 +11,11 @@ const TOLERANCE: f64 = 1e-10;
 /// it leaves an error of less than j times its square, 1e-10 m/s for a wheel that lands at 1 m/s).
 const CHANGE: f64 = 1e-7;
 
-/// A step is divided into at most so many pieces, times the number of states (chosen: about a second of computation, and
-/// half an hour of a ride).
+/// Largest number of pieces of a step, per state (chosen: about a second of computation, and half an hour of a ride).
 const MOST_PIECES_TIMES_STATES: u32 = 2_000_000;
 
-/// After each of so many parts of the most pieces it is foreseen how many the rest of the step takes at this pace; where
-/// they are `HOPELESS` times the most, it is given up (chosen: a step without hope costs a tenth).
+/// Ten times per budget of pieces, the rest of the step is extrapolated; it is given up if it would need more than
+/// `HOPELESS` budgets (chosen), so that a hopeless step costs a tenth of one.
 const OUTLOOKS: u32 = 10;
 const HOPELESS: f64 = 10.0;
 
@@ -25,24 +24,24 @@ pub(crate) fn held<M: Model, const N: usize>(model: &mut M, dt: f64) {
     advance_by::<M, N>(model, None, dt);
 }
 
-/// Advances the `N` states of `model` by `dt` while its inputs move with `slope`. What would take too many pieces
-/// becomes NaN, which the caller refuses.
+/// Advances the `N` states of `model` by `dt` while its inputs move with `slope`. A step that would take too many
+/// pieces gives NaN, which the caller refuses.
 pub(crate) fn advance<M: Model, const N: usize>(model: &mut M, slope: &M, dt: f64) {
     advance_by::<M, N>(model, Some(slope), dt);
 }
 
-/// A model on its way through a step, with room for its rates: a car's row is long, and the stack of a host may be small.
+/// A model within a step, with workspace for its rates: a car's row is long, and the stack of a host may be small.
 struct Motion<'a, M, const N: usize> {
     model: &'a mut M,
     begin: M,
     rate: M,
-    /// That of the inputs, if they move.
+    /// Slope of the inputs, if they move.
     slope: Option<&'a M>,
     columns: [usize; N],
 }
 
 impl<M: Model, const N: usize> Motion<'_, M, N> {
-    /// Moves the model to a time after the beginning of the step, and gives it these states.
+    /// Sets the model to a time after the beginning of the step and to these states.
     fn put(&mut self, time: f64, at: [f64; N]) {
         if let Some(slope) = self.slope {
             set_inputs(self.model, &self.begin, slope, time);
@@ -68,7 +67,7 @@ fn advance_by<M: Model, const N: usize>(model: &mut M, slope: Option<&M>, dt: f6
     let most = const { MOST_PIECES_TIMES_STATES / N as u32 };
     let mut last_look = 0.0;
     for count in 1..=most {
-        // A rest that is hardly longer than the piece is made in one.
+        // A remainder hardly longer than the piece is made in one.
         let end = if time + 1.01 * piece >= dt { dt } else { time + piece };
         let length = end - time;
         let (next, error) = dormand_prince(|since, at| motion.rates(time + since, at), at, length);
@@ -113,6 +112,6 @@ fn states<M: Columns, const N: usize>() -> [usize; N] {
 /// The largest error of a state, relative to the larger of its value and its nominal value.
 fn largest<M: Columns, const N: usize>(columns: &[usize; N], at: [f64; N], error: [f64; N]) -> f64 {
     let relative = |i: usize| (error[i] / at[i].abs().max(M::TABLE[columns[i]].nominal)).abs();
-    // `f64::max` would hide what is not a number.
+    // `f64::max` would hide NaN.
     (0..N).map(relative).fold(0.0, |largest, error| if error > largest || error.is_nan() { error } else { largest })
 }

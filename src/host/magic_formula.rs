@@ -4,7 +4,7 @@ use crate::model::real;
 use crate::number::Real;
 
 crate::choices! {
-    /// The side of the car that a set of tyre coefficients was measured for.
+    /// The side of the car on which a set of tyre coefficients was measured.
     pub enum Side {
         /// The set describes a left tyre; right tyres are its mirror image.
         Left,
@@ -85,7 +85,7 @@ crate::part! {
     /// # Limits
     /// Without load, all forces and moments are zero. Where a quotient above has the denominator 0 (no friction, no
     /// stiffness), it counts as 0. Neither turn slip nor inflation pressure, nor speeds near 0. Far above the nominal
-    /// load the linear terms in df can change the sign of friction or stiffness: the formula is a fit and not a law.
+    /// load the linear terms in df can change the sign of friction or stiffness: the formula is a fit, not a law.
     ///
     /// # Source
     /// H. B. Pacejka, "Tyre and Vehicle Dynamics", 2nd ed., Butterworth-Heinemann (2006), section 4.3.2, equations
@@ -97,9 +97,9 @@ crate::part! {
     MagicFormula {
         /// Nominal load F_z0 of the set.
         fnomin: fixed = real("N", 3000.0).positive().nominal(1e3),
-        /// Radius R_0 of the tyre without load; chosen.
+        /// Unloaded radius R_0 of the tyre (default chosen).
         unloaded_radius: fixed = real("m", 0.2).positive().nominal(0.1),
-        /// Reference speed V_0 of the rolling resistance; chosen.
+        /// Reference speed V_0 of the rolling resistance (default chosen).
         longvl: fixed = real("m/s", 16.7).positive().nominal(10.0),
         /// Scale factor of the nominal load; 700 N here, for Formula Student.
         lfzo: fixed = real("1", 7.0 / 30.0).positive(),
@@ -334,7 +334,7 @@ crate::part! {
     }
 }
 
-/// How a tyre touches the road.
+/// State of a rolling tyre.
 #[derive(Clone, Copy, Debug)]
 pub struct Contact<T = f64> {
     /// Load F_z, N.
@@ -364,7 +364,7 @@ pub struct Wrench<T = f64> {
     pub moment_z: T,
 }
 
-/// The curve of a force in pure slip, and what combined slip and the moments need of it.
+/// The curve of a force in pure slip, and the quantities that combined slip and the moments take from it.
 struct Curve<T> {
     force: T,
     friction: T,
@@ -384,7 +384,7 @@ impl<T: Real> MagicFormula<T> {
         Wrench { force_y: -wrench.force_y, moment_x: -wrench.moment_x, moment_z: -wrench.moment_z, ..wrench }
     }
 
-    /// Forces and moments of a tyre on the side that the set was measured for.
+    /// Forces and moments of a tyre on the side on which the set was measured.
     pub fn wrench(&self, contact: &Contact<T>) -> Wrench<T> {
         let zero = T::zero();
         if contact.load.value() <= 0.0 {
@@ -450,14 +450,14 @@ impl<T: Real> MagicFormula<T> {
         self.pky1 * self.nominal_load() * bend.sin() * self.lky
     }
 
-    /// What side slip leaves of the longitudinal force.
+    /// Reduction of the longitudinal force by side slip.
     fn reduction_of_force_x(&self, contact: &Contact<T>) -> T {
         let curvature = self.rex1 + self.rex2 * self.load_change(contact);
         let stiffness = self.rbx1 * (self.rbx2 * contact.longitudinal_slip).atan().cos() * self.lxal;
         reduction(self.rcx1, curvature, stiffness, contact.side_slip, self.rhx1)
     }
 
-    /// What longitudinal slip leaves of the lateral force.
+    /// Reduction of the lateral force by longitudinal slip.
     fn reduction_of_force_y(&self, contact: &Contact<T>) -> T {
         let df = self.load_change(contact);
         let stiffness = self.rby1 * (self.rby2 * (contact.side_slip - self.rby3)).atan().cos() * self.lyka;
@@ -480,7 +480,7 @@ impl<T: Real> MagicFormula<T> {
         (self.residual_torque(contact, lateral, slip) - trail * force_y) * contact.side_slip.cos()
     }
 
-    /// t / cos alpha, for a longitudinal slip that is scaled to be like a side slip.
+    /// t / cos alpha, for a longitudinal slip scaled to an equivalent side slip.
     fn trail(&self, contact: &Contact<T>, slip: T) -> T {
         let (one, df) = (T::from(1.0), self.load_change(contact));
         let gamma = self.lgaz * contact.camber;
@@ -501,7 +501,7 @@ impl<T: Real> MagicFormula<T> {
         largest * phase(self.qcz1, curvature, stiffness * equivalent(side_slip, slip)).cos()
     }
 
-    /// M_zr / cos alpha, for a longitudinal slip that is scaled to be like a side slip.
+    /// M_zr / cos alpha, for a longitudinal slip scaled to an equivalent side slip.
     fn residual_torque(&self, contact: &Contact<T>, lateral: &Curve<T>, slip: T) -> T {
         let df = self.load_change(contact);
         let gamma = self.lgaz * contact.camber;
@@ -559,7 +559,7 @@ fn reduction<T: Real>(shape: T, curvature: T, stiffness: T, slip: T, shift: T) -
     quotient(weight(slip + shift), weight(shift))
 }
 
-/// The side slip that stands for both slips in trail and residual torque, which are even functions of it.
+/// The equivalent side slip for both slips in trail and residual torque, which are even functions of it.
 fn equivalent<T: Real>(side_slip: T, slip: T) -> T {
     if slip.is(0.0) {
         return side_slip;
@@ -568,7 +568,7 @@ fn equivalent<T: Real>(side_slip: T, slip: T) -> T {
     (tangent * tangent + slip * slip).sqrt().atan()
 }
 
-/// a / b, and 0 for b = 0: a tyre without friction or stiffness has no force to be divided.
+/// a / b, and 0 for b = 0: a tyre without friction or stiffness has no force to divide.
 fn quotient<T: Real>(a: T, b: T) -> T {
     if b.value() == 0.0 { T::zero() } else { a / b }
 }
@@ -591,7 +591,7 @@ mod tests {
         tyre
     }
 
-    /// Without any term that tells left from right or driving from braking.
+    /// Without the terms that distinguish left from right or driving from braking.
     fn symmetric() -> MagicFormula {
         tyre(&[("pey3", 0.0), ("pex4", 0.0), ("rhx1", 0.0), ("rhy1", 0.0), ("rby3", 0.0), ("rvy1", 0.0), ("rvy2", 0.0)])
     }
@@ -669,7 +669,7 @@ mod tests {
         }
     }
 
-    /// The formula of combined slip is a fit, but it must stay near the ellipse of friction.
+    /// The formula of combined slip is a fit, but it must stay near the friction ellipse.
     #[test]
     fn combined_force_stays_in_the_ellipse_of_friction() {
         let tyre = symmetric();
@@ -712,7 +712,7 @@ mod tests {
         assert!((leaning.moment_x - 0.2 * (0.5 * leaning.force_y - 0.3 * 0.1 * LOAD)).abs() < 1e-12);
     }
 
-    /// Driving and braking have curvatures of their own, E = pex1 (1 - pex4 sgn k_x).
+    /// Driving and braking have separate curvatures, E = pex1 (1 - pex4 sgn k_x).
     #[test]
     fn curvature_depends_on_the_sign_of_slip() {
         let uneven = tyre(&[("pex1", 0.5), ("pex4", 0.3)]);

@@ -12,14 +12,13 @@ crate::part! {
         post_velocity: output = real("m/s", 0.0).nominal(0.1),
         /// Travel of the post, lowest to highest.
         travel: fixed = real("m", 0.04).at_least(0.0).shown_in("mm"),
-        /// Phase by which the post comes late; it rests until then.
+        /// Phase lag of the post; it rests until then.
         phase: fixed = real("rad", 0.0).at_least(0.0).shown_in("deg"),
     }
 }
 
 crate::model! {
-    /// The four posts of a rig that shakes a car: sinusoidal strokes that begin smoothly, each with a phase of its own.
-    ///
+    /// The posts of a four-post rig: sinusoidal strokes that begin smoothly, each with its own phase.
     /// # Equations
     ///
     /// ```text
@@ -32,7 +31,7 @@ crate::model! {
     /// |--------|--------------------|------|---------------------------------------------|
     /// | f      | `frequency`        | Hz   | frequency of the strokes                    |
     /// | A_k    | `fl.travel`        | m    | lowest to highest position                  |
-    /// | phi_k  | `fl.phase`         | rad  | phase by which the post comes late          |
+    /// | phi_k  | `fl.phase`         | rad  | phase lag of the post                       |
     /// | theta  | `angle`            | rad  | angle of the drive                          |
     /// | z_k    | `fl.post_height`   | m    | height                                      |
     /// | v_k    | `fl.post_velocity` | m/s  | its rate                                    |
@@ -49,7 +48,7 @@ crate::model! {
     /// Refused: a parameter outside its bound.
     ///
     /// # Limits
-    /// Height and velocity begin without a jump, acceleration jumps when a post starts. A change of `frequency`
+    /// Height and velocity begin without a jump, the acceleration jumps when a post starts. A change of `frequency`
     /// during the run changes the velocity at once.
     ///
     /// # Source
@@ -66,7 +65,7 @@ crate::model! {
     /// assert!((posts.fl.post_height - 0.04).abs() < 1e-15);
     /// assert!((posts.rl.post_height - 0.02).abs() < 1e-15); // a quarter of a period late
     /// ```
-    Posts: "Four posts that shake a car" {
+    Posts: "Four-post rig" {
         /// Front left post.
         fl: Actuator,
         /// Front right post.

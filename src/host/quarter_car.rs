@@ -24,7 +24,7 @@ crate::model! {
     /// | z_r     | `road_height`    | m     | height of the road under the wheel                |
     /// | v_r     | `road_velocity`  | m/s   | rate of the road's height                         |
     /// | m_s     | `body_mass`      | kg    | mass of the body                                  |
-    /// | m_u     | `wheel_mass`     | kg    | mass of the wheel and of what moves with it       |
+    /// | m_u     | `wheel_mass`     | kg    | unsprung mass of the corner                       |
     /// | r       | `motion_ratio`   | 1     | damper travel per wheel travel                    |
     /// | l_0     | `static_length`  | m     | length of the strut at rest                       |
     /// | f_0     | `static_force`   | N     | force of the strut at rest                        |
@@ -50,15 +50,15 @@ crate::model! {
     /// `tyre_load` follows the road at once, and never the strut force.
     ///
     /// # Errors
-    /// Refused: a parameter outside its bound; a step that would take more than 500,000 pieces (2,000,000 by the number of
-    /// states), which is reported as one that is not finite. With the defaults that is a step of some minutes on a tyre
-    /// without damping and of hours on the others. Where after a tenth of the pieces less than a hundredth of the rest
-    /// is done, the step is refused at once.
+    /// Refused: a parameter outside its bound; a step that would take more than 500,000 pieces (2,000,000 divided by
+    /// the number of states), which is reported as a result that is not finite. With the defaults that is a step of
+    /// some minutes on a tyre without damping and of hours on the others. If after a tenth of the pieces less than a
+    /// hundredth of the rest is done, the step is refused at once.
     ///
     /// # Limits
     /// The body does not pitch or roll, and the strut's lever ratio is constant. Road height and road velocity are two
     /// inputs: a master that holds them over its steps makes the road a staircase, one that gives input derivatives
-    /// does not. The strut force is what the master delivers: held over a step, it makes the coupling a method of first
+    /// does not. The strut force comes from the master: held over a step, it makes the coupling a method of first
     /// order, stable for steps shorter than 2 `wheel_mass` / c for a damper c at the wheel, and half of that if both
     /// models step at once. The weight does not have to agree with `static_force`: heights count from the rest position
     /// in which it does.
@@ -88,7 +88,7 @@ crate::model! {
         road_velocity: input = real("m/s", 0.0),
         /// Mass of the body, without the wheels.
         body_mass: fixed = real("kg", 52.91).positive(),
-        /// What holds the wheel.
+        /// The wheel's suspension.
         suspension: (Suspension),
         /// Height of the body above its height at rest.
         body_height: state_output = real("m", 0.0).nominal(1e-2).shown_in("mm"),
@@ -147,7 +147,7 @@ mod tests {
     use crate::instance::Instance;
     use crate::model::row_of;
 
-    /// Height and velocity of a damped oscillator that is let go from `z` at rest.
+    /// Height and velocity of a damped oscillator that is released from `z` at rest.
     fn let_go(z: f64, stiffness: f64, damping: f64, mass: f64, t: f64) -> [f64; 2] {
         let decay = damping / (2.0 * mass);
         let w = (stiffness / mass - decay * decay).sqrt();
@@ -156,7 +156,7 @@ mod tests {
         [fade * (cosine + decay / w * sine), -fade * (stiffness / mass) / w * sine]
     }
 
-    /// With a held strut force the wheel swings on its tyre alone.
+    /// With a held strut force the wheel oscillates on its tyre alone.
     #[test]
     fn wheel_on_its_tyre_is_a_damped_oscillator() {
         for t in [1e-12, 1e-3, 0.02, 0.3, 1.0, 20.0] {
@@ -170,8 +170,8 @@ mod tests {
         }
     }
 
-    /// The springs as the car feels them, taken from its rates. The source of the parameters gives the frequencies of
-    /// each mass alone: the body on both springs in series, the wheel between them.
+    /// The spring stiffnesses acting on the car, taken from its rates. The source of the parameters gives the
+    /// frequencies of each mass alone: the body on both springs in series, the wheel between them.
     #[test]
     fn frequencies_are_those_of_the_source() {
         let stiffness = |body: f64, wheel: f64| {
@@ -219,8 +219,8 @@ mod tests {
         assert!((car.body_height - (0.3 * t + 0.5 * push / 52.91 * t * t)).abs() < 1e-10);
     }
 
-    /// The wheel's equation as it stands, in the fourth-order method with a tiny step: it does not see the moments of
-    /// lift-off and landing, but it does not step far across them either.
+    /// The wheel's equation as printed, in the fourth-order method with a tiny step: the method does not locate
+    /// lift-off and landing, but its steps hardly cross them.
     fn fine(road: impl Fn(f64) -> [f64; 2], push: f64, end: f64) -> ([f64; 2], f64) {
         let load = |t: f64, [z, v]: [f64; 2]| {
             let [height, velocity] = road(t);
@@ -300,7 +300,7 @@ mod tests {
         }
     }
 
-    /// What would take for ever is refused, and nothing has changed.
+    /// A step that would take forever is refused, and nothing has changed.
     #[test]
     fn endless_steps_are_refused() {
         let mut car = Instance::new(by_name("QuarterCar").expect("a model"));

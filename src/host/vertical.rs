@@ -1,4 +1,4 @@
-//! What the cars share: a rigid body that heaves, pitches and rolls on struts, wheels and tyres.
+//! Common parts of the cars: a rigid body that heaves, pitches and rolls on struts, wheels and tyres.
 //!
 //! All heights are deviations from rest, positive up. Axes as in ISO 8855: x forward, y left, z up.
 
@@ -9,15 +9,15 @@ use crate::number::Real;
 pub const GRAVITY: f64 = 9.81;
 
 crate::part! {
-    /// What holds a wheel: the lever of the strut, the wheel and its tyre.
+    /// The suspension of a wheel: the lever of the strut, the wheel and its tyre.
     Suspension {
         /// Damper travel per wheel travel.
         motion_ratio: fixed = real("1", 1.011).positive(),
         /// Length of the strut at rest, eye to eye.
         static_length: fixed = real("m", 0.1775).positive().shown_in("mm"),
-        /// Force of the strut at rest: its spring seat counts as adjusted so that this force balances the weight.
+        /// Force of the strut at rest; its spring seat is assumed to be set so that this force balances the weight.
         static_force: fixed = real("N", 1325.2555),
-        /// Mass of the wheel and of what moves with it.
+        /// Unsprung mass of the corner.
         wheel_mass: fixed = real("kg", 16.36).positive(),
         /// Stiffness of the tyre.
         tyre_stiffness: fixed = real("N/m", 87563.5).at_least(0.0),
@@ -47,7 +47,7 @@ crate::part! {
 /// Height and vertical velocity of a point.
 #[derive(Clone, Copy)]
 pub struct Motion<T> {
-    /// Height above that at rest.
+    /// Height above the height at rest.
     pub height: T,
     /// Vertical velocity.
     pub velocity: T,
@@ -69,7 +69,7 @@ impl<T: Real> Wheel<T> {
         if load > T::zero() { load } else { T::zero() }
     }
 
-    /// Is the wheel on the ground?
+    /// Whether the wheel is on the ground.
     pub fn is_on(&self, with: &Suspension<T>, ground: Motion<T>, static_load: T) -> bool {
         self.load(with, ground, static_load) > T::zero()
     }
@@ -86,11 +86,11 @@ impl<T: Real> Wheel<T> {
 }
 
 crate::part! {
-    /// An axle: its two wheels are held alike.
+    /// An axle with two identical wheels.
     Axle {
         /// Distance between the wheels of the axle.
         track: fixed = real("m", 1.22).positive(),
-        /// What holds each of its wheels.
+        /// The suspension of each of its wheels.
         suspension: (Suspension),
     }
 }
@@ -134,7 +134,7 @@ pub struct Load<T> {
     pub roll_moment: T,
 }
 
-/// The corners in the order that all arrays of corners have.
+/// The corners in the order of all arrays of corners.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Corner {
     /// `fl`.
@@ -148,21 +148,21 @@ pub enum Corner {
 }
 
 impl Corner {
-    /// All, in order.
+    /// All corners, in order.
     pub const ALL: [Corner; 4] = [Corner::FrontLeft, Corner::FrontRight, Corner::RearLeft, Corner::RearRight];
 
-    /// Is it on the front axle?
+    /// Whether it is on the front axle.
     pub fn is_front(self) -> bool {
         matches!(self, Corner::FrontLeft | Corner::FrontRight)
     }
 
-    /// Is it on the left side?
+    /// Whether it is on the left side.
     pub fn is_left(self) -> bool {
         matches!(self, Corner::FrontLeft | Corner::RearLeft)
     }
 }
 
-/// Where a wheel stands, seen from the centre of gravity.
+/// Position of a wheel relative to the centre of gravity.
 #[derive(Clone, Copy)]
 pub struct Place<T> {
     /// Forward.
@@ -172,14 +172,14 @@ pub struct Place<T> {
 }
 
 impl<T: Real> Body<T> {
-    /// Place of a wheel.
+    /// Position of a wheel.
     pub fn place(&self, corner: Corner, axle: &Axle<T>) -> Place<T> {
         let x = if corner.is_front() { self.cg_to_front } else { self.cg_to_front - self.wheelbase };
         let half_track = axle.track / T::from(2.0);
         Place { x, y: if corner.is_left() { half_track } else { -half_track } }
     }
 
-    /// Motion of the body at a place.
+    /// Motion of the body at a position.
     pub fn at(&self, Place { x, y }: Place<T>) -> Motion<T> {
         Motion {
             height: self.heave - x * self.pitch + y * self.roll,
@@ -207,7 +207,7 @@ impl<T: Real> Body<T> {
 }
 
 impl Body {
-    /// Refuses a body that would tip over.
+    /// Rejects a body that would tip over.
     pub fn check(&self) -> Result<(), Fault> {
         let Body { cg_to_front, wheelbase, .. } = *self;
         if cg_to_front > wheelbase {
@@ -217,7 +217,7 @@ impl Body {
     }
 }
 
-/// A car on four wheels: what follows from its parts and from the ground under it.
+/// A car on four wheels: the equations that follow from its parts and from the ground under it.
 pub trait Car<T: Real> {
     /// The body.
     fn body(&self) -> &Body<T>;
@@ -225,12 +225,12 @@ pub trait Car<T: Real> {
     fn axle(&self, corner: Corner) -> &Axle<T>;
     /// The wheel of a corner.
     fn wheel(&self, corner: Corner) -> &Wheel<T>;
-    /// The wheel of a corner, to write.
+    /// The wheel of a corner, mutable.
     fn wheel_mut(&mut self, corner: Corner) -> &mut Wheel<T>;
     /// The ground under a wheel.
     fn ground(&self, corner: Corner) -> Motion<T>;
 
-    /// Place of a wheel, seen from the body's centre of gravity.
+    /// Position of a wheel relative to the body's centre of gravity.
     fn place(&self, corner: Corner) -> Place<T> {
         self.body().place(corner, self.axle(corner))
     }
@@ -245,7 +245,7 @@ pub trait Car<T: Real> {
         self.wheel(corner).load(&self.axle(corner).suspension, self.ground(corner), self.static_load(corner))
     }
 
-    /// What the struts do to the body.
+    /// Force and moments of the struts on the body.
     fn strut_load(&self) -> Load<T> {
         let lift = |corner| self.wheel(corner).lift(&self.axle(corner).suspension);
         Load::of(Corner::ALL.map(|corner| (self.place(corner), lift(corner))))
@@ -257,7 +257,7 @@ pub trait Car<T: Real> {
         self.wheel(corner).acceleration(suspension, self.ground(corner), self.static_load(corner))
     }
 
-    /// One bit for each wheel: is it on the ground?
+    /// One bit for each wheel that is on the ground.
     fn wheels_on_ground(&self) -> u32 {
         Corner::ALL.into_iter().fold(0, |bits, corner| 2 * bits + u32::from(self.tyre_load(corner) > T::zero()))
     }
@@ -273,7 +273,7 @@ pub trait Car<T: Real> {
 }
 
 impl<T: Real> Load<T> {
-    /// Sum of forces that act upwards on the body at the places of the wheels.
+    /// Sum of the upward forces on the body at the positions of the wheels.
     pub fn of(forces: [(Place<T>, T); 4]) -> Load<T> {
         let none = Load { force: T::zero(), pitch_moment: T::zero(), roll_moment: T::zero() };
         forces.into_iter().fold(none, |sum, (Place { x, y }, force)| Load {

@@ -1,5 +1,5 @@
-// A host in C++ whose logger throws. The exception reaches the host, and leaves the instance as the status would have
-// said: a value that is refused has changed nothing, and after an error reset, free and restore lead on.
+// A host in C++ whose logger throws. The exception reaches the host, and leaves the instance in the state implied by
+// the status: a refused value has changed nothing, and after an error reset, free and restore are allowed.
 #include <cfenv>
 #include <cstdarg>
 #include <stdexcept>
@@ -11,7 +11,7 @@
 
 namespace {
 
-// Something to be destroyed on the way, as hosts have.
+// An object to be destroyed during unwinding, as hosts have.
 struct Complaint : std::runtime_error {
     Complaint(fmi2Status given, const std::string &text) : std::runtime_error(text), status(given) {}
     fmi2Status status;
@@ -32,7 +32,7 @@ void throwing_logger(fmi2ComponentEnvironment, fmi2String, fmi2Status status, fm
 const fmi2CallbackFunctions CALLBACKS = {throwing_logger, nullptr, nullptr, nullptr, nullptr};
 
 fmi2Component make(fmi2Type type, const char *guid) {
-    // With loggingOn = false: the reason of a failure is told all the same.
+    // With loggingOn = false: the reason of a failure is logged in any case.
     return fmi2Instantiate("throws", type, guid, nullptr, &CALLBACKS, fmi2False, fmi2False);
 }
 
@@ -42,7 +42,7 @@ void initialise(fmi2Component slave) {
     CHECK(fmi2ExitInitializationMode(slave) == fmi2OK);
 }
 
-// The call must throw what the logger throws, with that status and a text that holds `why`.
+// The call must throw the logger's exception, with this status and a text that contains `why`.
 template <typename Call>
 void throws(fmi2Status status, const char *why, Call call) {
     try {
@@ -71,7 +71,7 @@ double get(fmi2Component slave, fmi2ValueReference reference) {
 }
 
 void nothing_is_instantiated() {
-    throws(fmi2Error, "belongs to no model", [] { make(fmi2CoSimulation, "{no such model}"); });
+    throws(fmi2Error, "does not belong to a model", [] { make(fmi2CoSimulation, "{no such model}"); });
     const std::string endless(10000, '#');
     throws(fmi2Error, "##", [&] { make(fmi2CoSimulation, endless.c_str()); });
 }
@@ -112,7 +112,7 @@ void an_error_is_left_by_reset_and_by_a_saved_state() {
     fmi2FreeInstance(slave);
 }
 
-// One function after the other, in the state before the initialization, where most may not be called.
+// One function after the other, in the state before the initialization, in which most may not be called.
 void every_kind_of_call_can_throw() {
     fmi2Component slave = make(fmi2ModelExchange, STRIBECK_LUGRE_GUID);
     REQUIRE(slave != nullptr);
@@ -133,9 +133,9 @@ void every_kind_of_call_can_throw() {
     throws(fmi2Error, "state", [&] { fmi2Terminate(slave); });
     throws(fmi2Error, "state", [&] { fmi2ExitInitializationMode(slave); });
     throws(fmi2Error, "is NULL", [&] { fmi2GetDirectionalDerivative(slave, nullptr, 1, nullptr, 1, &value, &value); });
-    throws(fmi2Error, "no function", [&] { fmi2DoStep(slave, 0.0, 1e-3, fmi2True); });
-    throws(fmi2Error, "no function", [&] { fmi2SetRealInputDerivatives(slave, &VELOCITY, 1, &order, &value); });
-    throws(fmi2Error, "no function", [&] { fmi2GetRealStatus(slave, fmi2LastSuccessfulTime, &value); });
+    throws(fmi2Error, "not available", [&] { fmi2DoStep(slave, 0.0, 1e-3, fmi2True); });
+    throws(fmi2Error, "not available", [&] { fmi2SetRealInputDerivatives(slave, &VELOCITY, 1, &order, &value); });
+    throws(fmi2Error, "not available", [&] { fmi2GetRealStatus(slave, fmi2LastSuccessfulTime, &value); });
     throws(fmi2Error, "unknown log category", [&] { fmi2SetDebugLogging(slave, fmi2True, 1, &category); });
     throws(fmi2Error, "FMUstate is NULL", [&] { fmi2GetFMUstate(slave, nullptr); });
     throws(fmi2Error, "FMUstate is NULL", [&] { fmi2SerializedFMUstateSize(slave, nullptr, &size); });
@@ -144,7 +144,7 @@ void every_kind_of_call_can_throw() {
     fmi2FreeInstance(slave);
 }
 
-// A logger that was switched off is not called, and nothing is thrown.
+// A disabled logger is not called, and nothing is thrown.
 void silence_throws_nothing() {
     fmi2Component slave = make(fmi2CoSimulation, STRIBECK_LUGRE_GUID);
     REQUIRE(slave != nullptr);
@@ -155,7 +155,7 @@ void silence_throws_nothing() {
     fmi2FreeInstance(slave);
 }
 
-// The mode of the host is back when its logger is called, and when it has thrown.
+// The mode of the host is restored when its logger is called, and when it has thrown.
 void the_mode_of_the_host_comes_back() {
     fmi2Component slave = make(fmi2CoSimulation, STRIBECK_LUGRE_GUID);
     REQUIRE(slave != nullptr);
