@@ -4,7 +4,11 @@
 //! random states. Absolute times on a shared machine wander; the two times of a state are taken right after each other.
 //! The median over the states is reported, and the worst of the medians of a hundred states each.
 
+#[path = "../tests/common/random.rs"]
+mod random;
+
 use cpu_time::ThreadTime;
+use random::Random;
 use stribeck::catalogue;
 use stribeck::model::{Kind, ModelType, Role};
 
@@ -14,20 +18,6 @@ const REPEATS: usize = 32;
 const STEP: f64 = 1e-3;
 /// Time in which an input crosses its range.
 const RANGE_TIME: f64 = 0.1;
-
-/// A small generator (Knuth's MMIX constants).
-struct Random(u64);
-
-impl Random {
-    fn next(&mut self) -> f64 {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 11) as f64 / (1u64 << 53) as f64
-    }
-
-    fn signed(&mut self) -> f64 {
-        2.0 * self.next() - 1.0
-    }
-}
 
 fn main() {
     println!("a step of 1 ms with slopes, in steps with held inputs: median over {STATES} states [worst hundredth]\n");
@@ -67,7 +57,7 @@ fn inputs(model: &ModelType) -> Vec<usize> {
     (0..model.table.len()).filter(is_moving).collect()
 }
 
-/// What an input usually spans.
+/// Usual range of an input.
 fn range(model: &ModelType, column: usize) -> f64 {
     let Kind::Real(unit) = model.table[column].kind else { return 0.0 };
     match unit.name {

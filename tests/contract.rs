@@ -10,6 +10,7 @@ mod common;
 use std::collections::HashMap;
 
 use common::Bench;
+use common::random::Random;
 use stribeck::catalogue::{self, Family};
 use stribeck::model::{Kind, ModelType, Role, Variable};
 
@@ -17,22 +18,9 @@ fn friction_models() -> impl Iterator<Item = &'static ModelType> {
     catalogue::documented(Family::Friction).map(|(model, _)| model)
 }
 
-/// A small generator (Knuth's MMIX constants), so that a failure can be repeated.
-struct Random(u64);
-
-impl Random {
-    fn next(&mut self) -> f64 {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 11) as f64 / (1u64 << 53) as f64
-    }
-
-    fn signed(&mut self) -> f64 {
-        2.0 * self.next() - 1.0
-    }
-
-    fn pick(&mut self, values: &[f64]) -> f64 {
-        values[(self.next() * values.len() as f64) as usize]
-    }
+/// One of the values.
+fn pick(random: &mut Random, values: &[f64]) -> f64 {
+    values[(random.next() * values.len() as f64) as usize]
 }
 
 /// Parameter sets: the defaults, each parameter at each end and in the middle of its range, and random mixtures.
@@ -44,7 +32,7 @@ fn parameter_sets(model: &'static ModelType) -> Vec<Vec<(usize, f64)>> {
     }
     let mut random = Random(7);
     for _ in 0..200 {
-        let mixture = parameters.iter().map(|column| (*column, random.pick(&candidates(&model.table[*column]))));
+        let mixture = parameters.iter().map(|column| (*column, pick(&mut random, &candidates(&model.table[*column]))));
         sets.push(mixture.collect());
     }
     sets.retain(|set| {
@@ -430,12 +418,12 @@ fn finite_inputs_give_finite_results_or_a_rejection_that_changes_nothing() {
             let vectors = ["velocity_x", "velocity_y", "velocity_z", "normal_x", "normal_y", "normal_z"];
             for name in scalars.into_iter().chain(vectors) {
                 if bench.has(name) {
-                    let sign = if name == "normal_force" { 1.0 } else { random.pick(&[-1.0, 1.0]) };
-                    bench.set(name, sign * random.pick(&extremes));
+                    let sign = if name == "normal_force" { 1.0 } else { pick(&mut random, &[-1.0, 1.0]) };
+                    bench.set(name, sign * pick(&mut random, &extremes));
                 }
             }
             let before = bench.instance.save();
-            match bench.instance.step(random.pick(&steps)) {
+            match bench.instance.step(pick(&mut random, &steps)) {
                 Ok(()) => assert!(bench.instance.row().iter().all(|value| value.is_finite()), "{what}"),
                 Err(_) => {
                     assert_eq!(bench.instance.save(), before, "{what}");
@@ -452,9 +440,12 @@ fn everyday_inputs_are_never_rejected() {
     for_all(|bench, what| {
         let mut random = Random(19);
         for _ in 0..50 {
-            set_velocity(bench, random.pick(&[0.0, 1e-9, 1e-4, 0.1, 2.0, 20.0]) * random.pick(&[-1.0, 1.0]));
-            bench.set("normal_force", random.pick(&[0.0, 1e-9, 1e-3, 10.0, 2e4]));
-            let h = random.pick(&[2e-13, 1e-6, 1e-4, 1e-3, 0.1, 1.0]);
+            set_velocity(
+                bench,
+                pick(&mut random, &[0.0, 1e-9, 1e-4, 0.1, 2.0, 20.0]) * pick(&mut random, &[-1.0, 1.0]),
+            );
+            bench.set("normal_force", pick(&mut random, &[0.0, 1e-9, 1e-3, 10.0, 2e4]));
+            let h = pick(&mut random, &[2e-13, 1e-6, 1e-4, 1e-3, 0.1, 1.0]);
             bench.instance.step(h).unwrap_or_else(|fault| panic!("{what}: {fault}"));
         }
     });

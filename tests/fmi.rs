@@ -9,6 +9,7 @@ use std::thread;
 
 use common::NO_EVENT;
 use common::importer::{Heard, Importer, NAME, callbacks, guid};
+use common::random::Random;
 use stribeck::c_api::stribeck_status::*;
 use stribeck::c_api::*;
 use stribeck::catalogue;
@@ -640,10 +641,9 @@ fn a_ramp_out_of_a_bound_is_rejected_and_one_onto_it_is_not() {
         let status = unsafe { fmi2SetRealInputDerivatives(importer.c, &importer.vr("normal_force"), 1, &1, &value) };
         assert_eq!(status, fmi2OK);
     };
-    let (mut t, mut random) = (0.0, 1u64);
+    let (mut t, mut random) = (0.0, Random(1));
     for _ in 0..500 {
-        random = random.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
-        let (load, h) = ((random >> 40) as f64 * 1e-6 + 1e-3, (random % 1000 + 1) as f64 / 30_000.0);
+        let (load, h) = (16.0 * random.next() + 1e-3, (1000.0 * random.next()).ceil() / 30_000.0);
         assert_eq!(importer.set("normal_force", load), fmi2OK);
         slope(-load / h);
         assert_eq!(importer.step(t, h), fmi2OK, "{load} N to 0 in {h} s");

@@ -2,6 +2,7 @@
 
 mod common;
 
+use common::random::Random;
 use common::{Bench, Exchange, belt};
 
 /// f_C, f_s, v_S, sigma_0, sigma_1 = sqrt(sigma_0), sigma_2 of the thesis' Tables 6.1 and 7.1.
@@ -14,20 +15,6 @@ const SIGMA_2: f64 = 0.1;
 
 fn level(velocity: f64) -> f64 {
     F_C + (F_S - F_C) * (-(velocity / V_S).powi(2)).exp()
-}
-
-/// A small generator (Knuth's MMIX constants), so that a failure can be repeated.
-struct Random(u64);
-
-impl Random {
-    fn next(&mut self) -> f64 {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 11) as f64 / (1u64 << 53) as f64
-    }
-
-    fn signed(&mut self) -> f64 {
-        2.0 * self.next() - 1.0
-    }
 }
 
 /// Moves by `distance` at the speed `speed`.

@@ -3,6 +3,7 @@
 
 mod common;
 
+use common::random::Random;
 use common::{Bench, Exchange, belt, extrema};
 
 const F_C: f64 = 0.981;
@@ -244,20 +245,6 @@ fn slopes_at_rest() {
         .map(|k| slope(AWREJCEWICZ, &[("velocity", 1e-6 * f64::from(k)), ("external_force", -F_S)], "velocity"))
         .fold(0.0, f64::max);
     assert!((steepest / 4414.5 - 1.0).abs() < 1e-5, "{steepest}");
-}
-
-/// A small generator (Knuth's MMIX constants), so that a failure can be repeated.
-struct Random(u64);
-
-impl Random {
-    fn next(&mut self) -> f64 {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 11) as f64 / (1u64 << 53) as f64
-    }
-
-    fn signed(&mut self) -> f64 {
-        2.0 * self.next() - 1.0
-    }
 }
 
 /// A motion with mass: start velocity, load, mass and step, from the middle of every band to far outside.

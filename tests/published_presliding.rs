@@ -3,6 +3,7 @@
 
 mod common;
 
+use common::random::Random;
 use common::{Bench, Exchange, belt, extrema};
 
 /// f_C, f_s, sigma_0 and sigma_1 of the thesis' Tables 6.1 and 7.1.
@@ -24,20 +25,10 @@ fn assert_close(what: &str, value: f64, expected: f64, relative: f64) {
     assert!((value / expected - 1.0).abs() <= relative, "{what}: {value}, expected {expected}");
 }
 
-/// A small generator (Knuth's MMIX constants), so that a failure can be repeated.
-struct Random(u64);
-
-impl Random {
-    fn next(&mut self) -> f64 {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 11) as f64 / (1u64 << 53) as f64
-    }
-
-    /// A velocity of either sign, from 1 um/s to 1 m/s.
-    fn velocity(&mut self) -> f64 {
-        let speed = 10f64.powf(-6.0 * self.next());
-        if self.next() < 0.5 { -speed } else { speed }
-    }
+/// A velocity of either sign, from 1 um/s to 1 m/s.
+fn velocity(random: &mut Random) -> f64 {
+    let speed = 10f64.powf(-6.0 * random.next());
+    if random.next() < 0.5 { -speed } else { speed }
 }
 
 /// Runs the models on the same random path and compares their forces and energies after every step.
@@ -45,7 +36,7 @@ fn assert_identical(a: (&str, &[(&str, f64)]), b: (&str, &[(&str, f64)]), tolera
     let mut benches = [Bench::new(a.0, a.1), Bench::new(b.0, b.1)];
     let mut random = Random(5);
     for step in 0..2000 {
-        let velocity = random.velocity();
+        let velocity = velocity(&mut random);
         // Paths of 0.1 um to 100 um, so that many of them stay below sliding.
         let dt = 10f64.powf(-7.0 + 3.0 * random.next()) / velocity.abs();
         let [a_found, b_found] = benches.each_mut().map(|bench| {
@@ -66,7 +57,7 @@ fn assert_passive(model: &str, values: &[(&str, f64)]) {
     for history in 0..1000 {
         let mut bench = Bench::new(model, values);
         for _ in 0..30 {
-            bench.set("velocity", random.velocity());
+            bench.set("velocity", velocity(&mut random));
             bench.step(10f64.powf(-5.0 + 4.0 * random.next()));
             let energy = bench.get("dissipated_energy");
             assert!(energy >= -1e-18, "{model} {values:?}, history {history}: {energy} J");
@@ -78,7 +69,7 @@ fn assert_passive(model: &str, values: &[(&str, f64)]) {
 fn assert_closed_cycles_dissipate(model: &str, values: &[(&str, f64)]) {
     let mut random = Random(29);
     for history in 0..1000 {
-        let legs: Vec<f64> = (0..3).map(|_| random.velocity()).collect();
+        let legs: Vec<f64> = (0..3).map(|_| velocity(&mut random)).collect();
         let times: Vec<f64> = (0..3).map(|_| 10f64.powf(-5.0 + 3.0 * random.next())).collect();
         let mut bench = Bench::new(model, values);
         let mut energy = f64::NAN;
@@ -604,7 +595,7 @@ fn elasto_plastic_violates_passivity_within_the_stated_bound() {
             bench.set("velocity", 1e-5);
             bench.step(1e4);
             for _ in 0..10 {
-                let velocity = random.velocity();
+                let velocity = velocity(&mut random);
                 bench.set("velocity", velocity);
                 let stored = SIGMA_0 * bench.get("bristle_deflection") * velocity;
                 // The springs return stored energy; only more than that is a violation.
@@ -819,7 +810,7 @@ fn dynamic_specker_never_exceeds_the_maximum_of_its_curve() {
     let mut bench = Bench::new("SpeckerDynamic", &[]);
     let (mut random, mut highest) = (Random(43), 0.0f64);
     for _ in 0..100_000 {
-        bench.set("velocity", random.velocity());
+        bench.set("velocity", velocity(&mut random));
         bench.step(10f64.powf(-5.0 + 4.0 * random.next()));
         highest = highest.max(bench.get("friction_force").abs());
     }

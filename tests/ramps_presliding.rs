@@ -5,26 +5,13 @@
 mod common;
 
 use common::Bench;
+use common::random::Random;
 use stribeck::catalogue::{self, Family};
 use stribeck::instance::Instance;
 use stribeck::model::{Kind, ModelType};
 
 fn friction_models() -> impl Iterator<Item = &'static ModelType> {
     catalogue::documented(Family::Friction).map(|(model, _)| model)
-}
-
-/// A small generator (Knuth's MMIX constants), so that a failure can be repeated.
-struct Random(u64);
-
-impl Random {
-    fn next(&mut self) -> f64 {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 11) as f64 / (1u64 << 53) as f64
-    }
-
-    fn signed(&mut self) -> f64 {
-        2.0 * self.next() - 1.0
-    }
 }
 
 /// Name of the velocity that a motion along a line uses, and of the force along it.

@@ -2,6 +2,7 @@
 
 mod common;
 
+use common::random::Random;
 use common::{Bench, Exchange};
 use stribeck::catalogue;
 use stribeck::model::{Kind, Role};
@@ -174,20 +175,6 @@ fn no_law_jumps_in_a_strut_that_knows_the_acceleration() {
         }
     }
     assert!(laws > 30, "{laws}");
-}
-
-/// A small generator (Knuth's MMIX constants), so that a failure can be repeated.
-struct Random(u64);
-
-impl Random {
-    fn next(&mut self) -> f64 {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 11) as f64 / (1u64 << 53) as f64
-    }
-
-    fn signed(&mut self) -> f64 {
-        2.0 * self.next() - 1.0
-    }
 }
 
 /// One section of a motion: inputs at its beginning and at its end, and its length.
