@@ -129,10 +129,9 @@ impl<T: Component> LuGrePlanar<T> {
     }
 
     /// g(|v|).
-    fn level(&self) -> T {
+    fn level(&self, speed: T) -> T {
         let coulomb = self.mu_k * self.normal_force;
         let statical = self.mu_s * self.normal_force;
-        let speed = length(&self.velocity());
         stribeck::level(speed, coulomb, statical, self.stribeck_velocity, self.stribeck_exponent)
     }
 
@@ -146,14 +145,16 @@ impl<T: Component> LuGrePlanar<T> {
     }
 
     /// dz/dt.
-    fn deflection_rate(&self, level: T) -> Vector2<T> {
+    fn deflection_rate(&self) -> Vector2<T> {
+        let speed = length(&self.velocity());
+        let level = self.level(speed);
         // Without load, or at high speed without Coulomb level (f_C = 0): a step then drops the deflection, and in
         // Model Exchange, where f_C > 0, the event at which the load vanishes does.
         if level.value() == 0.0 {
             return Vector2::repeat(T::from(0.0));
         }
         let velocity = self.velocity();
-        remainder(velocity - self.deflection() * (self.sigma_0 * length(&velocity) / level), &velocity)
+        remainder(velocity - self.deflection() * (self.sigma_0 * speed / level), &velocity)
     }
 
     fn force(&self, deflection_rate: Vector2<T>) -> Vector2<T> {
@@ -166,7 +167,7 @@ impl<T: Component> LuGrePlanar<T> {
 
 impl<T: Component> Law for LuGrePlanar<T> {
     fn output(&mut self) {
-        let rate = self.deflection_rate(self.level());
+        let rate = self.deflection_rate();
         let force = self.force(rate);
         [self.friction_force_x, self.friction_force_y] = force.into();
         self.dissipated_power = force.dot(&self.velocity());
@@ -176,7 +177,7 @@ impl<T: Component> Law for LuGrePlanar<T> {
     }
 
     fn derivatives(&self, rate: &mut Self) {
-        let change = self.deflection_rate(self.level());
+        let change = self.deflection_rate();
         [rate.bristle_deflection_x, rate.bristle_deflection_y] = change.into();
         rate.dissipated_energy = self.force(change).dot(&self.velocity());
     }
@@ -201,11 +202,11 @@ impl Model for LuGrePlanar {
     }
 
     fn step(&mut self, dt: f64) {
-        let (level, velocity) = (self.level(), self.velocity());
-        let distance = length(&velocity) * dt;
-        let forward = direction(&velocity);
+        let velocity = self.velocity();
+        let (speed, forward) = (length(&velocity), direction(&velocity));
+        let (level, distance) = (self.level(speed), speed * dt);
         let before = self.deflection();
-        let viscous = self.viscous_coefficient * length(&velocity) * distance;
+        let viscous = self.viscous_coefficient * speed * distance;
         if level == 0.0 {
             (self.bristle_deflection_x, self.bristle_deflection_y) = (0.0, 0.0);
             if self.normal_force > 0.0 {

@@ -77,7 +77,8 @@ const ROUNDING: f64 = 1e-15;
 
 /// A remainder of the vector `whole`; zero if it is only rounding.
 pub fn remainder<T: Component, const N: usize>(rest: SVector<T, N>, whole: &SVector<T, N>) -> SVector<T, N> {
-    let is_rounding = length(&rest).value() <= ROUNDING * length(whole).value();
+    let size = |vector: &SVector<T, N>| vector.iter().fold(0.0, |size, part| part.value().abs().max(size));
+    let is_rounding = size(&rest) <= ROUNDING * size(whole);
     if is_rounding { rest.map(|_| T::from(0.0)) } else { rest }
 }
 
