@@ -573,6 +573,9 @@ pub trait Model: Described + Law<Number = f64> {
     /// Number of event indicators.
     const EVENT_INDICATORS: usize = 0;
 
+    /// Are the rates linear in the states, each in its own, and the power in all of them? Ramps need fewer of them then.
+    const LINEAR: bool = false;
+
     /// Named parameter sets.
     const PRESETS: &'static [Preset] = &[];
 
@@ -648,6 +651,7 @@ pub trait Model: Described + Law<Number = f64> {
     }
 
     /// [`Law::derivatives`]; to be overridden by a model that has them only as plain numbers.
+    #[inline(always)]
     fn rate(&self, rate: &mut Self) {
         self.derivatives(rate);
     }

@@ -49,7 +49,7 @@ impl<const MOST: usize> Selection<MOST> {
 pub(crate) const PIECES: u32 = 16;
 
 /// Most states of a model that comes here, the energy aside.
-const MOST: usize = 4;
+const MOST: usize = 2;
 
 /// Is it a state that moves, the energy aside?
 const fn is_followed(variable: &Variable) -> bool {
@@ -258,31 +258,50 @@ const NEAR_REST: [f64; 2] = [1.0 / 8.0, 1.0 / 64.0];
 /// Advances over an interval in which the law is smooth.
 fn smooth<M: Model>(model: &mut M, begin: &M, slope: &M, from: f64, to: f64) {
     let shortest = SHORTEST * (to - from);
-    let (mut at, mut length) = (from, to - from);
+    let (mut at, mut length, mut known) = (from, to - from, UNKNOWN);
+    let mut most = MOST_GROWTH;
     while at < to {
         // A rest that is hardly longer than the piece is made in one.
         let end = if at + 1.01 * length >= to { to } else { at + length };
-        let (next, error) = piece(model, begin, slope, at, end);
-        let is_accurate = error <= 1.0;
+        length = end - at;
+        let chords = chords(model, begin, slope, [at, end], known);
+        let change = Change::along(model, &chords, length);
+        let is_accurate = change.error <= 1.0;
         if is_accurate {
-            *model = next;
-        } else if end - at <= 2.0 * shortest {
-            // What can hardly be divided, as where the load goes, takes the inputs of its middle: that is stable always.
-            set_inputs(model, begin, slope, 0.5 * (at + end));
-            model.step(end - at);
-        }
-        if is_accurate || end - at <= 2.0 * shortest {
-            at = end;
-            if at == to {
+            change.apply(model);
+            if end == to {
                 return;
             }
+            known = known_beyond::<M>(&chords, &change);
+            at = end;
+        } else if length > 2.0 * shortest {
+            known = known_of_half::<M>(&chords);
+        } else {
+            // What can hardly be divided, as where the load goes, takes the inputs of its middle: that is stable always.
+            set_inputs(model, begin, slope, 0.5 * (at + end));
+            model.step(length);
+            known = UNKNOWN;
+            at = end;
         }
-        // The error is that of an order 2; safety factor and limits as usual in step-size control. A refused piece is at
-        // least halved, so that the shortest is always reached.
-        let most = if is_accurate { 4.0 } else { 0.5 };
-        // As 0.2, what is not a number.
-        length = shortest.max(length * (0.9 * error.powf(-1.0 / 3.0)).min(most).max(0.2));
+        // A refused piece is at least halved, so that the shortest is always reached, and just halved where its half is
+        // known already. After it, the next piece is not longer than the one that was accurate.
+        let limits = match (is_accurate, M::LINEAR) {
+            (true, _) => [0.2, most],
+            (false, true) => [0.5, 0.5],
+            (false, false) => [0.2, 0.5],
+        };
+        length = shortest.max(length * growth(change.error, limits));
+        most = if is_accurate { MOST_GROWTH } else { 1.0 };
     }
+}
+
+/// A piece is at most so many times as long as the one before (as usual in step-size control).
+const MOST_GROWTH: f64 = 4.0;
+
+/// How much longer the next piece may be: the error is that of an order 2, and the safety factor as usual.
+fn growth(error: f64, [least, most]: [f64; 2]) -> f64 {
+    // Where the error is infinite, as little as may be.
+    (0.8 / error.cbrt()).min(most).max(least)
 }
 
 /// Beginning, middle and end of a piece.
@@ -293,52 +312,97 @@ fn simpson([begin, middle, end]: Nodes<f64>, h: f64) -> f64 {
     h / 6.0 * (begin + 4.0 * middle + end)
 }
 
-/// One piece, and its error in units of what is allowed.
-fn piece<M: Model>(model: &M, begin: &M, slope: &M, from: f64, to: f64) -> (M, f64) {
-    let (states, h) = (&Of::<M>::STATES, to - from);
-    let mut next = *model;
-    set_inputs(&mut next, begin, slope, from + INSIDE * h);
-    let first = Chord::at(&mut next, [0.0; MOST]);
-    // An implicit step is a good guess of the way, and stable.
-    let guess = |time: f64| {
-        let mut guess = [0.0; MOST];
-        for (index, guess) in guess[..states.count].iter_mut().enumerate() {
-            *guess = time * first.rate[index] / (1.0 + (time * first.pull[index]).max(0.0));
-        }
-        guess
+/// The chords at the nodes of a piece, as far as they are known before it is made.
+type Known = Nodes<Option<Chord>>;
+
+const UNKNOWN: Known = [None; 3];
+
+/// Of the piece after one that was made.
+fn known_beyond<M: Model>(chords: &Nodes<Chord>, change: &Change) -> Known {
+    [M::LINEAR.then(|| chords[2].moved(&change.states)), None, None]
+}
+
+/// Of the first half of a piece that was refused. A chord of a law that is not linear reaches as far as its piece.
+fn known_of_half<M: Model>([first, middle, _]: &Nodes<Chord>) -> Known {
+    [Some(*first), None, M::LINEAR.then_some(*middle)]
+}
+
+/// The chords of a piece. Those that are not known leave the model with the inputs of their instant.
+fn chords<M: Model>(model: &mut M, begin: &M, slope: &M, [from, to]: [f64; 2], known: Known) -> Nodes<Chord> {
+    let h = to - from;
+    let mut at = |time: f64, guess: [f64; MOST]| {
+        set_inputs(model, begin, slope, time);
+        Chord::at(model, guess)
     };
-    set_inputs(&mut next, begin, slope, from + 0.5 * h);
-    let middle = Chord::at(&mut next, guess(0.5 * h));
-    set_inputs(&mut next, begin, slope, to - INSIDE * h);
-    let last = Chord::at(&mut next, guess(h));
-    let mut drawn = [Drawn::NONE; MOST];
-    let mut error = 0f64;
-    let mut work = simpson([first.power, middle.power, last.power], h);
-    for (index, column) in states.iter().enumerate() {
-        let nodes = |of: fn(&Chord) -> &[f64; MOST]| [of(&first)[index], of(&middle)[index], of(&last)[index]];
-        drawn[index] = Drawn::new(nodes(|chord| &chord.rate), nodes(|chord| &chord.pull), h);
-        work += drawn[index].integral(nodes(|chord| &chord.power_by));
-        row_of_mut(&mut next)[column] += drawn[index].change[2];
+    let first = known[0].unwrap_or_else(|| at(from + INSIDE * h, [0.0; MOST]));
+    let middle = known[1].unwrap_or_else(|| at(from + 0.5 * h, first.guess(0.5 * h)));
+    let last = known[2].unwrap_or_else(|| at(to - INSIDE * h, first.guess(h)));
+    [first, middle, last]
+}
+
+/// What a piece changes.
+struct Change {
+    states: [f64; MOST],
+    work: f64,
+    /// In units of what is allowed.
+    error: f64,
+}
+
+impl Change {
+    fn along<M: Model>(model: &mut M, chords: &Nodes<Chord>, h: f64) -> Change {
+        let [first, middle, last] = chords;
+        let mut work = simpson([first.power, middle.power, last.power], h);
+        let (mut states, mut errors) = ([0.0; MOST], [0.0; MOST]);
+        for index in 0..Of::<M>::STATES.count {
+            let nodes = |of: fn(&Chord) -> &[f64; MOST]| [of(first)[index], of(middle)[index], of(last)[index]];
+            let drawn = Drawn::new(nodes(|chord| &chord.rate), nodes(|chord| &chord.pull), h);
+            work += drawn.integral(nodes(|chord| &chord.power_by));
+            (states[index], errors[index]) = (drawn.change[2], drawn.error);
+        }
+        let missed = if M::LINEAR { [0.0; MOST] } else { missed(model, last, &states, h) };
+        let mut error = 0f64;
+        for (index, column) in Of::<M>::STATES.iter().enumerate() {
+            let value = (row_of(model)[column] + states[index]).abs();
+            let off = (errors[index] + missed[index].abs()) / value.max(M::TABLE[column].nominal);
+            // The maximum of two numbers forgets one that is none.
+            error = if off.is_finite() { error.max(off) } else { f64::INFINITY };
+            states[index] += missed[index];
+        }
+        Change { states, work, error: error / TOLERANCE }
     }
-    // A law that is bent differs from its chord, at first with the square of the time.
-    let reached = rate(&next);
-    for (index, column) in states.iter().enumerate() {
-        let on_chord = last.rate[index] - last.pull[index] * drawn[index].change[2];
-        let missed = h * (row_of(&reached)[column] - on_chord) / (3.0 + (h * last.pull[index]).max(0.0));
-        let value = &mut row_of_mut(&mut next)[column];
-        let off = (drawn[index].error + missed.abs()) / value.abs().max(M::TABLE[column].nominal);
-        // The maximum of two numbers forgets one that is none.
-        error = if off.is_finite() { error.max(off) } else { f64::INFINITY };
-        // By less than the error allowed it may lie beyond its bound.
-        *value = M::TABLE[column].bound.nearest(*value + missed);
+
+    fn apply<M: Model>(&self, model: &mut M) {
+        let row = row_of_mut(model);
+        for (index, column) in Of::<M>::STATES.iter().enumerate() {
+            // By less than the error allowed it may lie beyond its bound.
+            row[column] = M::TABLE[column].bound.nearest(row[column] + self.states[index]);
+        }
+        if let Some(energy) = Of::<M>::ENERGY {
+            row[energy] += self.work;
+        }
     }
-    if let Some(energy) = Of::<M>::ENERGY {
-        row_of_mut(&mut next)[energy] += work;
+}
+
+/// What a law that is bent adds to the changes along its last chord, at first with the square of the time.
+fn missed<M: Model>(model: &mut M, last: &Chord, change: &[f64; MOST], h: f64) -> [f64; MOST] {
+    let (mut before, mut missed) = ([0.0; MOST], [0.0; MOST]);
+    for (index, column) in Of::<M>::STATES.iter().enumerate() {
+        let value = &mut row_of_mut(model)[column];
+        before[index] = *value;
+        *value += change[index];
     }
-    (next, error / TOLERANCE)
+    let reached = rate(model);
+    for (index, column) in Of::<M>::STATES.iter().enumerate() {
+        row_of_mut(model)[column] = before[index];
+        let on_chord = last.rate[index] - last.pull[index] * change[index];
+        missed[index] = h * (row_of(&reached)[column] - on_chord) / (3.0 + (h * last.pull[index]).max(0.0));
+    }
+    missed
 }
 
 /// Time derivatives of the states.
+// Inlined, so that what depends on the inputs alone is computed once for all rates of a chord.
+#[inline(always)]
 fn rate<M: Model>(model: &M) -> M {
     let mut rate = *model;
     row_of_mut(&mut rate).fill(0.0);
@@ -435,6 +499,7 @@ fn area(q: [f64; 2], values: Nodes<f64>) -> f64 {
 
 /// The equations of a model at an instant, for the states at the beginning of a piece, and the chord to where they have
 /// about gone.
+#[derive(Clone, Copy)]
 struct Chord {
     rate: [f64; MOST],
     /// r, by which the rate of a state falls with the state itself.
@@ -466,6 +531,20 @@ impl Chord {
             chord.power_by[index] = (energy(&there) - energy(&here)) / reach;
         }
         chord
+    }
+
+    /// How far the states go in a time: as far as an implicit step, which is a good guess, and stable.
+    fn guess(&self, time: f64) -> [f64; MOST] {
+        std::array::from_fn(|index| time * self.rate[index] / (1.0 + (time * self.pull[index]).max(0.0)))
+    }
+
+    /// The same instant, with states that have changed.
+    fn moved(mut self, change: &[f64; MOST]) -> Chord {
+        for (index, change) in change.iter().enumerate() {
+            self.rate[index] -= self.pull[index] * change;
+            self.power += self.power_by[index] * change;
+        }
+        self
     }
 }
 

@@ -175,6 +175,7 @@ impl<T: Real> Law for BlimanSorine<T> {
         self.sticking = T::from(f64::from(u8::from(elastic && self.coulomb().value() > 0.0)));
     }
 
+    #[inline(always)]
     fn derivatives(&self, rate: &mut Self) {
         if self.normal_force.value() > 0.0 {
             rate.y_1 = (self.velocity - self.velocity.abs() * self.y_1) / self.fast_length();
@@ -188,6 +189,7 @@ impl<T: Real> Law for BlimanSorine<T> {
 
 impl Model for BlimanSorine {
     const MODEL_EXCHANGE: bool = true;
+    const LINEAR: bool = true;
     const PRESETS: &'static [Preset] = &[
         Preset {
             name: "thesis",

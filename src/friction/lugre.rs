@@ -166,6 +166,7 @@ impl<T: Real> Law for LuGre<T> {
         self.respond(self.level(), self.damping());
     }
 
+    #[inline(always)]
     fn derivatives(&self, rate: &mut Self) {
         rate.bristle_deflection = self.deflection_rate(self.level());
         rate.dissipated_energy = self.force(rate.bristle_deflection, self.damping()) * self.velocity;
@@ -198,6 +199,7 @@ impl LuGre {
 
 impl Model for LuGre {
     const MODEL_EXCHANGE: bool = true;
+    const LINEAR: bool = true;
     const PRESETS: &'static [Preset] = &[
         Preset { name: "thesis", source: "Novais (2024), Tables 6.1 and 7.1 (the start values)", values: &[] },
         Preset {

@@ -176,6 +176,7 @@ impl<T: Component> Law for LuGrePlanar<T> {
         self.sticking = T::from(f64::from(u8::from(elastic && self.normal_force.value() > 0.0)));
     }
 
+    #[inline(always)]
     fn derivatives(&self, rate: &mut Self) {
         let change = self.deflection_rate();
         [rate.bristle_deflection_x, rate.bristle_deflection_y] = change.into();
@@ -185,6 +186,7 @@ impl<T: Component> Law for LuGrePlanar<T> {
 
 impl Model for LuGrePlanar {
     const MODEL_EXCHANGE: bool = true;
+    const LINEAR: bool = true;
     const PRESETS: &'static [Preset] = &[Preset {
         name: "thesis",
         source: "The law along a line in Novais (2024), Tables 6.1 and 7.1 (the start values)",

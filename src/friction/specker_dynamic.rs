@@ -147,6 +147,7 @@ impl<T: Real> Law for SpeckerDynamic<T> {
         self.sticking = T::from(f64::from(u8::from(is_slow && self.normal_force.value() > 0.0)));
     }
 
+    #[inline(always)]
     fn derivatives(&self, rate: &mut Self) {
         if self.normal_force.value() > 0.0 {
             let curve = self.curve();
@@ -161,6 +162,7 @@ impl<T: Real> Law for SpeckerDynamic<T> {
 
 impl Model for SpeckerDynamic {
     const MODEL_EXCHANGE: bool = true;
+    const LINEAR: bool = true;
     const PRESETS: &'static [Preset] = &[Preset {
         name: "guidance",
         source: "Guidance (6.28) of Novais (2024) for v_S = 1 mm/s, which is chosen, as is T_slip (the start values)",
