@@ -1,7 +1,7 @@
 use crate::friction::ELASTIC_SHARE;
 use crate::friction::unloading::released_without_load;
 use crate::laws::runge_kutta::dormand_prince;
-use crate::laws::stribeck;
+use crate::laws::{quadrature, stribeck};
 use crate::model::{Fault, Law, Model, Preset, boolean, integer, real};
 use crate::number::Real;
 
@@ -56,9 +56,10 @@ crate::model! {
     /// ```
     ///
     /// The approach to steady sliding, p = q, is therefore exact over any distance, and for the rest an explicit method
-    /// of order 5 (Dormand and Prince) with error control is as stable as an implicit one would be for z itself. Its
-    /// error per step is below 1e-12 z_ss (chosen), and two half steps equal one to 1e-10 of the level. `sticking`
-    /// means that more than 1 % (chosen) of the motion still goes into the bristles.
+    /// of order 5 (Dormand and Prince) with error control is as stable as an implicit one would be for z itself. If a
+    /// slide leaves nothing of y and i = 1, only its energy is unknown, which is an integral over y. The error per step
+    /// is below 1e-12 z_ss (chosen), and two half steps equal one to 1e-10 of the level. `sticking` means that more
+    /// than 1 % (chosen) of the motion still goes into the bristles.
     ///
     /// A master that integrates a mass m with the force it reads couples it explicitly to the stiffness k and the
     /// damping c of the contact at rest, sigma_0 and sigma_1 + sigma_2 as with `LuGre`. If the friction steps first, a
@@ -308,6 +309,12 @@ impl Slide {
     /// kappa <= u < 1.
     fn yield_gradually(&mut self, kappa: f64, exponent: f64) {
         let transition = Transition { width: 1.0 - kappa, exponent };
+        if exponent == 1.0 && self.left >= transition.variable(NOTHING) {
+            // Nothing is left of y, which falls at least as fast as e^-q.
+            self.area += self.left - quadrature::integral(&|y| transition.share(y), 0.0, 1.0 - self.u);
+            (self.u, self.left) = (1.0, 0.0);
+            return;
+        }
         // p, and the integral of y = 1 - u over the distance.
         let mut at = [transition.variable(1.0 - self.u), 0.0];
         let mut piece = 0.1 * at[0].max(1.0) / transition.rates(at)[0];
@@ -354,8 +361,18 @@ impl Transition {
     /// dp/dq = ((1 - alpha u) / y)^i with 1 - alpha = sin^2(pi y / (2 - 2 kappa)), and y.
     fn rates(&self, [p, _]: [f64; 2]) -> [f64; 2] {
         let y = self.missing(p);
+        [(1.0 + (1.0 - y) * self.elastic(y) / y).powf(self.exponent), y]
+    }
+
+    /// For i = 1, y by the rate at which it falls.
+    fn share(&self, y: f64) -> f64 {
+        y / (y + (1.0 - y) * self.elastic(y))
+    }
+
+    /// 1 - alpha.
+    fn elastic(&self, y: f64) -> f64 {
         let sine = (std::f64::consts::FRAC_PI_2 * (y / self.width).min(1.0)).sin();
-        [(1.0 + (1.0 - y) * sine * sine / y).powf(self.exponent), y]
+        sine * sine
     }
 
     /// Error of u, with dy = -y^i dp, and of the integral, relative to it where it is large.
@@ -398,6 +415,20 @@ mod tests {
         for z in [4e-6, 1.1e-5, 1.25e-5, 1.5e-5, 2e-5] {
             assert_eq!(force(1e-3, z), -force(-1e-3, -z));
             assert!((force(-1e-5, z) - (1e5 * z - 316.327_766e-5)).abs() < 1e-9, "against the deflection: a spring");
+        }
+    }
+
+    /// A slide after which nothing is left to yield, against two short ones that end at the same place.
+    #[test]
+    fn a_long_slide_is_the_sum_of_short_ones() {
+        for kappa in [0.05, 0.7, 0.99, 1.0 - 1e-9] {
+            for start in [-0.5, 0.0, 1.0 - 1e-3] {
+                let (long, first) = (slide(start, 50.0, kappa, 1.0), slide(start, 25.0, kappa, 1.0));
+                let second = slide(first.u, 25.0, kappa, 1.0);
+                assert_eq!(long.u, 1.0);
+                assert!((long.u - second.u).abs() < 1e-12);
+                assert!((long.area - first.area - second.area).abs() < 1e-10, "{kappa} {start}");
+            }
         }
     }
 
