@@ -1,5 +1,6 @@
 use crate::model::{Fault, Law, Model, Preset, boolean, integer, real};
 use crate::number::Real;
+use crate::ramp;
 
 /// Largest number of bristles in a contact. The authors find fewer than 50 sufficient.
 const MOST: usize = 64;
@@ -266,8 +267,7 @@ impl Model for Bristle {
                 self.step(to - from);
             }
         }
-        self.velocity = begin.velocity + slope.velocity * dt;
-        self.normal_force = begin.normal_force + slope.normal_force * dt;
+        ramp::set_inputs(self, &begin, slope, dt);
     }
 
     fn rate(&self, rate: &mut Self) {

@@ -3,6 +3,7 @@ use crate::friction::elements::{self, Division, ElementDistribution, Ramp, Share
 use crate::laws::{approach, stribeck};
 use crate::model::{Fault, Law, Model, Preset, boolean, integer, real};
 use crate::number::Real;
+use crate::ramp;
 
 crate::part! {
     /// A Maxwell-slip element of the hysteresis force.
@@ -569,6 +570,7 @@ impl Model for Leuven {
     }
 
     fn step_ramp(&mut self, slope: &Self, dt: f64) {
+        let begin = *self;
         let ramp = Ramp {
             velocity: [self.velocity, slope.velocity],
             normal_force: [self.normal_force, slope.normal_force],
@@ -578,7 +580,10 @@ impl Model for Leuven {
         for piece in ramp.cuts(self.stribeck_velocity, self.stribeck_exponent).pieces() {
             self.follow(&ramp, piece, &division);
         }
-        (self.velocity, self.normal_force) = (ramp.velocity_at(dt), ramp.normal_force_at(dt));
+        ramp::set_inputs(self, &begin, slope, dt);
+        if self.level() == 0.0 {
+            self.release();
+        }
     }
 
     fn rate(&self, rate: &mut Self) {

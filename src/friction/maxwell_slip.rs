@@ -2,6 +2,7 @@ use crate::friction::elements::{self, Division, ElementDistribution, Ramp, Share
 use crate::laws::{relaxation, stribeck};
 use crate::model::{self, Fault, Law, Model, Preset, Width, boolean, integer, real};
 use crate::number::Real;
+use crate::ramp;
 
 crate::part! {
     /// The state of an element.
@@ -330,6 +331,7 @@ impl Model for MaxwellSlip {
     }
 
     fn step_ramp_with(&mut self, memory: &mut [f64], slope: &Self, dt: f64) {
+        let begin = *self;
         let ramp = Ramp {
             velocity: [self.velocity, slope.velocity],
             normal_force: [self.normal_force, slope.normal_force],
@@ -340,7 +342,7 @@ impl Model for MaxwellSlip {
         for [from, to] in ramp.cuts(self.stribeck_velocity, self.stribeck_exponent).pieces() {
             self.follow(memory, &ramp, from, to, &division);
         }
-        (self.velocity, self.normal_force) = (ramp.velocity_at(dt), ramp.normal_force_at(dt));
+        ramp::set_inputs(self, &begin, slope, dt);
     }
 
     fn rate(&self, rate: &mut Self) {
