@@ -425,6 +425,9 @@ struct Drawn {
 /// Up to this q at the end of a piece (chosen) the draw is weak: the exponential is smooth enough for Simpson's rule.
 const WEAK: f64 = 0.1;
 
+/// Up to this q over half a piece (chosen) a draw that is absent from part of the piece is followed as a weak one.
+const STEEP: f64 = 2.0;
+
 impl Drawn {
     const NONE: Drawn = Drawn { change: [0.0; 3], error: 0.0, h: 0.0, rates: [0.0; 3], strong: None };
 
@@ -453,6 +456,9 @@ impl Drawn {
         let weighted = [pull[0] * (first + second).exp(), pull[1] * second.exp(), pull[2]];
         let end = simpson(weighted, self.h);
         let error = (end - 0.5 * self.h * (weighted[0] + weighted[2])).abs();
+        // A draw that sets in within the piece, as at the end of elastic motion, may be too strong for these rules: its
+        // change at the middle would have no limit.
+        let error = if first.min(second) < -STEEP { f64::MAX } else { error };
         Drawn { change: [0.0, middle, end], error, ..self }
     }
 

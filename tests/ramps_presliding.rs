@@ -294,3 +294,68 @@ fn derivatives(bench: &mut Bench, motion: &Motion, leg: &[Vec<f64>; 2]) -> Vec<(
     };
     columns.iter().map(compare).collect()
 }
+
+// ---- Ends of ramps
+
+/// A load that a ramp takes off is gone, for all that rounding leaves: no law ends with a tiny load of either sign.
+#[test]
+fn a_load_that_a_ramp_takes_off_is_gone() {
+    for model in friction_models() {
+        let mut random = Random(41);
+        let mut bench = Bench::new(model.name, &[]);
+        let [velocity, load] = [axis(&bench).0, "normal_force"].map(|name| bench.column(name));
+        for _ in 0..200 {
+            let (dt, from, speed) = (1e-3 * random.next(), 20.0 * random.next(), 0.05 * random.signed());
+            bench.instance.put(load, from);
+            bench.instance.put(velocity, speed);
+            bench.step(dt);
+            bench.instance.put_slope(load, -from / dt);
+            bench.instance.put_slope(velocity, speed / dt);
+            bench.step(dt);
+            let (name, left) = (model.name, bench.instance.row()[load]);
+            assert_eq!(left, 0.0, "{name}: {left} N left of {from} N after {dt} s");
+            let force = bench.get(axis(&bench).1);
+            assert_eq!(force, 0.0, "{name}: {force} N without a load");
+        }
+    }
+}
+
+/// Energy of one step with slopes against that of 128 parts of it, over random motions with rests, reversals and a load
+/// that vanishes and returns. It may be wrong by far less than what such a step can dissipate, some 0.3 mJ.
+#[test]
+fn a_ramp_dissipates_what_its_parts_do() {
+    for model in friction_models() {
+        let mut random = Random(77);
+        let mut bench = Bench::new(model.name, &[]);
+        let columns = [axis(&bench).0, "normal_force"].map(|name| bench.column(name));
+        let (mut now, mut sum, mut largest) = ([0.0, model.table[columns[1]].start], 0.0, 0f64);
+        let sections = 300;
+        for section in 0..sections {
+            let from = now;
+            let speed = 0.1 * random.signed() * 10f64.powf(-4.0 * random.next());
+            now = [if section % 10 == 0 { 0.0 } else { speed }, (24.0 * random.next() - 4.0).max(0.0)];
+            let h = 1e-3 * (0.2 + random.next());
+            let begin = bench.instance.save();
+            let mut energy = [1, 128].map(|parts| {
+                bench.instance.restore(&begin);
+                for part in 0..parts {
+                    for (at, column) in columns.into_iter().enumerate() {
+                        let value = |part: i32| match part == parts {
+                            true => now[at],
+                            false => from[at] + f64::from(part) / f64::from(parts) * (now[at] - from[at]),
+                        };
+                        bench.instance.put(column, value(part));
+                        bench.instance.put_slope(column, (value(part + 1) - value(part)) * f64::from(parts) / h);
+                    }
+                    bench.step(h / f64::from(parts));
+                }
+                bench.get("dissipated_energy")
+            });
+            energy.sort_by(f64::total_cmp);
+            sum += energy[1] - energy[0];
+            largest = largest.max(energy[1] - energy[0]);
+        }
+        let mean = sum / f64::from(sections);
+        assert!(mean < 1e-6 && largest < 1e-4, "{}: {mean} J on average, {largest} J at most", model.name);
+    }
+}
