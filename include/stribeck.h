@@ -710,21 +710,21 @@ typedef enum stribeck_friction_model {
 
 /** Choices of a variable of the type FrictionStart. */
 typedef enum stribeck_friction_start {
-  /** What a second of motion at the first velocity leaves: steady sliding, or rest. */
+  /** State after one second at the initial velocity: steady sliding, or rest. */
   STRIBECK_FRICTION_START_STEADY = 1,
   /** Contacts at rest, without load. */
   STRIBECK_FRICTION_START_ZERO = 2,
-  /** The start values of memory_1 and memory_2. */
+  /** Start values of memory_1 and memory_2. */
   STRIBECK_FRICTION_START_VALUE = 3,
 } stribeck_friction_start;
 
 /** Choices of a variable of the type FrictionSwitch. */
 typedef enum stribeck_friction_switch {
-  /** The law as it is. */
+  /** The complete law. */
   STRIBECK_FRICTION_SWITCH_ON = 1,
-  /** The static level is the kinetic one, as if mu_s were mu_k and preload_s were preload_k. */
+  /** Static level equal to the kinetic one, as if mu_s were mu_k and preload_s were preload_k. */
   STRIBECK_FRICTION_SWITCH_NO_STICTION = 2,
-  /** The viscous part alone, as if coefficients and preloads were 0. */
+  /** Only the viscous part, as if coefficients and preloads were 0. */
   STRIBECK_FRICTION_SWITCH_VISCOUS_ONLY = 3,
   /** No friction, as if the model were None. */
   STRIBECK_FRICTION_SWITCH_OFF = 4,
@@ -780,7 +780,7 @@ typedef enum stribeck_normal_sum {
 
 /** Choices of a variable of the type Phase. */
 typedef enum stribeck_phase {
-  /** What its velocity says: no event has settled it, as in co-simulation. */
+  /** Determined by the velocity: no event has set it, as in co-simulation. */
   STRIBECK_PHASE_FREE = 1,
   /** Held, or within the band around rest. */
   STRIBECK_PHASE_HELD = 2,
@@ -820,7 +820,7 @@ typedef enum stribeck_side_convention {
 typedef enum stribeck_side_mode {
   /** The four inputs. */
   STRIBECK_SIDE_MODE_INPUTS = 1,
-  /** What the spring does to the joint: offset of its line of action and side force. */
+  /** Loads from the spring: offset of its line of action and side force. */
   STRIBECK_SIDE_MODE_INTERNAL = 2,
   /** Both. */
   STRIBECK_SIDE_MODE_SUM = 3,
@@ -869,14 +869,14 @@ typedef enum stribeck_coulomb_variable {
   STRIBECK_COULOMB_EXTERNAL_FORCE = 2,
   /** tunable [1]: Kinetic coefficient of friction. (>= 0, default 0.1) */
   STRIBECK_COULOMB_MU_K = 3,
-  /** tunable [kg]: Effective mass of the host, if in doubt too small, to hold it in co-simulation; 0 = the printed law.
+  /** tunable [kg]: Effective mass of the body, to hold it at rest in co-simulation; too small is safer than too large; 0 = law as printed.
    *  (>= 0, default 0) */
   STRIBECK_COULOMB_MASS = 4,
   /** fixed [stribeck_exchange]: Order in which the master exchanges values; used with mass > 0. (default Sequential) */
   STRIBECK_COULOMB_EXCHANGE = 5,
   /** state [s]: Length of the last step; 0 before the first one. (>= 0, default 0) */
   STRIBECK_COULOMB_STEP_SIZE = 6,
-  /** state [s]: Step for which a parallel exchange plans: the longest of late. (>= 0, default 0) */
+  /** state [s]: Step for which a parallel exchange plans: the longest recent one. (>= 0, default 0) */
   STRIBECK_COULOMB_PLANNING_STEP = 7,
   /** state [N]: Force planned for the coming step of a parallel exchange. (default 0) */
   STRIBECK_COULOMB_PLANNED_FORCE = 8,
@@ -892,7 +892,7 @@ typedef enum stribeck_coulomb_variable {
   STRIBECK_COULOMB_EXTERNAL_FORCE_CHANGE = 13,
   /** state [N]: Change of the normal force over the last step if the master gave its slope, else 0. (default 0) */
   STRIBECK_COULOMB_NORMAL_FORCE_CHANGE = 14,
-  /** state [stribeck_phase]: What the last event of Model Exchange has found the contact to do. (default Free) */
+  /** state [stribeck_phase]: Motion of the contact as found by the last event of Model Exchange. (default Free) */
   STRIBECK_COULOMB_PHASE = 15,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
   STRIBECK_COULOMB_DISSIPATED_ENERGY = 16,
@@ -922,14 +922,14 @@ typedef enum stribeck_coulomb_stiction_variable {
   /** state [Boolean]: Is the contact stuck since the last step? Only with mass > 0; in Model Exchange see phase.
    *  (default false) */
   STRIBECK_COULOMB_STICTION_STUCK = 5,
-  /** tunable [kg]: Effective mass of the host, if in doubt too small, to hold it in co-simulation; 0 = the printed law.
+  /** tunable [kg]: Effective mass of the body, to hold it at rest in co-simulation; too small is safer than too large; 0 = law as printed.
    *  (>= 0, default 0) */
   STRIBECK_COULOMB_STICTION_MASS = 6,
   /** fixed [stribeck_exchange]: Order in which the master exchanges values; used with mass > 0. (default Sequential) */
   STRIBECK_COULOMB_STICTION_EXCHANGE = 7,
   /** state [s]: Length of the last step; 0 before the first one. (>= 0, default 0) */
   STRIBECK_COULOMB_STICTION_STEP_SIZE = 8,
-  /** state [s]: Step for which a parallel exchange plans: the longest of late. (>= 0, default 0) */
+  /** state [s]: Step for which a parallel exchange plans: the longest recent one. (>= 0, default 0) */
   STRIBECK_COULOMB_STICTION_PLANNING_STEP = 9,
   /** state [N]: Force planned for the coming step of a parallel exchange. (default 0) */
   STRIBECK_COULOMB_STICTION_PLANNED_FORCE = 10,
@@ -945,7 +945,7 @@ typedef enum stribeck_coulomb_stiction_variable {
   STRIBECK_COULOMB_STICTION_EXTERNAL_FORCE_CHANGE = 15,
   /** state [N]: Change of the normal force over the last step if the master gave its slope, else 0. (default 0) */
   STRIBECK_COULOMB_STICTION_NORMAL_FORCE_CHANGE = 16,
-  /** state [stribeck_phase]: What the last event of Model Exchange has found the contact to do. (default Free) */
+  /** state [stribeck_phase]: Motion of the contact as found by the last event of Model Exchange. (default Free) */
   STRIBECK_COULOMB_STICTION_PHASE = 17,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
   STRIBECK_COULOMB_STICTION_DISSIPATED_ENERGY = 18,
@@ -976,14 +976,14 @@ typedef enum stribeck_coulomb_viscous_variable {
   STRIBECK_COULOMB_VISCOUS_VISCOUS_COEFFICIENT = 5,
   /** tunable [1]: Exponent of the viscous part. (> 0, default 1) */
   STRIBECK_COULOMB_VISCOUS_VISCOUS_EXPONENT = 6,
-  /** tunable [kg]: Effective mass of the host, if in doubt too small, to hold it in co-simulation; 0 = the printed law.
+  /** tunable [kg]: Effective mass of the body, to hold it at rest in co-simulation; too small is safer than too large; 0 = law as printed.
    *  (>= 0, default 0) */
   STRIBECK_COULOMB_VISCOUS_MASS = 7,
   /** fixed [stribeck_exchange]: Order in which the master exchanges values; used with mass > 0. (default Sequential) */
   STRIBECK_COULOMB_VISCOUS_EXCHANGE = 8,
   /** state [s]: Length of the last step; 0 before the first one. (>= 0, default 0) */
   STRIBECK_COULOMB_VISCOUS_STEP_SIZE = 9,
-  /** state [s]: Step for which a parallel exchange plans: the longest of late. (>= 0, default 0) */
+  /** state [s]: Step for which a parallel exchange plans: the longest recent one. (>= 0, default 0) */
   STRIBECK_COULOMB_VISCOUS_PLANNING_STEP = 10,
   /** state [N]: Force planned for the coming step of a parallel exchange. (default 0) */
   STRIBECK_COULOMB_VISCOUS_PLANNED_FORCE = 11,
@@ -999,7 +999,7 @@ typedef enum stribeck_coulomb_viscous_variable {
   STRIBECK_COULOMB_VISCOUS_EXTERNAL_FORCE_CHANGE = 16,
   /** state [N]: Change of the normal force over the last step if the master gave its slope, else 0. (default 0) */
   STRIBECK_COULOMB_VISCOUS_NORMAL_FORCE_CHANGE = 17,
-  /** state [stribeck_phase]: What the last event of Model Exchange has found the contact to do. (default Free) */
+  /** state [stribeck_phase]: Motion of the contact as found by the last event of Model Exchange. (default Free) */
   STRIBECK_COULOMB_VISCOUS_PHASE = 18,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
   STRIBECK_COULOMB_VISCOUS_DISSIPATED_ENERGY = 19,
@@ -1028,7 +1028,7 @@ typedef enum stribeck_stribeck_variable {
   STRIBECK_STRIBECK_MU_K = 4,
   /** tunable [1]: Static coefficient of friction; not less than mu_k. (>= 0, default 0.15) */
   STRIBECK_STRIBECK_MU_S = 5,
-  /** tunable [m/s]: Speed at which the excess of static over kinetic friction has fallen to 1/e (Lorentzian, hyperbola: 1/2).
+  /** tunable [m/s]: Speed at which the excess of static over kinetic friction has fallen to 1/e, or to 1/2 where the curve is a fraction (Armstrong, HessSoom, PoppStelter).
    *  (> 0, default 0.001) */
   STRIBECK_STRIBECK_STRIBECK_VELOCITY = 6,
   /** tunable [1]: Exponent of the Stribeck curve. (> 0, default 2) */
@@ -1037,14 +1037,14 @@ typedef enum stribeck_stribeck_variable {
   STRIBECK_STRIBECK_VISCOUS_COEFFICIENT = 8,
   /** tunable [N.s2/m2]: Quadratic friction coefficient; used by PoppStelter. (>= 0, default 0) */
   STRIBECK_STRIBECK_QUADRATIC_COEFFICIENT = 9,
-  /** tunable [kg]: Effective mass of the host, if in doubt too small, to hold it in co-simulation; 0 = the printed law.
+  /** tunable [kg]: Effective mass of the body, to hold it at rest in co-simulation; too small is safer than too large; 0 = law as printed.
    *  (>= 0, default 0) */
   STRIBECK_STRIBECK_MASS = 10,
   /** fixed [stribeck_exchange]: Order in which the master exchanges values; used with mass > 0. (default Sequential) */
   STRIBECK_STRIBECK_EXCHANGE = 11,
   /** state [s]: Length of the last step; 0 before the first one. (>= 0, default 0) */
   STRIBECK_STRIBECK_STEP_SIZE = 12,
-  /** state [s]: Step for which a parallel exchange plans: the longest of late. (>= 0, default 0) */
+  /** state [s]: Step for which a parallel exchange plans: the longest recent one. (>= 0, default 0) */
   STRIBECK_STRIBECK_PLANNING_STEP = 13,
   /** state [N]: Force planned for the coming step of a parallel exchange. (default 0) */
   STRIBECK_STRIBECK_PLANNED_FORCE = 14,
@@ -1060,7 +1060,7 @@ typedef enum stribeck_stribeck_variable {
   STRIBECK_STRIBECK_EXTERNAL_FORCE_CHANGE = 19,
   /** state [N]: Change of the normal force over the last step if the master gave its slope, else 0. (default 0) */
   STRIBECK_STRIBECK_NORMAL_FORCE_CHANGE = 20,
-  /** state [stribeck_phase]: What the last event of Model Exchange has found the contact to do. (default Free) */
+  /** state [stribeck_phase]: Motion of the contact as found by the last event of Model Exchange. (default Free) */
   STRIBECK_STRIBECK_PHASE = 21,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
   STRIBECK_STRIBECK_DISSIPATED_ENERGY = 22,
@@ -1087,14 +1087,14 @@ typedef enum stribeck_bernard_variable {
   STRIBECK_BERNARD_MU_K = 3,
   /** tunable [s/m]: Slope of the force at rest, relative to the level there. (> 0, default 2000) */
   STRIBECK_BERNARD_TRANSITION_SLOPE = 4,
-  /** tunable [kg]: Effective mass of the host, if in doubt too small, to hold it in co-simulation; 0 = the printed law.
+  /** tunable [kg]: Effective mass of the body, to hold it at rest in co-simulation; too small is safer than too large; 0 = law as printed.
    *  (>= 0, default 0) */
   STRIBECK_BERNARD_MASS = 5,
   /** fixed [stribeck_exchange]: Order in which the master exchanges values; used with mass > 0. (default Sequential) */
   STRIBECK_BERNARD_EXCHANGE = 6,
   /** state [s]: Length of the last step; 0 before the first one. (>= 0, default 0) */
   STRIBECK_BERNARD_STEP_SIZE = 7,
-  /** state [s]: Step for which a parallel exchange plans: the longest of late. (>= 0, default 0) */
+  /** state [s]: Step for which a parallel exchange plans: the longest recent one. (>= 0, default 0) */
   STRIBECK_BERNARD_PLANNING_STEP = 8,
   /** state [N]: Force planned for the coming step of a parallel exchange. (default 0) */
   STRIBECK_BERNARD_PLANNED_FORCE = 9,
@@ -1110,7 +1110,7 @@ typedef enum stribeck_bernard_variable {
   STRIBECK_BERNARD_EXTERNAL_FORCE_CHANGE = 14,
   /** state [N]: Change of the normal force over the last step if the master gave its slope, else 0. (default 0) */
   STRIBECK_BERNARD_NORMAL_FORCE_CHANGE = 15,
-  /** state [stribeck_phase]: What the last event of Model Exchange has found the contact to do. (default Free) */
+  /** state [stribeck_phase]: Motion of the contact as found by the last event of Model Exchange. (default Free) */
   STRIBECK_BERNARD_PHASE = 16,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
   STRIBECK_BERNARD_DISSIPATED_ENERGY = 17,
@@ -1139,14 +1139,14 @@ typedef enum stribeck_threlfall_variable {
   STRIBECK_THRELFALL_VARIANT = 4,
   /** tunable [m/s]: Velocity that sets the width of the regularised band around rest. (> 0, default 0.001) */
   STRIBECK_THRELFALL_TRANSITION_VELOCITY = 5,
-  /** tunable [kg]: Effective mass of the host, if in doubt too small, to hold it in co-simulation; 0 = the printed law.
+  /** tunable [kg]: Effective mass of the body, to hold it at rest in co-simulation; too small is safer than too large; 0 = law as printed.
    *  (>= 0, default 0) */
   STRIBECK_THRELFALL_MASS = 6,
   /** fixed [stribeck_exchange]: Order in which the master exchanges values; used with mass > 0. (default Sequential) */
   STRIBECK_THRELFALL_EXCHANGE = 7,
   /** state [s]: Length of the last step; 0 before the first one. (>= 0, default 0) */
   STRIBECK_THRELFALL_STEP_SIZE = 8,
-  /** state [s]: Step for which a parallel exchange plans: the longest of late. (>= 0, default 0) */
+  /** state [s]: Step for which a parallel exchange plans: the longest recent one. (>= 0, default 0) */
   STRIBECK_THRELFALL_PLANNING_STEP = 9,
   /** state [N]: Force planned for the coming step of a parallel exchange. (default 0) */
   STRIBECK_THRELFALL_PLANNED_FORCE = 10,
@@ -1162,7 +1162,7 @@ typedef enum stribeck_threlfall_variable {
   STRIBECK_THRELFALL_EXTERNAL_FORCE_CHANGE = 15,
   /** state [N]: Change of the normal force over the last step if the master gave its slope, else 0. (default 0) */
   STRIBECK_THRELFALL_NORMAL_FORCE_CHANGE = 16,
-  /** state [stribeck_phase]: What the last event of Model Exchange has found the contact to do. (default Free) */
+  /** state [stribeck_phase]: Motion of the contact as found by the last event of Model Exchange. (default Free) */
   STRIBECK_THRELFALL_PHASE = 17,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
   STRIBECK_THRELFALL_DISSIPATED_ENERGY = 18,
@@ -1189,14 +1189,14 @@ typedef enum stribeck_threlfall_modified_variable {
   STRIBECK_THRELFALL_MODIFIED_MU_K = 3,
   /** tunable [m/s]: Velocity that sets the width of the regularised band around rest. (> 0, default 0.001) */
   STRIBECK_THRELFALL_MODIFIED_TRANSITION_VELOCITY = 4,
-  /** tunable [kg]: Effective mass of the host, if in doubt too small, to hold it in co-simulation; 0 = the printed law.
+  /** tunable [kg]: Effective mass of the body, to hold it at rest in co-simulation; too small is safer than too large; 0 = law as printed.
    *  (>= 0, default 0) */
   STRIBECK_THRELFALL_MODIFIED_MASS = 5,
   /** fixed [stribeck_exchange]: Order in which the master exchanges values; used with mass > 0. (default Sequential) */
   STRIBECK_THRELFALL_MODIFIED_EXCHANGE = 6,
   /** state [s]: Length of the last step; 0 before the first one. (>= 0, default 0) */
   STRIBECK_THRELFALL_MODIFIED_STEP_SIZE = 7,
-  /** state [s]: Step for which a parallel exchange plans: the longest of late. (>= 0, default 0) */
+  /** state [s]: Step for which a parallel exchange plans: the longest recent one. (>= 0, default 0) */
   STRIBECK_THRELFALL_MODIFIED_PLANNING_STEP = 8,
   /** state [N]: Force planned for the coming step of a parallel exchange. (default 0) */
   STRIBECK_THRELFALL_MODIFIED_PLANNED_FORCE = 9,
@@ -1212,7 +1212,7 @@ typedef enum stribeck_threlfall_modified_variable {
   STRIBECK_THRELFALL_MODIFIED_EXTERNAL_FORCE_CHANGE = 14,
   /** state [N]: Change of the normal force over the last step if the master gave its slope, else 0. (default 0) */
   STRIBECK_THRELFALL_MODIFIED_NORMAL_FORCE_CHANGE = 15,
-  /** state [stribeck_phase]: What the last event of Model Exchange has found the contact to do. (default Free) */
+  /** state [stribeck_phase]: Motion of the contact as found by the last event of Model Exchange. (default Free) */
   STRIBECK_THRELFALL_MODIFIED_PHASE = 16,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
   STRIBECK_THRELFALL_MODIFIED_DISSIPATED_ENERGY = 17,
@@ -1241,14 +1241,14 @@ typedef enum stribeck_rooney_deravi_variable {
   STRIBECK_ROONEY_DERAVI_VARIANT = 4,
   /** tunable [m/s]: Velocity that sets the width of the regularised band around rest. (> 0, default 0.001) */
   STRIBECK_ROONEY_DERAVI_TRANSITION_VELOCITY = 5,
-  /** tunable [kg]: Effective mass of the host, if in doubt too small, to hold it in co-simulation; 0 = the printed law.
+  /** tunable [kg]: Effective mass of the body, to hold it at rest in co-simulation; too small is safer than too large; 0 = law as printed.
    *  (>= 0, default 0) */
   STRIBECK_ROONEY_DERAVI_MASS = 6,
   /** fixed [stribeck_exchange]: Order in which the master exchanges values; used with mass > 0. (default Sequential) */
   STRIBECK_ROONEY_DERAVI_EXCHANGE = 7,
   /** state [s]: Length of the last step; 0 before the first one. (>= 0, default 0) */
   STRIBECK_ROONEY_DERAVI_STEP_SIZE = 8,
-  /** state [s]: Step for which a parallel exchange plans: the longest of late. (>= 0, default 0) */
+  /** state [s]: Step for which a parallel exchange plans: the longest recent one. (>= 0, default 0) */
   STRIBECK_ROONEY_DERAVI_PLANNING_STEP = 9,
   /** state [N]: Force planned for the coming step of a parallel exchange. (default 0) */
   STRIBECK_ROONEY_DERAVI_PLANNED_FORCE = 10,
@@ -1264,7 +1264,7 @@ typedef enum stribeck_rooney_deravi_variable {
   STRIBECK_ROONEY_DERAVI_EXTERNAL_FORCE_CHANGE = 15,
   /** state [N]: Change of the normal force over the last step if the master gave its slope, else 0. (default 0) */
   STRIBECK_ROONEY_DERAVI_NORMAL_FORCE_CHANGE = 16,
-  /** state [stribeck_phase]: What the last event of Model Exchange has found the contact to do. (default Free) */
+  /** state [stribeck_phase]: Motion of the contact as found by the last event of Model Exchange. (default Free) */
   STRIBECK_ROONEY_DERAVI_PHASE = 17,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
   STRIBECK_ROONEY_DERAVI_DISSIPATED_ENERGY = 18,
@@ -1293,14 +1293,14 @@ typedef enum stribeck_ambrosio_variable {
   STRIBECK_AMBROSIO_TRANSITION_VELOCITY = 4,
   /** tunable [m/s]: Velocity at which the kinetic level is reached. (> 0, default 0.001) */
   STRIBECK_AMBROSIO_SLIDING_VELOCITY = 5,
-  /** tunable [kg]: Effective mass of the host, if in doubt too small, to hold it in co-simulation; 0 = the printed law.
+  /** tunable [kg]: Effective mass of the body, to hold it at rest in co-simulation; too small is safer than too large; 0 = law as printed.
    *  (>= 0, default 0) */
   STRIBECK_AMBROSIO_MASS = 6,
   /** fixed [stribeck_exchange]: Order in which the master exchanges values; used with mass > 0. (default Sequential) */
   STRIBECK_AMBROSIO_EXCHANGE = 7,
   /** state [s]: Length of the last step; 0 before the first one. (>= 0, default 0) */
   STRIBECK_AMBROSIO_STEP_SIZE = 8,
-  /** state [s]: Step for which a parallel exchange plans: the longest of late. (>= 0, default 0) */
+  /** state [s]: Step for which a parallel exchange plans: the longest recent one. (>= 0, default 0) */
   STRIBECK_AMBROSIO_PLANNING_STEP = 9,
   /** state [N]: Force planned for the coming step of a parallel exchange. (default 0) */
   STRIBECK_AMBROSIO_PLANNED_FORCE = 10,
@@ -1316,7 +1316,7 @@ typedef enum stribeck_ambrosio_variable {
   STRIBECK_AMBROSIO_EXTERNAL_FORCE_CHANGE = 15,
   /** state [N]: Change of the normal force over the last step if the master gave its slope, else 0. (default 0) */
   STRIBECK_AMBROSIO_NORMAL_FORCE_CHANGE = 16,
-  /** state [stribeck_phase]: What the last event of Model Exchange has found the contact to do. (default Free) */
+  /** state [stribeck_phase]: Motion of the contact as found by the last event of Model Exchange. (default Free) */
   STRIBECK_AMBROSIO_PHASE = 17,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
   STRIBECK_AMBROSIO_DISSIPATED_ENERGY = 18,
@@ -1348,14 +1348,14 @@ typedef enum stribeck_karnopp_variable {
   /** state [Boolean]: Is the contact stuck since the last step? Only with mass > 0; in Model Exchange see phase.
    *  (default false) */
   STRIBECK_KARNOPP_STUCK = 6,
-  /** tunable [kg]: Effective mass of the host, if in doubt too small, to hold it in co-simulation; 0 = the printed law.
+  /** tunable [kg]: Effective mass of the body, to hold it at rest in co-simulation; too small is safer than too large; 0 = law as printed.
    *  (>= 0, default 0) */
   STRIBECK_KARNOPP_MASS = 7,
   /** fixed [stribeck_exchange]: Order in which the master exchanges values; used with mass > 0. (default Sequential) */
   STRIBECK_KARNOPP_EXCHANGE = 8,
   /** state [s]: Length of the last step; 0 before the first one. (>= 0, default 0) */
   STRIBECK_KARNOPP_STEP_SIZE = 9,
-  /** state [s]: Step for which a parallel exchange plans: the longest of late. (>= 0, default 0) */
+  /** state [s]: Step for which a parallel exchange plans: the longest recent one. (>= 0, default 0) */
   STRIBECK_KARNOPP_PLANNING_STEP = 10,
   /** state [N]: Force planned for the coming step of a parallel exchange. (default 0) */
   STRIBECK_KARNOPP_PLANNED_FORCE = 11,
@@ -1371,7 +1371,7 @@ typedef enum stribeck_karnopp_variable {
   STRIBECK_KARNOPP_EXTERNAL_FORCE_CHANGE = 16,
   /** state [N]: Change of the normal force over the last step if the master gave its slope, else 0. (default 0) */
   STRIBECK_KARNOPP_NORMAL_FORCE_CHANGE = 17,
-  /** state [stribeck_phase]: What the last event of Model Exchange has found the contact to do. (default Free) */
+  /** state [stribeck_phase]: Motion of the contact as found by the last event of Model Exchange. (default Free) */
   STRIBECK_KARNOPP_PHASE = 18,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
   STRIBECK_KARNOPP_DISSIPATED_ENERGY = 19,
@@ -1407,14 +1407,14 @@ typedef enum stribeck_bengisu_akay_variable {
   STRIBECK_BENGISU_AKAY_STICTION_DECAY = 7,
   /** tunable [m/s]: Velocity that sets the width of the regularised band around rest. (> 0, default 0.001) */
   STRIBECK_BENGISU_AKAY_TRANSITION_VELOCITY = 8,
-  /** tunable [kg]: Effective mass of the host, if in doubt too small, to hold it in co-simulation; 0 = the printed law.
+  /** tunable [kg]: Effective mass of the body, to hold it at rest in co-simulation; too small is safer than too large; 0 = law as printed.
    *  (>= 0, default 0) */
   STRIBECK_BENGISU_AKAY_MASS = 9,
   /** fixed [stribeck_exchange]: Order in which the master exchanges values; used with mass > 0. (default Sequential) */
   STRIBECK_BENGISU_AKAY_EXCHANGE = 10,
   /** state [s]: Length of the last step; 0 before the first one. (>= 0, default 0) */
   STRIBECK_BENGISU_AKAY_STEP_SIZE = 11,
-  /** state [s]: Step for which a parallel exchange plans: the longest of late. (>= 0, default 0) */
+  /** state [s]: Step for which a parallel exchange plans: the longest recent one. (>= 0, default 0) */
   STRIBECK_BENGISU_AKAY_PLANNING_STEP = 12,
   /** state [N]: Force planned for the coming step of a parallel exchange. (default 0) */
   STRIBECK_BENGISU_AKAY_PLANNED_FORCE = 13,
@@ -1430,7 +1430,7 @@ typedef enum stribeck_bengisu_akay_variable {
   STRIBECK_BENGISU_AKAY_EXTERNAL_FORCE_CHANGE = 18,
   /** state [N]: Change of the normal force over the last step if the master gave its slope, else 0. (default 0) */
   STRIBECK_BENGISU_AKAY_NORMAL_FORCE_CHANGE = 19,
-  /** state [stribeck_phase]: What the last event of Model Exchange has found the contact to do. (default Free) */
+  /** state [stribeck_phase]: Motion of the contact as found by the last event of Model Exchange. (default Free) */
   STRIBECK_BENGISU_AKAY_PHASE = 20,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
   STRIBECK_BENGISU_AKAY_DISSIPATED_ENERGY = 21,
@@ -1461,14 +1461,14 @@ typedef enum stribeck_hollars_variable {
   STRIBECK_HOLLARS_TRANSITION_VELOCITY = 5,
   /** tunable [s/m]: Viscous coefficient of friction, per normal force. (>= 0, default 0) */
   STRIBECK_HOLLARS_MU_V = 6,
-  /** tunable [kg]: Effective mass of the host, if in doubt too small, to hold it in co-simulation; 0 = the printed law.
+  /** tunable [kg]: Effective mass of the body, to hold it at rest in co-simulation; too small is safer than too large; 0 = law as printed.
    *  (>= 0, default 0) */
   STRIBECK_HOLLARS_MASS = 7,
   /** fixed [stribeck_exchange]: Order in which the master exchanges values; used with mass > 0. (default Sequential) */
   STRIBECK_HOLLARS_EXCHANGE = 8,
   /** state [s]: Length of the last step; 0 before the first one. (>= 0, default 0) */
   STRIBECK_HOLLARS_STEP_SIZE = 9,
-  /** state [s]: Step for which a parallel exchange plans: the longest of late. (>= 0, default 0) */
+  /** state [s]: Step for which a parallel exchange plans: the longest recent one. (>= 0, default 0) */
   STRIBECK_HOLLARS_PLANNING_STEP = 10,
   /** state [N]: Force planned for the coming step of a parallel exchange. (default 0) */
   STRIBECK_HOLLARS_PLANNED_FORCE = 11,
@@ -1484,7 +1484,7 @@ typedef enum stribeck_hollars_variable {
   STRIBECK_HOLLARS_EXTERNAL_FORCE_CHANGE = 16,
   /** state [N]: Change of the normal force over the last step if the master gave its slope, else 0. (default 0) */
   STRIBECK_HOLLARS_NORMAL_FORCE_CHANGE = 17,
-  /** state [stribeck_phase]: What the last event of Model Exchange has found the contact to do. (default Free) */
+  /** state [stribeck_phase]: Motion of the contact as found by the last event of Model Exchange. (default Free) */
   STRIBECK_HOLLARS_PHASE = 18,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
   STRIBECK_HOLLARS_DISSIPATED_ENERGY = 19,
@@ -1511,7 +1511,7 @@ typedef enum stribeck_andersson_variable {
   STRIBECK_ANDERSSON_MU_K = 3,
   /** tunable [1]: Static coefficient of friction; not less than mu_k. (>= 0, default 0.15) */
   STRIBECK_ANDERSSON_MU_S = 4,
-  /** tunable [m/s]: Speed at which the excess of static over kinetic friction has fallen to 1/e (Lorentzian, hyperbola: 1/2).
+  /** tunable [m/s]: Speed at which the excess of static over kinetic friction has fallen to 1/e, or to 1/2 where the curve is a fraction (Armstrong, HessSoom, PoppStelter).
    *  (> 0, default 0.001) */
   STRIBECK_ANDERSSON_STRIBECK_VELOCITY = 5,
   /** tunable [1]: Exponent of the Stribeck curve. (> 0, default 2) */
@@ -1520,14 +1520,14 @@ typedef enum stribeck_andersson_variable {
   STRIBECK_ANDERSSON_TRANSITION_SLOPE = 7,
   /** tunable [N.s/m]: Viscous friction coefficient. (>= 0, default 0) */
   STRIBECK_ANDERSSON_VISCOUS_COEFFICIENT = 8,
-  /** tunable [kg]: Effective mass of the host, if in doubt too small, to hold it in co-simulation; 0 = the printed law.
+  /** tunable [kg]: Effective mass of the body, to hold it at rest in co-simulation; too small is safer than too large; 0 = law as printed.
    *  (>= 0, default 0) */
   STRIBECK_ANDERSSON_MASS = 9,
   /** fixed [stribeck_exchange]: Order in which the master exchanges values; used with mass > 0. (default Sequential) */
   STRIBECK_ANDERSSON_EXCHANGE = 10,
   /** state [s]: Length of the last step; 0 before the first one. (>= 0, default 0) */
   STRIBECK_ANDERSSON_STEP_SIZE = 11,
-  /** state [s]: Step for which a parallel exchange plans: the longest of late. (>= 0, default 0) */
+  /** state [s]: Step for which a parallel exchange plans: the longest recent one. (>= 0, default 0) */
   STRIBECK_ANDERSSON_PLANNING_STEP = 12,
   /** state [N]: Force planned for the coming step of a parallel exchange. (default 0) */
   STRIBECK_ANDERSSON_PLANNED_FORCE = 13,
@@ -1543,7 +1543,7 @@ typedef enum stribeck_andersson_variable {
   STRIBECK_ANDERSSON_EXTERNAL_FORCE_CHANGE = 18,
   /** state [N]: Change of the normal force over the last step if the master gave its slope, else 0. (default 0) */
   STRIBECK_ANDERSSON_NORMAL_FORCE_CHANGE = 19,
-  /** state [stribeck_phase]: What the last event of Model Exchange has found the contact to do. (default Free) */
+  /** state [stribeck_phase]: Motion of the contact as found by the last event of Model Exchange. (default Free) */
   STRIBECK_ANDERSSON_PHASE = 20,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
   STRIBECK_ANDERSSON_DISSIPATED_ENERGY = 21,
@@ -1575,14 +1575,14 @@ typedef enum stribeck_awrejcewicz_variable {
   /** tunable [s/m]: Rate at which the excess of static over kinetic friction decays with speed (default chosen).
    *  (> 0, default 1000) */
   STRIBECK_AWREJCEWICZ_STICTION_DECAY = 6,
-  /** tunable [kg]: Effective mass of the host, if in doubt too small, to hold it in co-simulation; 0 = the printed law.
+  /** tunable [kg]: Effective mass of the body, to hold it at rest in co-simulation; too small is safer than too large; 0 = law as printed.
    *  (>= 0, default 0) */
   STRIBECK_AWREJCEWICZ_MASS = 7,
   /** fixed [stribeck_exchange]: Order in which the master exchanges values; used with mass > 0. (default Sequential) */
   STRIBECK_AWREJCEWICZ_EXCHANGE = 8,
   /** state [s]: Length of the last step; 0 before the first one. (>= 0, default 0) */
   STRIBECK_AWREJCEWICZ_STEP_SIZE = 9,
-  /** state [s]: Step for which a parallel exchange plans: the longest of late. (>= 0, default 0) */
+  /** state [s]: Step for which a parallel exchange plans: the longest recent one. (>= 0, default 0) */
   STRIBECK_AWREJCEWICZ_PLANNING_STEP = 10,
   /** state [N]: Force planned for the coming step of a parallel exchange. (default 0) */
   STRIBECK_AWREJCEWICZ_PLANNED_FORCE = 11,
@@ -1598,7 +1598,7 @@ typedef enum stribeck_awrejcewicz_variable {
   STRIBECK_AWREJCEWICZ_EXTERNAL_FORCE_CHANGE = 16,
   /** state [N]: Change of the normal force over the last step if the master gave its slope, else 0. (default 0) */
   STRIBECK_AWREJCEWICZ_NORMAL_FORCE_CHANGE = 17,
-  /** state [stribeck_phase]: What the last event of Model Exchange has found the contact to do. (default Free) */
+  /** state [stribeck_phase]: Motion of the contact as found by the last event of Model Exchange. (default Free) */
   STRIBECK_AWREJCEWICZ_PHASE = 18,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
   STRIBECK_AWREJCEWICZ_DISSIPATED_ENERGY = 19,
@@ -1631,14 +1631,14 @@ typedef enum stribeck_specker_variable {
   STRIBECK_SPECKER_PEAK_VELOCITY = 6,
   /** tunable [N.s/m]: Viscous friction coefficient. (>= 0, default 0) */
   STRIBECK_SPECKER_VISCOUS_COEFFICIENT = 7,
-  /** tunable [kg]: Effective mass of the host, if in doubt too small, to hold it in co-simulation; 0 = the printed law.
+  /** tunable [kg]: Effective mass of the body, to hold it at rest in co-simulation; too small is safer than too large; 0 = law as printed.
    *  (>= 0, default 0) */
   STRIBECK_SPECKER_MASS = 8,
   /** fixed [stribeck_exchange]: Order in which the master exchanges values; used with mass > 0. (default Sequential) */
   STRIBECK_SPECKER_EXCHANGE = 9,
   /** state [s]: Length of the last step; 0 before the first one. (>= 0, default 0) */
   STRIBECK_SPECKER_STEP_SIZE = 10,
-  /** state [s]: Step for which a parallel exchange plans: the longest of late. (>= 0, default 0) */
+  /** state [s]: Step for which a parallel exchange plans: the longest recent one. (>= 0, default 0) */
   STRIBECK_SPECKER_PLANNING_STEP = 11,
   /** state [N]: Force planned for the coming step of a parallel exchange. (default 0) */
   STRIBECK_SPECKER_PLANNED_FORCE = 12,
@@ -1654,7 +1654,7 @@ typedef enum stribeck_specker_variable {
   STRIBECK_SPECKER_EXTERNAL_FORCE_CHANGE = 17,
   /** state [N]: Change of the normal force over the last step if the master gave its slope, else 0. (default 0) */
   STRIBECK_SPECKER_NORMAL_FORCE_CHANGE = 18,
-  /** state [stribeck_phase]: What the last event of Model Exchange has found the contact to do. (default Free) */
+  /** state [stribeck_phase]: Motion of the contact as found by the last event of Model Exchange. (default Free) */
   STRIBECK_SPECKER_PHASE = 19,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
   STRIBECK_SPECKER_DISSIPATED_ENERGY = 20,
@@ -1685,14 +1685,14 @@ typedef enum stribeck_linear_stiction_variable {
   STRIBECK_LINEAR_STICTION_TRANSITION_VELOCITY = 5,
   /** tunable [m/s]: Velocity at which the kinetic level is reached. (> 0, default 0.0015) */
   STRIBECK_LINEAR_STICTION_SLIDING_VELOCITY = 6,
-  /** tunable [kg]: Effective mass of the host, if in doubt too small, to hold it in co-simulation; 0 = the printed law.
+  /** tunable [kg]: Effective mass of the body, to hold it at rest in co-simulation; too small is safer than too large; 0 = law as printed.
    *  (>= 0, default 0) */
   STRIBECK_LINEAR_STICTION_MASS = 7,
   /** fixed [stribeck_exchange]: Order in which the master exchanges values; used with mass > 0. (default Sequential) */
   STRIBECK_LINEAR_STICTION_EXCHANGE = 8,
   /** state [s]: Length of the last step; 0 before the first one. (>= 0, default 0) */
   STRIBECK_LINEAR_STICTION_STEP_SIZE = 9,
-  /** state [s]: Step for which a parallel exchange plans: the longest of late. (>= 0, default 0) */
+  /** state [s]: Step for which a parallel exchange plans: the longest recent one. (>= 0, default 0) */
   STRIBECK_LINEAR_STICTION_PLANNING_STEP = 10,
   /** state [N]: Force planned for the coming step of a parallel exchange. (default 0) */
   STRIBECK_LINEAR_STICTION_PLANNED_FORCE = 11,
@@ -1708,7 +1708,7 @@ typedef enum stribeck_linear_stiction_variable {
   STRIBECK_LINEAR_STICTION_EXTERNAL_FORCE_CHANGE = 16,
   /** state [N]: Change of the normal force over the last step if the master gave its slope, else 0. (default 0) */
   STRIBECK_LINEAR_STICTION_NORMAL_FORCE_CHANGE = 17,
-  /** state [stribeck_phase]: What the last event of Model Exchange has found the contact to do. (default Free) */
+  /** state [stribeck_phase]: Motion of the contact as found by the last event of Model Exchange. (default Free) */
   STRIBECK_LINEAR_STICTION_PHASE = 18,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
   STRIBECK_LINEAR_STICTION_DISSIPATED_ENERGY = 19,
@@ -1741,14 +1741,14 @@ typedef enum stribeck_brown_mcphee_variable {
   STRIBECK_BROWN_MCPHEE_VISCOUS_COEFFICIENT = 6,
   /** tunable [N]: Normal force at which the viscous part is fully active (default chosen). (> 0, default 1) */
   STRIBECK_BROWN_MCPHEE_TRANSITION_NORMAL_FORCE = 7,
-  /** tunable [kg]: Effective mass of the host, if in doubt too small, to hold it in co-simulation; 0 = the printed law.
+  /** tunable [kg]: Effective mass of the body, to hold it at rest in co-simulation; too small is safer than too large; 0 = law as printed.
    *  (>= 0, default 0) */
   STRIBECK_BROWN_MCPHEE_MASS = 8,
   /** fixed [stribeck_exchange]: Order in which the master exchanges values; used with mass > 0. (default Sequential) */
   STRIBECK_BROWN_MCPHEE_EXCHANGE = 9,
   /** state [s]: Length of the last step; 0 before the first one. (>= 0, default 0) */
   STRIBECK_BROWN_MCPHEE_STEP_SIZE = 10,
-  /** state [s]: Step for which a parallel exchange plans: the longest of late. (>= 0, default 0) */
+  /** state [s]: Step for which a parallel exchange plans: the longest recent one. (>= 0, default 0) */
   STRIBECK_BROWN_MCPHEE_PLANNING_STEP = 11,
   /** state [N]: Force planned for the coming step of a parallel exchange. (default 0) */
   STRIBECK_BROWN_MCPHEE_PLANNED_FORCE = 12,
@@ -1764,7 +1764,7 @@ typedef enum stribeck_brown_mcphee_variable {
   STRIBECK_BROWN_MCPHEE_EXTERNAL_FORCE_CHANGE = 17,
   /** state [N]: Change of the normal force over the last step if the master gave its slope, else 0. (default 0) */
   STRIBECK_BROWN_MCPHEE_NORMAL_FORCE_CHANGE = 18,
-  /** state [stribeck_phase]: What the last event of Model Exchange has found the contact to do. (default Free) */
+  /** state [stribeck_phase]: Motion of the contact as found by the last event of Model Exchange. (default Free) */
   STRIBECK_BROWN_MCPHEE_PHASE = 19,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
   STRIBECK_BROWN_MCPHEE_DISSIPATED_ENERGY = 20,
@@ -1816,7 +1816,7 @@ typedef enum stribeck_lugre_variable {
   STRIBECK_LUGRE_MU_K = 2,
   /** tunable [1]: Static coefficient of friction; not less than mu_k. (>= 0, default 0.15) */
   STRIBECK_LUGRE_MU_S = 3,
-  /** tunable [m/s]: Speed at which the excess of static over kinetic friction has fallen to 1/e (Lorentzian, hyperbola: 1/2).
+  /** tunable [m/s]: Speed at which the excess of static over kinetic friction has fallen to 1/e, or to 1/2 where the curve is a fraction (Armstrong, HessSoom, PoppStelter).
    *  (> 0, default 0.001) */
   STRIBECK_LUGRE_STRIBECK_VELOCITY = 4,
   /** tunable [1]: Exponent of the Stribeck curve. (> 0, default 2) */
@@ -1854,7 +1854,7 @@ typedef enum stribeck_frictional_lag_variable {
   STRIBECK_FRICTIONAL_LAG_MU_K = 2,
   /** tunable [1]: Static coefficient of friction; not less than mu_k. (>= 0, default 0.15) */
   STRIBECK_FRICTIONAL_LAG_MU_S = 3,
-  /** tunable [m/s]: Speed at which the excess of static over kinetic friction has fallen to 1/e (Lorentzian, hyperbola: 1/2).
+  /** tunable [m/s]: Speed at which the excess of static over kinetic friction has fallen to 1/e, or to 1/2 where the curve is a fraction (Armstrong, HessSoom, PoppStelter).
    *  (> 0, default 0.001) */
   STRIBECK_FRICTIONAL_LAG_STRIBECK_VELOCITY = 4,
   /** tunable [1]: Exponent of the Stribeck curve. (> 0, default 2) */
@@ -1868,8 +1868,7 @@ typedef enum stribeck_frictional_lag_variable {
   /** state [Boolean]: Does the contact have a past? Without one the level follows the present velocity.
    *  (default false) */
   STRIBECK_FRICTIONAL_LAG_HAS_PAST = 9,
-  /** state [m/s]: Velocity that the level of friction follows: that of a time lag ago, or a filtered one.
-   *  (default 0) */
+  /** state [m/s]: Velocity that determines the friction level: delayed by the time lag, or filtered. (default 0) */
   STRIBECK_FRICTIONAL_LAG_LAGGED_VELOCITY = 10,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
   STRIBECK_FRICTIONAL_LAG_HISTORY_1_DURATION = 11,
@@ -2280,14 +2279,14 @@ typedef enum stribeck_armstrong_variable {
   STRIBECK_ARMSTRONG_MU_S = 3,
   /** tunable [N/m]: Stiffness of the bristles. (> 0, default 100000) */
   STRIBECK_ARMSTRONG_SIGMA_0 = 4,
-  /** tunable [m/s]: Speed at which the excess of static over kinetic friction has fallen to 1/e (Lorentzian, hyperbola: 1/2).
+  /** tunable [m/s]: Speed at which the excess of static over kinetic friction has fallen to 1/e, or to 1/2 where the curve is a fraction (Armstrong, HessSoom, PoppStelter).
    *  (> 0, default 0.001) */
   STRIBECK_ARMSTRONG_STRIBECK_VELOCITY = 5,
   /** tunable [N.s/m]: Viscous friction coefficient. (>= 0, default 0) */
   STRIBECK_ARMSTRONG_VISCOUS_COEFFICIENT = 6,
   /** fixed [s]: Time by which the level of friction lags behind the velocity (default chosen). (>= 0, default 0.005) */
   STRIBECK_ARMSTRONG_TIME_LAG = 7,
-  /** tunable [s]: Dwell time after which half of the rise of the static friction has come (default chosen).
+  /** tunable [s]: Dwell time after which half of the rise of the static friction has occurred (default chosen).
    *  (>= 0, default 2) */
   STRIBECK_ARMSTRONG_GAMMA = 8,
   /** state [Boolean]: Has the contact broken away? (default false) */
@@ -2296,11 +2295,10 @@ typedef enum stribeck_armstrong_variable {
   STRIBECK_ARMSTRONG_BRISTLE_DEFLECTION = 10,
   /** state [s]: Time since the contact got stuck; 0 while it slips. (>= 0, default 0) */
   STRIBECK_ARMSTRONG_DWELL_TIME = 11,
-  /** state [1]: Stribeck magnitude per normal force: stuck, that at the end of the last slip; slipping, that of the breakaway.
+  /** state [1]: Stribeck magnitude per normal force: that at the end of the last slip while stuck, that of the breakaway while slipping.
    *  (>= 0, default 0) */
   STRIBECK_ARMSTRONG_STRIBECK_COEFFICIENT = 12,
-  /** state [m/s]: Velocity that the level of friction follows: that of a time lag ago, or a filtered one.
-   *  (default 0) */
+  /** state [m/s]: Velocity that determines the friction level: delayed by the time lag, or filtered. (default 0) */
   STRIBECK_ARMSTRONG_LAGGED_VELOCITY = 13,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
   STRIBECK_ARMSTRONG_HISTORY_1_DURATION = 14,
@@ -2871,7 +2869,7 @@ typedef enum stribeck_elasto_plastic_variable {
   STRIBECK_ELASTO_PLASTIC_MU_K = 2,
   /** tunable [1]: Static coefficient of friction; not less than mu_k. (>= 0, default 0.15) */
   STRIBECK_ELASTO_PLASTIC_MU_S = 3,
-  /** tunable [m/s]: Speed at which the excess of static over kinetic friction has fallen to 1/e (Lorentzian, hyperbola: 1/2).
+  /** tunable [m/s]: Speed at which the excess of static over kinetic friction has fallen to 1/e, or to 1/2 where the curve is a fraction (Armstrong, HessSoom, PoppStelter).
    *  (> 0, default 0.001) */
   STRIBECK_ELASTO_PLASTIC_STRIBECK_VELOCITY = 4,
   /** tunable [1]: Exponent of the Stribeck curve. (> 0, default 2) */
@@ -3236,7 +3234,7 @@ typedef enum stribeck_maxwell_slip_variable {
   STRIBECK_MAXWELL_SLIP_MU_K = 2,
   /** tunable [1]: Static coefficient of friction; not less than mu_k. (>= 0, default 0.15) */
   STRIBECK_MAXWELL_SLIP_MU_S = 3,
-  /** tunable [m/s]: Speed at which the excess of static over kinetic friction has fallen to 1/e (Lorentzian, hyperbola: 1/2).
+  /** tunable [m/s]: Speed at which the excess of static over kinetic friction has fallen to 1/e, or to 1/2 where the curve is a fraction (Armstrong, HessSoom, PoppStelter).
    *  (> 0, default 0.001) */
   STRIBECK_MAXWELL_SLIP_STRIBECK_VELOCITY = 4,
   /** tunable [1]: Exponent of the Stribeck curve. (> 0, default 2) */
@@ -3789,7 +3787,7 @@ typedef enum stribeck_leuven_variable {
   STRIBECK_LEUVEN_MU_K = 2,
   /** tunable [1]: Static coefficient of friction; not less than mu_k. (>= 0, default 0.15) */
   STRIBECK_LEUVEN_MU_S = 3,
-  /** tunable [m/s]: Speed at which the excess of static over kinetic friction has fallen to 1/e (Lorentzian, hyperbola: 1/2).
+  /** tunable [m/s]: Speed at which the excess of static over kinetic friction has fallen to 1/e, or to 1/2 where the curve is a fraction (Armstrong, HessSoom, PoppStelter).
    *  (> 0, default 0.001) */
   STRIBECK_LEUVEN_STRIBECK_VELOCITY = 4,
   /** tunable [1]: Exponent of the Stribeck curve. (> 0, default 2) */
@@ -4218,7 +4216,7 @@ typedef enum stribeck_gonthier_variable {
   STRIBECK_GONTHIER_MU_K = 2,
   /** tunable [1]: Static coefficient of friction; not less than mu_k. (>= 0, default 0.15) */
   STRIBECK_GONTHIER_MU_S = 3,
-  /** tunable [m/s]: Speed at which the excess of static over kinetic friction has fallen to 1/e (Lorentzian, hyperbola: 1/2).
+  /** tunable [m/s]: Speed at which the excess of static over kinetic friction has fallen to 1/e, or to 1/2 where the curve is a fraction (Armstrong, HessSoom, PoppStelter).
    *  (> 0, default 0.001) */
   STRIBECK_GONTHIER_STRIBECK_VELOCITY = 4,
   /** tunable [m/s]: Velocity that sets the width of the regularised band around rest. (> 0, default 1e-5) */
@@ -4311,7 +4309,7 @@ typedef enum stribeck_lugre_planar_variable {
   STRIBECK_LUGRE_PLANAR_MU_K = 3,
   /** tunable [1]: Static coefficient of friction; not less than mu_k. (>= 0, default 0.15) */
   STRIBECK_LUGRE_PLANAR_MU_S = 4,
-  /** tunable [m/s]: Speed at which the excess of static over kinetic friction has fallen to 1/e (Lorentzian, hyperbola: 1/2).
+  /** tunable [m/s]: Speed at which the excess of static over kinetic friction has fallen to 1/e, or to 1/2 where the curve is a fraction (Armstrong, HessSoom, PoppStelter).
    *  (> 0, default 0.001) */
   STRIBECK_LUGRE_PLANAR_STRIBECK_VELOCITY = 5,
   /** tunable [1]: Exponent of the Stribeck curve. (> 0, default 2) */
@@ -4355,7 +4353,7 @@ typedef enum stribeck_elasto_plastic_planar_variable {
   STRIBECK_ELASTO_PLASTIC_PLANAR_MU_K = 3,
   /** tunable [1]: Static coefficient of friction; not less than mu_k. (>= 0, default 0.15) */
   STRIBECK_ELASTO_PLASTIC_PLANAR_MU_S = 4,
-  /** tunable [m/s]: Speed at which the excess of static over kinetic friction has fallen to 1/e (Lorentzian, hyperbola: 1/2).
+  /** tunable [m/s]: Speed at which the excess of static over kinetic friction has fallen to 1/e, or to 1/2 where the curve is a fraction (Armstrong, HessSoom, PoppStelter).
    *  (> 0, default 0.001) */
   STRIBECK_ELASTO_PLASTIC_PLANAR_STRIBECK_VELOCITY = 5,
   /** tunable [1]: Exponent of the Stribeck curve. (> 0, default 2) */
@@ -4409,8 +4407,7 @@ typedef enum stribeck_shock_absorber_variable {
   /** in [N]: All other forces along the strut, positive in extension; only for laws that hold a load at rest.
    *  (default 0) */
   STRIBECK_SHOCK_ABSORBER_EXTERNAL_FORCE = 7,
-  /** in [m/s2]: Time derivative of the velocity; for num.input_mode = Linear and for laws that ask for it.
-   *  (default 0) */
+  /** in [m/s2]: Time derivative of the velocity; for num.input_mode = Linear and for laws that use it. (default 0) */
   STRIBECK_SHOCK_ABSORBER_ACCELERATION = 8,
   /** in [K]: Ambient temperature; used if thermal.enabled is true. (>= 0, default 293.15) */
   STRIBECK_SHOCK_ABSORBER_TEMPERATURE_AMBIENT = 9,
@@ -4418,7 +4415,7 @@ typedef enum stribeck_shock_absorber_variable {
   STRIBECK_SHOCK_ABSORBER_GEOM_LENGTH_EXTENDED = 10,
   /** fixed [m]: Stroke from full extension to full compression. (> 0, default 0.055) */
   STRIBECK_SHOCK_ABSORBER_GEOM_STROKE = 11,
-  /** fixed [Boolean]: Do d_i and d_j follow from length_extended and stroke? (default false) */
+  /** fixed [Boolean]: Are d_i and d_j derived from length_extended and stroke? (default false) */
   STRIBECK_SHOCK_ABSORBER_GEOM_GUIDANCE_DERIVED = 12,
   /** fixed [m]: Distance from the eye of the tube to the rod guide (default chosen). (> 0, default 0.125) */
   STRIBECK_SHOCK_ABSORBER_GEOM_D_I = 13,
@@ -4440,37 +4437,37 @@ typedef enum stribeck_shock_absorber_variable {
   STRIBECK_SHOCK_ABSORBER_SPRING_PRELOAD = 21,
   /** fixed [Integer]: Number of points of the table in use (default chosen). (>= 2, <= 16, default 3) */
   STRIBECK_SHOCK_ABSORBER_SPRING_TAB_N = 22,
-  /** tunable [m]: Compressions of the table, rising (default chosen). (default 0) */
+  /** tunable [m]: Compressions of the table, ascending (default chosen). (default 0) */
   STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_1 = 23,
-  /** tunable [m]: Compressions of the table, rising (default chosen). (default 0.03) */
+  /** tunable [m]: Compressions of the table, ascending (default chosen). (default 0.03) */
   STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_2 = 24,
-  /** tunable [m]: Compressions of the table, rising (default chosen). (default 0.055) */
+  /** tunable [m]: Compressions of the table, ascending (default chosen). (default 0.055) */
   STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_3 = 25,
-  /** tunable [m]: Compressions of the table, rising (default chosen). (default 0) */
+  /** tunable [m]: Compressions of the table, ascending (default chosen). (default 0) */
   STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_4 = 26,
-  /** tunable [m]: Compressions of the table, rising (default chosen). (default 0) */
+  /** tunable [m]: Compressions of the table, ascending (default chosen). (default 0) */
   STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_5 = 27,
-  /** tunable [m]: Compressions of the table, rising (default chosen). (default 0) */
+  /** tunable [m]: Compressions of the table, ascending (default chosen). (default 0) */
   STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_6 = 28,
-  /** tunable [m]: Compressions of the table, rising (default chosen). (default 0) */
+  /** tunable [m]: Compressions of the table, ascending (default chosen). (default 0) */
   STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_7 = 29,
-  /** tunable [m]: Compressions of the table, rising (default chosen). (default 0) */
+  /** tunable [m]: Compressions of the table, ascending (default chosen). (default 0) */
   STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_8 = 30,
-  /** tunable [m]: Compressions of the table, rising (default chosen). (default 0) */
+  /** tunable [m]: Compressions of the table, ascending (default chosen). (default 0) */
   STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_9 = 31,
-  /** tunable [m]: Compressions of the table, rising (default chosen). (default 0) */
+  /** tunable [m]: Compressions of the table, ascending (default chosen). (default 0) */
   STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_10 = 32,
-  /** tunable [m]: Compressions of the table, rising (default chosen). (default 0) */
+  /** tunable [m]: Compressions of the table, ascending (default chosen). (default 0) */
   STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_11 = 33,
-  /** tunable [m]: Compressions of the table, rising (default chosen). (default 0) */
+  /** tunable [m]: Compressions of the table, ascending (default chosen). (default 0) */
   STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_12 = 34,
-  /** tunable [m]: Compressions of the table, rising (default chosen). (default 0) */
+  /** tunable [m]: Compressions of the table, ascending (default chosen). (default 0) */
   STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_13 = 35,
-  /** tunable [m]: Compressions of the table, rising (default chosen). (default 0) */
+  /** tunable [m]: Compressions of the table, ascending (default chosen). (default 0) */
   STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_14 = 36,
-  /** tunable [m]: Compressions of the table, rising (default chosen). (default 0) */
+  /** tunable [m]: Compressions of the table, ascending (default chosen). (default 0) */
   STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_15 = 37,
-  /** tunable [m]: Compressions of the table, rising (default chosen). (default 0) */
+  /** tunable [m]: Compressions of the table, ascending (default chosen). (default 0) */
   STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_16 = 38,
   /** tunable [N]: Forces of the table, without preload (default chosen). (default 0) */
   STRIBECK_SHOCK_ABSORBER_SPRING_TAB_F_1 = 39,
@@ -4559,84 +4556,84 @@ typedef enum stribeck_shock_absorber_variable {
   STRIBECK_SHOCK_ABSORBER_DAMPER_DEGR_REB = 80,
   /** fixed [Integer]: Number of points of the table in use (default chosen). (>= 2, <= 16, default 11) */
   STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_N = 81,
-  /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default -1) */
+  /** tunable [m/s]: Velocities of the table, ascending; positive in extension (default chosen). (default -1) */
   STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_1 = 82,
-  /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default -0.5) */
+  /** tunable [m/s]: Velocities of the table, ascending; positive in extension (default chosen). (default -0.5) */
   STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_2 = 83,
-  /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default -0.25) */
+  /** tunable [m/s]: Velocities of the table, ascending; positive in extension (default chosen). (default -0.25) */
   STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_3 = 84,
-  /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default -0.1) */
+  /** tunable [m/s]: Velocities of the table, ascending; positive in extension (default chosen). (default -0.1) */
   STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_4 = 85,
-  /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default -0.05) */
+  /** tunable [m/s]: Velocities of the table, ascending; positive in extension (default chosen). (default -0.05) */
   STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_5 = 86,
-  /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default 0) */
+  /** tunable [m/s]: Velocities of the table, ascending; positive in extension (default chosen). (default 0) */
   STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_6 = 87,
-  /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default 0.05) */
+  /** tunable [m/s]: Velocities of the table, ascending; positive in extension (default chosen). (default 0.05) */
   STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_7 = 88,
-  /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default 0.1) */
+  /** tunable [m/s]: Velocities of the table, ascending; positive in extension (default chosen). (default 0.1) */
   STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_8 = 89,
-  /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default 0.25) */
+  /** tunable [m/s]: Velocities of the table, ascending; positive in extension (default chosen). (default 0.25) */
   STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_9 = 90,
-  /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default 0.5) */
+  /** tunable [m/s]: Velocities of the table, ascending; positive in extension (default chosen). (default 0.5) */
   STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_10 = 91,
-  /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default 1) */
+  /** tunable [m/s]: Velocities of the table, ascending; positive in extension (default chosen). (default 1) */
   STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_11 = 92,
-  /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default 0) */
+  /** tunable [m/s]: Velocities of the table, ascending; positive in extension (default chosen). (default 0) */
   STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_12 = 93,
-  /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default 0) */
+  /** tunable [m/s]: Velocities of the table, ascending; positive in extension (default chosen). (default 0) */
   STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_13 = 94,
-  /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default 0) */
+  /** tunable [m/s]: Velocities of the table, ascending; positive in extension (default chosen). (default 0) */
   STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_14 = 95,
-  /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default 0) */
+  /** tunable [m/s]: Velocities of the table, ascending; positive in extension (default chosen). (default 0) */
   STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_15 = 96,
-  /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default 0) */
+  /** tunable [m/s]: Velocities of the table, ascending; positive in extension (default chosen). (default 0) */
   STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_16 = 97,
-  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not decreasing (default chosen).
    *  (default -1150) */
   STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_1 = 98,
-  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not decreasing (default chosen).
    *  (default -700) */
   STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_2 = 99,
-  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not decreasing (default chosen).
    *  (default -430) */
   STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_3 = 100,
-  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not decreasing (default chosen).
    *  (default -210) */
   STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_4 = 101,
-  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not decreasing (default chosen).
    *  (default -110) */
   STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_5 = 102,
-  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not decreasing (default chosen).
    *  (default 0) */
   STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_6 = 103,
-  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not decreasing (default chosen).
    *  (default 180) */
   STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_7 = 104,
-  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not decreasing (default chosen).
    *  (default 340) */
   STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_8 = 105,
-  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not decreasing (default chosen).
    *  (default 640) */
   STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_9 = 106,
-  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not decreasing (default chosen).
    *  (default 950) */
   STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_10 = 107,
-  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not decreasing (default chosen).
    *  (default 1500) */
   STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_11 = 108,
-  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not decreasing (default chosen).
    *  (default 0) */
   STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_12 = 109,
-  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not decreasing (default chosen).
    *  (default 0) */
   STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_13 = 110,
-  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not decreasing (default chosen).
    *  (default 0) */
   STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_14 = 111,
-  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not decreasing (default chosen).
    *  (default 0) */
   STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_15 = 112,
-  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not decreasing (default chosen).
    *  (default 0) */
   STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_16 = 113,
   /** fixed [stribeck_interpolation]: Curve through the points of the table. (default Linear) */
@@ -4645,22 +4642,21 @@ typedef enum stribeck_shock_absorber_variable {
   STRIBECK_SHOCK_ABSORBER_DAMPER_SCALE = 115,
   /** fixed [N/m]: Stiffness in series with the damper, of oil and top mount; 0 = rigid. (>= 0, default 0) */
   STRIBECK_SHOCK_ABSORBER_DAMPER_K_SERIES = 116,
-  /** fixed [stribeck_friction_model]: Friction law; parameters that it does not have are ignored. (default LuGre) */
+  /** fixed [stribeck_friction_model]: Friction law; parameters of other laws are ignored. (default LuGre) */
   STRIBECK_SHOCK_ABSORBER_FRICTION_MODEL = 117,
-  /** tunable [stribeck_friction_switch]: Which parts of the friction act. (default On) */
+  /** tunable [stribeck_friction_switch]: Active parts of the friction. (default On) */
   STRIBECK_SHOCK_ABSORBER_FRICTION_SWITCH = 118,
   /** tunable [1]: Friction in compression over friction in extension: (1 + asymmetry) / (1 - asymmetry).
    *  (>= -0.99, <= 0.99, default 0) */
   STRIBECK_SHOCK_ABSORBER_FRICTION_ASYMMETRY = 119,
   /** tunable [1]: Factor on all friction levels. (>= 0, default 1) */
   STRIBECK_SHOCK_ABSORBER_FRICTION_SCALE = 120,
-  /** tunable [kg]: Effective mass of the host, for laws that know it; 0: the force of the printed law.
-   *  (>= 0, default 0) */
+  /** tunable [kg]: Effective mass of the body, for laws that use it; 0 = law as printed. (>= 0, default 0) */
   STRIBECK_SHOCK_ABSORBER_FRICTION_MASS = 121,
-  /** fixed [stribeck_exchange]: Order in which the master exchanges force and motion; matters where mass > 0.
+  /** fixed [stribeck_exchange]: Order in which the master exchanges force and motion; used with mass > 0.
    *  (default Sequential) */
   STRIBECK_SHOCK_ABSORBER_FRICTION_EXCHANGE = 122,
-  /** tunable [m/s]: Speed at which the excess of static over kinetic friction has fallen to 1/e (Lorentzian, hyperbola: 1/2).
+  /** tunable [m/s]: Speed at which the excess of static over kinetic friction has fallen to 1/e, or to 1/2 where the curve is a fraction (Armstrong, HessSoom, PoppStelter).
    *  (> 0, default 0.001) */
   STRIBECK_SHOCK_ABSORBER_FRICTION_STRIBECK_VELOCITY = 123,
   /** tunable [1]: Exponent of the Stribeck curve. (> 0, default 2) */
@@ -4733,7 +4729,7 @@ typedef enum stribeck_shock_absorber_variable {
   STRIBECK_SHOCK_ABSORBER_FRICTION_FRICTIONALLAG_VARIANT = 156,
   /** tunable [N.s/m]: Viscous friction coefficient. (>= 0, default 0) */
   STRIBECK_SHOCK_ABSORBER_FRICTION_ARMSTRONG_VISCOUS_COEFFICIENT = 157,
-  /** tunable [s]: Dwell time after which half of the rise of the static friction has come (default chosen).
+  /** tunable [s]: Dwell time after which half of the rise of the static friction has occurred (default chosen).
    *  (>= 0, default 2) */
   STRIBECK_SHOCK_ABSORBER_FRICTION_GAMMA = 158,
   /** tunable [1]: Coefficient of friction that a contact reaches when it comes to rest; not more than mu_s (default chosen).
@@ -4866,19 +4862,19 @@ typedef enum stribeck_shock_absorber_variable {
   STRIBECK_SHOCK_ABSORBER_C1_MU_S = 218,
   /** tunable [1]: Kinetic coefficient of friction (default chosen). (>= 0, default 0.1) */
   STRIBECK_SHOCK_ABSORBER_C1_MU_K = 219,
-  /** tunable [N]: Breakaway force without normal force, as of a seal; not less than preload_k (default chosen).
+  /** tunable [N]: Breakaway force without normal force, e.g. of a seal; not less than preload_k (default chosen).
    *  (>= 0, default 10) */
   STRIBECK_SHOCK_ABSORBER_C1_PRELOAD_S = 220,
-  /** tunable [N]: Sliding friction force without normal force, as of a seal (default chosen). (>= 0, default 8) */
+  /** tunable [N]: Sliding friction force without normal force, e.g. of a seal (default chosen). (>= 0, default 8) */
   STRIBECK_SHOCK_ABSORBER_C1_PRELOAD_K = 221,
   /** tunable [1]: Static coefficient of friction; not less than mu_k (default chosen). (>= 0, default 0.1) */
   STRIBECK_SHOCK_ABSORBER_C2_MU_S = 222,
   /** tunable [1]: Kinetic coefficient of friction (default chosen). (>= 0, default 0.08) */
   STRIBECK_SHOCK_ABSORBER_C2_MU_K = 223,
-  /** tunable [N]: Breakaway force without normal force, as of a seal; not less than preload_k (default chosen).
+  /** tunable [N]: Breakaway force without normal force, e.g. of a seal; not less than preload_k (default chosen).
    *  (>= 0, default 8) */
   STRIBECK_SHOCK_ABSORBER_C2_PRELOAD_S = 224,
-  /** tunable [N]: Sliding friction force without normal force, as of a seal (default chosen). (>= 0, default 6) */
+  /** tunable [N]: Sliding friction force without normal force, e.g. of a seal (default chosen). (>= 0, default 6) */
   STRIBECK_SHOCK_ABSORBER_C2_PRELOAD_K = 225,
   /** fixed [stribeck_side_mode]: Side loads that act on the joint. (default Sum) */
   STRIBECK_SHOCK_ABSORBER_SIDE_MODE = 226,
@@ -4891,12 +4887,12 @@ typedef enum stribeck_shock_absorber_variable {
   /** tunable [1]: Side force of the spring along m, relative to its axial force; it acts at the eye of the tube.
    *  (default 0) */
   STRIBECK_SHOCK_ABSORBER_SIDE_FORCE_RATIO = 230,
-  /** fixed [stribeck_normal_sum]: How the load of the joint becomes the load of its contacts. (default TwoPoint) */
+  /** fixed [stribeck_normal_sum]: Rule for the loads of the contacts from the load of the joint. (default TwoPoint) */
   STRIBECK_SHOCK_ABSORBER_SIDE_NORMAL_SUM = 231,
   /** tunable [1]: Factor on the contact forces for the distribution of pressure; 4 / pi for a cosine over half the rim.
    *  (>= 0, default 1) */
   STRIBECK_SHOCK_ABSORBER_SIDE_C_GEO = 232,
-  /** fixed [Boolean]: Does the temperature change, and with it the damper force? (default false) */
+  /** fixed [Boolean]: Does the temperature change and affect the damper force? (default false) */
   STRIBECK_SHOCK_ABSORBER_THERMAL_ENABLED = 233,
   /** tunable [1/K]: Relative loss of damper force per kelvin (default chosen). (>= 0, default 0.003) */
   STRIBECK_SHOCK_ABSORBER_THERMAL_BETA = 234,
@@ -4907,7 +4903,7 @@ typedef enum stribeck_shock_absorber_variable {
   STRIBECK_SHOCK_ABSORBER_THERMAL_CAPACITY = 236,
   /** tunable [W/K]: Heat flow to the surroundings per kelvin (default chosen). (>= 0, default 1.5) */
   STRIBECK_SHOCK_ABSORBER_THERMAL_CONDUCTANCE = 237,
-  /** fixed [m]: Length of the strut where the input length is 0. (default 0) */
+  /** fixed [m]: Length of the strut when the input length is 0. (default 0) */
   STRIBECK_SHOCK_ABSORBER_ADAPTER_LENGTH_OFFSET = 238,
   /** fixed [1]: Length of the strut per input length; -MR for wheel travel, -0.001 for millimetres of compression.
    *  (default 1) */
@@ -4916,802 +4912,802 @@ typedef enum stribeck_shock_absorber_variable {
   STRIBECK_SHOCK_ABSORBER_ADAPTER_FORCE_GAIN = 240,
   /** fixed [s]: Largest internal step (default chosen). (> 0, default 0.0001) */
   STRIBECK_SHOCK_ABSORBER_NUM_H_MAX = 241,
-  /** fixed [stribeck_input_mode]: How the inputs move within a step. (default Hold) */
+  /** fixed [stribeck_input_mode]: Motion of the inputs within a step. (default Hold) */
   STRIBECK_SHOCK_ABSORBER_NUM_INPUT_MODE = 242,
   /** tunable [kg]: Mass that the strut carries or moves, whichever is smaller; for the advice step_limit only.
    *  (> 0, default 16.4) */
   STRIBECK_SHOCK_ABSORBER_NUM_MASS_REF = 243,
-  /** fixed [stribeck_friction_start]: What the friction law remembers at the start. (default Steady) */
+  /** fixed [stribeck_friction_start]: Initial state of the friction law. (default Steady) */
   STRIBECK_SHOCK_ABSORBER_INIT_FRICTION_STATE = 244,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_1 = 245,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_2 = 246,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_3 = 247,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_4 = 248,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_5 = 249,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_6 = 250,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_7 = 251,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_8 = 252,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_9 = 253,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_10 = 254,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_11 = 255,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_12 = 256,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_13 = 257,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_14 = 258,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_15 = 259,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_16 = 260,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_17 = 261,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_18 = 262,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_19 = 263,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_20 = 264,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_21 = 265,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_22 = 266,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_23 = 267,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_24 = 268,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_25 = 269,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_26 = 270,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_27 = 271,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_28 = 272,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_29 = 273,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_30 = 274,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_31 = 275,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_32 = 276,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_33 = 277,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_34 = 278,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_35 = 279,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_36 = 280,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_37 = 281,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_38 = 282,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_39 = 283,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_40 = 284,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_41 = 285,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_42 = 286,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_43 = 287,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_44 = 288,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_45 = 289,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_46 = 290,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_47 = 291,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_48 = 292,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_49 = 293,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_50 = 294,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_51 = 295,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_52 = 296,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_53 = 297,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_54 = 298,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_55 = 299,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_56 = 300,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_57 = 301,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_58 = 302,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_59 = 303,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_60 = 304,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_61 = 305,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_62 = 306,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_63 = 307,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_64 = 308,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_65 = 309,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_66 = 310,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_67 = 311,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_68 = 312,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_69 = 313,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_70 = 314,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_71 = 315,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_72 = 316,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_73 = 317,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_74 = 318,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_75 = 319,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_76 = 320,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_77 = 321,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_78 = 322,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_79 = 323,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_80 = 324,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_81 = 325,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_82 = 326,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_83 = 327,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_84 = 328,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_85 = 329,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_86 = 330,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_87 = 331,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_88 = 332,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_89 = 333,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_90 = 334,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_91 = 335,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_92 = 336,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_93 = 337,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_94 = 338,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_95 = 339,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_96 = 340,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_97 = 341,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_98 = 342,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_99 = 343,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_100 = 344,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_101 = 345,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_102 = 346,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_103 = 347,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_104 = 348,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_105 = 349,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_106 = 350,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_107 = 351,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_108 = 352,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_109 = 353,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_110 = 354,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_111 = 355,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_112 = 356,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_113 = 357,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_114 = 358,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_115 = 359,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_116 = 360,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_117 = 361,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_118 = 362,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_119 = 363,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_120 = 364,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_121 = 365,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_122 = 366,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_123 = 367,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_124 = 368,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_125 = 369,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_126 = 370,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_127 = 371,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_128 = 372,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_129 = 373,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_130 = 374,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_131 = 375,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_132 = 376,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_133 = 377,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_134 = 378,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_135 = 379,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_136 = 380,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_137 = 381,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_138 = 382,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_139 = 383,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_140 = 384,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_141 = 385,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_142 = 386,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_143 = 387,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_144 = 388,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_145 = 389,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_146 = 390,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_147 = 391,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_148 = 392,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_149 = 393,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_150 = 394,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_151 = 395,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_152 = 396,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_153 = 397,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_154 = 398,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_155 = 399,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_156 = 400,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_157 = 401,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_158 = 402,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_159 = 403,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_160 = 404,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_161 = 405,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_162 = 406,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_163 = 407,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_164 = 408,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_165 = 409,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_166 = 410,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_167 = 411,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_168 = 412,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_169 = 413,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_170 = 414,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_171 = 415,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_172 = 416,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_173 = 417,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_174 = 418,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_175 = 419,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_176 = 420,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_177 = 421,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_178 = 422,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_179 = 423,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_180 = 424,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_181 = 425,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_182 = 426,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_183 = 427,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_184 = 428,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_185 = 429,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_186 = 430,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_187 = 431,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_188 = 432,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_189 = 433,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_190 = 434,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_191 = 435,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_192 = 436,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_193 = 437,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_194 = 438,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_195 = 439,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_196 = 440,
-  /** state [1]: What the friction law at the rod guide remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_1_197 = 441,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_1 = 442,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_2 = 443,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_3 = 444,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_4 = 445,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_5 = 446,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_6 = 447,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_7 = 448,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_8 = 449,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_9 = 450,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_10 = 451,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_11 = 452,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_12 = 453,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_13 = 454,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_14 = 455,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_15 = 456,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_16 = 457,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_17 = 458,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_18 = 459,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_19 = 460,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_20 = 461,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_21 = 462,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_22 = 463,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_23 = 464,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_24 = 465,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_25 = 466,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_26 = 467,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_27 = 468,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_28 = 469,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_29 = 470,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_30 = 471,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_31 = 472,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_32 = 473,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_33 = 474,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_34 = 475,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_35 = 476,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_36 = 477,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_37 = 478,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_38 = 479,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_39 = 480,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_40 = 481,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_41 = 482,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_42 = 483,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_43 = 484,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_44 = 485,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_45 = 486,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_46 = 487,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_47 = 488,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_48 = 489,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_49 = 490,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_50 = 491,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_51 = 492,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_52 = 493,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_53 = 494,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_54 = 495,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_55 = 496,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_56 = 497,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_57 = 498,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_58 = 499,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_59 = 500,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_60 = 501,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_61 = 502,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_62 = 503,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_63 = 504,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_64 = 505,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_65 = 506,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_66 = 507,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_67 = 508,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_68 = 509,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_69 = 510,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_70 = 511,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_71 = 512,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_72 = 513,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_73 = 514,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_74 = 515,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_75 = 516,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_76 = 517,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_77 = 518,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_78 = 519,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_79 = 520,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_80 = 521,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_81 = 522,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_82 = 523,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_83 = 524,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_84 = 525,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_85 = 526,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_86 = 527,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_87 = 528,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_88 = 529,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_89 = 530,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_90 = 531,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_91 = 532,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_92 = 533,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_93 = 534,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_94 = 535,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_95 = 536,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_96 = 537,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_97 = 538,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_98 = 539,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_99 = 540,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_100 = 541,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_101 = 542,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_102 = 543,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_103 = 544,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_104 = 545,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_105 = 546,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_106 = 547,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_107 = 548,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_108 = 549,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_109 = 550,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_110 = 551,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_111 = 552,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_112 = 553,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_113 = 554,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_114 = 555,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_115 = 556,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_116 = 557,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_117 = 558,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_118 = 559,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_119 = 560,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_120 = 561,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_121 = 562,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_122 = 563,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_123 = 564,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_124 = 565,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_125 = 566,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_126 = 567,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_127 = 568,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_128 = 569,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_129 = 570,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_130 = 571,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_131 = 572,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_132 = 573,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_133 = 574,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_134 = 575,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_135 = 576,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_136 = 577,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_137 = 578,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_138 = 579,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_139 = 580,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_140 = 581,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_141 = 582,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_142 = 583,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_143 = 584,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_144 = 585,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_145 = 586,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_146 = 587,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_147 = 588,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_148 = 589,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_149 = 590,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_150 = 591,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_151 = 592,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_152 = 593,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_153 = 594,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_154 = 595,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_155 = 596,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_156 = 597,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_157 = 598,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_158 = 599,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_159 = 600,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_160 = 601,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_161 = 602,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_162 = 603,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_163 = 604,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_164 = 605,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_165 = 606,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_166 = 607,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_167 = 608,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_168 = 609,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_169 = 610,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_170 = 611,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_171 = 612,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_172 = 613,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_173 = 614,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_174 = 615,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_175 = 616,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_176 = 617,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_177 = 618,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_178 = 619,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_179 = 620,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_180 = 621,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_181 = 622,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_182 = 623,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_183 = 624,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_184 = 625,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_185 = 626,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_186 = 627,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_187 = 628,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_188 = 629,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_189 = 630,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_190 = 631,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_191 = 632,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_192 = 633,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_193 = 634,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_194 = 635,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_195 = 636,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_196 = 637,
-  /** state [1]: What the friction law at the piston remembers, in SI units: see GuideContact. (default 0) */
+  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
   STRIBECK_SHOCK_ABSORBER_MEMORY_2_197 = 638,
-  /** state [m/s]: Velocity of the damper's piston behind its series stiffness; that of the strut if there is none.
+  /** state [m/s]: Velocity of the damper's piston behind its series stiffness; that of the strut without a series stiffness.
    *  (default 0) */
   STRIBECK_SHOCK_ABSORBER_PISTON_VELOCITY = 639,
   /** state [Boolean]: Has the run begun? (default false) */
@@ -5724,7 +5720,7 @@ typedef enum stribeck_shock_absorber_variable {
   STRIBECK_SHOCK_ABSORBER_DISSIPATED_ENERGY = 643,
   /** out [N]: Force of the strut; positive pushes the eyes apart. */
   STRIBECK_SHOCK_ABSORBER_FORCE = 644,
-  /** out [N]: The same with the other sign: positive pulls the eyes together. */
+  /** out [N]: The same with the opposite sign: positive pulls the eyes together. */
   STRIBECK_SHOCK_ABSORBER_FORCE_TENSION = 645,
   /** out [N]: Part of the spring. */
   STRIBECK_SHOCK_ABSORBER_FORCE_SPRING = 646,
@@ -5787,7 +5783,7 @@ typedef enum stribeck_telescopic_joint_variable {
   STRIBECK_TELESCOPIC_JOINT_SIDE_MOMENT_N = 4,
   /** fixed [stribeck_side_convention]: Meaning of the four side loads. (default WrenchOnRod) */
   STRIBECK_TELESCOPIC_JOINT_CONVENTION = 5,
-  /** fixed [stribeck_normal_sum]: How the contact forces are summed up. (default TwoPoint) */
+  /** fixed [stribeck_normal_sum]: Rule for summing the contact forces. (default TwoPoint) */
   STRIBECK_TELESCOPIC_JOINT_NORMAL_SUM = 6,
   /** fixed [m]: Distance from the eye of the tube to the rod guide (default chosen). (> 0, default 0.125) */
   STRIBECK_TELESCOPIC_JOINT_GEOM_D_I = 7,
@@ -5826,7 +5822,7 @@ typedef enum stribeck_guide_contact_variable {
   STRIBECK_GUIDE_CONTACT_NORMAL_FORCE = 2,
   /** in [N]: All other axial forces on the rod; only for laws that hold a load at rest. (default 0) */
   STRIBECK_GUIDE_CONTACT_EXTERNAL_FORCE = 3,
-  /** in [m/s2]: Time derivative of the velocity; only for laws that ask for it. (default 0) */
+  /** in [m/s2]: Time derivative of the velocity; only for laws that use it. (default 0) */
   STRIBECK_GUIDE_CONTACT_ACCELERATION = 4,
   /** tunable [m]: Radius of the contact. (>= 0, default 0.007) */
   STRIBECK_GUIDE_CONTACT_RADIUS = 5,
@@ -5834,27 +5830,26 @@ typedef enum stribeck_guide_contact_variable {
   STRIBECK_GUIDE_CONTACT_LEVELS_MU_S = 6,
   /** tunable [1]: Kinetic coefficient of friction (default chosen). (>= 0, default 0.1) */
   STRIBECK_GUIDE_CONTACT_LEVELS_MU_K = 7,
-  /** tunable [N]: Breakaway force without normal force, as of a seal; not less than preload_k (default chosen).
+  /** tunable [N]: Breakaway force without normal force, e.g. of a seal; not less than preload_k (default chosen).
    *  (>= 0, default 10) */
   STRIBECK_GUIDE_CONTACT_LEVELS_PRELOAD_S = 8,
-  /** tunable [N]: Sliding friction force without normal force, as of a seal (default chosen). (>= 0, default 8) */
+  /** tunable [N]: Sliding friction force without normal force, e.g. of a seal (default chosen). (>= 0, default 8) */
   STRIBECK_GUIDE_CONTACT_LEVELS_PRELOAD_K = 9,
-  /** fixed [stribeck_friction_model]: Friction law; parameters that it does not have are ignored. (default LuGre) */
+  /** fixed [stribeck_friction_model]: Friction law; parameters of other laws are ignored. (default LuGre) */
   STRIBECK_GUIDE_CONTACT_FRICTION_MODEL = 10,
-  /** tunable [stribeck_friction_switch]: Which parts of the friction act. (default On) */
+  /** tunable [stribeck_friction_switch]: Active parts of the friction. (default On) */
   STRIBECK_GUIDE_CONTACT_FRICTION_SWITCH = 11,
   /** tunable [1]: Friction in compression over friction in extension: (1 + asymmetry) / (1 - asymmetry).
    *  (>= -0.99, <= 0.99, default 0) */
   STRIBECK_GUIDE_CONTACT_FRICTION_ASYMMETRY = 12,
   /** tunable [1]: Factor on all friction levels. (>= 0, default 1) */
   STRIBECK_GUIDE_CONTACT_FRICTION_SCALE = 13,
-  /** tunable [kg]: Effective mass of the host, for laws that know it; 0: the force of the printed law.
-   *  (>= 0, default 0) */
+  /** tunable [kg]: Effective mass of the body, for laws that use it; 0 = law as printed. (>= 0, default 0) */
   STRIBECK_GUIDE_CONTACT_FRICTION_MASS = 14,
-  /** fixed [stribeck_exchange]: Order in which the master exchanges force and motion; matters where mass > 0.
+  /** fixed [stribeck_exchange]: Order in which the master exchanges force and motion; used with mass > 0.
    *  (default Sequential) */
   STRIBECK_GUIDE_CONTACT_FRICTION_EXCHANGE = 15,
-  /** tunable [m/s]: Speed at which the excess of static over kinetic friction has fallen to 1/e (Lorentzian, hyperbola: 1/2).
+  /** tunable [m/s]: Speed at which the excess of static over kinetic friction has fallen to 1/e, or to 1/2 where the curve is a fraction (Armstrong, HessSoom, PoppStelter).
    *  (> 0, default 0.001) */
   STRIBECK_GUIDE_CONTACT_FRICTION_STRIBECK_VELOCITY = 16,
   /** tunable [1]: Exponent of the Stribeck curve. (> 0, default 2) */
@@ -5927,7 +5922,7 @@ typedef enum stribeck_guide_contact_variable {
   STRIBECK_GUIDE_CONTACT_FRICTION_FRICTIONALLAG_VARIANT = 49,
   /** tunable [N.s/m]: Viscous friction coefficient. (>= 0, default 0) */
   STRIBECK_GUIDE_CONTACT_FRICTION_ARMSTRONG_VISCOUS_COEFFICIENT = 50,
-  /** tunable [s]: Dwell time after which half of the rise of the static friction has come (default chosen).
+  /** tunable [s]: Dwell time after which half of the rise of the static friction has occurred (default chosen).
    *  (>= 0, default 2) */
   STRIBECK_GUIDE_CONTACT_FRICTION_GAMMA = 51,
   /** tunable [1]: Coefficient of friction that a contact reaches when it comes to rest; not more than mu_s (default chosen).
@@ -6056,596 +6051,399 @@ typedef enum stribeck_guide_contact_variable {
   STRIBECK_GUIDE_CONTACT_FRICTION_GONTHIER_TRANSITION_VELOCITY = 109,
   /** tunable [s]: Time constant with which the static level rises at rest. (> 0, default 2) */
   STRIBECK_GUIDE_CONTACT_FRICTION_DWELL_TIME_CONSTANT = 110,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_1 = 111,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_2 = 112,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_3 = 113,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_4 = 114,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_5 = 115,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_6 = 116,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_7 = 117,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_8 = 118,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_9 = 119,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_10 = 120,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_11 = 121,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_12 = 122,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_13 = 123,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_14 = 124,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_15 = 125,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_16 = 126,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_17 = 127,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_18 = 128,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_19 = 129,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_20 = 130,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_21 = 131,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_22 = 132,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_23 = 133,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_24 = 134,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_25 = 135,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_26 = 136,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_27 = 137,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_28 = 138,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_29 = 139,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_30 = 140,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_31 = 141,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_32 = 142,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_33 = 143,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_34 = 144,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_35 = 145,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_36 = 146,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_37 = 147,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_38 = 148,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_39 = 149,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_40 = 150,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_41 = 151,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_42 = 152,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_43 = 153,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_44 = 154,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_45 = 155,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_46 = 156,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_47 = 157,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_48 = 158,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_49 = 159,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_50 = 160,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_51 = 161,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_52 = 162,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_53 = 163,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_54 = 164,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_55 = 165,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_56 = 166,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_57 = 167,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_58 = 168,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_59 = 169,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_60 = 170,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_61 = 171,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_62 = 172,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_63 = 173,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_64 = 174,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_65 = 175,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_66 = 176,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_67 = 177,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_68 = 178,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_69 = 179,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_70 = 180,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_71 = 181,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_72 = 182,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_73 = 183,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_74 = 184,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_75 = 185,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_76 = 186,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_77 = 187,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_78 = 188,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_79 = 189,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_80 = 190,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_81 = 191,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_82 = 192,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_83 = 193,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_84 = 194,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_85 = 195,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_86 = 196,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_87 = 197,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_88 = 198,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_89 = 199,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_90 = 200,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_91 = 201,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_92 = 202,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_93 = 203,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_94 = 204,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_95 = 205,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_96 = 206,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_97 = 207,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_98 = 208,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_99 = 209,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_100 = 210,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_101 = 211,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_102 = 212,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_103 = 213,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_104 = 214,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_105 = 215,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_106 = 216,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_107 = 217,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_108 = 218,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_109 = 219,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_110 = 220,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_111 = 221,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_112 = 222,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_113 = 223,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_114 = 224,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_115 = 225,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_116 = 226,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_117 = 227,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_118 = 228,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_119 = 229,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_120 = 230,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_121 = 231,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_122 = 232,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_123 = 233,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_124 = 234,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_125 = 235,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_126 = 236,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_127 = 237,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_128 = 238,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_129 = 239,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_130 = 240,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_131 = 241,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_132 = 242,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_133 = 243,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_134 = 244,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_135 = 245,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_136 = 246,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_137 = 247,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_138 = 248,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_139 = 249,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_140 = 250,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_141 = 251,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_142 = 252,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_143 = 253,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_144 = 254,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_145 = 255,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_146 = 256,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_147 = 257,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_148 = 258,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_149 = 259,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_150 = 260,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_151 = 261,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_152 = 262,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_153 = 263,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_154 = 264,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_155 = 265,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_156 = 266,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_157 = 267,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_158 = 268,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_159 = 269,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_160 = 270,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_161 = 271,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_162 = 272,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_163 = 273,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_164 = 274,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_165 = 275,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_166 = 276,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_167 = 277,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_168 = 278,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_169 = 279,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_170 = 280,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_171 = 281,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_172 = 282,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_173 = 283,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_174 = 284,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_175 = 285,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_176 = 286,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_177 = 287,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_178 = 288,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_179 = 289,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_180 = 290,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_181 = 291,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_182 = 292,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_183 = 293,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_184 = 294,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_185 = 295,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_186 = 296,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_187 = 297,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_188 = 298,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_189 = 299,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_190 = 300,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_191 = 301,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_192 = 302,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_193 = 303,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_194 = 304,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_195 = 305,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_196 = 306,
-  /** state [1]: What the friction law remembers, in SI units: the law's states in their order, those that jump last.
-   *  (default 0) */
+  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
   STRIBECK_GUIDE_CONTACT_MEMORY_197 = 307,
   /** state [Boolean]: Has the run begun? (default false) */
   STRIBECK_GUIDE_CONTACT_STARTED = 308,
@@ -6678,37 +6476,37 @@ typedef enum stribeck_coil_spring_variable {
   STRIBECK_COIL_SPRING_SPRING_PRELOAD = 4,
   /** fixed [Integer]: Number of points of the table in use (default chosen). (>= 2, <= 16, default 3) */
   STRIBECK_COIL_SPRING_SPRING_TAB_N = 5,
-  /** tunable [m]: Compressions of the table, rising (default chosen). (default 0) */
+  /** tunable [m]: Compressions of the table, ascending (default chosen). (default 0) */
   STRIBECK_COIL_SPRING_SPRING_TAB_X_1 = 6,
-  /** tunable [m]: Compressions of the table, rising (default chosen). (default 0.03) */
+  /** tunable [m]: Compressions of the table, ascending (default chosen). (default 0.03) */
   STRIBECK_COIL_SPRING_SPRING_TAB_X_2 = 7,
-  /** tunable [m]: Compressions of the table, rising (default chosen). (default 0.055) */
+  /** tunable [m]: Compressions of the table, ascending (default chosen). (default 0.055) */
   STRIBECK_COIL_SPRING_SPRING_TAB_X_3 = 8,
-  /** tunable [m]: Compressions of the table, rising (default chosen). (default 0) */
+  /** tunable [m]: Compressions of the table, ascending (default chosen). (default 0) */
   STRIBECK_COIL_SPRING_SPRING_TAB_X_4 = 9,
-  /** tunable [m]: Compressions of the table, rising (default chosen). (default 0) */
+  /** tunable [m]: Compressions of the table, ascending (default chosen). (default 0) */
   STRIBECK_COIL_SPRING_SPRING_TAB_X_5 = 10,
-  /** tunable [m]: Compressions of the table, rising (default chosen). (default 0) */
+  /** tunable [m]: Compressions of the table, ascending (default chosen). (default 0) */
   STRIBECK_COIL_SPRING_SPRING_TAB_X_6 = 11,
-  /** tunable [m]: Compressions of the table, rising (default chosen). (default 0) */
+  /** tunable [m]: Compressions of the table, ascending (default chosen). (default 0) */
   STRIBECK_COIL_SPRING_SPRING_TAB_X_7 = 12,
-  /** tunable [m]: Compressions of the table, rising (default chosen). (default 0) */
+  /** tunable [m]: Compressions of the table, ascending (default chosen). (default 0) */
   STRIBECK_COIL_SPRING_SPRING_TAB_X_8 = 13,
-  /** tunable [m]: Compressions of the table, rising (default chosen). (default 0) */
+  /** tunable [m]: Compressions of the table, ascending (default chosen). (default 0) */
   STRIBECK_COIL_SPRING_SPRING_TAB_X_9 = 14,
-  /** tunable [m]: Compressions of the table, rising (default chosen). (default 0) */
+  /** tunable [m]: Compressions of the table, ascending (default chosen). (default 0) */
   STRIBECK_COIL_SPRING_SPRING_TAB_X_10 = 15,
-  /** tunable [m]: Compressions of the table, rising (default chosen). (default 0) */
+  /** tunable [m]: Compressions of the table, ascending (default chosen). (default 0) */
   STRIBECK_COIL_SPRING_SPRING_TAB_X_11 = 16,
-  /** tunable [m]: Compressions of the table, rising (default chosen). (default 0) */
+  /** tunable [m]: Compressions of the table, ascending (default chosen). (default 0) */
   STRIBECK_COIL_SPRING_SPRING_TAB_X_12 = 17,
-  /** tunable [m]: Compressions of the table, rising (default chosen). (default 0) */
+  /** tunable [m]: Compressions of the table, ascending (default chosen). (default 0) */
   STRIBECK_COIL_SPRING_SPRING_TAB_X_13 = 18,
-  /** tunable [m]: Compressions of the table, rising (default chosen). (default 0) */
+  /** tunable [m]: Compressions of the table, ascending (default chosen). (default 0) */
   STRIBECK_COIL_SPRING_SPRING_TAB_X_14 = 19,
-  /** tunable [m]: Compressions of the table, rising (default chosen). (default 0) */
+  /** tunable [m]: Compressions of the table, ascending (default chosen). (default 0) */
   STRIBECK_COIL_SPRING_SPRING_TAB_X_15 = 20,
-  /** tunable [m]: Compressions of the table, rising (default chosen). (default 0) */
+  /** tunable [m]: Compressions of the table, ascending (default chosen). (default 0) */
   STRIBECK_COIL_SPRING_SPRING_TAB_X_16 = 21,
   /** tunable [N]: Forces of the table, without preload (default chosen). (default 0) */
   STRIBECK_COIL_SPRING_SPRING_TAB_F_1 = 22,
@@ -6836,84 +6634,84 @@ typedef enum stribeck_hydraulic_damper_variable {
   STRIBECK_HYDRAULIC_DAMPER_DAMPER_DEGR_REB = 6,
   /** fixed [Integer]: Number of points of the table in use (default chosen). (>= 2, <= 16, default 11) */
   STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_N = 7,
-  /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default -1) */
+  /** tunable [m/s]: Velocities of the table, ascending; positive in extension (default chosen). (default -1) */
   STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_1 = 8,
-  /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default -0.5) */
+  /** tunable [m/s]: Velocities of the table, ascending; positive in extension (default chosen). (default -0.5) */
   STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_2 = 9,
-  /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default -0.25) */
+  /** tunable [m/s]: Velocities of the table, ascending; positive in extension (default chosen). (default -0.25) */
   STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_3 = 10,
-  /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default -0.1) */
+  /** tunable [m/s]: Velocities of the table, ascending; positive in extension (default chosen). (default -0.1) */
   STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_4 = 11,
-  /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default -0.05) */
+  /** tunable [m/s]: Velocities of the table, ascending; positive in extension (default chosen). (default -0.05) */
   STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_5 = 12,
-  /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default 0) */
+  /** tunable [m/s]: Velocities of the table, ascending; positive in extension (default chosen). (default 0) */
   STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_6 = 13,
-  /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default 0.05) */
+  /** tunable [m/s]: Velocities of the table, ascending; positive in extension (default chosen). (default 0.05) */
   STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_7 = 14,
-  /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default 0.1) */
+  /** tunable [m/s]: Velocities of the table, ascending; positive in extension (default chosen). (default 0.1) */
   STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_8 = 15,
-  /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default 0.25) */
+  /** tunable [m/s]: Velocities of the table, ascending; positive in extension (default chosen). (default 0.25) */
   STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_9 = 16,
-  /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default 0.5) */
+  /** tunable [m/s]: Velocities of the table, ascending; positive in extension (default chosen). (default 0.5) */
   STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_10 = 17,
-  /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default 1) */
+  /** tunable [m/s]: Velocities of the table, ascending; positive in extension (default chosen). (default 1) */
   STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_11 = 18,
-  /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default 0) */
+  /** tunable [m/s]: Velocities of the table, ascending; positive in extension (default chosen). (default 0) */
   STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_12 = 19,
-  /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default 0) */
+  /** tunable [m/s]: Velocities of the table, ascending; positive in extension (default chosen). (default 0) */
   STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_13 = 20,
-  /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default 0) */
+  /** tunable [m/s]: Velocities of the table, ascending; positive in extension (default chosen). (default 0) */
   STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_14 = 21,
-  /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default 0) */
+  /** tunable [m/s]: Velocities of the table, ascending; positive in extension (default chosen). (default 0) */
   STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_15 = 22,
-  /** tunable [m/s]: Velocities of the table, rising; positive in extension (default chosen). (default 0) */
+  /** tunable [m/s]: Velocities of the table, ascending; positive in extension (default chosen). (default 0) */
   STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_16 = 23,
-  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not decreasing (default chosen).
    *  (default -1150) */
   STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_1 = 24,
-  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not decreasing (default chosen).
    *  (default -700) */
   STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_2 = 25,
-  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not decreasing (default chosen).
    *  (default -430) */
   STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_3 = 26,
-  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not decreasing (default chosen).
    *  (default -210) */
   STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_4 = 27,
-  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not decreasing (default chosen).
    *  (default -110) */
   STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_5 = 28,
-  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not decreasing (default chosen).
    *  (default 0) */
   STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_6 = 29,
-  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not decreasing (default chosen).
    *  (default 180) */
   STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_7 = 30,
-  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not decreasing (default chosen).
    *  (default 340) */
   STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_8 = 31,
-  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not decreasing (default chosen).
    *  (default 640) */
   STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_9 = 32,
-  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not decreasing (default chosen).
    *  (default 950) */
   STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_10 = 33,
-  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not decreasing (default chosen).
    *  (default 1500) */
   STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_11 = 34,
-  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not decreasing (default chosen).
    *  (default 0) */
   STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_12 = 35,
-  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not decreasing (default chosen).
    *  (default 0) */
   STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_13 = 36,
-  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not decreasing (default chosen).
    *  (default 0) */
   STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_14 = 37,
-  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not decreasing (default chosen).
    *  (default 0) */
   STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_15 = 38,
-  /** tunable [N]: Resistances of the table, with the sign of the velocity and not falling (default chosen).
+  /** tunable [N]: Resistances of the table, with the sign of the velocity and not decreasing (default chosen).
    *  (default 0) */
   STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_16 = 39,
   /** fixed [stribeck_interpolation]: Curve through the points of the table. (default Linear) */
@@ -6938,13 +6736,13 @@ typedef enum stribeck_hydraulic_damper_variable {
 /** Guid of DamperTemperature for fmi2Instantiate. */
 #define STRIBECK_DAMPER_TEMPERATURE_GUID "{0f9cde77-96a0-c294-c83c-91ac86f9f893}"
 
-/** DamperTemperature: Temperature of a damper, and what it does to its force. Columns of "DamperTemperature". */
+/** DamperTemperature: Temperature of a damper and its effect on the force. Columns of "DamperTemperature". */
 typedef enum stribeck_damper_temperature_variable {
   /** in [W]: Power dissipated in the damper. (default 0) */
   STRIBECK_DAMPER_TEMPERATURE_POWER = 0,
   /** in [K]: Ambient temperature. (>= 0, default 293.15) */
   STRIBECK_DAMPER_TEMPERATURE_TEMPERATURE_AMBIENT = 1,
-  /** fixed [Boolean]: Does the temperature change, and with it the damper force? (default false) */
+  /** fixed [Boolean]: Does the temperature change and affect the damper force? (default false) */
   STRIBECK_DAMPER_TEMPERATURE_THERMAL_ENABLED = 2,
   /** tunable [1/K]: Relative loss of damper force per kelvin (default chosen). (>= 0, default 0.003) */
   STRIBECK_DAMPER_TEMPERATURE_THERMAL_BETA = 3,

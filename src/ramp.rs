@@ -1,28 +1,28 @@
 //! A step with inputs that move linearly, for models whose states move continuously.
 //!
-//! Between two kinks a state obeys `y' = f(y, t)`, where the time stands for the inputs. About its value y_0 at the
-//! beginning of a piece, w = y - y_0 is drawn to a target w* that the inputs move, at a rate r that they move too:
+//! Between two kinks a state obeys `y' = f(y, t)`, where the time stands for the inputs. Relative to its value y_0 at
+//! the beginning of a piece, w = y - y_0 is drawn to a target w* that the inputs move, at a rate r that they move too:
 //!
 //! ```text
 //! w' = r (w* - w),   r = -df/dy,   w* = f(y_0, t) / r
 //! dw/dq = w* - w,    q = integral of r
 //! ```
 //!
-//! With w* quadratic in q through the beginning, the middle and the end of a piece this is solved exactly: a bristle that
-//! follows a level which moves is, however stiff it is, and so is the work of its force. Where f is not linear in y, r is
-//! the slope of the chord to where y has about gone.
+//! With w* quadratic in q through the beginning, the middle and the end of a piece this is solved exactly: so are a
+//! bristle that follows a moving level, however stiff it is, and the work of its force. Where f is not linear in y, r
+//! is the slope of the chord to the approximate new value of y.
 
 use crate::model::{Model, Path, Role, Variable, row_of, row_of_mut};
 
-/// Error allowed in a piece, relative to the larger of the state and its nominal value (chosen). It is that of a target
-/// taken as linear; what is left of a quadratic one is far below.
+/// Error allowed in a piece, relative to the larger of the state and its nominal value (chosen). It is the error of a
+/// target taken as linear; that of a quadratic one is far smaller.
 const TOLERANCE: f64 = 5e-4;
 
-/// No piece is shorter than this part of the way from one kink to the next (chosen), so that the time of a step is
-/// bounded.
+/// Shortest piece, relative to the interval from one kink to the next (chosen), so that the time of a step is bounded.
 const SHORTEST: f64 = 1.0 / 128.0;
 
-/// Derivatives are taken so far inside a piece, in parts of it (chosen): at its ends many laws have kinks.
+/// Distance from the ends of a piece at which derivatives are taken, in parts of it (chosen): many laws have kinks at
+/// the ends.
 const INSIDE: f64 = 1e-9;
 
 /// Columns of a table.
@@ -45,18 +45,18 @@ impl<const MOST: usize> Selection<MOST> {
     }
 }
 
-/// Pieces of a step with slopes where its inputs are held in each (chosen).
+/// Number of pieces with held inputs into which a step with slopes is divided (chosen).
 pub(crate) const PIECES: u32 = 16;
 
-/// Most states of a model that comes here, the energy aside.
+/// Largest number of states, the energy excluded.
 const MOST: usize = 2;
 
-/// Is it a state that moves, the energy aside?
+/// Whether the variable is a continuous state, the energy excluded.
 const fn is_followed(variable: &Variable) -> bool {
     variable.is_continuous_state() && !variable.path.is(&Path::root("dissipated_energy"))
 }
 
-/// Where the columns of a model stand that matter here.
+/// Columns of a model used here.
 struct Of<M>(std::marker::PhantomData<M>);
 
 impl<M: Model> Of<M> {
@@ -71,7 +71,7 @@ impl<M: Model> Of<M> {
         inputs
     };
 
-    /// States that move, the energy aside.
+    /// Continuous states, the energy excluded.
     const STATES: Selection<MOST> = {
         let (mut states, mut column) = (Selection::NONE, 0);
         while column < M::TABLE.len() {
@@ -112,10 +112,10 @@ impl<M: Model> Of<M> {
     }
 }
 
-/// Advances `model` by `dt` while its inputs move with `slope`.
+/// Advances `model` by `dt` while its inputs change at the rates `slope`.
 pub(crate) fn advance<M: Model>(model: &mut M, slope: &M, dt: f64) {
     if Of::<M>::HAS_STATES && !M::MODEL_EXCHANGE {
-        // Rates do not tell all of a model whose states jump.
+        // Rates do not describe a model whose states jump.
         return in_pieces(model, slope, dt, PIECES);
     }
     let begin = *model;
@@ -124,7 +124,7 @@ pub(crate) fn advance<M: Model>(model: &mut M, slope: &M, dt: f64) {
         let to = next_kink(&begin, slope, from, dt);
         set_inputs(model, &begin, slope, 0.5 * (from + to));
         if is_unloaded(model) {
-            // A step lets go of what an unloaded contact holds.
+            // A step releases an unloaded contact.
             model.step(to - from);
         } else if Of::<M>::HAS_STATES {
             smooth(model, &begin, slope, from, to);
@@ -136,7 +136,7 @@ pub(crate) fn advance<M: Model>(model: &mut M, slope: &M, dt: f64) {
     }
     set_inputs(model, &begin, slope, dt);
     if is_unloaded(model) {
-        // What a solver only approaches.
+        // An unloaded contact is released; a solver only approaches that.
         model.step(f64::MIN_POSITIVE);
     }
 }
@@ -145,8 +145,8 @@ fn is_unloaded<M: Model>(model: &M) -> bool {
     Of::<M>::NORMAL_FORCE.is_some_and(|column| row_of(model)[column] == 0.0)
 }
 
-/// Advances `model` by `dt`, from one kink to the next in equal pieces whose inputs are held at their values in the middle:
-/// of second order. For laws whose states act on each other.
+/// Advances `model` by `dt`, from one kink to the next, in equal pieces with the inputs held at their values in the
+/// middle: a method of second order, for laws whose states act on each other.
 pub(crate) fn in_pieces<M: Model>(model: &mut M, slope: &M, dt: f64, count: u32) {
     let (begin, mut from) = (*model, 0.0);
     while from < dt {
@@ -161,7 +161,7 @@ pub(crate) fn in_pieces<M: Model>(model: &mut M, slope: &M, dt: f64, count: u32)
     set_inputs(model, &begin, slope, dt);
 }
 
-/// The integral of a power over a ramp.
+/// Integral of a power over a ramp.
 pub(crate) fn integral<M: Model>(begin: &M, slope: &M, dt: f64, power: impl Fn(&M) -> f64) -> f64 {
     let (mut from, mut sum) = (0.0, 0.0);
     while from < dt {
@@ -172,15 +172,15 @@ pub(crate) fn integral<M: Model>(begin: &M, slope: &M, dt: f64, power: impl Fn(&
     sum
 }
 
-/// How often an interval between two kinks may be halved (chosen), so that the time of a step is bounded.
+/// Limit of how often an interval between two kinks is halved (chosen), so that the time of a step is bounded.
 const HALVINGS: u32 = 5;
 
 /// Difference of the two rules, relative to the integral, above which an interval is divided (chosen). The error of
-/// Boole's rule is far below.
+/// Boole's rule is far smaller.
 const DIVIDED_FROM: f64 = 1e-5;
 
-/// By Boole's rule on an interval without kinks, halved as long as Simpson's rule on its halves gives something else than
-/// on the whole.
+/// Integrates over an interval without kinks by Boole's rule, halving it as long as Simpson's rules on the halves and
+/// on the whole differ.
 fn quadrature<M: Model>(begin: &M, slope: &M, interval: [f64; 2], power: &dyn Fn(&M) -> f64) -> f64 {
     let [from, to] = interval;
     let mut model = *begin;
@@ -204,9 +204,9 @@ fn boole(at: &mut dyn FnMut(f64) -> f64, [from, to]: [f64; 2], [a, c, e]: Nodes<
     boole(at, [from, middle], [a, b, c], halvings - 1) + boole(at, [middle, to], [c, d, e], halvings - 1)
 }
 
-/// The first instant after `from` at which an input changes sign, where most laws have a kink, or at which the velocity
-/// passes another kink of the law. What a law without memory does near rest would be overlooked between the nodes of a long
-/// way: there are further cuts.
+/// First instant after `from` at which an input changes sign, where most laws have a kink, or at which the velocity
+/// passes another kink of the law. Further cuts near rest: a long interval would miss what a law without memory does
+/// there.
 fn next_kink<M: Model>(begin: &M, slope: &M, from: f64, dt: f64) -> f64 {
     let mut next = dt;
     let mut cut = |time: f64| {
@@ -215,7 +215,7 @@ fn next_kink<M: Model>(begin: &M, slope: &M, from: f64, dt: f64) -> f64 {
         }
     };
     if let Some(plane) = Of::<M>::PLANE {
-        // In a plane rest is passed at a distance.
+        // In a plane, the velocity passes rest at a distance.
         let [v, a] = [row_of(begin), row_of(slope)].map(|row| plane.map(|column| row[column]));
         cut(-(v[0] * a[0] + v[1] * a[1]) / (a[0] * a[0] + a[1] * a[1]));
     }
@@ -234,7 +234,8 @@ fn next_kink<M: Model>(begin: &M, slope: &M, from: f64, dt: f64) -> f64 {
         let largest = first.abs().max((first + rate * dt).abs());
         let cuts: &[f64] = match (Of::<M>::HAS_STATES, load_moves) {
             (false, _) => &NEAR_REST,
-            // From rest on the distance goes with the square of the time, and a load that moves with its root.
+            // Starting from rest, distance grows with the square of time, so a moving load varies with the square root
+            // of distance.
             (_, true) => &[0.25],
             (_, false) => &[],
         };
@@ -252,7 +253,7 @@ fn next_kink<M: Model>(begin: &M, slope: &M, from: f64, dt: f64) -> f64 {
     next
 }
 
-/// Cuts on the way to and from rest, in parts of the largest speed (chosen).
+/// Speeds near rest at which an interval is cut, in parts of the largest speed (chosen).
 const NEAR_REST: [f64; 2] = [1.0 / 8.0, 1.0 / 64.0];
 
 /// Advances over an interval in which the law is smooth.
@@ -261,7 +262,7 @@ fn smooth<M: Model>(model: &mut M, begin: &M, slope: &M, from: f64, to: f64) {
     let (mut at, mut length, mut known) = (from, to - from, UNKNOWN);
     let mut most = MOST_GROWTH;
     while at < to {
-        // A rest that is hardly longer than the piece is made in one.
+        // A remainder hardly longer than the piece is taken in one.
         let end = if at + 1.01 * length >= to { to } else { at + length };
         length = end - at;
         let chords = chords(model, begin, slope, [at, end], known);
@@ -277,14 +278,15 @@ fn smooth<M: Model>(model: &mut M, begin: &M, slope: &M, from: f64, to: f64) {
         } else if length > 2.0 * shortest {
             known = known_of_half::<M>(&chords);
         } else {
-            // What can hardly be divided, as where the load goes, takes the inputs of its middle: that is stable always.
+            // A piece that cannot be divided further, as where the load vanishes, is a held step with its middle
+            // inputs, which is always stable.
             set_inputs(model, begin, slope, 0.5 * (at + end));
             model.step(length);
             known = UNKNOWN;
             at = end;
         }
-        // A refused piece is at least halved, so that the shortest is always reached, and just halved where its half is
-        // known already. After it, the next piece is not longer than the one that was accurate.
+        // A rejected piece is at least halved, so that the shortest is always reached, and exactly halved if its half
+        // is known already. After a rejection, the next piece is not longer than the accurate one.
         let limits = match (is_accurate, M::LINEAR) {
             (true, _) => [0.2, most],
             (false, true) => [0.5, 0.5],
@@ -295,12 +297,12 @@ fn smooth<M: Model>(model: &mut M, begin: &M, slope: &M, from: f64, to: f64) {
     }
 }
 
-/// A piece is at most so many times as long as the one before (as usual in step-size control).
+/// Largest ratio of the lengths of a piece and the one before it (as usual in step-size control).
 const MOST_GROWTH: f64 = 4.0;
 
-/// How much longer the next piece may be: the error is that of an order 2, and the safety factor as usual.
+/// Ratio of the lengths of the next piece and this one, for an error of order 2 and the usual safety factor.
 fn growth(error: f64, [least, most]: [f64; 2]) -> f64 {
-    // Where the error is infinite, as little as may be.
+    // An infinite error gives the lower limit.
     (0.8 / error.cbrt()).min(most).max(least)
 }
 
@@ -312,22 +314,22 @@ fn simpson([begin, middle, end]: Nodes<f64>, h: f64) -> f64 {
     h / 6.0 * (begin + 4.0 * middle + end)
 }
 
-/// The chords at the nodes of a piece, as far as they are known before it is made.
+/// Chords at the nodes of a piece, as far as they are known in advance.
 type Known = Nodes<Option<Chord>>;
 
 const UNKNOWN: Known = [None; 3];
 
-/// Of the piece after one that was made.
+/// Chords of the piece after an accepted one.
 fn known_beyond<M: Model>(chords: &Nodes<Chord>, change: &Change) -> Known {
     [M::LINEAR.then(|| chords[2].moved(&change.states)), None, None]
 }
 
-/// Of the first half of a piece that was refused. A chord of a law that is not linear reaches as far as its piece.
+/// Chords of the first half of a rejected piece. A chord of a nonlinear law spans the length of its piece.
 fn known_of_half<M: Model>([first, middle, _]: &Nodes<Chord>) -> Known {
     [Some(*first), None, M::LINEAR.then_some(*middle)]
 }
 
-/// The chords of a piece. Those that are not known leave the model with the inputs of their instant.
+/// Chords of a piece. Computing an unknown one leaves the model with the inputs of its instant.
 fn chords<M: Model>(model: &mut M, begin: &M, slope: &M, [from, to]: [f64; 2], known: Known) -> Nodes<Chord> {
     let h = to - from;
     let mut at = |time: f64, guess: [f64; MOST]| {
@@ -340,11 +342,11 @@ fn chords<M: Model>(model: &mut M, begin: &M, slope: &M, [from, to]: [f64; 2], k
     [first, middle, last]
 }
 
-/// What a piece changes.
+/// Changes over a piece.
 struct Change {
     states: [f64; MOST],
     work: f64,
-    /// In units of what is allowed.
+    /// In units of the tolerance.
     error: f64,
 }
 
@@ -364,7 +366,7 @@ impl Change {
         for (index, column) in Of::<M>::STATES.iter().enumerate() {
             let value = (row_of(model)[column] + states[index]).abs();
             let off = (errors[index] + missed[index].abs()) / value.max(M::TABLE[column].nominal);
-            // The maximum of two numbers forgets one that is none.
+            // f64::max ignores NaN.
             error = if off.is_finite() { error.max(off) } else { f64::INFINITY };
             states[index] += missed[index];
         }
@@ -374,7 +376,7 @@ impl Change {
     fn apply<M: Model>(&self, model: &mut M) {
         let row = row_of_mut(model);
         for (index, column) in Of::<M>::STATES.iter().enumerate() {
-            // By less than the error allowed it may lie beyond its bound.
+            // The state may exceed its bound by less than the tolerance.
             row[column] = M::TABLE[column].bound.nearest(row[column] + self.states[index]);
         }
         if let Some(energy) = Of::<M>::ENERGY {
@@ -383,7 +385,7 @@ impl Change {
     }
 }
 
-/// What a law that is bent adds to the changes along its last chord, at first with the square of the time.
+/// Deviation of a nonlinear law from the changes along its last chord; it begins with the square of the time.
 fn missed<M: Model>(model: &mut M, last: &Chord, change: &[f64; MOST], h: f64) -> [f64; MOST] {
     let (mut before, mut missed) = ([0.0; MOST], [0.0; MOST]);
     for (index, column) in Of::<M>::STATES.iter().enumerate() {
@@ -401,7 +403,7 @@ fn missed<M: Model>(model: &mut M, last: &Chord, change: &[f64; MOST], h: f64) -
 }
 
 /// Time derivatives of the states.
-// Inlined, so that what depends on the inputs alone is computed once for all rates of a chord.
+// Inlined, so that terms depending only on the inputs are computed once for all rates of a chord.
 #[inline(always)]
 fn rate<M: Model>(model: &M) -> M {
     let mut rate = *model;
@@ -410,50 +412,51 @@ fn rate<M: Model>(model: &M) -> M {
     rate
 }
 
-/// A change that is drawn to its target over a piece.
+/// Change of a state over a piece, drawn towards a target.
 #[derive(Clone, Copy)]
 struct Drawn {
     /// At the nodes.
     change: Nodes<f64>,
     error: f64,
     h: f64,
-    rates: Nodes<f64>,
-    /// q at middle and end, and the target at the nodes, where the draw is strong enough to count.
+    /// r at the nodes.
+    pulls: Nodes<f64>,
+    /// q at middle and end, and the target at the nodes, if the pull is strong.
     strong: Option<([f64; 2], Nodes<f64>)>,
 }
 
-/// Up to this q at the end of a piece (chosen) the draw is weak: the exponential is smooth enough for Simpson's rule.
+/// Largest q at the end of a piece with a weak pull (chosen): the exponential is smooth enough for Simpson's rule.
 const WEAK: f64 = 0.1;
 
 /// Up to this q over half a piece (chosen) a draw that is absent from part of the piece is followed as a weak one.
 const STEEP: f64 = 2.0;
 
 impl Drawn {
-    const NONE: Drawn = Drawn { change: [0.0; 3], error: 0.0, h: 0.0, rates: [0.0; 3], strong: None };
+    const NONE: Drawn = Drawn { change: [0.0; 3], error: 0.0, h: 0.0, pulls: [0.0; 3], strong: None };
 
-    /// By the rate f(y_0, t) and r at the nodes.
-    fn new(pull: Nodes<f64>, rates: Nodes<f64>, h: f64) -> Drawn {
-        let [r_0, r_1, r_2] = rates;
-        let drawn = Drawn { h, rates, ..Drawn::NONE };
-        let q = [h / 24.0 * (5.0 * r_0 + 8.0 * r_1 - r_2), simpson(rates, h)];
-        if q[1] <= WEAK || !rates.iter().all(|rate| *rate > 0.0) {
-            return drawn.weakly(pull);
+    /// From the rate f(y_0, t) and the pull r at the nodes.
+    fn new(rates: Nodes<f64>, pulls: Nodes<f64>, h: f64) -> Drawn {
+        let [r_0, r_1, r_2] = pulls;
+        let drawn = Drawn { h, pulls, ..Drawn::NONE };
+        let q = [h / 24.0 * (5.0 * r_0 + 8.0 * r_1 - r_2), simpson(pulls, h)];
+        if q[1] <= WEAK || !pulls.iter().all(|pull| *pull > 0.0) {
+            return drawn.weakly(rates);
         }
-        let targets = [pull[0] / r_0, pull[1] / r_1, pull[2] / r_2];
+        let targets = [rates[0] / r_0, rates[1] / r_1, rates[2] / r_2];
         if q[0] > 0.0 && q[0] < q[1] {
             return drawn.strongly(q, targets);
         }
-        // The rate is no parabola: as it grows without limit where the load goes.
+        // The pull is not a parabola: it grows without limit where the load vanishes.
         let q = [0.25 * h * (r_0 + r_1), 0.25 * h * (r_0 + 2.0 * r_1 + r_2)];
         Drawn { error: f64::MAX, ..drawn.strongly(q, targets) }
     }
 
-    fn weakly(self, pull: Nodes<f64>) -> Drawn {
-        let [r_0, r_1, r_2] = self.rates;
-        // What is left at the end of what came at the beginning and in the middle.
+    fn weakly(self, rates: Nodes<f64>) -> Drawn {
+        let [r_0, r_1, r_2] = self.pulls;
+        // Decay, until the end, of the contributions of beginning and middle.
         let (first, second) = (-0.25 * self.h * (r_0 + r_1), -0.25 * self.h * (r_1 + r_2));
-        let middle = self.h / 24.0 * (5.0 * pull[0] * first.exp() + 8.0 * pull[1] - pull[2] * (-second).exp());
-        let weighted = [pull[0] * (first + second).exp(), pull[1] * second.exp(), pull[2]];
+        let middle = self.h / 24.0 * (5.0 * rates[0] * first.exp() + 8.0 * rates[1] - rates[2] * (-second).exp());
+        let weighted = [rates[0] * (first + second).exp(), rates[1] * second.exp(), rates[2]];
         let end = simpson(weighted, self.h);
         let error = (end - 0.5 * self.h * (weighted[0] + weighted[2])).abs();
         // A draw that sets in within the piece, as at the end of elastic motion, may be too strong for these rules: its
@@ -467,26 +470,26 @@ impl Drawn {
         let [at_middle, at_end] = q.map(|q| phi(-q));
         let change = |q: f64, [one, two, three]: [f64; 3]| q * (c_0 * one + q * (c_1 * two + 2.0 * q * c_2 * three));
         let (middle, end) = (change(q[0], at_middle), change(q[1], at_end));
-        let trapezoid = 0.5 * self.h * (self.rates[0] + self.rates[2]);
-        // A target that is linear between the ends, and a rate that is.
+        let trapezoid = 0.5 * self.h * (self.pulls[0] + self.pulls[2]);
+        // Errors of a target and of a pull that are taken as linear between the ends.
         let [_, two, three] = at_end;
         let error = (c_2 * q[1].powi(3) * (2.0 * three - two)).abs() + ((targets[2] - end) * (q[1] - trapezoid)).abs();
         Drawn { change: [0.0, middle, end], error, strong: Some((q, targets)), ..self }
     }
 
-    /// The integral over time of the change with a weight that is given at the nodes.
+    /// Integral over time of the change times a weight given at the nodes.
     fn integral(&self, weight: Nodes<f64>) -> f64 {
         let [_, middle, end] = self.change;
         let Some((q, targets)) = self.strong else {
             return simpson([0.0, weight[1] * middle, weight[2] * end], self.h);
         };
         // With k = weight / r, by parts: integral of k w dq = integral of k w* dq - [k w] + integral of k' w dq.
-        let per_rate: Nodes<f64> = std::array::from_fn(|node| weight[node] / self.rates[node]);
+        let per_pull: Nodes<f64> = std::array::from_fn(|node| weight[node] / self.pulls[node]);
         let product = |by: Nodes<f64>| area(q, std::array::from_fn(|node| by[node] * targets[node]));
-        let [_, k_1, k_2] = parabola(q, per_rate);
+        let [_, k_1, k_2] = parabola(q, per_pull);
         let sum = product([1.0; 3]) - end;
         let moment = product([0.0, q[0], q[1]]) - q[1] * end + sum;
-        product(per_rate) - per_rate[2] * end + k_1 * sum + 2.0 * k_2 * moment
+        product(per_pull) - per_pull[2] * end + k_1 * sum + 2.0 * k_2 * moment
     }
 }
 
@@ -497,25 +500,26 @@ fn parabola([middle, end]: [f64; 2], [a, b, c]: Nodes<f64>) -> [f64; 3] {
     [a, first - second * middle, second]
 }
 
-/// The integral of that parabola up to the second q.
+/// Integral of that parabola up to the second q.
 fn area(q: [f64; 2], values: Nodes<f64>) -> f64 {
     let [c_0, c_1, c_2] = parabola(q, values);
     q[1] * (c_0 + q[1] * (0.5 * c_1 + q[1] / 3.0 * c_2))
 }
 
-/// The equations of a model at an instant, for the states at the beginning of a piece, and the chord to where they have
-/// about gone.
+/// Equations of a model at an instant, for the states at the beginning of a piece, and the chord to their approximate
+/// new values.
 #[derive(Clone, Copy)]
 struct Chord {
+    /// f(y_0, t).
     rate: [f64; MOST],
-    /// r, by which the rate of a state falls with the state itself.
+    /// r, the decrease of the rate of a state with the state itself.
     pull: [f64; MOST],
     power: f64,
     power_by: [f64; MOST],
 }
 
-/// Least change of a state that a chord is taken over, in parts of the larger of its value and its nominal value
-/// (chosen), for its digits.
+/// Smallest change of a state over which a chord is taken, relative to the larger of its value and its nominal value
+/// (chosen), to keep enough digits.
 const SHORTEST_CHORD: f64 = 1e-5;
 
 impl Chord {
@@ -539,12 +543,12 @@ impl Chord {
         chord
     }
 
-    /// How far the states go in a time: as far as an implicit step, which is a good guess, and stable.
+    /// Change of the states within a time, by an implicit step, which is a good and stable guess.
     fn guess(&self, time: f64) -> [f64; MOST] {
         std::array::from_fn(|index| time * self.rate[index] / (1.0 + (time * self.pull[index]).max(0.0)))
     }
 
-    /// The same instant, with states that have changed.
+    /// Chord at the same instant for changed states.
     fn moved(mut self, change: &[f64; MOST]) -> Chord {
         for (index, change) in change.iter().enumerate() {
             self.rate[index] -= self.pull[index] * change;
@@ -557,7 +561,7 @@ impl Chord {
 /// phi_1, phi_2 and phi_3 of x: `phi_0 = e^x`, `phi_k = (phi_(k-1) - 1 / (k - 1)!) / x`.
 fn phi(x: f64) -> [f64; 3] {
     if x.abs() < 0.5 {
-        // Horner's form of the series sum x^n / (n + 3)!; what is left is below rounding.
+        // Horner's form of the series sum x^n / (n + 3)!; the remainder is below rounding.
         let three = (1..=11).rev().fold(1.0, |sum, n| 1.0 + x * sum / f64::from(n + 3)) / 6.0;
         let two = 0.5 + x * three;
         return [1.0 + x * two, two, three];
@@ -567,12 +571,12 @@ fn phi(x: f64) -> [f64; 3] {
     [one, two, (two - 0.5) / x]
 }
 
-/// Gives the inputs the values they have a time after `begin`.
+/// Sets the inputs to their values at a time after `begin`.
 pub(crate) fn set_inputs<M: Model>(model: &mut M, begin: &M, slope: &M, time: f64) {
     for column in Of::<M>::INPUTS.iter() {
         let (first, change) = (row_of(begin)[column], row_of(slope)[column] * time);
         let value = first + change;
-        // By rounding, a ramp that ends on a bound may end beyond it, and one that ends at zero beside it.
+        // By rounding, a ramp to a bound may end beyond it, and a ramp to zero may miss it.
         let is_rounding = value.abs() <= 4.0 * f64::EPSILON * change.abs();
         row_of_mut(model)[column] = if is_rounding { 0.0 } else { M::TABLE[column].bound.nearest(value) };
     }

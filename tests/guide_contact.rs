@@ -210,15 +210,19 @@ fn a_shared_parameter_that_the_law_does_not_use_warns() {
     };
     let set = [("friction.transition_velocity", 0.01)];
     let text = warning("Gonthier", &set).unwrap();
-    let own = "has friction.Gonthier.transition_velocity";
-    assert_eq!(text, format!("friction.transition_velocity = 0.01: has no effect: friction.model = Gonthier {own}"));
+    let own = "friction.Gonthier.transition_velocity";
+    assert_eq!(
+        text,
+        format!("friction.transition_velocity = 0.01 has no effect on friction.model = Gonthier: set {own}")
+    );
     assert_eq!(warning("Gonthier", &[]), None);
     assert_eq!(warning("Gonthier", &[("friction.Gonthier.transition_velocity", 0.01)]), None);
     assert_eq!(warning("Karnopp", &set), None);
     assert_eq!(warning("LuGre", &set), None);
 }
 
-/// A law without levels has its viscous part alone: along a velocity that passes zero it takes d v^2 / 3 times the time.
+/// A law without levels has its viscous part alone: along a velocity that passes zero it takes d v^2 / 3 times the
+/// time.
 #[test]
 fn drag_without_a_load_dissipates_what_its_force_does() {
     let (drag, speed, h) = (12.0, 0.2, 0.01);

@@ -76,7 +76,10 @@ fn zeros_that_make_no_sense_warn() {
     let travel = [("adapter.length_offset", 0.1775), ("adapter.length_gain", -0.8)];
     assert_eq!(warned("ShockAbsorber", &travel), None);
     let made = [("adapter.length_offset", 0.125), ("adapter.length_gain", -1.0), ("length", 0.125)];
-    assert!(warning(&Bench::new("ShockAbsorber", &made)).unwrap().starts_with("length = 0.125: "));
+    let text = warning(&Bench::new("ShockAbsorber", &made)).unwrap();
+    assert!(text.starts_with("length = 0.125: gives a distance of the eyes of 0; until it is > 0, "), "{text}");
+    let negative = warning(&Bench::new("ShockAbsorber", &[("adapter.length_gain", -1.0), ("length", 0.125)])).unwrap();
+    assert_eq!(negative, "length = 0.125: gives a distance of the eyes of -0.125 m; it must be > 0");
 }
 
 /// The strut whose length is not set yet is that at full extension, to the last digit, and its slopes are.

@@ -38,13 +38,13 @@ crate::model! {
     /// | v_S     | `stribeck_velocity`    | m/s   | speed at which the excess F_S has fallen to 1/2         |
     /// | f_v     | `viscous_coefficient`  | N.s/m | viscous coefficient                                     |
     /// | tau_L   | `time_lag`             | s     | time by which the Stribeck effect lags behind           |
-    /// | gamma   | `gamma`                | s     | dwell time after which half of the rise has come        |
-    /// |         | `slipping`             |       | has the contact broken away?                            |
+    /// | gamma   | `gamma`                | s     | dwell time after which half of the rise has occurred    |
+    /// |         | `slipping`             |       | whether the contact has broken away                     |
     /// | z       | `bristle_deflection`   | m     | displacement since sticking; slipping: f_f / sigma_0    |
     /// | t_d     | `dwell_time`           | s     | time since sticking; 0 while slipping                   |
     /// | mu_a    | `stribeck_coefficient` | 1     | Stribeck magnitude of the last change, per normal force |
-    /// | w       | `lagged_velocity`      | m/s   | velocity of slip a time lag ago                         |
-    /// |         | `history[i].duration`  | s     | pieces of the past of w, the latest first               |
+    /// | w       | `lagged_velocity`      | m/s   | velocity of slip one time lag ago                       |
+    /// |         | `history[i].duration`  | s     | pieces of the history of w, the latest first            |
     /// |         | `history[i].begin`     | m/s   | velocity of slip at the beginning of a piece            |
     /// |         | `history[i].end`       | m/s   | velocity of slip at the end of a piece                  |
     /// | f_f     | `friction_force`       | N     | friction force                                          |
@@ -58,11 +58,11 @@ crate::model! {
     /// Exact for inputs that are held and for inputs that move linearly. Breakaway is the first zero of a cubic,
     /// located to the last bit within the step; the return to sticking is the zero of the velocity, or the beginning of
     /// the step if a held velocity jumps across zero. So the instants of both do not depend on how an interval is
-    /// divided, up to rounding (relative 1e-10 after a million steps). The past of the velocity is kept as in
-    /// `FrictionalLag`: 64 pieces, exact up to as many different velocities within tau_L, below a step of about tau_L /
-    /// 63 thinned: w is then wrong by at most (tau_L / 31)^2 / 8 times the second derivative of v, and by its change
-    /// over one step in addition. The dissipated energy is a closed form where the inputs and w are constant, and else
-    /// a quadrature with a relative error below 1e-10.
+    /// divided, up to rounding (relative 1e-10 after a million steps). The history of the velocity is kept as in
+    /// `FrictionalLag`: 64 pieces, exact for up to 64 different velocities within tau_L; with steps shorter than about
+    /// tau_L / 63 they are thinned: the error of w is then at most (tau_L / 31)^2 / 8 times the second derivative of v,
+    /// plus the change of v over one step. The dissipated energy is a closed form where the inputs and w are constant,
+    /// and otherwise a quadrature with a relative error below 1e-10.
     ///
     /// A master that integrates a mass m with the force it reads couples it explicitly to the stiffness k of the
     /// contact at rest. If the friction steps first, a held body stays still for communication steps below 2 sqrt(m /
@@ -75,25 +75,25 @@ crate::model! {
     ///
     /// # Limits
     /// No damping while stuck: a mass on the contact oscillates. With a positive `time_lag` the force stays at the
-    /// breakaway level for that time, whatever the velocity. `time_lag` = 0 and `gamma` = 0 leave a spring and the
+    /// breakaway level for that time, regardless of the velocity. `time_lag` = 0 and `gamma` = 0 leave a spring and the
     /// curve of Hess and Soom; `mu_s` = `mu_k` leaves a spring, the Coulomb level and viscous friction. A stuck contact
-    /// at v = 0 holds. If the load falls, the displacement is cut to what the level carries: at the beginning of a
+    /// at v = 0 holds. If the load falls, the displacement is cut to what the level can carry: at the beginning of a
     /// step, at the end of one with slopes, and in the force at once.
     ///
     /// Passive at constant load: the energy stored while stuck, (sigma_0 z)^2 / (2 sigma_0), was put in before. A load
-    /// that rises during slip from f_n1 to f_n2 charges the contact at the next stop, so that it may give back up to
-    /// mu_s^2 (f_n2^2 - f_n1^2) / (2 sigma_0) more than it got. `normal_force` = 0 releases the contact: force 0, and
-    /// the next step sets it back to its start.
+    /// that rises during slip from f_n1 to f_n2 charges the contact at the next stop, so that it may return up to
+    /// mu_s^2 (f_n2^2 - f_n1^2) / (2 sigma_0) more than was put in. `normal_force` = 0 releases the contact: force 0,
+    /// and the next step resets it to its initial state.
     ///
     /// # Source
     /// Armstrong-Helouvry, Dupont and Canudas de Wit (1994), doi:10.1016/0005-1098(94)90209-7, in the form of Olsson et
-    /// al. (1998), European Journal of Control 4, 176-195, who remark that an eighth parameter is probably needed:
-    /// hence the choices above, which are ours. The papers give F_Sinf, F_Sa and f_C in newtons and friction as a force
-    /// on the body; here they are coefficients, so that they follow the load, and the sign is that of the resistance. A
-    /// public transcription has the brackets of the rising static friction as F_Sa + [F_Sinf - F_Sa t_d / (t_d +
-    /// gamma)], which is wrong: at t_d = 0 it must be F_Sa. The pages of F. Novais, "A critical analysis on friction
-    /// force models in dynamical systems", MSc thesis, University of Minho (2024), on this law and its Table 6.4 were
-    /// not available: v_S is that of its Table 7.1, tau_L and gamma are chosen.
+    /// al. (1998), European Journal of Control 4, 176-195, who remark that an eighth parameter is probably needed; the
+    /// choices above are ours. The papers give F_Sinf, F_Sa and f_C in newtons and friction as a force on the body;
+    /// here they are coefficients, so that they follow the load, and the sign is that of the resistance. A public
+    /// transcription has the brackets of the rising static friction as F_Sa + [F_Sinf - F_Sa t_d / (t_d + gamma)],
+    /// which is wrong: at t_d = 0 it must be F_Sa. The pages of F. Novais, "A critical analysis on friction force
+    /// models in dynamical systems", MSc thesis, University of Minho (2024), on this law and its Table 6.4 were not
+    /// available: v_S is that of its Table 7.1, tau_L and gamma are chosen.
     ///
     /// # Example
     /// ```
@@ -117,13 +117,14 @@ crate::model! {
         mu_s: tunable = real("1", 0.15).at_least(0.0),
         /// Stiffness of the bristles.
         sigma_0: tunable = real("N/m", 1e5).positive().nominal(1e5),
-        /// Speed at which the excess of static over kinetic friction has fallen to 1/e (Lorentzian, hyperbola: 1/2).
+        /// Speed at which the excess of static over kinetic friction has fallen to 1/e, or to 1/2 where the curve is a
+        /// fraction (Armstrong, HessSoom, PoppStelter).
         stribeck_velocity: tunable = real("m/s", 0.001).positive().shown_in("mm/s"),
         /// Viscous friction coefficient.
         viscous_coefficient: tunable = real("N.s/m", 0.0).at_least(0.0),
         /// Time by which the level of friction lags behind the velocity (default chosen).
         time_lag: fixed = real("s", 0.005).at_least(0.0).nominal(1e-3).shown_in("ms"),
-        /// Dwell time after which half of the rise of the static friction has come (default chosen).
+        /// Dwell time after which half of the rise of the static friction has occurred (default chosen).
         gamma: tunable = real("s", 2.0).at_least(0.0),
         /// Has the contact broken away?
         slipping: state = boolean(false),
@@ -131,12 +132,12 @@ crate::model! {
         bristle_deflection: state = real("m", 0.0).nominal(1e-5).shown_in("um"),
         /// Time since the contact got stuck; 0 while it slips.
         dwell_time: state = real("s", 0.0).at_least(0.0),
-        /// Stribeck magnitude per normal force: stuck, that at the end of the last slip; slipping, that of the
-        /// breakaway.
+        /// Stribeck magnitude per normal force: that at the end of the last slip while stuck, that of the breakaway
+        /// while slipping.
         stribeck_coefficient: state = real("1", 0.0).at_least(0.0),
-        /// Velocity that the level of friction follows: that of a time lag ago, or a filtered one.
+        /// Velocity that determines the friction level: delayed by the time lag, or filtered.
         lagged_velocity: state = real("m/s", 0.0).nominal(1e-3).shown_in("mm/s"),
-        /// The past of the velocity of slip.
+        /// History of the velocity of slip.
         delay_line: (DelayLine),
         /// Energy taken out of the motion since the start.
         dissipated_energy: state_output = real("J", 0.0).nominal(1e-3),
@@ -149,7 +150,7 @@ crate::model! {
     }
 }
 
-/// The kink of w through 0 and the steepest parts of the Stribeck curve are looked for up to this multiple of v_S.
+/// Multiple of v_S up to which the kink of w through 0 and the steepest parts of the Stribeck curve are searched for.
 const BAND: f64 = 1.0;
 
 impl<T: Real> Armstrong<T> {
@@ -158,7 +159,8 @@ impl<T: Real> Armstrong<T> {
         self.mu_s - self.mu_k
     }
 
-    /// F_Sa, or the F_S of the breakaway, per normal force. If mu_s was lowered meanwhile, not above what it allows.
+    /// F_Sa, or the F_S of the breakaway, per normal force. Not above what mu_s allows, in case mu_s has been lowered
+    /// in the meantime.
     fn kept_excess(&self) -> T {
         let limit = self.final_excess();
         if self.stribeck_coefficient < limit { self.stribeck_coefficient } else { limit }
@@ -173,7 +175,7 @@ impl<T: Real> Armstrong<T> {
         kept + (self.final_excess() - kept) * dwell_time / (dwell_time + self.gamma)
     }
 
-    /// f_C + F_S(gamma, t_d): what a stuck contact holds.
+    /// f_C + F_S(gamma, t_d): the force that a stuck contact can hold.
     fn holding_level(&self, load: T, dwell_time: T) -> T {
         load * (self.mu_k + self.risen_excess(dwell_time))
     }
@@ -189,7 +191,7 @@ impl<T: Real> Armstrong<T> {
         load * (self.mu_k + self.sliding_excess(w))
     }
 
-    /// Cut to what the level carries.
+    /// Deflection, limited to what the level can carry.
     fn held_deflection(&self, load: T) -> T {
         self.bristle_deflection.pushed_back(self.holding_level(load, self.dwell_time) / self.sigma_0)
     }
@@ -202,7 +204,7 @@ impl<T: Real> Armstrong<T> {
         self.slipping.value() != 0.0
     }
 
-    /// Did the contact slip until now, and does a velocity of this sign bring it to rest?
+    /// Whether the contact has slipped until now and a velocity of this sign brings it to rest.
     fn arrives(&self, direction: f64) -> bool {
         let slip = self.bristle_deflection.sign().value();
         self.is_slipping() && (direction == 0.0 || slip == -direction)
@@ -249,7 +251,8 @@ impl Armstrong {
         }
     }
 
-    /// Ends a step, once the inputs are where they end: a deflection that the level has cut is exactly on its limit.
+    /// Ends a step, once the inputs have their final values: puts a deflection that the level has limited exactly on
+    /// its limit.
     fn settle(&mut self) {
         if !self.is_slipping() {
             self.limit_deflection(self.normal_force);
@@ -326,7 +329,7 @@ impl Armstrong {
         [z_0 * d_0 - n_0 * mu_0, z_0 + z_1 * d_0 - n_0 * mu_1 - n_1 * mu_0, z_1 + z_2 * d_0 - n_1 * mu_1, z_2]
     }
 
-    /// Cuts the displacement to what the level carries.
+    /// Limits the displacement to what the level can carry.
     fn limit_deflection(&mut self, load: f64) {
         self.bristle_deflection = self.held_deflection(load);
     }
@@ -357,7 +360,7 @@ impl Armstrong {
         sum
     }
 
-    /// Energy dissipated in slip from time `from` of a motion on, while w is that of `piece`.
+    /// Energy dissipated in slip from time `from` of a motion, while w is that of `piece`.
     fn work(&self, part: &Motion, from: f64, piece: Piece) -> f64 {
         let power = |t: f64| {
             let speed = part.velocity_at(from + t).abs();
@@ -370,7 +373,7 @@ impl Armstrong {
         integral_past_peak(&power, &|t| piece.at(t), BAND * self.stribeck_velocity, 0.0, piece.duration)
     }
 
-    /// Adds a piece of the velocity of slip to the past. Before the known past the contact was stuck.
+    /// Adds a piece of the velocity of slip to the history. Before the known history the contact was stuck.
     fn remember(&mut self, piece: Piece) {
         if !self.lags() {
             self.lagged_velocity = piece.end;
@@ -501,7 +504,7 @@ mod tests {
         }
     }
 
-    /// While the velocity of slip a lag ago is 0, the force stays at the breakaway level; then it falls.
+    /// While the velocity of slip one lag earlier is 0, the force stays at the breakaway level; then it falls.
     #[test]
     fn force_stays_for_the_lag_after_breakaway() {
         let mut law = Armstrong { sigma_0: 1e9, gamma: 0.0, ..Default::default() };
@@ -525,7 +528,8 @@ mod tests {
         }
     }
 
-    /// Stopping from 2 mm/s: the level at the stop is that of a lag ago, and it is where the next rise begins.
+    /// Stopping from 2 mm/s: the level at the stop belongs to the velocity one lag earlier, and the next rise begins
+    /// there.
     #[test]
     fn the_stop_keeps_the_force_and_the_magnitude() {
         let mut law = Armstrong { gamma: 1.0, stribeck_coefficient: 0.05, ..Default::default() };
@@ -534,7 +538,7 @@ mod tests {
         assert!((force(&mut law) - F_C - F_SINF / 5.0).abs() < 1e-12);
         assert!((law.stribeck_coefficient - 0.01).abs() < 1e-15);
         assert_eq!((law.sticking, law.slipping), (1.0, 0.0));
-        // A second later a half of what was missing has come back.
+        // A second later half of the missing part has returned.
         go(&mut law, 0.0, 1.0);
         law.sigma_0 = 1e12;
         law.bristle_deflection = 0.0;
@@ -555,7 +559,7 @@ mod tests {
         assert_eq!(law.sticking, 0.0);
     }
 
-    /// Sudden fall of the load: the force follows at once and keeps following when the load is back.
+    /// Sudden fall of the load: the force falls at once and stays low when the load is back.
     #[test]
     fn a_falling_load_cuts_the_force() {
         let mut law = Armstrong { gamma: 0.0, ..Default::default() };
@@ -593,7 +597,8 @@ mod tests {
         (f64::from(k) * 12.9898).sin() * 3e-3 * (f64::from(k) * 0.7).cos()
     }
 
-    /// At constant load nothing comes out that was not put in; if the load rises during slip, no more than stated.
+    /// At constant load the contact returns no more energy than was put in; if the load rises during slip, no more than
+    /// stated.
     #[test]
     fn passive_at_constant_load_and_within_the_stated_bound_else() {
         for time_lag in [0.0, 1e-3, 0.02] {

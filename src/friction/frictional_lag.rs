@@ -111,7 +111,8 @@ crate::model! {
         mu_k: tunable = real("1", 0.1).at_least(0.0),
         /// Static coefficient of friction; not less than mu_k.
         mu_s: tunable = real("1", 0.15).at_least(0.0),
-        /// Speed at which the excess of static over kinetic friction has fallen to 1/e (Lorentzian, hyperbola: 1/2).
+        /// Speed at which the excess of static over kinetic friction has fallen to 1/e, or to 1/2 where the curve is a
+        /// fraction (Armstrong, HessSoom, PoppStelter).
         stribeck_velocity: tunable = real("m/s", 0.001).positive().shown_in("mm/s"),
         /// Exponent of the Stribeck curve.
         stribeck_exponent: tunable = real("1", 2.0).positive(),
@@ -123,7 +124,7 @@ crate::model! {
         variant: fixed = FrictionalLagVariant::Delay.start(),
         /// Does the contact have a past? Without one the level follows the present velocity.
         has_past: state = boolean(false),
-        /// Velocity that the level of friction follows: that of a time lag ago, or a filtered one.
+        /// Velocity that determines the friction level: delayed by the time lag, or filtered.
         lagged_velocity: state = real("m/s", 0.0).nominal(1e-3).shown_in("mm/s"),
         /// The past of the velocity.
         delay_line: (DelayLine),

@@ -106,7 +106,8 @@ crate::model! {
     /// while it moves inwards. v = 0 counts as rest: all elements stick, and the force is held. If the load falls at
     /// rest, the old force is held until there is motion. `normal_force` = 0 releases the contact (force 0, elements
     /// relaxed and sticking). With equal levels (f_s = f_C) the elements are elastic and perfectly plastic, and C does
-    /// not matter.
+    /// not matter. As a Rust struct the law has up to 64 elements, in `GuideContact` and `ShockAbsorber` up to 16; more
+    /// need an `Instance`, which is behind every FMU and C handle.
     ///
     /// Passive for f_s = f_C and a constant load. Otherwise not: a slipping element that slows down gains force, and
     /// with it elastic energy, without moving. Each rise of the level from f_C to f_s can return up to sum_i alpha_i^2
@@ -146,7 +147,8 @@ crate::model! {
         mu_k: tunable = real("1", 0.1).at_least(0.0),
         /// Static coefficient of friction; not less than mu_k.
         mu_s: tunable = real("1", 0.15).at_least(0.0),
-        /// Speed at which the excess of static over kinetic friction has fallen to 1/e (Lorentzian, hyperbola: 1/2).
+        /// Speed at which the excess of static over kinetic friction has fallen to 1/e, or to 1/2 where the curve is a
+        /// fraction (Armstrong, HessSoom, PoppStelter).
         stribeck_velocity: tunable = real("m/s", 0.001).positive().shown_in("mm/s"),
         /// Exponent of the Stribeck curve.
         stribeck_exponent: tunable = real("1", 2.0).positive(),

@@ -36,12 +36,13 @@ crate::model! {
     ///
     /// # Step
     /// With held inputs the step is exact: the instant at which the deflection reaches z_m is located inside the step,
-    /// and the energy is that of the two parts. A motion against the deflection bonds the contact again at once, so the
-    /// force then belongs to the first line of (7.10), also at |z| = z_m. At rest (v = 0) with |z| = z_m the last
-    /// sliding force sigma_0 z stays. That z_m was reached is remembered in `slip_direction`. `sticking` says that the
-    /// contact is bonded or at rest.
+    /// and the energy is the sum of the two parts. If the master gives slopes of the inputs, the step is exact as well:
+    /// the breakaway is located, and the energy is a closed form. A motion against the deflection bonds the contact
+    /// again at once, so the force then belongs to the first line of (7.10), also at |z| = z_m. At rest (v = 0) with
+    /// |z| = z_m the last sliding force sigma_0 z stays. `slip_direction` records that z_m has been reached. `sticking`
+    /// means that the contact is bonded or at rest.
     ///
-    /// A master that steps the friction first and reads the force then gets at most f_s + 2 sigma_1 z_m / h, because a
+    /// A master that steps the friction first and then reads the force gets at most f_s + 2 sigma_1 z_m / h, because a
     /// contact that is still bonded after a step h has moved by 2 z_m at most.
     ///
     /// A master that integrates a mass m with the force it reads couples it explicitly to the stiffness k and the
@@ -54,12 +55,12 @@ crate::model! {
     ///
     /// # Limits
     /// The force drops from f_s + sigma_1 v to f_C at breakaway, and jumps up at every reversal. The level does not
-    /// depend on the speed. A load that changes takes a sliding contact to the new z_m (`bristle_deflection` keeps its
-    /// value at breakaway), so that it goes on sliding, and limits that of a bonded one. `normal_force` = 0 releases
-    /// the contact (force 0, deflection 0), and so does `mu_k` = 0, because then z_m = 0. `mu_s` = `mu_k` with
-    /// `sigma_1` = 0 is an elastic, perfectly plastic bond, Dahl's law with alpha = 0. Passive at constant load: the
-    /// stored energy (1 + a) sigma_0 z^2 / 2 is that of a spring, so from the start values `dissipated_energy` never
-    /// becomes negative.
+    /// depend on the speed. A change of load takes a sliding contact to the new z_m (`bristle_deflection` keeps its
+    /// value at breakaway), so that it continues to slide, and limits the deflection of a bonded one. `normal_force` =
+    /// 0 releases the contact (force 0, deflection 0), and so does `mu_k` = 0, because then z_m = 0. `mu_s` = `mu_k`
+    /// with `sigma_1` = 0 is an elastic, perfectly plastic bond, Dahl's law with alpha = 0. Passive at constant load:
+    /// the stored energy (1 + a) sigma_0 z^2 / 2 is that of a spring, so from the start values `dissipated_energy`
+    /// never becomes negative.
     ///
     /// # Source
     /// Haessig and Friedland (1991), doi:10.1115/1.2896418; equations (7.9) to (7.11) of F. Novais, "A critical
@@ -67,9 +68,9 @@ crate::model! {
     /// from the thesis: its maximum deflection z_0 is z_m here, because its Table 7.1 gives z_0 = 0 as the initial
     /// deflection. That table prints a = 0.52, which makes the breakaway force 1.49112 N instead of f_s = 1.4715 N;
     /// here a follows from mu_s / mu_k and is 0.5, and the preset `thesis_printed` has 0.52. The text calls a the ratio
-    /// of stiction to sliding load, which is 1 + a. (7.11), sigma_1 = 0.707 sqrt(sigma_0 m), damps a stuck mass m by
-    /// 0.289 only, 0.707 would need 1.414 sqrt((1 + a) sigma_0 m); the default is that of Table 7.1 (damping 0.408 for
-    /// 1 kg). A stiffness that depends on the speed, which (7.10) allows, is left out.
+    /// of stiction to sliding load, which is 1 + a. (7.11), sigma_1 = 0.707 sqrt(sigma_0 m), gives a stuck mass m a
+    /// damping ratio of only 0.289; 0.707 would need 1.414 sqrt((1 + a) sigma_0 m); the default is that of Table 7.1
+    /// (damping ratio 0.408 for 1 kg). A stiffness that depends on the speed, which (7.10) allows, is left out.
     ///
     /// # Example
     /// ```
@@ -127,7 +128,7 @@ impl<T: Real> ResetIntegrator<T> {
         self.sigma_0 * self.mu_s / self.mu_k
     }
 
-    /// The deflection at the present load: z_m once the contact has broken away, and not more before.
+    /// Deflection at the present load: z_m once the contact has broken away, at most z_m before.
     fn deflection(&self) -> T {
         if self.slip_direction.value() == 0.0 {
             self.bristle_deflection.pushed_back(self.limit())
@@ -136,7 +137,7 @@ impl<T: Real> ResetIntegrator<T> {
         }
     }
 
-    /// Has the contact broken away in the direction of the motion?
+    /// Whether the contact has broken away in the direction of the motion.
     fn is_sliding(&self) -> bool {
         let direction = self.velocity.sign();
         direction.value() != 0.0
@@ -171,7 +172,7 @@ impl<T: Real> Law for ResetIntegrator<T> {
 }
 
 impl ResetIntegrator {
-    /// Moves the bond, up to z_m; what is left of the distance is sliding.
+    /// Stretches the bond, up to z_m; the rest of the distance is sliding.
     fn stretch(&mut self, direction: f64, distance: f64) {
         let before = self.deflection();
         let bonded = distance.min(self.limit() - direction * before);
@@ -294,7 +295,7 @@ impl Model for ResetIntegrator {
         motion.parts().for_each(|part| self.follow(part));
         ramp::set_inputs(self, &begin, slope, dt);
         if self.slip_direction == 0.0 && !motion.is_at_rest() {
-            // A bond that z_m has pushed back is exactly on it.
+            // A bond that z_m has pushed back lies exactly on z_m.
             self.bristle_deflection = self.deflection();
         }
     }
@@ -335,7 +336,8 @@ mod tests {
         assert!((reversed.friction_force - (1.4715 - 316.227_766 * v)).abs() < 1e-8);
     }
 
-    /// A cycle of +-X with X > z_m and no damping: bonded over 2 z_m per leg, where the spring gives back what it took.
+    /// A cycle of +-X with X > z_m and no damping: bonded over 2 z_m per leg, where the spring returns the energy that
+    /// it took.
     #[test]
     fn closed_cycle_dissipates_in_sliding_only() {
         let start = moved(ResetIntegrator { sigma_1: 0.0, ..Default::default() }, 1e-3, 0.05);
@@ -360,7 +362,7 @@ mod tests {
         assert!((whole.dissipated_energy / law.dissipated_energy - 1.0).abs() < 1e-9);
     }
 
-    /// A load that falls takes the deflection down: the force is the new level, and the bond is not stronger than it.
+    /// A falling load reduces the deflection: the force is the new level, and the bond is not stronger.
     #[test]
     fn falling_load_takes_the_deflection_down() {
         let mut law = moved(ResetIntegrator::default(), 1e-3, 1.0);
@@ -371,7 +373,7 @@ mod tests {
         assert!((law.friction_force - 0.5 * 1.4715).abs() < 1e-6 && law.bristle_deflection < 4.905e-6);
     }
 
-    /// A load that rises lets a sliding contact slide on; without the memory it would bond again with f_s + sigma_1 v.
+    /// A load that rises lets a sliding contact slide on; without this memory it would bond again with f_s + sigma_1 v.
     #[test]
     fn rising_load_does_not_bond_a_sliding_contact() {
         let sliding = moved(ResetIntegrator::default(), 0.3, 1e-3);
@@ -381,7 +383,7 @@ mod tests {
         let law = moved(law, 0.3, 1e-6);
         assert_eq!(law.friction_force, 0.1 * 12.0);
         assert!((law.dissipated_energy - sliding.dissipated_energy - 1.2 * 0.3e-6).abs() < 1e-18);
-        // A reversal finds the bond at the z_m of the present load.
+        // At a reversal the bond has the z_m of the present load.
         let mut law = ResetIntegrator { velocity: -1e-9, ..law };
         law.output();
         assert!((law.friction_force - 0.15 * 12.0).abs() < 1e-6);

@@ -116,7 +116,8 @@ crate::model! {
         mu_k: tunable = real("1", 0.1).at_least(0.0),
         /// Static coefficient of friction; not less than mu_k.
         mu_s: tunable = real("1", 0.15).at_least(0.0),
-        /// Speed at which the excess of static over kinetic friction has fallen to 1/e (Lorentzian, hyperbola: 1/2).
+        /// Speed at which the excess of static over kinetic friction has fallen to 1/e, or to 1/2 where the curve is a
+        /// fraction (Armstrong, HessSoom, PoppStelter).
         stribeck_velocity: tunable = real("m/s", 0.001).positive().shown_in("mm/s"),
         /// Exponent of the Stribeck curve.
         stribeck_exponent: tunable = real("1", 2.0).positive(),

@@ -33,12 +33,12 @@ crate::model! {
     /// | v       | `velocity`           | m/s  | velocity of body 1 relative to body 2                    |
     /// | f_n     | `normal_force`       | N    | force pressing the surfaces together                     |
     /// | v'      | `acceleration`       | m/s2 | acceleration of body 1 relative to body 2                |
-    /// |         | `velocity_slope`     | m/s2 | v' as it was given by a slope of the velocity            |
+    /// |         | `velocity_slope`     | m/s2 | v' from a given slope of the velocity                    |
     /// | mu_k    | `mu_k`               | 1    | kinetic coefficient of friction                          |
     /// | mu_s    | `mu_s`               | 1    | static coefficient of friction                           |
     /// | sigma_0 | `sigma_0`            | N/m  | stiffness of the stuck contact                           |
     /// | a       | `branch_decay`       | s/m  | steepness of both curves                                 |
-    /// |         | `slipping`           |      | has the contact broken away?                             |
+    /// |         | `slipping`           |      | whether the contact has broken away                      |
     /// | z       | `bristle_deflection` | m    | elastic displacement; sliding: that of the breakaway     |
     /// | f_f     | `friction_force`     | N    | friction force                                           |
     ///
@@ -51,10 +51,10 @@ crate::model! {
     /// Exact for held inputs. Inputs that move linearly are followed too: breakaway is the first zero of a parabola and
     /// the stop the zero of the velocity, both located to the last bit within the step, so they do not depend on how an
     /// interval is divided. A held velocity that jumps across zero stops at the beginning of the step. The sign of the
-    /// acceleration is that of the slope of `velocity` where the master gives one (fmi2SetRealInputDerivatives), else
+    /// acceleration is that of the slope of `velocity` if the master gives one (fmi2SetRealInputDerivatives), otherwise
     /// that of the input `acceleration` at the beginning of the step; without either it is 0 and the upper curve
-    /// counts. After a step with a slope the outputs use that slope until the next step. The dissipated energy is a
-    /// closed form while stuck and for held inputs, and else a quadrature with a relative error below 1e-10.
+    /// applies. After a step with a slope the outputs use that slope until the next step. The dissipated energy is a
+    /// closed form while stuck and for held inputs, and otherwise a quadrature with a relative error below 1e-10.
     ///
     /// A master that integrates a mass m with the force it reads couples it explicitly to the stiffness k of the
     /// contact at rest. If the friction steps first, a held body stays still for communication steps below 2 sqrt(m /
@@ -62,29 +62,30 @@ crate::model! {
     /// step at once and exchange afterwards, it chatters at every step, since nothing damps the stiffness: take the
     /// friction first.
     ///
-    /// Sliding needs a shorter step: at breakaway an acceleration that is what the last force gave puts the contact on
-    /// the lower curve for a step now and then, which throws the body off by 2 (f_s - f_C) h / m. Of a block of 1 kg on
-    /// a belt of 0.1 m/s the period of stick-slip is short by 0.6 % at 16 us, by 2 % at 31 us and by 37 % at 1 ms.
+    /// Sliding needs a shorter step: at breakaway, an acceleration computed from the last force occasionally puts the
+    /// contact on the lower curve for one step, which changes the velocity by 2 (f_s - f_C) h / m. For a block of 1 kg
+    /// on a belt of 0.1 m/s the stick-slip period is 0.6 % too short at h = 16 us, 2 % at 31 us and 37 % at 1 ms.
     ///
     /// # Errors
-    /// Refused: a parameter outside its bound; `mu_s` < `mu_k`; `mu_s` > 2 `mu_k`, for then the lower curve would push.
+    /// Refused: a parameter outside its bound; `mu_s` < `mu_k`; `mu_s` > 2 `mu_k`, because the lower curve would then
+    /// push.
     ///
     /// # Limits
     /// No damping while stuck: a mass on the contact oscillates. The force jumps where the acceleration changes its
-    /// sign, and at the stop to where the lower curve ends; an acceleration that is itself computed from this force
+    /// sign, and at the stop to the end of the lower curve; an acceleration that is itself computed from this force
     /// closes a loop that may switch at every step. A stuck contact at v = 0 holds. `mu_s` = `mu_k` is the elastic and
-    /// perfectly plastic contact. If the load falls, the displacement is cut to what the level carries: at the
+    /// perfectly plastic contact. If the load falls, the displacement is cut to what the level can carry: at the
     /// beginning of a step, at the end of one with slopes, and in the force at once.
     ///
     /// Passive at constant load: the curves never push, and the stop leaves (2 f_C - f_s)^2 / (2 sigma_0) in the
     /// spring, not more than the f_s^2 / (2 sigma_0) that the breakaway left there. A load that rises from f_n1 to f_n2
-    /// while sliding charges the contact at the next stop, so that it may give back up to [(2 mu_k - mu_s)^2 f_n2^2 -
-    /// mu_s^2 f_n1^2] / (2 sigma_0) more than it got. `normal_force` = 0 releases the contact: force 0, and the next
-    /// step makes it stuck and undeflected.
+    /// while sliding charges the contact at the next stop, so that it may return up to [(2 mu_k - mu_s)^2 f_n2^2 -
+    /// mu_s^2 f_n1^2] / (2 sigma_0) more than was put in. `normal_force` = 0 releases the contact: force 0, and the
+    /// next step makes it stuck and undeflected.
     ///
     /// # Source
     /// Reconstructed after Wojewoda, Stefanski, Wiercigroch and Kapitaniak (2008), "Hysteretic effects of dry friction:
-    /// modelling and experimental studies", Phil. Trans. R. Soc. A 366, 747-765, which was not at hand: its function
+    /// modelling and experimental studies", Phil. Trans. R. Soc. A 366, 747-765, which was not available: its function
     /// for sticking and the argument of its exponential could not be confirmed. The page of F. Novais, "A critical
     /// analysis on friction force models in dynamical systems", MSc thesis, University of Minho (2024), was not
     /// available either. The defaults a = 500 s/m and sigma_0 are chosen; the latter is that of the bristle models.
@@ -107,7 +108,7 @@ crate::model! {
         velocity: input = real("m/s", 0.0).shown_in("mm/s"),
         /// Normal force that presses the surfaces together.
         normal_force: input = real("N", 9.81).at_least(0.0),
-        /// How the acceleration is known.
+        /// Source of the acceleration.
         branching: (Branching),
         /// Kinetic coefficient of friction.
         mu_k: tunable = real("1", 0.1).at_least(0.0),
@@ -133,7 +134,7 @@ crate::model! {
 }
 
 impl<T: Real> Wojewoda<T> {
-    /// Where the lower curve ends, per normal force: 2 mu_k - mu_s.
+    /// End of the lower curve, per normal force: 2 mu_k - mu_s.
     fn mu_stop(&self) -> T {
         self.mu_k + self.mu_k - self.mu_s
     }
@@ -144,7 +145,7 @@ impl<T: Real> Wojewoda<T> {
         branches::level(velocity, self.mu_k * load, at_rest * load, self.branch_decay)
     }
 
-    /// Cut to what the level carries.
+    /// Deflection, limited to what the level can carry.
     fn held_deflection(&self, load: T) -> T {
         self.bristle_deflection.pushed_back(self.mu_s * load / self.sigma_0)
     }
@@ -153,7 +154,7 @@ impl<T: Real> Wojewoda<T> {
         self.slipping.value() != 0.0
     }
 
-    /// Did the contact slide until now, and does a velocity of this sign bring it to rest?
+    /// Whether the contact has slid until now and a velocity of this sign brings it to rest.
     fn arrives(&self, direction: f64) -> bool {
         let slip = self.bristle_deflection.sign().value();
         self.is_slipping() && (direction == 0.0 || slip == -direction)
@@ -196,7 +197,8 @@ impl Wojewoda {
         }
     }
 
-    /// Ends a step, once the inputs are where they end: a deflection that the level has cut is exactly on its limit.
+    /// Ends a step, once the inputs have their final values: puts a deflection that the level has limited exactly on
+    /// its limit.
     fn settle(&mut self) {
         if !self.is_slipping() {
             self.limit_deflection(self.normal_force);
@@ -245,7 +247,7 @@ impl Wojewoda {
         first_rise(excess, parabola, part.duration)
     }
 
-    /// Cuts the displacement to what the level carries.
+    /// Limits the displacement to what the level can carry.
     fn limit_deflection(&mut self, load: f64) {
         self.bristle_deflection = self.held_deflection(load);
     }
@@ -339,7 +341,7 @@ mod tests {
         force(law)
     }
 
-    /// Below f_s the way back is the way there: the loop closes without area.
+    /// Below f_s unloading follows the loading line: the loop closes without area.
     #[test]
     fn the_presliding_loop_closes() {
         let mut law = Wojewoda::default();
@@ -350,9 +352,9 @@ mod tests {
         assert!(force(&mut law).abs() < 1e-15 && law.dissipated_energy.abs() < 1e-20);
     }
 
-    /// To and fro by 2 X, so slowly that the curves have not fallen from f_s: the loop of an elastic, plastic contact
-    /// that starts from 2 f_C - f_s after each stop. The elastic way to f_s on the other side is s = 2 f_C / sigma_0,
-    /// so the area is 2 [f_s (2 X - s) + (f_s^2 - (2 f_C - f_s)^2) / (2 sigma_0)].
+    /// Back and forth by 2 X, so slowly that the curves have not fallen from f_s: the loop of an elastic, plastic
+    /// contact that starts from 2 f_C - f_s after each stop. The elastic travel to f_s on the other side is s = 2 f_C /
+    /// sigma_0, so the area is 2 [f_s (2 X - s) + (f_s^2 - (2 f_C - f_s)^2) / (2 sigma_0)].
     #[test]
     fn a_loop_beyond_breakaway_closes_and_has_its_area() {
         let (x, stop) = (1e-4, 2.0 * F_C - F_S);
@@ -382,8 +384,8 @@ mod tests {
         }
     }
 
-    /// From rest up to 10 mm/s, down to rest and on the other way: the force follows the spring, the upper curve, the
-    /// lower curve, the spring.
+    /// From rest up to 10 mm/s, down to rest and on in the other direction: the force follows the spring, the upper
+    /// curve, the lower curve, the spring.
     #[test]
     fn ramps_pass_through_all_branches() {
         let mut law = Wojewoda::default();

@@ -41,7 +41,7 @@ impl Motion {
         self.acceleration == 0.0 && self.load_rate == 0.0
     }
 
-    /// Does the velocity stay 0?
+    /// Whether the velocity stays 0.
     pub fn is_at_rest(&self) -> bool {
         self.velocity == 0.0 && self.acceleration == 0.0
     }
@@ -52,7 +52,7 @@ impl Motion {
         Motion { velocity, load, duration: to - from, ..*self }
     }
 
-    /// -1, 0 or 1: the sign of the velocity in an interval in which it does not change.
+    /// Sign of the velocity (-1, 0 or 1), in an interval in which it does not change its sign.
     pub fn direction(&self) -> f64 {
         let middle = self.velocity_at(0.5 * self.duration);
         if middle == 0.0 { 0.0 } else { middle.signum() }

@@ -1,4 +1,4 @@
-//! What a strut tells its master beside its results: tangents, and the step that they allow.
+//! Advice to the master: tangents, and the largest step that they allow.
 
 use crate::friction::Exchange;
 use crate::shock_absorber::ShockAbsorber;
@@ -8,15 +8,15 @@ use crate::shock_absorber::memories::Memories;
 use crate::shock_absorber::setting::{InputMode, Motion, Setting};
 use crate::shock_absorber::shock_absorber::OtherStates;
 
-/// Half widths of the central differences (chosen): far below the width of any friction law's transition, far above
-/// rounding.
+/// Half widths of the central differences (chosen): far smaller than the transition of any friction law, far larger
+/// than rounding.
 const PROBE_LENGTH: f64 = 1e-8;
 const PROBE_VELOCITY: f64 = 1e-8;
 
-/// Shortest step that the tangents of a step are taken over (chosen), for their digits.
+/// Shortest step over which tangents are taken (chosen), to keep enough digits.
 const SHORTEST_PROBE: f64 = 1e-6;
 
-/// What a strut tells its master beside its results.
+/// Advice to the master.
 pub(super) struct Advice {
     dlength: f64,
     dvelocity: f64,
@@ -28,14 +28,14 @@ struct Tangents {
     /// Without the damper.
     velocity: f64,
     held_velocity: f64,
-    /// Of the damper's force.
+    /// For the damper's force.
     held_damper: f64,
     /// Slope of the damper's resistance over the velocity of its piston.
     damper: f64,
 }
 
 impl Setting {
-    /// Friction force along the axis after a step, if the strut moves so; nothing is changed.
+    /// Friction force along the axis after a step of this motion; nothing is changed.
     #[inline(never)]
     fn friction_after(&self, motion: &Motion<f64>, memory: Memories<f64>, dt: f64) -> f64 {
         let touches = self.touches(motion);
@@ -68,9 +68,9 @@ impl Setting {
         factor * self.damper.resistance(piston)
     }
 
-    /// Derivatives of the force: with respect to the length at this instant; to the velocity at this instant and to one
-    /// that is held over a step of `dt`, for the damper by itself.
-    #[inline(never)] // as the other parts of an output: what each puts on the stack is gone before the next
+    /// Derivatives of the force: with respect to the length at this instant; to the velocity at this instant; and to a
+    /// velocity held over a step of `dt`, separately for the damper.
+    #[inline(never)] // as the other parts of an output, so that the stack of each is freed before the next
     fn tangents(&self, memory: Memories<f64>, state: &OtherStates<f64>, dt: f64) -> Tangents {
         let here = self.motion();
         let now = |motion: &Motion<f64>| {
@@ -95,7 +95,7 @@ impl Setting {
         }
     }
 
-    /// Slope of the damper's resistance about a velocity of the piston.
+    /// Slope of the damper's resistance at a velocity of the piston.
     fn slope_of_the_damper(&self, piston_velocity: f64, temperature: f64) -> f64 {
         let d_velocity = PROBE_VELOCITY.max(1e-6 * piston_velocity.abs());
         let at = |velocity: f64| self.resistance(velocity, temperature);
@@ -104,7 +104,7 @@ impl Setting {
 }
 
 impl<T: Evaluate> ShockAbsorber<T> {
-    /// Tangents and the step that they allow.
+    /// Tangents and the largest step that they allow.
     #[inline(never)]
     pub(super) fn advice(&self, memories: Memories<T>) -> Advice {
         let setting = self.setting.values();
@@ -117,7 +117,7 @@ impl<T: Evaluate> ShockAbsorber<T> {
         let dt =
             if self.step_size.value() > 0.0 { self.step_size.value().max(SHORTEST_PROBE) } else { setting.num.h_max };
         let tangents = setting.tangents([&values[0], &values[1]], &state, dt);
-        // What a held velocity adds over a step is the work of bristles: a stiffness.
+        // The change of force due to a held velocity over a step comes from bristles: a stiffness.
         let bristles = (tangents.velocity - tangents.held_velocity).max(0.0) / dt;
         let is_held = InputMode::of(setting.num.input_mode) == InputMode::Hold;
         let (stiffness, held) = if is_held { (-tangents.length, bristles) } else { (bristles - tangents.length, 0.0) };

@@ -2,7 +2,7 @@ use crate::laws::table;
 use crate::model::{Column, Fault, Law, Model, boolean, integer, real};
 use crate::number::Real;
 
-/// Most points of a table.
+/// Largest number of points of a table.
 pub const POINTS: usize = 16;
 
 crate::choices! {
@@ -28,7 +28,7 @@ crate::part! {
         preload: tunable = real("N", 150.0),
         /// Number of points of the table in use (default chosen).
         tab_n: fixed = integer(3).at_least(2.0).at_most(POINTS as f64),
-        /// Compressions of the table, rising (default chosen).
+        /// Compressions of the table, ascending (default chosen).
         tab_x: [tunable; POINTS] = compressions(),
         /// Forces of the table, without preload (default chosen).
         tab_f: [tunable; POINTS] = forces(),
@@ -58,13 +58,13 @@ const fn forces() -> [Column; POINTS] {
     columns
 }
 
-/// The points of a table that are in use, at least two.
+/// Points of a table that are in use, at least two.
 pub(crate) fn points<T: Real>(x: &[T; POINTS], y: &[T; POINTS], count: T) -> ([(T, T); POINTS], usize) {
     let points = std::array::from_fn(|at| (x[at], y[at]));
     (points, (count.value() as usize).clamp(2, POINTS))
 }
 
-/// Refuses a table whose x do not rise.
+/// Refuses a table whose x are not strictly ascending.
 pub(crate) fn check_rising(name: &str, x: &[f64; POINTS], count: f64) -> Result<(), Fault> {
     for at in 1..count as usize {
         if x[at] <= x[at - 1] {
@@ -126,16 +126,16 @@ crate::model! {
     /// No memory: the force follows the compression.
     ///
     /// # Errors
-    /// Refused: a parameter outside its bound; a table whose compressions do not rise.
+    /// Refused: a parameter outside its bound; a table whose compressions are not strictly ascending.
     ///
     /// # Limits
-    /// The spring does not come loose: beyond full extension it goes on along the same line. Beyond the ends of a table
-    /// the first and the last line go on. A preload given as a length x is the force k x.
+    /// The spring never separates: beyond full extension it continues along the same line. Beyond the ends of a table
+    /// the first and the last line are extended. A preload given as a length x is the force k x.
     ///
     /// # Source
     /// Novais, "A critical analysis on friction force models in dynamical systems", MSc thesis, University of Minho
-    /// (2024), list of symbols of chapter 9. Stiffness: Zips Racing ZR26, front axle (ZipsRacingElectric/Vehicle-Dynamics,
-    /// MIT licence). Preload and table are chosen.
+    /// (2024), list of symbols of chapter 9. Stiffness: Zips Racing ZR26, front axle
+    /// (ZipsRacingElectric/Vehicle-Dynamics, MIT licence). Preload and table are chosen.
     ///
     /// # Example
     /// ```

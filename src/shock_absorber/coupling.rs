@@ -2,16 +2,16 @@
 
 use crate::friction::Exchange;
 
-/// What stands for "no limit" (chosen), so that the advice is a finite number.
+/// Value that stands for "no limit" (chosen), so that the output is finite.
 const NO_LIMIT: f64 = 1.0;
 
 /// Largest step h for a mass m on a stiffness k and a damping c, if the force is held over each step.
 ///
-/// `bristles` is the part of the stiffness whose deflection is the integral of the velocity. Where that is held, too, the
-/// deflection lags, and such a stiffness counts twice (*sequential*) or 4/3 (*parallel*).
+/// `bristles` is the part of the stiffness whose deflection is the integral of the velocity. If the velocity is held,
+/// too, the deflection lags, and such a stiffness counts twice (*sequential*) or 4/3 (*parallel*).
 ///
-/// *Sequential* (the force belongs to the beginning of the step): the map of one step has the determinant
-/// `1 - c h / m + k h^2 / 2 m` and the trace `2 - c h / m - k h^2 / 2 m`; by Jury's criterion h < 2 m / c and h < 2 c / k.
+/// *Sequential* (the force belongs to the beginning of the step): the map of one step has the determinant `1 - c h / m
+/// + k h^2 / 2 m` and the trace `2 - c h / m - k h^2 / 2 m`; by Jury's criterion h < 2 m / c and h < 2 c / k.
 ///
 /// *Parallel* (it is one step older): Jury's criterion gives a cubic, whose smallest root is close to
 /// `1 / (c / m + 3 k / 2 c)`: exact for k = 0 and for m k >> c^2, low by a fifth at most in between.
@@ -28,7 +28,7 @@ pub(crate) fn step_limit(stiffness: f64, bristles: f64, damping: f64, mass: f64,
     limit.min(NO_LIMIT)
 }
 
-/// How often a stiffness counts whose deflection lags.
+/// Weight of a stiffness whose deflection lags.
 fn weight(exchange: Exchange) -> f64 {
     if exchange == Exchange::Parallel { 4.0 / 3.0 } else { 2.0 }
 }
@@ -39,18 +39,18 @@ pub(crate) struct Series {
     pub damping: f64,
     /// Stiffness in series with it.
     pub stiffness: f64,
-    /// Does it see a velocity that is held over the step, and so act one step late?
+    /// Whether its velocity is held over the step, so that it acts one step late.
     pub is_late: bool,
 }
 
-/// As [`step_limit`], with a damper behind a series stiffness beside the rest.
+/// As [`step_limit`], with a damper behind a series stiffness in parallel.
 ///
 /// At the circular frequency w of the mass, m w^2 = k + k_s u / (1 + u) with u = (w c_s / k_s)^2, such an element is a
-/// damping c_s / (1 + u) and a stiffness k_s u / (1 + u). At the limit of the step it is no stronger damper than
-/// (m k_s)^(1/2), as its stiffness takes the motion over. The reciprocals of the limits by damping and by stiffness are
-/// added. `damping` is negative where friction weakens with the speed: what is left of the damper then has to hold the
-/// stiffness. Against the largest modulus of the exact map of a step, for dampers of 200 to 6000 N.s/m on 1e4 to 1e9 N/m at
-/// 16.36 kg, the sum is 0.35 to 1.12 of the true limit; a margin keeps the advice below it.
+/// damping c_s / (1 + u) and a stiffness k_s u / (1 + u). At the limit of the step it is no stronger damper than (m
+/// k_s)^(1/2), because its stiffness takes over the motion. The reciprocals of the limits by damping and by stiffness
+/// are added. `damping` is negative where friction weakens with the speed: the rest of the damper then has to stabilise
+/// the stiffness. Against the largest modulus of the exact map of a step, for dampers of 200 to 6000 N.s/m on 1e4 to
+/// 1e9 N/m at 16.36 kg, the sum is 0.35 to 1.12 of the true limit; a margin keeps the advice below it.
 pub(crate) fn step_limit_in_series(
     stiffness: f64,
     bristles: f64,
@@ -89,7 +89,7 @@ fn softness(k: f64, series: &Series, mass: f64) -> f64 {
     let p = mass * (series.stiffness / series.damping).powi(2);
     let b = p - k - series.stiffness;
     let root = b.hypot(2.0 * (p * k).sqrt());
-    // Without the difference of nearly equal numbers.
+    // Avoids the difference of nearly equal numbers.
     if b > 0.0 { 2.0 * k / (b + root) } else { (root - b) / (2.0 * p) }
 }
 
@@ -97,8 +97,9 @@ fn softness(k: f64, series: &Series, mass: f64) -> f64 {
 mod tests {
     use super::*;
 
-    /// Does the motion of a mass on spring, damper and a damper in series grow? The force is held over each step; the
-    /// element in series moves exactly at a held velocity or at one that goes linearly to its value at the end.
+    /// Whether the motion of a mass on a spring, a damper and a damper in series grows. The force is held over each
+    /// step; the element in series moves exactly at a held velocity or at one that changes linearly to its value at the
+    /// end.
     fn grows_in_series(k: f64, c: f64, series: &Series, exchange: Exchange, h: f64) -> bool {
         const MASS: f64 = 16.36;
         let (mut x, mut v, mut f, mut old) = (1e-3, 1e-3, 0.0, 0.0);
@@ -148,7 +149,7 @@ mod tests {
         }
     }
 
-    /// Does the motion of a mass whose force is held grow from a small displacement and velocity?
+    /// Whether the motion of a mass under a held force grows from a small displacement and velocity.
     fn grows(k: f64, c: f64, m: f64, exchange: Exchange, h: f64) -> bool {
         let (mut x, mut v, mut old) = (1e-3, 1e-3, 0.0);
         for _ in 0..20_000 {

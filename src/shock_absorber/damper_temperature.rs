@@ -5,7 +5,7 @@ use crate::number::Real;
 crate::part! {
     /// Heating of the damper.
     Heating {
-        /// Does the temperature change, and with it the damper force?
+        /// Does the temperature change and affect the damper force?
         enabled: fixed = boolean(false),
         /// Relative loss of damper force per kelvin (default chosen).
         beta: tunable = real("1/K", 0.003).at_least(0.0),
@@ -37,13 +37,13 @@ impl<T: Real> Heating<T> {
 }
 
 impl Heating {
-    /// Tells of surroundings that nobody has set.
+    /// Warns of an ambient temperature that has not been set.
     pub(crate) fn warning(&self, ambient: f64) -> Option<Fault> {
-        let text = "temperature_ambient = 0 K: should be that of the surroundings; the damper cools down towards 0 K";
+        let text = "temperature_ambient = 0 K: the damper cools towards 0 K; set the temperature of the surroundings";
         (self.enabled != 0.0 && ambient == 0.0).then(|| Fault::new(text))
     }
 
-    /// Temperature after a time in which the power and the ambient temperature are held.
+    /// Temperature after a time with constant power and ambient temperature.
     pub(crate) fn after(&self, temperature: f64, ambient: f64, power: f64, dt: f64) -> f64 {
         if self.enabled == 0.0 {
             return temperature;
@@ -57,7 +57,7 @@ impl Heating {
 }
 
 crate::model! {
-    /// Temperature of a damper: what it dissipates heats it, and a hot damper is softer.
+    /// Temperature of a damper: the dissipated power heats it, and a hot damper is softer.
     ///
     /// # Equations
     ///
@@ -88,8 +88,8 @@ crate::model! {
     ///
     /// # Limits
     /// One temperature for oil and body; the viscosity law is a plain exponential. Nothing happens unless
-    /// `thermal.enabled` is true. A `temperature_ambient` of 0 K, as of an input that nothing has set yet, is computed as
-    /// it stands; with heating on it warns.
+    /// `thermal.enabled` is true. A `temperature_ambient` of 0 K, as with an input that is not set yet, is used as it
+    /// is; with heating it gives a warning.
     ///
     /// # Source
     /// Heat balance. All defaults are chosen.
@@ -103,7 +103,7 @@ crate::model! {
     /// damper.step(1e6);
     /// assert!((damper.temperature - 333.15).abs() < 1e-9); // 60 W / 1.5 W/K above 293.15 K
     /// ```
-    DamperTemperature: "Temperature of a damper, and what it does to its force" {
+    DamperTemperature: "Temperature of a damper and its effect on the force" {
         /// Power dissipated in the damper.
         power: input = real("W", 0.0),
         /// Ambient temperature.

@@ -59,12 +59,12 @@ fn damping<T: Real>(c: T, velocity: T, elastic: T) -> T {
 }
 
 impl<T: Real> BumpStop<T> {
-    /// Is the stop touched?
+    /// Whether the stop is touched.
     pub fn is_active(&self, compression: T) -> bool {
         self.enabled.value() != 0.0 && compression > self.gap
     }
 
-    /// Force, >= 0, at a compression of the strut and at the velocity of its extension.
+    /// Force, >= 0, at a compression of the strut and a velocity of extension.
     pub fn force(&self, compression: T, velocity: T) -> T {
         if !self.is_active(compression) {
             return T::zero();
@@ -80,7 +80,7 @@ impl<T: Real> BumpStop<T> {
 }
 
 impl<T: Real> ReboundStop<T> {
-    /// Force, <= 0, at a compression of the strut and at the velocity of its extension.
+    /// Force, <= 0, at a compression of the strut and a velocity of extension.
     pub fn force(&self, compression: T, velocity: T) -> T {
         if self.enabled.value() == 0.0 || compression >= self.gap {
             return T::zero();
@@ -137,8 +137,9 @@ crate::model! {
     /// No hysteresis of the rubber beyond the damping.
     ///
     /// # Source
-    /// Linear stop: F. Novais, "A critical analysis on friction force models in dynamical systems", MSc thesis, University
-    /// of Minho (2024), list of symbols of chapter 9. Cubic form as in the bump stops of Adams. All defaults are chosen.
+    /// Linear stop: F. Novais, "A critical analysis on friction force models in dynamical systems", MSc thesis,
+    /// University of Minho (2024), list of symbols of chapter 9. Cubic form as in the bump stops of Adams. All defaults
+    /// are chosen.
     ///
     /// # Example
     /// ```
@@ -191,7 +192,7 @@ mod tests {
         [stops.force_bump, stops.force_rebound]
     }
 
-    /// 1500 N (8 / 10)^2.2, and a polynomial worked by hand: 8 mm of 1e5 u + 2e6 u^2 + 3e8 u^3.
+    /// 1500 N (8 / 10)^2.2, and a polynomial computed by hand: 8 mm of 1e5 u + 2e6 u^2 + 3e8 u^3.
     #[test]
     fn progressive_forms() {
         let power = forces(0.048, 0.0, |stops| stops.bump.mode = 2.0)[0];

@@ -2,7 +2,7 @@ use crate::model::{Brief, Fault, Law, Model, boolean, real};
 use crate::number::Real;
 
 crate::part! {
-    /// Gas that the rod compresses.
+    /// Gas compressed by the rod.
     GasChamber {
         /// Is there a gas force?
         enabled: fixed = boolean(true),
@@ -32,7 +32,7 @@ impl<T: Real> GasChamber<T> {
         let area = self.rod_area();
         let volume = self.V0 - area * compression;
         if volume.value() <= 0.0 {
-            // Whole exponents would go on with a pressure, even a negative one.
+            // An integer exponent would still give a pressure, even a negative one.
             return T::from(f64::NAN);
         }
         let pressure = self.p0 * (self.V0 / volume).powf(self.n);
@@ -141,7 +141,7 @@ mod tests {
     use crate::catalogue::by_name;
     use crate::instance::Instance;
 
-    /// Beyond the volume of the gas there is no pressure, whatever the exponent.
+    /// When the rod fills the gas volume there is no pressure, whatever the exponent.
     #[test]
     fn a_rod_that_fills_the_volume_is_an_error() {
         let filled = 3e-5 / (0.25 * std::f64::consts::PI * 0.014 * 0.014);

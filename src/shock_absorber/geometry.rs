@@ -11,9 +11,9 @@ crate::part! {
         length_extended: fixed = real("m", 0.200).positive().shown_in("mm"),
         /// Stroke from full extension to full compression.
         stroke: fixed = real("m", 0.055).positive().shown_in("mm"),
-        /// Do d_i and d_j follow from length_extended and stroke?
+        /// Are d_i and d_j derived from length_extended and stroke?
         guidance_derived: fixed = boolean(false),
-        /// Where the joint guides the rod.
+        /// Positions of rod guide and piston.
         guidance: (Guidance),
         /// Radius of the rod, at the rod guide (default chosen).
         r_1: fixed = real("m", 0.007).at_least(0.0).shown_in("mm"),
@@ -22,23 +22,23 @@ crate::part! {
     }
 }
 
-/// Distance of the rod's eye from the rod guide, and of the piston from the tube's eye, at full compression: parts of the
-/// length that two strokes leave (chosen: those of the start values).
+/// Distance of the rod's eye from the rod guide, and of the piston from the tube's eye, at full compression: parts of
+/// the extended length less two strokes (chosen: those of the start values).
 const CLEARANCES: [f64; 2] = [2.0 / 9.0, 4.0 / 9.0];
 
 impl<T: Real> Geometry<T> {
-    /// What two strokes leave of the length at full extension.
-    fn rest(&self) -> T {
+    /// Extended length less two strokes.
+    fn clearance(&self) -> T {
         self.length_extended - T::from(2.0) * self.stroke
     }
 
-    /// Where the joint guides the rod.
+    /// Positions of rod guide and piston.
     pub(crate) fn guidance(&self) -> Guidance<T> {
         if self.guidance_derived.value() == 0.0 {
             return self.guidance;
         }
         let compressed = self.length_extended - self.stroke;
-        let [d_i, d_j] = CLEARANCES.map(|part| compressed - T::from(part) * self.rest());
+        let [d_i, d_j] = CLEARANCES.map(|part| compressed - T::from(part) * self.clearance());
         Guidance { d_i, d_j, h_reg: self.guidance.h_reg }
     }
 }
@@ -46,11 +46,11 @@ impl<T: Real> Geometry<T> {
 impl Geometry {
     /// Refuses a stroke that leaves no room for a guidance.
     pub(crate) fn check(&self) -> Result<(), Fault> {
-        if self.guidance_derived == 0.0 || self.rest() > 0.0 {
+        if self.guidance_derived == 0.0 || self.clearance() > 0.0 {
             return Ok(());
         }
         let (stroke, half) = (self.stroke, 0.5 * self.length_extended);
-        let text = "half of geom.length_extended, for a guidance that is derived";
+        let text = "half of geom.length_extended, because geom.guidance_derived is true";
         Err(Fault::new(format_args!("geom.stroke = {stroke} m: must be < {half} m, {text}")))
     }
 }

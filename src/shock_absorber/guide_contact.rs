@@ -7,13 +7,13 @@ use crate::shock_absorber::law::{
 };
 
 crate::choices! {
-    /// Which parts of the friction act.
+    /// Active parts of the friction.
     pub enum FrictionSwitch {
-        /// The law as it is.
+        /// The complete law.
         On,
-        /// The static level is the kinetic one, as if mu_s were mu_k and preload_s were preload_k.
+        /// Static level equal to the kinetic one, as if mu_s were mu_k and preload_s were preload_k.
         NoStiction,
-        /// The viscous part alone, as if coefficients and preloads were 0.
+        /// Only the viscous part, as if coefficients and preloads were 0.
         ViscousOnly,
         /// No friction, as if the model were None.
         Off,
@@ -23,17 +23,17 @@ crate::choices! {
 crate::part! {
     /// The friction law of a contact and its parameters.
     FrictionLaw {
-        /// Friction law; parameters that it does not have are ignored.
+        /// Friction law; parameters of other laws are ignored.
         model: fixed = choice(&FRICTION_MODEL, LUGRE),
-        /// Which parts of the friction act.
+        /// Active parts of the friction.
         switch: tunable = FrictionSwitch::On.start(),
         /// Friction in compression over friction in extension: (1 + asymmetry) / (1 - asymmetry).
         asymmetry: tunable = real("1", 0.0).at_least(-0.99).at_most(0.99),
         /// Factor on all friction levels.
         scale: tunable = real("1", 1.0).at_least(0.0),
-        /// Effective mass of the host, for laws that know it; 0: the force of the printed law.
+        /// Effective mass of the body, for laws that use it; 0 = law as printed.
         mass: tunable = real("kg", 0.0).at_least(0.0),
-        /// Order in which the master exchanges force and motion; matters where mass > 0.
+        /// Order in which the master exchanges force and motion; used with mass > 0.
         exchange: fixed = Exchange::Sequential.start(),
         /// Parameters of the laws.
         law: (LawParameters),
@@ -47,15 +47,15 @@ crate::part! {
         mu_s: tunable = real("1", 0.15).at_least(0.0),
         /// Kinetic coefficient of friction (default chosen).
         mu_k: tunable = real("1", 0.1).at_least(0.0),
-        /// Breakaway force without normal force, as of a seal; not less than preload_k (default chosen).
+        /// Breakaway force without normal force, e.g. of a seal; not less than preload_k (default chosen).
         preload_s: tunable = real("N", 10.0).at_least(0.0),
-        /// Sliding friction force without normal force, as of a seal (default chosen).
+        /// Sliding friction force without normal force, e.g. of a seal (default chosen).
         preload_k: tunable = real("N", 8.0).at_least(0.0),
     }
 }
 
 impl Levels {
-    /// Refuses levels that no law can have.
+    /// Refuses impossible levels.
     pub(crate) fn check(&self, part: &str) -> Result<(), Fault> {
         let pairs = [("mu", self.mu_s, self.mu_k), ("preload", self.preload_s, self.preload_k)];
         for (name, statical, kinetic) in pairs {
@@ -66,7 +66,8 @@ impl Levels {
             }
             if statical > 0.0 && kinetic == 0.0 {
                 return Err(Fault::new(format_args!(
-                    "{part}{name}_k = 0: must be > 0 where {part}{name}_s = {statical} is, or the force would vanish in sliding"
+                    "{part}{name}_k = 0: must be > 0 because {part}{name}_s = {statical} is; \
+                     otherwise friction would vanish in sliding"
                 )));
             }
         }
@@ -74,7 +75,7 @@ impl Levels {
     }
 }
 
-/// What a contact feels at an instant.
+/// Motion and load of a contact at an instant.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Touch<T> {
     /// Axial sliding velocity.
@@ -118,7 +119,7 @@ impl<T: Real> FrictionLaw<T> {
         if self.switch() == FrictionSwitch::Off { None } else { ChosenLaw::of(self.model.value()) }
     }
 
-    /// Is the force of the law one that stops a mass over a whole step?
+    /// Whether the force of the law stops a mass over a whole step.
     pub(crate) fn moves_mass(&self) -> bool {
         self.mass.value() > 0.0 && self.chosen().is_some_and(ChosenLaw::asks_for_mass)
     }
@@ -127,7 +128,7 @@ impl<T: Real> FrictionLaw<T> {
         FrictionSwitch::of(self.switch.value())
     }
 
-    /// Kinetic and static level of a contact, without regard to the direction of motion.
+    /// Kinetic and static level of a contact, regardless of the direction of motion.
     pub(crate) fn levels(&self, levels: &Levels<T>, normal_force: T) -> [T; 2] {
         let kinetic = self.scale * (levels.preload_k + levels.mu_k * normal_force);
         let statical = self.scale * (levels.preload_s + levels.mu_s * normal_force);
@@ -138,7 +139,8 @@ impl<T: Real> FrictionLaw<T> {
         }
     }
 
-    /// Factor on the levels in the direction of motion. At rest it is the larger one, so that nothing slips on stopping.
+    /// Factor on the levels in the direction of motion. At rest it is the larger one, so that nothing slips on
+    /// stopping.
     fn side(&self, velocity: T) -> T {
         let direction = velocity.sign();
         if direction.is(0.0) { self.largest_side() } else { T::from(1.0) - self.asymmetry * direction }
@@ -148,7 +150,7 @@ impl<T: Real> FrictionLaw<T> {
         T::from(1.0) + self.asymmetry.abs()
     }
 
-    /// The levels as coefficients and a normal force, which the laws ask for.
+    /// Levels expressed as coefficients and a normal force, which the laws require.
     fn given(&self, levels: &Levels<T>, touch: &Touch<T>) -> Given<T> {
         let one = T::from(1.0);
         let side = self.side(touch.velocity);
@@ -183,7 +185,7 @@ impl<T: Real> FrictionLaw<T> {
         answer
     }
 
-    /// Writes the time derivatives of what the law remembers.
+    /// Writes the time derivatives of the law's states.
     pub(crate) fn write_rate(&self, levels: &Levels<T>, touch: &Touch<T>, memory: &[T; MEMORY], rate: &mut [T; MEMORY])
     where
         T: Evaluate,
@@ -194,7 +196,7 @@ impl<T: Real> FrictionLaw<T> {
         }
     }
 
-    /// Writes what the law remembers at its start, also if it is switched on only later.
+    /// Writes the initial state of the law, also if it is switched on later.
     pub(crate) fn write_fresh<N: Real>(&self, memory: &mut [N; MEMORY]) {
         memory.fill(N::zero());
         if let Some(law) = ChosenLaw::of(self.model.value()) {
@@ -202,7 +204,7 @@ impl<T: Real> FrictionLaw<T> {
         }
     }
 
-    /// The viscous coefficient of a contact without levels, for which the law itself gives no force.
+    /// Viscous coefficient of a contact without levels, for which the law itself gives no force.
     fn drag(&self, law: ChosenLaw, given: &Given<T>) -> T {
         if given.normal_force.value() > 0.0 { T::zero() } else { law.viscous_coefficient(&self.law) }
     }
@@ -228,8 +230,7 @@ impl FrictionLaw {
         answer
     }
 
-    /// As [`FrictionLaw::advance`], where the force stops a mass over the whole step: the contact has moved from one
-    /// touch to the other.
+    /// As [`FrictionLaw::advance`], while the contact moves linearly from the first touch to the second.
     pub(crate) fn advance_from(
         &self,
         levels: &Levels,
@@ -244,13 +245,13 @@ impl FrictionLaw {
         let mut answer = law.advance_from(&begin, &end, &self.law, memory, dt);
         let drag = self.drag(law, &end);
         answer.force += drag * end.velocity;
-        // Where there are levels on the way, the law itself has counted its viscous part.
+        // Where the contact has levels on the way, the law itself has included its viscous part.
         let (v_0, v_1) = (begin.velocity, end.velocity);
         answer.energy += drag.min(self.drag(law, &begin)) * (v_0 * v_0 + v_0 * v_1 + v_1 * v_1) / 3.0 * dt;
         answer
     }
 
-    /// What the law remembers after a while at this velocity: steady sliding, and rest where the velocity is but noise.
+    /// State of the law after a while at this velocity: steady sliding, or rest if the velocity is only noise.
     #[inline(never)]
     pub(crate) fn settled(&self, levels: &Levels, touch: &Touch<f64>) -> [f64; MEMORY] {
         let mut memory = [0.0; MEMORY];
@@ -266,7 +267,7 @@ impl FrictionLaw {
         self.chosen().map_or(Ok(()), |law| law.check(&self.given(levels, &self.loaded_at_rest()), &self.law))
     }
 
-    /// Tells of a parameter that was set and has no effect.
+    /// Warns of a parameter that was set but has no effect.
     pub(crate) fn warning(&self) -> Option<Fault> {
         self.chosen().and_then(|law| law.warning(&self.law))
     }
@@ -276,7 +277,7 @@ impl FrictionLaw {
         self.chosen().map_or(Ok(()), |law| law.check_exchange(&self.given(levels, &self.loaded_at_rest()), &self.law))
     }
 
-    /// Event indicators of the law; what does not happen is 1.
+    /// Event indicators of the law; 1 for an event that never occurs.
     pub(crate) fn indicators(&self, levels: &Levels, touch: &Touch<f64>, memory: &[f64; MEMORY]) -> [f64; MOST_EVENTS] {
         let mut indicators = [1.0; MOST_EVENTS];
         if let Some(law) = self.chosen() {
@@ -285,7 +286,7 @@ impl FrictionLaw {
         indicators
     }
 
-    /// Changes what the law remembers where it changes at an event.
+    /// Updates the states of the law that change at an event.
     pub(crate) fn at_event(&self, levels: &Levels, touch: &Touch<f64>, memory: &mut [f64; MEMORY]) {
         if let Some(law) = self.chosen() {
             law.at_event(&self.given(levels, touch), &self.law, memory);
@@ -304,7 +305,7 @@ impl FrictionLaw {
     }
 }
 
-/// Time for which a strut has moved before the run (chosen, in s): at 1 mm/s several times the pre-sliding displacement.
+/// Time of motion before the run (chosen, in s): at 1 mm/s, several times the pre-sliding displacement.
 const SETTLING_TIME: f64 = 1.0;
 
 crate::model! {
@@ -336,35 +337,35 @@ crate::model! {
     ///
     /// # Sign
     /// `friction_force` has the sign of `velocity` when sliding, `friction_torque` that of `spin_rate`; the rod feels
-    /// their negatives. Both levels are multiplied by `friction.scale`, and by 1 - `friction.asymmetry` for v > 0, by
-    /// 1 + `friction.asymmetry` for v < 0; at rest the larger of the two holds.
+    /// their negatives. Both levels are multiplied by `friction.scale`, and by 1 - `friction.asymmetry` for v > 0, by 1
+    /// + `friction.asymmetry` for v < 0; at rest the larger of the two applies.
     ///
     /// # Step
-    /// As that of the chosen law. Its memory is `memory[1]`, `memory[2]`, ... in the order of the law's own states; in a
-    /// law that is offered for Model Exchange those that jump follow from `memory[3]` on. It starts at rest. What carries
-    /// more than f_s because the load fell slips until it carries f_s: bristles; elements, in proportion, so that they
-    /// also strain each other no more than they can; a force behind a low-pass, beside its viscous part and 1 % for the
-    /// overshoot of its curve. Where an importer integrates it, the force is at once that after the slip, and the memory
-    /// follows with a time constant of 1 ms.
+    /// As that of the chosen law. Its states are `memory[1]`, `memory[2]`, ... in the order of the law; for a law that
+    /// supports Model Exchange, discrete states follow from `memory[3]` on. It starts at rest. If the load falls,
+    /// whatever carries more than f_s slips until it carries f_s: bristles; elements, in proportion, so that the forces
+    /// between them stay possible too; the force of a law with a low-pass filter, apart from its viscous part and 1 %
+    /// for the overshoot of its curve. If an importer integrates the states, the force is that after the slip at once,
+    /// and the states follow with a time constant of 1 ms.
     ///
-    /// The parameters of the laws have the names and the start values that they have by themselves. Laws share a
-    /// parameter where they start at the same value; a law that starts elsewhere has its own, as
-    /// `friction.Gonthier.transition_velocity`, and does not follow the shared one: setting that warns.
+    /// The parameters have the names and the start values of the laws. Laws with the same start value share a
+    /// parameter; a law with another start value has its own, such as `friction.Gonthier.transition_velocity`, and does
+    /// not follow the shared one: setting the shared one gives a warning.
     ///
     /// # Errors
     /// Refused: a parameter outside its bound; `levels.mu_s` < `levels.mu_k`; `levels.preload_s` < `levels.preload_k`;
     /// what the chosen law refuses.
     ///
     /// # Limits
-    /// A law with memory remembers along the axis only: where the rod spins, its force turns with the direction of
-    /// motion at once, and a reversal of `velocity` passes through zero torque. The law sees the normal force f_C / mu_k,
-    /// the load and a load that stands for the preload. Without levels (f_C = 0) the viscous part alone is left.
-    /// `external_force`, `acceleration` and `friction.mass` matter to the laws that ask for them.
+    /// The memory of a law belongs to the axial motion only: if the rod spins, the force follows the direction of
+    /// motion at once, and a reversal of `velocity` passes through zero torque. The law sees the normal force f_C /
+    /// mu_k, the load plus a load that represents the preload. Without levels (f_C = 0) only the viscous part remains.
+    /// `external_force`, `acceleration` and `friction.mass` are used only by the laws that have them.
     ///
     /// # Source
     /// F. Novais, "A critical analysis on friction force models in dynamical systems", MSc thesis, University of Minho
-    /// (2024), chapter 9: friction at the contact points of a telescopic joint, rebuilt from its list of symbols. The
-    /// defaults are chosen: a guide of filled PTFE with a wiper, on a chromed rod.
+    /// (2024), chapter 9: friction at the contact points of a telescopic joint, reconstructed from its list of symbols.
+    /// The defaults are chosen: a guide of filled PTFE with a wiper, on a chromed rod.
     ///
     /// # Example
     /// ```
@@ -386,7 +387,7 @@ crate::model! {
         normal_force: input = real("N", 0.0).at_least(0.0),
         /// All other axial forces on the rod; only for laws that hold a load at rest.
         external_force: input = real("N", 0.0),
-        /// Time derivative of the velocity; only for laws that ask for it.
+        /// Time derivative of the velocity; only for laws that use it.
         acceleration: input = real("m/s2", 0.0),
         /// Radius of the contact.
         radius: tunable = real("m", 0.007).at_least(0.0).shown_in("mm"),
@@ -394,7 +395,7 @@ crate::model! {
         levels: Levels,
         /// Friction law.
         friction: FrictionLaw,
-        /// What the friction law remembers, in SI units: the law's states in their order, those that jump last.
+        /// States of the friction law, in SI units and in the order of the law, discrete ones last.
         memory: [state; MEMORY] = blank_memory(1.0),
         /// Has the run begun?
         started: state = boolean(false),
@@ -423,12 +424,12 @@ impl<T: Evaluate> GuideContact<T> {
         }
     }
 
-    /// Works on what the law remembers; before the run, on what it will remember at its start.
+    /// Works on the states of the law; before the run, on its initial state.
     fn with_memory<R>(&self, work: impl FnOnce(&[T; MEMORY]) -> R) -> R {
         if self.started.value() != 0.0 { work(&self.memory) } else { self.with_fresh_memory(work) }
     }
 
-    #[inline(never)] // so that only those who need it have it on their stack
+    #[inline(never)] // so that only callers that need it have it on their stack
     fn with_fresh_memory<R>(&self, work: impl FnOnce(&[T; MEMORY]) -> R) -> R {
         let mut memory = [T::zero(); MEMORY];
         self.friction.write_fresh(&mut memory);
@@ -448,7 +449,7 @@ impl<T: Evaluate> Law for GuideContact<T> {
     }
 }
 
-/// How far from a reversal the levels are taken, in parts of the way (chosen).
+/// Distance from a reversal at which the levels are taken, in parts of the interval (chosen).
 const INSIDE: f64 = 1e-9;
 
 impl Model for GuideContact {
@@ -471,8 +472,8 @@ impl Model for GuideContact {
         self.dissipated_energy += answer.energy;
     }
 
-    /// As the chosen law, from one reversal to the next, where the levels jump. The force that stops a mass belongs to the
-    /// whole step.
+    /// As the chosen law, from one reversal to the next, where the levels jump. A force that stops a mass belongs to
+    /// the whole step.
     fn step_ramp(&mut self, slope: &Self, dt: f64) {
         if self.started == 0.0 {
             self.friction.write_fresh(&mut self.memory);
@@ -483,7 +484,7 @@ impl Model for GuideContact {
         let turns = reversal > 0.0 && reversal < dt && !self.friction.moves_mass();
         let mut from = 0.0;
         for to in turns.then_some(reversal).into_iter().chain([dt]) {
-            // At the reversal itself the larger level holds; on the way to it that of its direction.
+            // At the reversal itself the larger level applies; before and after it, that of the direction.
             let inside = |time: f64| if time == reversal { INSIDE * (to - from) } else { 0.0 };
             let touches = [from + inside(from), to - inside(to)].map(|time| {
                 ramp::set_inputs(self, &begin, slope, time);

@@ -43,9 +43,9 @@ crate::part! {
         degr_reb: tunable = real("s/m", 0.0).at_least(0.0),
         /// Number of points of the table in use (default chosen).
         tab_n: fixed = integer(11).at_least(2.0).at_most(POINTS as f64),
-        /// Velocities of the table, rising; positive in extension (default chosen).
+        /// Velocities of the table, ascending; positive in extension (default chosen).
         tab_v: [tunable; POINTS] = velocities(),
-        /// Resistances of the table, with the sign of the velocity and not falling (default chosen).
+        /// Resistances of the table, with the sign of the velocity and not decreasing (default chosen).
         tab_f: [tunable; POINTS] = resistances(),
         /// Curve through the points of the table.
         interpolation: fixed = Interpolation::Linear.start(),
@@ -92,7 +92,7 @@ const fn resistances() -> [Column; POINTS] {
 }
 
 impl<T: Real> Hydraulics<T> {
-    /// Is there a stiffness in series?
+    /// Whether the damper has a stiffness in series.
     pub fn has_series(&self) -> bool {
         self.enabled.value() != 0.0 && self.k_series.value() > 0.0
     }
@@ -138,7 +138,8 @@ impl<T: Real> Hydraulics<T> {
         if !self.has_series() {
             return T::zero();
         }
-        // Where the characteristic is level, the piston follows at once. A solver needs a rate: it gets a steep one.
+        // Where the characteristic is flat, the piston follows at once. A solver needs a finite rate, so it gets a high
+        // one.
         let least = self.k_series * T::from(FOLLOWING_TIME);
         let slope = factor * self.slope(piston_velocity);
         let slope = if slope.value() > least.value() { slope } else { least };
@@ -154,11 +155,11 @@ impl<T: Real> Hydraulics<T> {
     }
 }
 
-/// Shortest time constant of the piston behind its stiffness, if an importer integrates it (chosen, in s). The force is
-/// that of a rigid damper, late by this time at most, where the characteristic alone would give less.
+/// Shortest time constant of the piston behind its stiffness, if an importer integrates it (chosen, in s). Where the
+/// characteristic alone would give a shorter one, the force lags that of a rigid damper by this time at most.
 const FOLLOWING_TIME: f64 = 1e-5;
 
-/// L-stable and of second order (Alexander 1977, doi:10.1137/0714068): gamma = 1 - 1 / sqrt(2).
+/// Coefficient of an L-stable step of second order (Alexander 1977, doi:10.1137/0714068): gamma = 1 - 1 / sqrt(2).
 const GAMMA: f64 = 1.0 - std::f64::consts::FRAC_1_SQRT_2;
 
 impl Hydraulics {
@@ -175,14 +176,15 @@ impl Hydraulics {
             Dual { value: factor * force.value, slope: factor * force.slope }
         };
         let stage_gain = GAMMA * dt * self.k_series;
-        // Each stage solves F_d(w) + a w = b with a > 0; F_d does not fall and is 0 at 0, so w lies between 0 and b / a.
+        // Each stage solves F_d(w) + a w = b with a > 0; F_d does not decrease and is 0 at 0, so w lies between 0 and b
+        // / a.
         let stage = |from: f64| {
             let right = from + stage_gain * velocity;
             let residual = |w: f64| {
                 let force = resistance(w);
                 Dual { value: force.value + stage_gain * w - right, slope: force.slope + stage_gain }
             };
-            // Of a soft spring and a short step, b / a may overflow.
+            // With a soft spring and a short step, b / a may overflow.
             let far = (right / stage_gain).clamp(f64::MIN, f64::MAX);
             root::newton(residual, far.min(0.0), far.max(0.0))
         };
@@ -194,7 +196,7 @@ impl Hydraulics {
         dt * ((1.0 - GAMMA) * power(first) + GAMMA * power(second))
     }
 
-    /// Refuses tables that no damper has.
+    /// Refuses impossible tables.
     pub(crate) fn check(&self) -> Result<(), Fault> {
         if self.enabled == 0.0 || DamperMode::of(self.mode) != DamperMode::Table {
             return Ok(());
@@ -254,15 +256,15 @@ crate::model! {
     ///
     /// # Step
     /// Without stiffness in series the force follows the velocity. With it, the step is L-stable and of second order,
-    /// with `step_size` as its largest piece. In Model Exchange the piston follows with a time constant of 10 us where
-    /// that of the damper on its stiffness is shorter, and so where the characteristic is level.
+    /// with internal steps of at most `step_size`. In Model Exchange the piston follows with a time constant of at
+    /// least 10 us, also where the slope of the characteristic is 0.
     ///
     /// # Errors
-    /// Refused: a parameter outside its bound; a table whose velocities do not rise, whose resistances fall, have the
-    /// wrong sign or are not 0 at rest.
+    /// Refused: a parameter outside its bound; a table whose velocities are not strictly ascending, or whose
+    /// resistances decrease, have the wrong sign or are not 0 at rest.
     ///
     /// # Limits
-    /// No cavitation, no dependence on position. Beyond the ends of a table the last slopes go on.
+    /// No cavitation, no dependence on position. Beyond the ends of a table the end slopes are continued.
     ///
     /// # Source
     /// Degressive form as in the shock absorbers of Project Chrono; monotone cubic: Fritsch and Butland (1984),
@@ -331,8 +333,8 @@ impl Model for HydraulicDamper {
         }
     }
 
-    /// Behind a stiffness in pieces of `step_size`, the velocity of each in its middle. Without one the piston is where
-    /// the velocity is, and only the energy is an integral.
+    /// Behind a stiffness, in pieces of at most `step_size`, each with the velocity in its middle. Without a stiffness
+    /// the piston has the velocity of the strut, and only the energy is an integral.
     fn step_ramp(&mut self, slope: &Self, dt: f64) {
         let begin = *self;
         if !self.damper.has_series() {

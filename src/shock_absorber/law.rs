@@ -1,7 +1,7 @@
 //! Any scalar law of the catalogue as the friction of a contact.
 //!
-//! The list of laws, their parameters and the numbers they remember are taken from the tables of the friction models, so
-//! a new law can be chosen here without another line.
+//! The list of laws, their parameters and their states are taken from the tables of the friction models, so that a new
+//! law can be chosen here without any further code.
 
 use crate::friction::MODELS;
 use crate::model::{Column, Columns, Enumeration, Fault, Item, Kind, ModelType, Path, Variable, real};
@@ -10,12 +10,12 @@ pub use crate::shock_absorber::law_parameters::LawParameters;
 use crate::shock_absorber::law_parameters::place_of;
 use crate::unit::same;
 
-/// Is it a law along a line?
+/// Whether the law is one along a line.
 const fn is_scalar(model: &ModelType) -> bool {
     column(model, "velocity").is_some() && column(model, "friction_force").is_some()
 }
 
-/// The column whose name, without parts, is `name`.
+/// Column named `name`, not within a part.
 const fn column(model: &ModelType, name: &str) -> Option<usize> {
     let mut at = 0;
     while at < model.table.len() {
@@ -52,7 +52,7 @@ pub(super) const LAWS: [&ModelType; COUNT] = {
     laws
 };
 
-/// The choice of a law: none, then the laws in the order of the catalogue.
+/// Choices of a law: none, then the laws in the order of the catalogue.
 pub static FRICTION_MODEL: Enumeration = Enumeration { name: "FrictionModel", items: &ITEMS };
 
 static ITEMS: [Item; COUNT + 1] = {
@@ -65,7 +65,7 @@ static ITEMS: [Item; COUNT + 1] = {
     items
 };
 
-/// The law that is chosen at the start.
+/// The default law.
 pub(crate) const LUGRE: i32 = position("LuGre") as i32 + 2;
 
 pub(super) const fn position(name: &str) -> usize {
@@ -76,12 +76,12 @@ pub(super) const fn position(name: &str) -> usize {
     at
 }
 
-/// Where a column of a law's row gets its value from.
+/// Source of the value of a column of a law's row.
 #[derive(Clone, Copy)]
 pub(super) enum Source {
     /// The law's own start value.
     Start,
-    /// What the contact feels.
+    /// Input from the contact.
     Velocity,
     NormalForce,
     MuK,
@@ -92,11 +92,11 @@ pub(super) enum Source {
     Acceleration,
     /// A parameter of the law, by its place among those of all laws.
     Parameter(u16),
-    /// A number that the law remembers, by its place in the memory.
+    /// A state of the law, by its place in the memory.
     Memory(u16),
 }
 
-/// Columns that a contact gives to its law.
+/// Columns that a contact provides to its law.
 const GIVEN: [(&str, Source); 8] = [
     ("velocity", Source::Velocity),
     ("normal_force", Source::NormalForce),
@@ -120,18 +120,18 @@ pub(super) const fn given(variable: &Variable) -> Option<Source> {
     None
 }
 
-/// Is it a number that a law remembers from step to step? The energy is summed up by the contact.
+/// Whether the variable is a state of the law. The energy is summed by the contact.
 const fn is_remembered(variable: &Variable) -> bool {
     variable.role.is_state() && !same(variable.path.segments()[0].name, "dissipated_energy")
 }
 
-/// Does an importer that integrates the states itself integrate this one?
+/// Whether an importer that integrates the states itself integrates this one.
 const fn is_moving(law: &ModelType, variable: &Variable) -> bool {
     law.model_exchange && is_remembered(variable) && variable.is_continuous_state()
 }
 
-/// As many numbers of a memory move with time in the laws that are offered for Model Exchange: they come first. A
-/// number that jumps never has such a place, where a solver may leave anything.
+/// Largest number of continuous states of a law that supports Model Exchange: they come first in the memory. A discrete
+/// state never has such a place, where a solver may write anything.
 const MOVING: usize = {
     let (mut most, mut law) = (0, 0);
     while law < COUNT {
@@ -148,12 +148,12 @@ const MOVING: usize = {
     most
 };
 
-/// The place behind those that a law leaves to what moves.
+/// First place for the discrete states of a law.
 const fn first_jumping(law: &ModelType) -> usize {
     if law.model_exchange { MOVING } else { 0 }
 }
 
-/// Places that any law needs for the numbers that it remembers.
+/// Number of places that suffices for the states of any law.
 pub const MEMORY: usize = {
     let (mut most, mut at) = (0, 0);
     while at < COUNT {
@@ -171,7 +171,7 @@ pub const MEMORY: usize = {
     most
 };
 
-/// Most columns that any law has.
+/// Largest number of columns of any law.
 const WIDEST: usize = {
     let (mut widest, mut at) = (0, 0);
     while at < COUNT {
@@ -183,7 +183,7 @@ const WIDEST: usize = {
     widest
 };
 
-/// A law and where the columns of its row come from.
+/// A law and the sources of the columns of its row.
 struct Plan {
     model: &'static ModelType,
     sources: [Source; WIDEST],
@@ -192,21 +192,21 @@ struct Plan {
     dissipated_energy: usize,
     /// Place of its viscous coefficient among the parameters of all laws.
     viscous: Option<usize>,
-    /// What it remembers of the force that it carries.
+    /// State of the carried force.
     carrier: Carrier,
 }
 
-/// What a law remembers of the force that it carries. It may have come from a larger load than there is now.
+/// State of the force that a law carries, which may come from a larger load than the present one.
 #[derive(Clone, Copy)]
 enum Carrier {
     /// Nothing, or a share of the load, which falls with it.
     Share,
-    /// Column of the mean deflection of its bristles, and of their stiffness.
+    /// Columns of the mean deflection of its bristles and of their stiffness.
     Deflection(usize, usize),
     /// Column of the force, viscous part included.
     Force(usize),
-    /// The forces of elements, and the column of their strength together as a multiple of the static level, if the law
-    /// has one.
+    /// Forces of elements, and the column of their total strength as a multiple of the static level, if the law has
+    /// one.
     Elements(Option<usize>),
 }
 
@@ -251,7 +251,7 @@ const fn plan(law: &'static ModelType) -> Plan {
     Plan { model: law, sources, friction_force, sticking, dissipated_energy, viscous, carrier: carrier(law) }
 }
 
-/// Is it the force of an element, or the whole force, that a law remembers?
+/// Whether the variable is a state that holds the force of an element or the whole force.
 const fn is_carried_force(variable: &Variable) -> bool {
     let is_force = match variable.kind {
         Kind::Real(unit) => same(unit.name, "N"),
@@ -275,7 +275,7 @@ const fn carrier(law: &ModelType) -> Carrier {
     }
 }
 
-/// What a law is given by its contact.
+/// Inputs of a law from its contact.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Given<T> {
     pub velocity: T,
@@ -286,11 +286,11 @@ pub(crate) struct Given<T> {
     pub exchange: T,
     pub external_force: T,
     pub acceleration: T,
-    /// What the contact can carry at most at rest.
+    /// Largest force of the contact at rest.
     pub largest: T,
 }
 
-/// What a law answers.
+/// Result of a law.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Answer<T> {
     pub force: T,
@@ -307,10 +307,10 @@ pub trait Evaluate: Real {
     /// Computes the time derivatives of the states.
     fn rate(model: &ModelType, row: &[Self], rate: &mut [Self]);
 
-    /// The slope that the number carries; 0 for one that carries none.
+    /// Slope of the number; 0 if it has none.
     fn slope(self) -> f64;
 
-    /// A number with that slope, if it can carry one.
+    /// A number with that slope, if the type can hold one.
     fn with_slope(value: f64, slope: f64) -> Self;
 }
 
@@ -351,7 +351,7 @@ impl Evaluate for Dual {
     }
 }
 
-/// The law that is chosen by its number in [`FRICTION_MODEL`].
+/// Law chosen by its number in [`FRICTION_MODEL`].
 #[derive(Clone, Copy)]
 pub(crate) struct ChosenLaw(&'static Plan);
 
@@ -361,12 +361,12 @@ impl ChosenLaw {
         PLANS.get((number as usize).wrapping_sub(2)).map(ChosenLaw)
     }
 
-    /// Where the columns of its row come from.
+    /// Sources of the columns of its row.
     fn sources(self) -> &'static [Source] {
         &self.0.sources[..self.0.model.table.len()]
     }
 
-    /// Does it ask for the mass that the contact has to stop?
+    /// Whether it uses the mass that the contact has to stop.
     pub(crate) fn asks_for_mass(self) -> bool {
         self.sources().iter().any(|source| matches!(source, Source::Mass))
     }
@@ -401,7 +401,7 @@ impl ChosenLaw {
         })
     }
 
-    /// Advances the memory by `dt` while velocity and forces move linearly: from `begin` to the others.
+    /// Advances the memory by `dt` while velocity and forces change linearly from `begin` to `end`.
     #[inline(never)]
     pub(crate) fn advance_from(
         self,
@@ -431,7 +431,7 @@ impl ChosenLaw {
         })
     }
 
-    /// Writes the time derivatives of what the law remembers; what it does not remember is left as it is.
+    /// Writes the time derivatives of the law's states; the other places are left as they are.
     pub(crate) fn write_rate<T: Evaluate>(
         self,
         given: &Given<T>,
@@ -454,7 +454,7 @@ impl ChosenLaw {
         });
     }
 
-    /// Writes what the law remembers at its start; what it does not remember is left as it is.
+    /// Writes the initial state of the law; the other places are left as they are.
     pub(crate) fn write_start<T: Real>(self, memory: &mut [T; MEMORY]) {
         for (source, variable) in self.sources().iter().zip(self.0.model.table) {
             if let Source::Memory(place) = source {
@@ -463,7 +463,7 @@ impl ChosenLaw {
         }
     }
 
-    /// What the law remembers at its start.
+    /// Initial state of the law.
     fn start(self) -> [f64; MEMORY] {
         let mut memory = [0.0; MEMORY];
         self.write_start(&mut memory);
@@ -489,7 +489,7 @@ impl ChosenLaw {
         })
     }
 
-    /// Tells of a parameter that laws share and that was set, though this law has one of its own.
+    /// Warns of a shared parameter that was set although this law has its own; names only the first one.
     pub(crate) fn warning(self, parameters: &LawParameters) -> Option<Fault> {
         let shared = LawParameters::TABLE.iter().zip(&parameters.values);
         let mut changed = shared.filter(|(variable, value)| **value != variable.start);
@@ -502,15 +502,15 @@ impl ChosenLaw {
         };
         let (variable, value) = changed.find(|(variable, _)| has_own(&variable.path))?;
         let (name, law) = (variable.path, self.0.model.name);
-        let text = "has no effect: friction.model";
-        Some(Fault::new(format_args!("friction.{name} = {value}: {text} = {law} has friction.{law}.{name}")))
+        let text = format_args!("has no effect on friction.model = {law}: set friction.{law}.{name}");
+        Some(Fault::new(format_args!("friction.{name} = {value} {text}")))
     }
 
     /// Refuses a law, or parameters, that are for co-simulation only.
     pub(crate) fn check_exchange(self, given: &Given<f64>, parameters: &LawParameters) -> Result<(), Fault> {
         let name = self.0.model.name;
         if !self.0.model.model_exchange {
-            let text = format_args!("friction.model = {name}: must be a law that is offered for Model Exchange itself");
+            let text = format_args!("friction.model = {name}: must be a law that supports Model Exchange");
             return Err(Fault::new(text));
         }
         let named = |fault: Fault| Fault::new(format_args!("friction.model = {name}: {}", fault.0));
@@ -535,7 +535,7 @@ impl ChosenLaw {
         });
     }
 
-    /// Changes what the law remembers where it changes at an event.
+    /// Updates the states of the law that change at an event.
     pub(crate) fn at_event(self, given: &Given<f64>, parameters: &LawParameters, memory: &mut [f64; MEMORY]) {
         self.on_row(|row| {
             self.fill(row, given, parameters, memory);
@@ -544,7 +544,7 @@ impl ChosenLaw {
         });
     }
 
-    /// Works on a row of the law. That of a usual one takes little of the stack, where a few laws have long ones.
+    /// Works on a row of the law. Most rows are short, and long ones of a few laws must not enlarge the stack of all.
     fn on_row<T: Real, R>(self, work: impl FnOnce(&mut [T]) -> R) -> R {
         let columns = self.0.model.table.len();
         if columns <= NARROW {
@@ -581,7 +581,7 @@ impl ChosenLaw {
         self.slip(row, given, parameters);
     }
 
-    /// What carried more when the contact was loaded more slips until it carries what it can.
+    /// Lets slip whatever carries more than the present load allows.
     fn slip<T: Real>(self, row: &mut [T], given: &Given<T>, parameters: &LawParameters<T>) {
         match self.0.carrier {
             Carrier::Share => {}
@@ -600,12 +600,12 @@ impl ChosenLaw {
         }
     }
 
-    /// Elements keep their shares in the force, and in what strains them against each other.
+    /// Scales the forces of the elements, which keep their shares of the total and of the forces between them.
     fn slip_elements<T: Real>(self, row: &mut [T], largest: T, add: impl Fn(T, T) -> T) {
         let table = self.0.model.table;
         let forces = || (0..table.len()).filter(|column| is_carried_force(&table[*column]));
         let total = forces().fold(T::zero(), |sum, column| add(sum, row[column])).abs();
-        // Elements that slip are at their strength but for rounding, and stay as they are.
+        // Slipping elements are at their strength, apart from rounding, and stay as they are.
         if total.value() > largest.value() * (1.0 + ROUNDING) {
             let part = largest / total;
             forces().for_each(|column| row[column] = row[column] * part);
@@ -621,14 +621,14 @@ impl ChosenLaw {
     }
 }
 
-/// By how much the force of a smooth curve is above its static level somewhere near it (chosen: 0.4 % for the start values
-/// of SpeckerDynamic).
+/// Largest force of a smooth curve relative to its static level (chosen; the excess is 0.4 % for the start values of
+/// SpeckerDynamic).
 const OVERSHOOT: f64 = 1.01;
 
 /// Rounding of a sum of forces, relative to the sum (chosen).
 const ROUNDING: f64 = 1e-12;
 
-/// Columns of all laws but the few that have many (chosen).
+/// Number of columns that suffices for all laws except the few that have many (chosen).
 const NARROW: usize = 48;
 
 #[inline(never)]
@@ -637,12 +637,13 @@ fn in_space<const SPACE: usize, T: Real, R>(columns: usize, work: impl FnOnce(&m
     work(&mut row[..columns])
 }
 
-/// Time in which bristles slip down to what they can carry once the load has fallen, if an importer integrates them
-/// (chosen, in s). While the motion goes on, the force is that of bristles that have slipped. At a reversal within this
-/// time they first have to come back: the force then lags by about what the load took away in that time, at most.
+/// Time constant with which bristles slip to the force they can carry once the load has fallen, if an importer
+/// integrates them (chosen, in s). While the motion continues, the force is that of bristles that have slipped. At a
+/// reversal within this time they first have to return: the force then lags by at most roughly the amount that the load
+/// lost in that time.
 const RELEASE_TIME: f64 = 1e-3;
 
-/// Most event indicators of any law.
+/// Largest number of event indicators of any law.
 pub(crate) const MOST_EVENTS: usize = {
     let (mut most, mut at) = (0, 0);
     while at < COUNT {
@@ -654,7 +655,7 @@ pub(crate) const MOST_EVENTS: usize = {
     most
 };
 
-/// The columns of a memory; `nominal` is the usual size of what moves in it.
+/// Columns of a memory; `nominal` is the typical size of its continuous states.
 pub(crate) const fn blank_memory(nominal: f64) -> [Column; MEMORY] {
     let mut memory = [real("1", 0.0).discrete(); MEMORY];
     let mut at = 0;

@@ -1,18 +1,18 @@
-//! The parameters of all friction laws, as a contact offers them.
+//! Parameters of all friction laws, as offered by a contact.
 
 use crate::model::{Columns, ModelType, Path, Segment, Variable, Width};
 use crate::shock_absorber::law::{COUNT, LAWS, given, position};
 use crate::unit::same;
 
-/// Elements that the laws with Maxwell-slip elements may use here.
+/// Largest number of Maxwell-slip elements of a law here.
 const ELEMENTS: u16 = 16;
 
-/// Is it a parameter that a law has here? Not if the contact gives it, nor for elements beyond the last.
+/// Whether the parameter is offered here: not if the contact provides it, nor for elements beyond the last.
 const fn is_offered(variable: &Variable) -> bool {
     variable.role.is_parameter() && given(variable).is_none() && variable.path.segments()[0].index <= ELEMENTS
 }
 
-/// The start value of the parameter of that name that laws share: that of LuGre, else of the first law that has it.
+/// Start value of the shared parameter of that name: that of LuGre, otherwise of the first law that has it.
 const fn shared_start(path: &Path) -> Option<f64> {
     let mut at = 0;
     while at <= COUNT {
@@ -29,8 +29,8 @@ const fn shared_start(path: &Path) -> Option<f64> {
     None
 }
 
-/// Has the law a parameter of that name for itself, because it starts elsewhere than the one that laws share? Variants
-/// of different laws are different choices under one name.
+/// Whether the law needs its own parameter of that name, because its default differs from the shared one. Variants of
+/// different laws are different choices under one name.
 const fn is_own(variable: &Variable) -> bool {
     let differs = match shared_start(&variable.path) {
         Some(start) => start != variable.start,
@@ -39,7 +39,7 @@ const fn is_own(variable: &Variable) -> bool {
     differs || same(variable.path.segments()[0].name, "variant")
 }
 
-/// The parameter of a law as it is offered here; `None` if it is not.
+/// Parameter of a law as offered here; `None` if it is not offered.
 const fn offered(law: &ModelType, variable: &Variable) -> Option<Variable> {
     if !is_offered(variable) {
         return None;
@@ -54,8 +54,8 @@ const fn offered(law: &ModelType, variable: &Variable) -> Option<Variable> {
     Some(offered)
 }
 
-/// The parameters of all laws: once for all that start at the same value, and a law that starts elsewhere has its own.
-/// So a law begins here as it does by itself.
+/// The parameters of all laws: one for all laws with the same default, and one of its own for each law with another
+/// default, so that a law starts here as it does alone.
 const fn merge() -> ([Variable; MOST_PARAMETERS], usize) {
     let mut merged = [crate::model::BLANK; MOST_PARAMETERS];
     let mut count = add_parameters(&mut merged, 0, LAWS[position("LuGre")]);
@@ -67,7 +67,7 @@ const fn merge() -> ([Variable; MOST_PARAMETERS], usize) {
     (merged, count)
 }
 
-/// Adds the parameters of a law to the `count` that are there.
+/// Adds the parameters of a law to the first `count` ones.
 const fn add_parameters(merged: &mut [Variable; MOST_PARAMETERS], mut count: usize, law: &ModelType) -> usize {
     let mut at = 0;
     while at < law.table.len() {
@@ -94,7 +94,7 @@ const fn find(variables: &[Variable; MOST_PARAMETERS], count: usize, path: &Path
     at
 }
 
-/// Room for the parameters of all laws while they are merged; too little does not compile.
+/// Capacity for the parameters of all laws while they are merged; too small a value does not compile.
 const MOST_PARAMETERS: usize = 128;
 
 const MERGED: ([Variable; MOST_PARAMETERS], usize) = merge();

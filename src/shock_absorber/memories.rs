@@ -1,4 +1,4 @@
-//! What the two contacts of a strut remember, and with what they begin.
+//! States of the two contacts of a strut, and their initial values.
 
 use crate::model::{Columns, Kind, row_of, row_of_mut};
 use crate::shock_absorber::ShockAbsorber;
@@ -6,33 +6,33 @@ use crate::shock_absorber::law::{Evaluate, MEMORY};
 use crate::shock_absorber::setting::Setting;
 
 crate::choices! {
-    /// What the friction law remembers at the start.
+    /// Initial state of the friction law.
     pub enum FrictionStart {
-        /// What a second of motion at the first velocity leaves: steady sliding, or rest.
+        /// State after one second at the initial velocity: steady sliding, or rest.
         Steady,
         /// Contacts at rest, without load.
         Zero,
-        /// The start values of memory_1 and memory_2.
+        /// Start values of memory_1 and memory_2.
         Value,
     }
 }
 
-/// What the two contacts remember. By reference: a memory is long, and copies of it fill the stack.
+/// States of the two contacts. By reference: a memory is long, and copies of it fill the stack.
 pub(super) type Memories<'a, T> = [&'a [T; MEMORY]; 2];
 
-/// Half width of the difference by which the settled friction is differentiated, relative to the sizes of the numbers
-/// that vary, and the least size that counts, in SI units (both chosen).
+/// Half width of the difference quotient of the settled friction, relative to the sizes of the numbers that vary, and
+/// the smallest size used, in SI units (both chosen).
 const PROBE_SETTING: f64 = 1e-6;
 const SMALL: f64 = 1e-3;
 
 impl Setting {
-    /// What a contact remembers after a while at this motion.
+    /// States of a contact after a while at this motion.
     #[inline(never)]
     fn settled(&self, at: usize) -> [f64; MEMORY] {
         self.friction.settled(self.contacts()[at], &self.touches(&self.motion())[at])
     }
 
-    /// The same where the setting has moved along its slopes.
+    /// The same for a setting moved along its slopes.
     #[inline(never)]
     fn settled_beside(&self, slopes: &Setting, distance: f64, at: usize) -> [f64; MEMORY] {
         let mut setting = *self;
@@ -42,7 +42,7 @@ impl Setting {
         setting.settled(at)
     }
 
-    /// Of slopes: leaves those of numbers that vary. Returns the largest one, relative to the sizes of the numbers.
+    /// Keeps only the slopes of real numbers. Returns the largest one, relative to the sizes of the numbers.
     fn keep_those_of_reals(&mut self, setting: &Setting) -> f64 {
         let mut fastest = 0f64;
         for ((slope, value), variable) in row_of_mut(self).iter_mut().zip(row_of(setting)).zip(Setting::TABLE) {
@@ -56,12 +56,12 @@ impl Setting {
 }
 
 impl<T: Evaluate> ShockAbsorber<T> {
-    /// Works on what the two contacts remember; before the run, on what they will remember at its start.
+    /// Works on the states of the two contacts; before the run, on their initial states.
     pub(super) fn with_memories<R>(&self, work: impl FnOnce(Memories<T>) -> R) -> R {
         if self.has_started() { work([&self.memory_1, &self.memory_2]) } else { self.with_first_memories(work) }
     }
 
-    #[inline(never)] // so that only those who need them have them on their stack
+    #[inline(never)] // so that only callers that need them have them on their stack
     fn with_first_memories<R>(&self, work: impl FnOnce(Memories<T>) -> R) -> R {
         match FrictionStart::of(self.setting.init.friction_state.value()) {
             FrictionStart::Steady => {
@@ -78,8 +78,8 @@ impl<T: Evaluate> ShockAbsorber<T> {
         }
     }
 
-    /// Finds what the two contacts remember once they have moved for a while. Its derivative is a central difference
-    /// along the direction that the setting carries.
+    /// Finds the states of the two contacts after a second of motion. Their derivative is a central difference along
+    /// the direction of the setting's slopes.
     #[inline(never)]
     fn settle(&self, memories: &mut [[T; MEMORY]; 2]) {
         let setting = self.setting.values();
@@ -109,7 +109,7 @@ impl<T: Evaluate> ShockAbsorber<T> {
 }
 
 impl ShockAbsorber {
-    /// Not inline, as what a step does after it: a start puts much on the stack that is gone before the step.
+    /// Sets the initial states. Not inlined, so that the large stack of a start is freed before the step.
     #[inline(never)]
     pub(super) fn remember_first(&mut self) {
         match FrictionStart::of(self.setting.init.friction_state) {

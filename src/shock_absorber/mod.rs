@@ -1,7 +1,7 @@
-//! The telescopic shock absorber and its parts, one per file. Each part is a model of its own, too.
+//! The telescopic shock absorber and its parts, one per file. Each part is also a model of its own.
 //!
-//! Sign: `length` is the distance of the eyes, `velocity` its time derivative, positive in extension; forces are positive
-//! when they push the eyes apart. Friction forces and damper resistances have the sign of `velocity`.
+//! Sign: `length` is the distance of the eyes, `velocity` its time derivative, positive in extension; forces are
+//! positive when they push the eyes apart. Friction forces and damper resistances have the sign of `velocity`.
 
 crate::catalogue::family! {
     shock_absorber::ShockAbsorber,
@@ -23,11 +23,11 @@ mod memories;
 mod presets;
 mod setting;
 
-/// Most internal steps within a communication step (chosen); beyond, they grow longer than wished.
+/// Largest number of internal steps within a communication step (chosen); beyond it, they become longer than requested.
 const MOST_SUBSTEPS: u32 = 10_000;
 
-/// Number of equal internal steps of at most `largest` that make up a step. A step that is longer by rounding alone does
-/// not need one more.
+/// Number of equal internal steps of at most `largest` that make up a step. A step that is longer only by rounding does
+/// not need another one.
 fn substeps(dt: f64, largest: f64) -> u32 {
     ((dt / largest - 1e-6).ceil() as u32).clamp(1, MOST_SUBSTEPS)
 }

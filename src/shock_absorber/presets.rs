@@ -2,12 +2,12 @@
 
 use crate::model::Preset;
 
-/// All of them.
+/// All presets.
 pub(crate) const ALL: &[Preset] = &[
     Preset { name: "front", source: "Formula Student, front axle: the start values", values: &[] },
     Preset {
         name: "rear",
-        source: "Formula Student, rear axle: spring of Zips Racing ZR26 (MIT licence), the rest as in front",
+        source: "Formula Student, rear axle: spring of Zips Racing ZR26 (MIT licence), otherwise as front",
         values: &[("spring.k", 35_000.0)],
     },
     Preset {
@@ -22,7 +22,7 @@ pub(crate) const ALL: &[Preset] = &[
     },
     Preset {
         name: "damper_and_friction",
-        source: "Example for a host with spring and stops of its own: the guidance follows from length and stroke",
+        source: "Example for a host with its own spring and stops; the guidance is derived from length and stroke",
         values: &[
             ("spring.enabled", 0.0),
             ("gas.enabled", 0.0),
@@ -34,12 +34,12 @@ pub(crate) const ALL: &[Preset] = &[
     published("koelsch_1994", "Koelsch 1994: 25 N (Novais 2024, Table 2.1)", &const { levels(25.0, 25.0) }),
     published(
         "manger_1995_low",
-        "Manger 1995: the least of 30 N to 45 N (Novais 2024, Table 2.1)",
+        "Manger 1995: lower end of 30 N to 45 N (Novais 2024, Table 2.1)",
         &const { levels(30.0, 30.0) },
     ),
     published(
         "manger_1995_high",
-        "Manger 1995: the most of 30 N to 45 N (Novais 2024, Table 2.1)",
+        "Manger 1995: upper end of 30 N to 45 N (Novais 2024, Table 2.1)",
         &const { levels(45.0, 45.0) },
     ),
     published(
@@ -54,32 +54,32 @@ pub(crate) const ALL: &[Preset] = &[
     ),
     published(
         "fujimoto_2018_low",
-        "Fujimoto 2018: the least of 20 N to 150 N (Novais 2024, Table 2.1)",
+        "Fujimoto 2018: lower end of 20 N to 150 N (Novais 2024, Table 2.1)",
         &const { levels(20.0, 20.0) },
     ),
     published(
         "fujimoto_2018_high",
-        "Fujimoto 2018: the most of 20 N to 150 N (Novais 2024, Table 2.1)",
+        "Fujimoto 2018: upper end of 20 N to 150 N (Novais 2024, Table 2.1)",
         &const { levels(150.0, 150.0) },
     ),
     published(
         "wegener_2020_low",
-        "Wegener 2020: half of the least of 75 N to 350 N per axle (Novais 2024, Table 2.1)",
+        "Wegener 2020: half of the lower end of 75 N to 350 N per axle (Novais 2024, Table 2.1)",
         &const { levels(37.5, 37.5) },
     ),
     published(
         "wegener_2020_high",
-        "Wegener 2020: half of the most of 75 N to 350 N per axle (Novais 2024, Table 2.1)",
+        "Wegener 2020: half of the upper end of 75 N to 350 N per axle (Novais 2024, Table 2.1)",
         &const { levels(175.0, 175.0) },
     ),
     published(
         "koerner_mayer_2020_low",
-        "Koerner and Mayer 2020: the least of 20 N to 70 N in compression and 10 N to 40 N in extension (Novais 2024, Table 2.1)",
+        "Koerner and Mayer 2020: lower end of 20 N to 70 N in compression and 10 N to 40 N in extension (Novais 2024, Table 2.1)",
         &const { levels(20.0, 10.0) },
     ),
     published(
         "koerner_mayer_2020_high",
-        "Koerner and Mayer 2020: the most of 20 N to 70 N in compression and 10 N to 40 N in extension (Novais 2024, Table 2.1)",
+        "Koerner and Mayer 2020: upper end of 20 N to 70 N in compression and 10 N to 40 N in extension (Novais 2024, Table 2.1)",
         &const { levels(70.0, 40.0) },
     ),
     published(
@@ -89,12 +89,12 @@ pub(crate) const ALL: &[Preset] = &[
     ),
     published(
         "deubel_prokop_2024_low",
-        "Deubel and Prokop 2024, with side load: the least of 62 N to 134 N (Novais 2024, Table 2.1; doi:10.1177/09544070231201688)",
+        "Deubel and Prokop 2024, with side load: lower end of 62 N to 134 N (Novais 2024, Table 2.1; doi:10.1177/09544070231201688)",
         &const { levels(62.0, 62.0) },
     ),
     published(
         "deubel_prokop_2024_high",
-        "Deubel and Prokop 2024, with side load: the most of 62 N to 134 N (Novais 2024, Table 2.1; doi:10.1177/09544070231201688)",
+        "Deubel and Prokop 2024, with side load: upper end of 62 N to 134 N (Novais 2024, Table 2.1; doi:10.1177/09544070231201688)",
         &const { levels(134.0, 134.0) },
     ),
 ];
@@ -105,8 +105,8 @@ const fn published(name: &'static str, source: &'static str, values: &'static Le
 
 type Levels = [(&'static str, f64); 9];
 
-/// Friction that is measured at slow motion, in N, as one contact without regard to the load. The sources tell no peak at
-/// breakaway: there is none.
+/// Friction measured at slow motion, in N, as one contact independent of the load. The sources give no breakaway peak,
+/// so there is none.
 const fn levels(compression: f64, extension: f64) -> Levels {
     let level = 0.5 * (compression + extension);
     [

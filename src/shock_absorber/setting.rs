@@ -1,4 +1,5 @@
-//! All that a strut's forces depend on besides its states, and what follows from it at an instant.
+//! Everything on which the forces of a strut depend, except its states, and the quantities derived from it at an
+//! instant.
 
 use crate::model::real;
 use crate::number::Real;
@@ -14,11 +15,11 @@ use crate::shock_absorber::memories::FrictionStart;
 use crate::shock_absorber::telescopic_joint::{NormalSum, SideConvention, SideLoad, Wrench};
 
 crate::choices! {
-    /// Which side loads act on the joint.
+    /// Side loads that act on the joint.
     pub enum SideMode {
         /// The four inputs.
         Inputs,
-        /// What the spring does to the joint: offset of its line of action and side force.
+        /// Loads from the spring: offset of its line of action and side force.
         Internal,
         /// Both.
         Sum,
@@ -26,7 +27,7 @@ crate::choices! {
 }
 
 crate::choices! {
-    /// How the inputs move within a step.
+    /// Motion of the inputs within a step.
     pub enum InputMode {
         /// They are held.
         Hold,
@@ -36,7 +37,7 @@ crate::choices! {
 }
 
 crate::part! {
-    /// Where the side load comes from, and what is made of it.
+    /// Sources and treatment of the side load.
     Side {
         /// Side loads that act on the joint.
         mode: fixed = SideMode::Sum.start(),
@@ -48,7 +49,7 @@ crate::part! {
         offset_n: tunable = real("m", 0.0).shown_in("mm"),
         /// Side force of the spring along m, relative to its axial force; it acts at the eye of the tube.
         force_ratio: tunable = real("1", 0.0),
-        /// How the load of the joint becomes the load of its contacts.
+        /// Rule for the loads of the contacts from the load of the joint.
         normal_sum: fixed = NormalSum::TwoPoint.start(),
         /// Factor on the contact forces for the distribution of pressure; 4 / pi for a cosine over half the rim.
         c_geo: tunable = real("1", 1.0).at_least(0.0),
@@ -56,9 +57,9 @@ crate::part! {
 }
 
 crate::part! {
-    /// From the travel of the host to the length of the strut.
+    /// Conversion from the travel of the host to the length of the strut.
     Adapter {
-        /// Length of the strut where the input length is 0.
+        /// Length of the strut when the input length is 0.
         length_offset: fixed = real("m", 0.0).shown_in("mm"),
         /// Length of the strut per input length; -MR for wheel travel, -0.001 for millimetres of compression.
         length_gain: fixed = real("1", 1.0),
@@ -72,7 +73,7 @@ crate::part! {
     Numerics {
         /// Largest internal step (default chosen).
         h_max: fixed = real("s", 1e-4).positive().shown_in("ms"),
-        /// How the inputs move within a step.
+        /// Motion of the inputs within a step.
         input_mode: fixed = InputMode::Hold.start(),
         /// Mass that the strut carries or moves, whichever is smaller; for the advice step_limit only.
         mass_ref: tunable = real("kg", 16.4).positive(),
@@ -82,13 +83,13 @@ crate::part! {
 crate::part! {
     /// State at the start.
     Start {
-        /// What the friction law remembers at the start.
+        /// Initial state of the friction law.
         friction_state: fixed = FrictionStart::Steady.start(),
     }
 }
 
 crate::part! {
-    /// All that a strut's forces depend on besides its states.
+    /// Everything on which the forces of a strut depend, except its states.
     Setting {
         /// Distance of the eyes, or travel of the host: see adapter.
         length: input = real("m", 0.1775).shown_in("mm"),
@@ -100,7 +101,7 @@ crate::part! {
         spin_rate: input = real("rad/s", 0.0),
         /// All other forces along the strut, positive in extension; only for laws that hold a load at rest.
         external_force: input = real("N", 0.0),
-        /// Time derivative of the velocity; for num.input_mode = Linear and for laws that ask for it.
+        /// Time derivative of the velocity; for num.input_mode = Linear and for laws that use it.
         acceleration: input = real("m/s2", 0.0),
         /// Ambient temperature; used if thermal.enabled is true.
         temperature_ambient: input = real("K", 293.15).at_least(0.0).nominal(300.0).shown_in("degC"),
@@ -157,14 +158,14 @@ impl<T: Real> Forces<T> {
 }
 
 impl<T: Evaluate> Setting<T> {
-    /// The same in plain numbers. Not inline, as the other parts of an output: what each puts on the stack is gone before
-    /// the next.
+    /// The same in plain numbers. Not inline, as the other parts of an output: the stack of each is freed before the
+    /// next.
     #[inline(never)]
     pub(super) fn values(&self) -> Setting {
         self.map(&|number: T| number.value())
     }
 
-    /// The slopes of its numbers.
+    /// Slopes of its numbers.
     #[inline(never)]
     pub(super) fn slopes(&self) -> Setting {
         self.map(&|number: T| number.slope())
@@ -174,12 +175,12 @@ impl<T: Evaluate> Setting<T> {
 impl<T: Real> Setting<T> {
     pub(super) fn motion(&self) -> Motion<T> {
         let given = self.given_length();
-        // Eyes in one place are an input that nobody has set yet, and warned of.
+        // A distance of 0 is an input that is not set yet; the model warns of it.
         let length = if given.value() == 0.0 { self.geom.length_extended + given } else { given };
         Motion { length, velocity: self.adapter.length_gain * self.velocity }
     }
 
-    /// The length that the input says.
+    /// Length of the strut according to the input.
     pub(super) fn given_length(&self) -> T {
         self.adapter.length_offset + self.adapter.length_gain * self.length
     }
@@ -198,7 +199,7 @@ impl<T: Real> Setting<T> {
         }
     }
 
-    /// Load of the joint: the inputs and what the spring adds.
+    /// Load of the joint: the inputs plus the loads from the spring.
     pub(super) fn wrench(&self, spring_force: T) -> Wrench<T> {
         let mode = SideMode::of(self.side.mode.value());
         let mut wrench = self.load.wrench(SideConvention::of(self.side.convention.value()));
@@ -229,7 +230,7 @@ impl<T: Real> Setting<T> {
         [self.geom.r_1, self.geom.r_2]
     }
 
-    /// What the two contacts feel. Mass and external force are theirs in proportion to what they can hold.
+    /// Motion and load of the two contacts. Mass and external force are divided in proportion to their static levels.
     pub(super) fn touches(&self, motion: &Motion<T>) -> [Touch<T>; 2] {
         let normal = self.normal_forces(motion);
         let levels = self.contacts();
@@ -253,7 +254,7 @@ impl<T: Real> Setting<T> {
         if self.damper.has_series() { piston_velocity } else { motion.velocity }
     }
 
-    /// Do piston or temperature move while the inputs are held?
+    /// Whether the piston or the temperature changes while the inputs are held.
     pub(super) fn has_own_dynamics(&self) -> bool {
         self.damper.has_series() || self.thermal.enabled.value() != 0.0
     }
@@ -264,8 +265,8 @@ impl<T: Real> Setting<T> {
 }
 
 impl Setting {
-    /// Gives length and velocity the slopes that their derivatives say, where the master gives none: to the length that
-    /// of the mean velocity of the step.
+    /// Sets the slopes of length and velocity from their derivatives if the master gives none: that of the length from
+    /// the mean velocity of the step.
     pub(super) fn follow_the_motion(&mut self, now: &Setting, dt: f64) {
         if self.velocity == 0.0 {
             self.velocity = now.acceleration;

@@ -13,7 +13,7 @@ pub(super) struct OtherStates<T> {
     pub(super) temperature: T,
 }
 
-/// Size of the deflections that most laws remember, in m.
+/// Typical size of the deflections of most laws, in m.
 const DEFLECTION: f64 = 1e-5;
 
 crate::model! {
@@ -33,16 +33,17 @@ crate::model! {
     /// h_e = (h^2 + h_r^2)^(1/2),   h = d_i + d_j - d
     /// ```
     ///
-    /// With `geom.guidance_derived` the guidance follows from length and stroke alone. What the stroke leaves of the
-    /// length is divided as in the start values: a third of it is the overlap at full extension, two ninths and four
-    /// ninths keep the rod's eye from the guide and the piston from the tube's eye at full compression:
+    /// With `geom.guidance_derived` the guidance is derived from length and stroke. The length less two strokes is
+    /// divided in the proportions of the start values: one third is the overlap at full extension, two ninths and four
+    /// ninths are the distances from the rod's eye to the guide and from the piston to the tube's eye at full
+    /// compression:
     ///
     /// ```text
     /// d_i = d_0 - s - 2/9 (d_0 - 2 s),   d_j = d_0 - s - 4/9 (d_0 - 2 s)
     /// ```
     ///
-    /// F_s, F_b, F_r and F_d have other forms, too, by `spring.mode`, `bump.mode` and `damper.mode`; phi is any scalar law
-    /// of the catalogue, chosen by `friction.model`, with the levels F_C = `preload_k` + `mu_k` N and
+    /// F_s, F_b, F_r and F_d also have other forms, selected by `spring.mode`, `bump.mode` and `damper.mode`; phi is
+    /// any scalar law of the catalogue, chosen by `friction.model`, with the levels F_C = `preload_k` + `mu_k` N and
     /// F_S = `preload_s` + `mu_s` N of each contact. The parts are models of their own, with all equations on their
     /// pages: `TelescopicJoint` (contact forces), `GuideContact` (friction), `CoilSpring`, `GasSpring`, `EndStops`,
     /// `HydraulicDamper`, `DamperTemperature`.
@@ -83,50 +84,52 @@ crate::model! {
     ///
     /// # Sign
     /// `length` grows in extension, `velocity` is its derivative, and every force pushes the eyes apart when positive.
-    /// `friction_1` and `friction_2` are resistances with the sign of `velocity`; `force_friction` is their sum with the
-    /// opposite sign. `friction_torque` acts on the tube about the axis from tube to rod, and reversed on the rod.
-    /// A host with another travel uses the adapter: the strut's length is `adapter.length_offset` +
-    /// `adapter.length_gain` * `length`, and `force_travel` is the generalised force on that travel. With a motion ratio
-    /// MR = damper travel / wheel travel the gain is -MR; millimetres of compression have -0.001.
+    /// `friction_1` and `friction_2` are resistances with the sign of `velocity`; `force_friction` is their sum with
+    /// the opposite sign. `friction_torque` acts on the tube about the axis from tube to rod, and reversed on the rod.
+    /// A host with a different travel variable uses the adapter: the strut's length is `adapter.length_offset` +
+    /// `adapter.length_gain` * `length`, and `force_travel` is the generalised force on that travel. With a motion
+    /// ratio MR = damper travel / wheel travel the gain is -MR; for millimetres of compression it is -0.001.
     ///
     /// # Step
-    /// Friction laws advance as on their own pages (LuGre exactly), by the whole step where they stop
-    /// `friction.mass`; damper and temperature in steps of at most `num.h_max`, at most 10,000 per communication
-    /// step. `num.input_mode` = Linear moves the length with the velocity, and the velocity with the acceleration,
-    /// within a step and leaves them there. All outputs follow the inputs at once. `dforce_dlength` is the derivative
-    /// of `force` at this instant, `dforce_dvelocity` that with respect to a velocity held over a step like the last
-    /// one (before the first: `num.h_max`), which includes what bristles and series stiffness add. `step_limit` is
-    /// the largest communication step that keeps `num.mass_ref` stable on the strut as it is now, for the order of
-    /// exchange `friction.exchange`; with `damper.k_series` it is 0.3 to 1 of that, less with undamped bristles. The
-    /// three are advice and have no derivatives. At the start friction is as after a second of motion at the first
-    /// velocity, unless `init.friction_state` says otherwise. The first velocity is that of the first step; in Model
-    /// Exchange it is that at the end of the initialization.
+    /// Friction laws advance as described on their own pages (LuGre exactly), over the whole step if they stop
+    /// `friction.mass`; damper and temperature advance in steps of at most `num.h_max`, at most 10,000 per
+    /// communication step. `num.input_mode` = Linear moves the length with the velocity, and the velocity with the
+    /// acceleration, within a step and keeps their final values. All outputs follow the inputs at once.
+    /// `dforce_dlength` is the derivative of `force` at this instant, `dforce_dvelocity` that with respect to a
+    /// velocity held over a step like the last one (before the first: `num.h_max`), which includes what bristles and
+    /// series stiffness add. `step_limit` is the largest communication step that keeps `num.mass_ref` stable on the
+    /// strut in its present state, for the order of exchange `friction.exchange`; with `damper.k_series` it is 0.3 to 1
+    /// of that, less with undamped bristles. The three are advice and have no derivatives. At the start friction has
+    /// the state reached after one second at the initial velocity, unless `init.friction_state` selects another. The
+    /// initial velocity is that of the first step; in Model Exchange it is that at the end of the initialization.
     ///
     /// # Errors
-    /// Refused: a parameter outside its bound; static levels below kinetic ones; tables that do not rise; a gas volume
-    /// that the rod fills; `adapter.length_gain` = 0; a stroke of half of the length or more where the guidance is
-    /// derived; what the chosen law refuses; in Model Exchange a law that is not offered for it itself. Parameters of laws that are not chosen are ignored, as are those of modes that are
-    /// not chosen.
+    /// Refused: a parameter outside its bound; static levels below kinetic ones; tables that are not strictly
+    /// ascending; a gas volume that the rod fills; `adapter.length_gain` = 0; a stroke of at least half the length if
+    /// the guidance is derived; whatever the chosen law refuses; in Model Exchange, a law that does not support it.
+    /// Parameters of laws and modes that are not chosen are ignored.
     ///
     /// # Limits
-    /// The two eyes are never in one place: where the length of the strut is 0, as of an input that nothing has set yet,
-    /// it is computed at full extension, with a warning. A `temperature_ambient` of 0 K counts with heating only, and
-    /// warns then. `spring.enabled`, `gas.enabled`, `bump.enabled`, `rebound.enabled` and `damper.enabled` take a part
-    /// away; without the spring the side load that it makes is gone, too.
+    /// The eyes cannot coincide: a strut of length 0, as with an input that is not set yet, is computed at full
+    /// extension, with a warning. A negative length is used as it is, with a warning. A `temperature_ambient` of 0 K
+    /// matters only with heating, and gives a warning then. `spring.enabled`, `gas.enabled`, `bump.enabled`,
+    /// `rebound.enabled` and `damper.enabled` remove a part; without the spring its side load is absent, too.
     ///
-    /// Rigid bodies: no bending of the rod, no bearing friction in the eyes; axial friction acts on the axis. Stops, spring
-    /// and gas go on beyond the stroke. A law with memory remembers along the axis only. Most laws without memory do not
-    /// hold a load at rest unless `friction.mass` and `external_force` are given; LuGre and the other bristle laws do.
-    /// In Model Exchange `Coulomb`, `CoulombStiction`, `CoulombViscous`, `Stribeck` and `Karnopp` want `external_force`, and
-    /// bristles that carry too much as the load falls slip down with a time constant of 1 ms: at a reversal the force lags.
-    /// A host that steps at each evaluation of its integrator, several times in each of its steps, is warned: the way that
-    /// `velocity` makes in the steps is then more than twice that of `length`.
+    /// Rigid bodies: no bending of the rod, no bearing friction in the eyes; axial friction acts on the axis. Stops,
+    /// spring and gas continue beyond the stroke. The memory of a law belongs to the axial motion only. Most laws
+    /// without memory do not hold a load at rest unless `friction.mass` and `external_force` are given; LuGre and the
+    /// other bristle laws do. In Model Exchange `Coulomb`, `CoulombStiction`, `CoulombViscous`, `Stribeck` and
+    /// `Karnopp` need `external_force`, and bristles that carry too much when the load falls slip with a time constant
+    /// of 1 ms: at a reversal the force lags. A warning is logged if the host steps the strut at every evaluation of
+    /// its integrator, several times per step: the distance travelled by `velocity` is then more than twice that by
+    /// `length`.
     ///
     /// # Source
     /// Novais, "A critical analysis on friction force models in dynamical systems", MSc thesis, University of Minho
-    /// (2024), chapter 9, rebuilt from its lists of symbols and figures; LuGre parameters: its Table 7.1. Spring, travel
-    /// and masses: Zips Racing ZR26 (ZipsRacingElectric/Vehicle-Dynamics, MIT licence). All other defaults are chosen;
-    /// with them a strut has 21 N to 26 N of kinetic friction, within the 10 N to 70 N that rigs report (thesis, Table 2.1).
+    /// (2024), chapter 9, reconstructed from its lists of symbols and figures; LuGre parameters: its Table 7.1. Spring,
+    /// travel and masses: Zips Racing ZR26 (ZipsRacingElectric/Vehicle-Dynamics, MIT licence). All other defaults are
+    /// chosen; with them a strut has 21 N to 26 N of kinetic friction, within the 10 N to 70 N reported from test rigs
+    /// (thesis, Table 2.1).
     ///
     /// # Example
     /// ```
@@ -143,11 +146,11 @@ crate::model! {
     ShockAbsorber: "Telescopic shock absorber with friction from its side load" {
         /// Inputs and parameters.
         setting: (Setting),
-        /// What the friction law at the rod guide remembers, in SI units: see GuideContact.
+        /// States of the friction law at the rod guide, in SI units: see GuideContact.
         memory_1: [state; MEMORY] = blank_memory(DEFLECTION),
-        /// What the friction law at the piston remembers, in SI units: see GuideContact.
+        /// States of the friction law at the piston, in SI units: see GuideContact.
         memory_2: [state; MEMORY] = blank_memory(DEFLECTION),
-        /// Velocity of the damper's piston behind its series stiffness; that of the strut if there is none.
+        /// Velocity of the damper's piston behind its series stiffness; that of the strut without a series stiffness.
         piston_velocity: state = real("m/s", 0.0),
         /// Has the run begun?
         started: state = boolean(false),
@@ -159,7 +162,7 @@ crate::model! {
         dissipated_energy: state_output = real("J", 0.0),
         /// Force of the strut; positive pushes the eyes apart.
         force: output = real("N", 0.0),
-        /// The same with the other sign: positive pulls the eyes together.
+        /// The same with the opposite sign: positive pulls the eyes together.
         force_tension: output = real("N", 0.0),
         /// Part of the spring.
         force_spring: output = real("N", 0.0),
@@ -261,7 +264,7 @@ impl<T: Evaluate> ShockAbsorber<T> {
         self.sticking = truth(self.sticks(touches, answers));
     }
 
-    /// Does at least one contact stick, and none that is loaded slip?
+    /// Whether at least one contact sticks and no loaded one slips.
     fn sticks(&self, touches: &[Touch<T>; 2], answers: &[Answer<T>; 2]) -> bool {
         let is_loaded = |at: usize| {
             let [kinetic, _] = self.setting.friction.levels(self.setting.contacts()[at], touches[at].normal_force);
@@ -324,8 +327,8 @@ impl ShockAbsorber {
         }
     }
 
-    /// A step in which the length moves with the velocity, and the velocity with the acceleration, where the master gives
-    /// no other slopes.
+    /// A step in which the length moves with the velocity, and the velocity with the acceleration, unless the master
+    /// gives other slopes.
     #[inline(never)]
     fn step_along_the_motion(&mut self, slope: Option<&Self>, dt: f64) {
         let mut slope = slope.copied().unwrap_or_else(|| ramp::held_inputs(self));
@@ -333,11 +336,11 @@ impl ShockAbsorber {
         self.follow(&slope, dt);
     }
 
-    /// Advances while the inputs move with `slope`.
+    /// Advances while the inputs change at the rates `slope`.
     #[inline(never)]
     fn follow(&mut self, slope: &Self, dt: f64) {
         let begin = *self;
-        // The force that stops a mass belongs to the whole step.
+        // A force that stops a mass belongs to the whole step.
         let stopping = self.setting.friction.moves_mass().then(|| {
             ramp::set_inputs(self, &begin, slope, dt);
             self.slide_from(&begin.setting, dt)
@@ -362,7 +365,7 @@ impl ShockAbsorber {
         energy / dt
     }
 
-    /// As [`ShockAbsorber::slide`], over a step in which the inputs have moved linearly to where they are.
+    /// As [`ShockAbsorber::slide`], over a step in which the inputs have moved linearly to their present values.
     fn slide_from(&mut self, begin: &Setting, dt: f64) -> f64 {
         let setting = &self.setting;
         let (before, after) = (begin.touches(&begin.motion()), setting.touches(&setting.motion()));
@@ -409,10 +412,16 @@ impl Model for ShockAbsorber {
 
     fn warning(&self) -> Option<Fault> {
         let setting = &self.setting;
-        if setting.given_length() == 0.0 {
-            let (length, extended) = (setting.length, setting.geom.length_extended);
-            let text = "the distance of the eyes must be > 0; until it is, the strut is at full extension";
-            let text = format_args!("length = {length}: {text}, geom.length_extended = {extended} m");
+        let (length, distance) = (setting.length, setting.given_length());
+        if distance == 0.0 {
+            let extended = setting.geom.length_extended;
+            return Some(Fault::new(format_args!(
+                "length = {length}: gives a distance of the eyes of 0; until it is > 0, \
+                 the strut is computed at full extension, geom.length_extended = {extended} m"
+            )));
+        }
+        if distance < 0.0 {
+            let text = format_args!("length = {length}: gives a distance of the eyes of {distance} m; it must be > 0");
             return Some(Fault::new(text));
         }
         setting.thermal.warning(setting.temperature_ambient).or_else(|| setting.friction.warning())

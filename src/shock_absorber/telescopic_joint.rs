@@ -2,7 +2,7 @@ use crate::model::{Fault, Law, Model, Preset, boolean, real};
 use crate::number::Real;
 
 crate::choices! {
-    /// What the four side-load inputs hold.
+    /// Meaning of the four side-load inputs.
     pub enum SideConvention {
         /// Transverse force and moment of the tube on the rod, reduced to the eye of the tube.
         WrenchOnRod,
@@ -12,7 +12,7 @@ crate::choices! {
 }
 
 crate::choices! {
-    /// How the load of the joint becomes the load of its contacts.
+    /// Rule for the loads of the contacts from the load of the joint.
     pub enum NormalSum {
         /// Each contact has its own load, found as a vector.
         TwoPoint,
@@ -22,7 +22,7 @@ crate::choices! {
 }
 
 crate::part! {
-    /// Where the joint guides the rod.
+    /// Positions of rod guide and piston.
     Guidance {
         /// Distance from the eye of the tube to the rod guide (default chosen).
         d_i: fixed = real("m", 0.125).positive().shown_in("mm"),
@@ -73,7 +73,7 @@ impl<T: Real> Guidance<T> {
         self.d_i + self.d_j - length
     }
 
-    /// Is the overlap so small that the contact forces are no longer those of the rigid joint?
+    /// Whether the overlap is so small that the contact forces are no longer those of the rigid joint.
     pub fn is_low(&self, length: T) -> bool {
         self.overlap(length) < T::from(5.0) * self.h_reg
     }
@@ -103,19 +103,19 @@ impl<T: Real> Guidance<T> {
         [m_n - middle * r_m, -m_m - middle * r_n]
     }
 
-    /// (h^2 + h_reg^2)^(1/2); not a number where that is but the rounding of the lengths.
+    /// (h^2 + h_reg^2)^(1/2); NaN where that is only rounding of the lengths.
     fn regular_overlap(&self, length: T) -> T {
         let overlap = magnitude([self.overlap(length), self.h_reg]);
         if overlap.value() > self.least_overlap().value() { overlap } else { T::from(f64::NAN) }
     }
 
-    /// Overlap that is left with six digits or more.
+    /// Smallest overlap with at least six significant digits.
     fn least_overlap(&self) -> T {
         T::from(LEAST_OVERLAP) * (self.d_i + self.d_j)
     }
 }
 
-/// Least overlap relative to the lengths that it is the difference of (chosen).
+/// Smallest overlap relative to the lengths of which it is the difference (chosen).
 const LEAST_OVERLAP: f64 = 1e-9;
 
 impl Guidance {
@@ -143,7 +143,8 @@ fn magnitude<T: Real>([a, b]: [T; 2]) -> T {
 }
 
 crate::model! {
-    /// Contact forces in a telescopic joint: from the load across its axis to the normal forces at rod guide and piston.
+    /// Contact forces in a telescopic joint: from the load across its axis to the normal forces at rod guide and
+    /// piston.
     ///
     /// # Equations
     ///
@@ -156,7 +157,8 @@ crate::model! {
     /// ```
     ///
     /// a is the unit vector from the eye of the tube to that of the rod; m, n and a are perpendicular to each other and
-    /// right-handed. In components M x a = (M_n, -M_m). As Adams sums, both contacts get half of |R| + |G| / h_e.
+    /// right-handed. In components M x a = (M_n, -M_m). With the sum of Adams, each contact gets half of |R| + |G| /
+    /// h_e.
     ///
     /// | symbol     | variable        | unit | meaning                                                     |
     /// |------------|-----------------|------|-------------------------------------------------------------|
@@ -171,10 +173,10 @@ crate::model! {
     /// | N_2m, N_2n | `force_2_m`, `force_2_n` | N | force on the rod at the piston                         |
     ///
     /// # Sign
-    /// `length` grows in extension, which shortens the overlap and raises the contact forces. With
-    /// `convention` = Lambda the inputs are the multipliers of the constraints m.d, n.d, m.a, n.a with the equations of
-    /// motion M dv/dt + D^T lambda = g: R = -(lambda_1 m + lambda_2 n), M = lambda_3 n - lambda_4 m. If a host has other
-    /// rows or signs, convert to R and M.
+    /// `length` grows in extension, which shortens the overlap and raises the contact forces. With `convention` =
+    /// Lambda the inputs are the multipliers of the constraints m.d, n.d, m.a, n.a with the equations of motion M dv/dt
+    /// + D^T lambda = g: R = -(lambda_1 m + lambda_2 n), M = lambda_3 n - lambda_4 m. If a host has other rows or
+    /// signs, convert to R and M.
     ///
     /// # Step
     /// No memory: the outputs follow the inputs.
@@ -184,13 +186,13 @@ crate::model! {
     ///
     /// # Limits
     /// Rigid, straight bodies that touch at two rings; no clearance, no pressure distribution. The resultant is exact
-    /// for every overlap; the couple is low by (h_r / h)^2 / 2, 0.08 % at 50 mm. The two eyes are never in one place: a
-    /// `length` of 0, as of an input that nothing has set yet, is computed as it stands, with a warning.
+    /// for every overlap; the couple is low by (h_r / h)^2 / 2, 0.08 % at 50 mm. The eyes cannot coincide: a `length`
+    /// of 0, as with an input that is not set yet, is used as it is, with a warning.
     ///
     /// # Source
     /// F. Novais, "A critical analysis on friction force models in dynamical systems", MSc thesis, University of Minho
-    /// (2024), chapter 9, rebuilt from its list of symbols and figures by the balance of the rod. The default lengths
-    /// are chosen.
+    /// (2024), chapter 9, reconstructed from its list of symbols and figures by the equilibrium of the rod. The default
+    /// lengths are chosen.
     ///
     /// # Example
     /// ```
@@ -209,7 +211,7 @@ crate::model! {
         side: (SideLoad),
         /// Meaning of the four side loads.
         convention: fixed = SideConvention::WrenchOnRod.start(),
-        /// How the contact forces are summed up.
+        /// Rule for summing the contact forces.
         normal_sum: fixed = NormalSum::TwoPoint.start(),
         /// Dimensions.
         geom: Guidance,
@@ -257,7 +259,8 @@ impl Model for TelescopicJoint {
     }
 
     fn warning(&self) -> Option<Fault> {
-        let text = "length = 0 m: the distance of the eyes must be > 0; the contact forces are those of this length";
+        let text =
+            "length = 0 m: the distance of the eyes must be > 0; the contact forces are computed for this length";
         (self.length == 0.0).then(|| Fault::new(text))
     }
 
@@ -288,7 +291,7 @@ mod tests {
         Vector3::new(m, n, 0.0)
     }
 
-    /// In vectors: the two forces at their places have the resultant and the moment of the wrench.
+    /// In vectors: the two forces at their points of action have the resultant and the moment of the wrench.
     #[test]
     fn two_contact_forces_reproduce_resultant_and_moment() {
         for (k, wrench) in wrenches().enumerate() {
@@ -300,7 +303,7 @@ mod tests {
         }
     }
 
-    /// As the overlap goes to zero and beyond, the resultant stays exact and the forces stay finite.
+    /// As the overlap passes through zero, the resultant stays exact and the forces stay finite.
     #[test]
     fn resultant_is_exact_without_overlap() {
         for wrench in wrenches() {
@@ -364,7 +367,7 @@ mod tests {
         }
     }
 
-    /// Without regularisation an overlap that is but rounding is refused by name; one that has digits is not.
+    /// Without regularisation an overlap that is only rounding is refused by name; one with significant digits is not.
     #[test]
     fn an_overlap_of_rounding_is_an_error() {
         use crate::catalogue::by_name;

@@ -12,7 +12,7 @@ fn impossible_parameters_are_refused_by_name() {
         (&[("spring.mode", 2.0), ("spring.tab_x[2]", 0.0)], "spring.tab_x[2] = 0: must be > spring.tab_x[1] = 0"),
         (&[("gas.V0", 8e-6)], "gas.V0 = 0.000008 m3: must be > "),
         (&[law("LuGre"), ("friction.sigma_1", -1.0)], "friction.sigma_1 = -1: must be "),
-        (&[("c1.preload_k", 0.0)], "c1.preload_k = 0: must be > 0 where c1.preload_s = 10 is"),
+        (&[("c1.preload_k", 0.0)], "c1.preload_k = 0: must be > 0 because c1.preload_s = 10 is"),
     ];
     for (set, expected) in cases {
         let mut strut = strut(&[]);

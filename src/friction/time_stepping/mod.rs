@@ -1,7 +1,7 @@
-//! What a law without memory needs in co-simulation: the mass of the body that the host moves.
+//! Co-simulation data of laws without memory: the mass of the body that the host moves.
 //!
-//! A host that integrates the body itself meets a force that is held over a step. A contact at rest then chatters, and
-//! so does a steep regularised law, unless the force is that of the end of the step.
+//! A host that integrates the body itself applies a force that is held over a step. A contact at rest then chatters,
+//! and so does a steep regularised law, unless the force is that at the end of the step.
 
 mod on_curve;
 mod phase;
@@ -16,7 +16,7 @@ pub(crate) use phase::Phase;
 pub(crate) use two_levels::{EVENTS_OF_TWO_LEVELS, TwoLevels, two_levels};
 
 crate::choices! {
-    /// In which order the master exchanges values with the friction model.
+    /// Order in which the master exchanges values with the friction model.
     pub enum Exchange {
         /// The friction model steps first, and the host uses the force of that step (Gauss-Seidel).
         Sequential,
@@ -26,15 +26,16 @@ crate::choices! {
 }
 
 crate::part! {
-    /// Columns of a law that can move a body of known mass.
+    /// Columns of a law that can hold a body of known mass.
     TimeStepping {
-        /// Effective mass of the host, if in doubt too small, to hold it in co-simulation; 0 = the printed law.
+        /// Effective mass of the body, to hold it at rest in co-simulation; too small is safer than too large; 0 = law
+        /// as printed.
         mass: tunable = real("kg", 0.0).at_least(0.0),
         /// Order in which the master exchanges values; used with mass > 0.
         exchange: fixed = Exchange::Sequential.start(),
         /// Length of the last step; 0 before the first one.
         step_size: state = real("s", 0.0).at_least(0.0).nominal(1e-3).shown_in("ms").discrete(),
-        /// Step for which a parallel exchange plans: the longest of late.
+        /// Step for which a parallel exchange plans: the longest recent one.
         planning_step: state = real("s", 0.0).at_least(0.0).nominal(1e-3).shown_in("ms").discrete(),
         /// Force planned for the coming step of a parallel exchange.
         planned_force: state = real("N", 0.0).discrete(),
@@ -50,12 +51,13 @@ crate::part! {
         external_force_change: state = real("N", 0.0).discrete(),
         /// Change of the normal force over the last step if the master gave its slope, else 0.
         normal_force_change: state = real("N", 0.0).discrete(),
-        /// What the last event of Model Exchange has found the contact to do.
+        /// Motion of the contact as found by the last event of Model Exchange.
         phase: state = Phase::Free.start(),
     }
 }
 
-/// Part of the longest step that is remembered from one step to the next (chosen: half of it is left after 34 steps).
+/// Factor by which the remembered longest step decays from one step to the next (chosen: half of it is left after 34
+/// steps).
 const PLANNING_MEMORY: f64 = 0.98;
 
 /// The friction force over a step, and whether the body is at rest at its end.
@@ -67,17 +69,17 @@ pub(crate) struct Outcome<T> {
 
 /// A law with its inputs.
 pub(crate) trait Contact<T: Real>: Copy {
-    /// The force of the law as it is printed.
+    /// Force of the law as printed.
     fn printed(&self) -> T;
-    /// No force planned before may exceed this: the load may have fallen since.
+    /// Largest force now: a planned force may not exceed it, because the load may have fallen since.
     fn largest(&self) -> T;
-    /// The force over a step of a body of that mass.
+    /// Force over a step of a body of that mass.
     fn stepped(&self, mass: T, step_size: T) -> Outcome<T>;
     /// 1 if the contact is stuck, else 0.
     fn sticking(&self, steps: &TimeStepping<T>) -> T;
 }
 
-/// What a contact is given: at an instant, or on the mean over a step.
+/// Inputs of a contact: at an instant, or averaged over a step.
 #[derive(Clone, Copy)]
 pub(crate) struct Inputs<T> {
     pub velocity: T,
@@ -98,9 +100,9 @@ pub(crate) trait Holding<T: Real>: Copy {
     /// The same law with other inputs.
     fn given(self, inputs: Inputs<T>) -> Self;
 
-    /// The law as it was over the last step: by the velocity at its beginning, for a master's guess of the acceleration
-    /// already holds a friction force, and by the means of the forces, whose impulse the body feels. Where
-    /// other inputs have been set since, they are for the step to come.
+    /// The law as it was over the last step: with the velocity at its beginning, because a master's acceleration
+    /// already contains a friction force, and with the mean forces, whose impulse acts on the body. Inputs that have
+    /// been set since belong to the next step.
     fn over_last_step(self) -> Self {
         let (inputs, steps) = (self.inputs(), self.time_stepping());
         let is_at = |now: T, end: T, change: T| {
@@ -150,7 +152,7 @@ impl<T: Real> TimeStepping<T> {
         self.mass.value() > 0.0 && self.step_size.value() > 0.0
     }
 
-    /// What an event has found the contact to do.
+    /// Motion of the contact as found by an event.
     #[inline]
     pub(crate) fn phase(&self) -> Phase {
         Phase::of(self.phase.value())
@@ -162,7 +164,7 @@ impl<T: Real> TimeStepping<T> {
 }
 
 impl TimeStepping {
-    /// Without what it remembers: a mass that is given later finds no old plan.
+    /// A copy without memory, so that a mass set later finds no old plan.
     #[inline]
     pub(crate) fn forgotten(self) -> TimeStepping {
         TimeStepping {
@@ -181,28 +183,30 @@ impl TimeStepping {
         }
     }
 
-    /// Has it nothing to forget?
+    /// Whether there is nothing to forget.
     #[inline]
     pub(crate) fn is_forgotten(&self) -> bool {
-        // A plan and changes of inputs come with a step.
+        // Only a step makes a plan and changes of inputs.
         self.step_size == 0.0 && self.phase == Phase::Free.number()
     }
 
-    /// With mass the force is that of a whole step, which an importer that integrates the body itself does not make.
+    /// With mass, the force belongs to a whole step, and an importer that integrates the body itself takes no such
+    /// step.
     pub(crate) fn check_exchange(&self) -> Result<(), Fault> {
         if self.mass > 0.0 {
-            let text = format_args!("mass = {}: must be 0 in Model Exchange, which holds no force", self.mass);
+            let text =
+                format_args!("mass = {}: must be 0 in Model Exchange, where no force is held over a step", self.mass);
             return Err(Fault::new(text));
         }
         Ok(())
     }
 }
 
-/// A step as a law remembers it.
+/// Result of a step.
 pub(crate) struct Done {
     /// Energy that the friction force took out of the motion.
     pub energy: f64,
-    /// Is the contact stuck? Known with mass only.
+    /// Whether the contact is stuck; known with mass only.
     pub is_held: bool,
 }
 
@@ -212,10 +216,10 @@ pub(crate) fn step(law: &mut impl Holding<f64>, dt: f64) -> Done {
     step_from(law, law.inputs(), dt)
 }
 
-/// Advances a law by `dt`, over which its inputs have moved linearly from `begin` to where they are now.
+/// Advances a law by `dt`, over which its inputs have moved linearly from `begin` to their present values.
 #[inline]
 fn step_from(law: &mut impl Holding<f64>, begin: Inputs<f64>, dt: f64) -> Done {
-    // A step goes by the velocity, whatever an event has found.
+    // A step is determined by the velocity, regardless of what an event has found.
     law.time_stepping_mut().phase = Phase::Free.number();
     if law.time_stepping().mass == 0.0 {
         let steps = law.time_stepping_mut();
@@ -236,16 +240,18 @@ fn step_with_mass(law: &mut impl Holding<f64>, begin: Inputs<f64>, dt: f64) -> D
     steps.end_external_force = end.external_force;
     steps.end_normal_force = end.normal_force;
     steps.step_size = dt;
-    // A force that stops the body in a short step throws it back in a long one, and the next step is not known yet.
+    // A force that stops the body in a short step reverses its motion in a long one, and the length of the next step is
+    // not known yet.
     steps.planning_step = dt.max(PLANNING_MEMORY * steps.planning_step);
     let (steps, over) = (*steps, law.over_last_step());
     if !steps.is_parallel() {
         let Outcome { force, is_held } = over.contact().stepped(steps.mass, dt);
         return Done { energy: work(&over, force, dt), is_held };
     }
-    // The host still applies the force of the last exchange; the next one is planned for where that takes the body.
+    // The host still applies the force of the last exchange; the next one is planned for the velocity that results from
+    // it.
     let applied = if is_first { over.contact().printed() } else { steps.planned_force };
-    // The forces go on as they have moved so far.
+    // The forces are extrapolated linearly.
     let ahead = 0.5 * steps.planning_step / dt;
     let coming = law.given(Inputs {
         velocity: velocity_after(&over, applied, dt),
@@ -267,8 +273,8 @@ fn work(law: &impl Holding<f64>, force: f64, dt: f64) -> f64 {
     force * 0.5 * (law.inputs().velocity + velocity_after(law, force, dt)) * dt
 }
 
-/// Advances a law by `dt` while its inputs move with `slope`, if it has a mass: the force belongs to the whole step.
-/// Without one its inputs are for others to move: `None`.
+/// Advances a law by `dt` while its inputs change at the rates `slope`, if it has a mass, because the force belongs to
+/// the whole step; `None` without one.
 pub(crate) fn step_ramp<M: Model + Holding<f64>>(law: &mut M, slope: &M, dt: f64) -> Option<Done> {
     if law.time_stepping().mass == 0.0 {
         return None;
@@ -278,7 +284,7 @@ pub(crate) fn step_ramp<M: Model + Holding<f64>>(law: &mut M, slope: &M, dt: f64
     Some(step_from(law, begin.inputs(), dt))
 }
 
-/// Inside a law: where its inputs are, for [`Holding`].
+/// Methods of [`Holding`] that access the inputs of a law.
 macro_rules! holding {
     ($T:ident) => {
         fn time_stepping(&self) -> &$crate::friction::time_stepping::TimeStepping<$T> {
@@ -307,7 +313,7 @@ macro_rules! holding {
 }
 pub(crate) use holding;
 
-/// 1 or 0, as a Boolean column holds it.
+/// 1 or 0, the value of a Boolean column.
 #[inline]
 fn truth<T: Real>(is_true: bool) -> T {
     T::from(f64::from(u8::from(is_true)))

@@ -6,20 +6,20 @@ use crate::friction::unloading;
 use crate::laws::end_velocity::{self, Landing};
 use crate::number::{Dual, Real};
 
-/// A law whose force is a function of the velocity, odd and without memory: what it supplies, all else is shared.
+/// Methods supplied by a law whose force is an odd function of the velocity, without memory; everything else is shared.
 pub(crate) trait Curve<T: Real> {
-    /// The friction force at a velocity; if the law is set-valued at rest, at any velocity but 0.
+    /// Friction force at a velocity; if the law is set-valued at rest, at any velocity except 0.
     fn curve(&self, velocity: T) -> T;
 
-    /// The static level or, without stiction, the Coulomb level.
+    /// Static level or, without stiction, Coulomb level.
     fn level(&self) -> T;
 
-    /// Speed up to which a regularised contact counts as sticking. `None`: the law is set-valued at rest and holds up to
-    /// its level.
+    /// Speed up to which a regularised contact counts as sticking. `None`: the law is set-valued at rest and holds up
+    /// to its level.
     fn band(&self) -> Option<T>;
 
-    /// Speeds, in rising order and 0 if there are fewer, at which the curve has a kink or a jump. Between them, outwards
-    /// from rest, it must be rising, or first concave and then convex.
+    /// Speeds at which the curve has a kink or a jump, in ascending order, padded with 0. Between them, outwards from
+    /// rest, it must be rising, or first concave and then convex.
     fn kinks(&self) -> [T; 2] {
         [T::zero(); 2]
     }
@@ -37,7 +37,7 @@ pub(crate) struct OnCurve<'a, T, L> {
     pub velocity: T,
     pub normal_force: T,
     pub external_force: T,
-    /// What the last event of Model Exchange has found.
+    /// Motion as found by the last event of Model Exchange.
     pub phase: Phase,
 }
 
@@ -50,7 +50,7 @@ impl<T: Copy, L> Clone for OnCurve<'_, T, L> {
 impl<T: Copy, L> Copy for OnCurve<'_, T, L> {}
 
 impl<T: Real, L: Curve<T> + Lift> OnCurve<'_, T, L> {
-    /// Is the velocity within the band of a regularised law?
+    /// Whether the velocity is within the band of a regularised law.
     fn is_within(&self, band: T) -> bool {
         match self.phase {
             Phase::Free => self.velocity.abs() < band,
@@ -58,7 +58,7 @@ impl<T: Real, L: Curve<T> + Lift> OnCurve<'_, T, L> {
         }
     }
 
-    /// Does a set-valued law rest?
+    /// Whether a set-valued law is at rest.
     #[inline]
     fn rests(&self) -> bool {
         self.law.band().is_none()
@@ -68,12 +68,13 @@ impl<T: Real, L: Curve<T> + Lift> OnCurve<'_, T, L> {
             }
     }
 
-    /// Does a set-valued law rest, and is the external force within its level?
+    /// Whether a set-valued law is at rest and the external force is within its level.
     fn is_held(&self) -> bool {
         self.rests() && self.external_force.abs() <= self.law.level()
     }
 
-    /// What the body meets first, in the direction `side` in which it is driven.
+    /// First point of the curve that the body reaches. Velocities are mirrored by `side`, so that it moves towards
+    /// lower ones.
     fn landing(&self, inertia: f64, side: f64) -> Landing {
         let law = self.law.lifted();
         let [velocity, load] = [side * self.velocity.value(), side * self.external_force.value()];
@@ -88,7 +89,7 @@ impl<T: Real, L: Curve<T> + Lift> OnCurve<'_, T, L> {
         end_velocity::first(residual, &marks, velocity, end)
     }
 
-    /// Velocities of the kinks and of rest, in falling order.
+    /// Velocities of the kinks and of rest, in descending order.
     fn marks(&self) -> [T; 5] {
         let [near, far] = self.law.kinks();
         [far, near, T::zero(), -near, -far]
@@ -104,7 +105,7 @@ impl<T: Real, L: Curve<T> + Lift> OnCurve<'_, T, L> {
         if slope > f64::EPSILON * inertia.value() { velocity - residual / T::from(slope) } else { velocity }
     }
 
-    /// The force that ends the step at that velocity.
+    /// Force that ends the step at that velocity.
     fn force_to_reach(&self, velocity: T, inertia: T) -> T {
         self.external_force + inertia * (self.velocity - velocity)
     }
@@ -117,7 +118,7 @@ impl<T: Real, L: Curve<T> + Lift> Contact<T> for OnCurve<'_, T, L> {
             return resting(self.phase, self.external_force, self.law.level());
         }
         self.law.curve(match self.phase.direction() {
-            // Beyond rest the curve goes on as it has ended.
+            // Beyond rest the curve is extended at its last value.
             Some(direction) if self.law.band().is_none() && direction * self.velocity.value() <= 0.0 => {
                 T::from(direction * f64::MIN_POSITIVE)
             }
@@ -131,7 +132,7 @@ impl<T: Real, L: Curve<T> + Lift> Contact<T> for OnCurve<'_, T, L> {
 
     fn stepped(&self, mass: T, step_size: T) -> Outcome<T> {
         let inertia = mass / step_size;
-        // The body accelerates against the force that its present velocity lacks or has too much.
+        // The body accelerates against the excess of the friction force over the external force.
         let side = (self.printed() - self.external_force).sign().value();
         if self.is_held() {
             return Outcome { force: self.force_to_reach(T::zero(), inertia), is_held: true };
@@ -185,13 +186,13 @@ impl<L: Curve<f64>> OnCurve<'_, f64, L> {
         indicators.copy_from_slice(&[phase, near, far, unloading::load(self.normal_force)]);
     }
 
-    /// At an event: what the contact does after it.
+    /// Phase of the contact after an event.
     pub(crate) fn settled(&self) -> Phase {
         self.law.band().map_or_else(|| self.rest().settled(), |width| self.around_rest(width).settled())
     }
 }
 
-/// What all laws with a [`Curve`] share: outputs, step and energy. `memoryless!(Law)` gives the outputs,
+/// Common code of all laws with a [`Curve`]: outputs, step and energy. `memoryless!(Law)` generates the outputs,
 /// `memoryless!();` inside `impl Model` the step.
 macro_rules! memoryless {
     ($Law:ident) => {

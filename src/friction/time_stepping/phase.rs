@@ -1,11 +1,11 @@
-//! What a contact does between two events of Model Exchange, and when that ends.
+//! Motion of a contact between two events of Model Exchange, and its end.
 
 use crate::number::Real;
 
 crate::choices! {
-    /// What a contact does between two events of Model Exchange.
+    /// Motion of a contact between two events of Model Exchange.
     pub enum Phase {
-        /// What its velocity says: no event has settled it, as in co-simulation.
+        /// Determined by the velocity: no event has set it, as in co-simulation.
         Free,
         /// Held, or within the band around rest.
         Held,
@@ -21,7 +21,7 @@ impl Phase {
         if direction < 0.0 { Phase::Backward } else { Phase::Forward }
     }
 
-    /// The direction in which it slides, if it is settled that it does.
+    /// Direction of sliding, if an event has found the contact sliding.
     pub(super) fn direction(self) -> Option<f64> {
         match self {
             Phase::Forward => Some(1.0),
@@ -30,14 +30,14 @@ impl Phase {
         }
     }
 
-    /// As the column holds it.
+    /// Value of the column.
     pub(crate) fn number(self) -> f64 {
         f64::from(self as i32 + 1)
     }
 }
 
-/// A contact that is set-valued at rest, in Model Exchange. Between events it is held, or slides in one direction, whatever
-/// its velocity: what a solver tries on the way beyond the instant of rest goes by the same smooth law.
+/// A contact that is set-valued at rest, in Model Exchange. Between events it is held, or slides in one direction,
+/// regardless of its velocity: trial steps of a solver beyond the instant of rest use the same smooth law.
 pub(super) struct Rest {
     pub phase: Phase,
     pub velocity: f64,
@@ -45,23 +45,24 @@ pub(super) struct Rest {
     pub level: f64,
 }
 
-/// The force at rest. What an event has found held stays so until the next one, which the external force brings about.
+/// The force at rest. A contact found held by an event stays so until the next event, which the external force
+/// triggers.
 #[inline]
 pub(super) fn resting<T: Real>(phase: Phase, external_force: T, level: T) -> T {
     if phase == Phase::Held { external_force } else { external_force.limited(level) }
 }
 
-/// Speed above which a held body is moved by something else, such as a velocity that is given (chosen).
+/// Speed above which something else moves a held body, such as a prescribed velocity (chosen).
 const MOVED: f64 = 1e-6;
 
-/// Part of it by which a body that comes to rest must have passed the rest (chosen): no event lies at a zero.
+/// Part of it by which a body coming to rest must have passed zero velocity (chosen), so that no event lies at a zero.
 const PASSED: f64 = 1e-3;
 
-/// Part of the level by which the external force must exceed it, or be below it (chosen).
+/// Part of the level by which the external force must exceed it, or fall below it (chosen).
 pub(super) const REACHED: f64 = 1e-9;
 
 impl Rest {
-    /// What the level leaves for more force in a direction, in parts of the larger of the two.
+    /// Remaining force up to the level in a direction, in parts of the larger of force and level.
     pub(super) fn reserve(&self, force: f64) -> f64 {
         let size = self.level.max(force.abs());
         if size > 0.0 { (self.level - force) / size } else { 0.0 }
@@ -72,7 +73,7 @@ impl Rest {
         let speed = self.velocity / MOVED;
         match self.phase.direction() {
             None => (self.reserve(self.external_force.abs()) + REACHED).min(1.0 - speed.abs()),
-            // What drives a body on starts it again by itself, unless its velocity is given.
+            // A force that drives the body on makes it move again by itself, unless its velocity is prescribed.
             Some(direction) => {
                 let (along, drive) = (direction * speed, REACHED - self.reserve(direction * self.external_force));
                 (along + PASSED).max(drive.min(along + 1.0))
@@ -80,8 +81,8 @@ impl Rest {
         }
     }
 
-    /// At an event: what the contact does after it. The limits lie between those of the indicator, so that it is clearly
-    /// positive then.
+    /// Phase of the contact after an event. The limits lie between those of the indicator, so that the indicator is
+    /// then clearly positive.
     pub(super) fn settled(&self) -> Phase {
         let is_slow = self.velocity.abs() <= 0.5 * MOVED;
         let has_come_to_rest = self.phase.direction().is_none_or(|direction| direction * self.velocity <= 0.0);
@@ -117,11 +118,11 @@ impl Band {
         }
     }
 
-    /// At an event: what the contact does after it.
+    /// Phase of the contact after an event.
     pub(super) fn settled(&self) -> Phase {
         if self.velocity.abs() <= self.width { Phase::Held } else { Phase::sliding(self.velocity) }
     }
 }
 
-/// Event indicator of what does not happen.
+/// Event indicator of an event that never occurs.
 pub(super) const NO_EVENT: f64 = 1.0;

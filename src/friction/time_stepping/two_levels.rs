@@ -17,9 +17,9 @@ pub(crate) struct TwoLevels<T> {
     pub statical: T,
     /// The body counts as at rest up to this speed (0: at rest exactly).
     pub band: T,
-    /// Is the contact stuck since the last step?
+    /// Whether the contact has been stuck since the last step.
     pub stuck: bool,
-    /// What the last event of Model Exchange has found.
+    /// Motion as found by the last event of Model Exchange.
     pub phase: Phase,
 }
 
@@ -28,7 +28,7 @@ impl<T: Real> TwoLevels<T> {
         self.velocity.abs() <= self.band
     }
 
-    /// Does it rest, or is it within the band?
+    /// Whether it is at rest or within the band.
     fn rests(&self) -> bool {
         match self.phase {
             Phase::Free => self.stuck || self.is_at_rest(),
@@ -37,7 +37,7 @@ impl<T: Real> TwoLevels<T> {
     }
 }
 
-/// Event indicators of a contact with two levels: of its phase, of what it holds within its band, and of its load.
+/// Event indicators of a contact with two levels: of its phase, of its reserve within the band, and of its load.
 pub(crate) const EVENTS_OF_TWO_LEVELS: usize = 3;
 
 impl TwoLevels<f64> {
@@ -60,7 +60,7 @@ impl TwoLevels<f64> {
         indicators.copy_from_slice(&[phase, reserve, unloading::load(self.statical)]);
     }
 
-    /// At an event: what the contact does after it.
+    /// Phase of the contact after an event.
     pub(crate) fn settled(&self) -> Phase {
         if self.band > 0.0 { self.around_rest().settled() } else { self.rest().settled() }
     }
@@ -99,7 +99,7 @@ impl<T: Real> Contact<T> for TwoLevels<T> {
     }
 }
 
-/// What the laws with a [`TwoLevels`] contact share. The band is that of the law.
+/// Common code of the laws with a [`TwoLevels`] contact. The band is that of the law.
 macro_rules! two_levels {
     ($Law:ident, |$law:ident| $band:expr) => {
         impl<T: Real> $crate::friction::time_stepping::Holding<T> for $Law<T> {
