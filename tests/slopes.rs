@@ -276,8 +276,9 @@ fn errors(bench: &mut Bench, force: &str, pieces: u32) -> [f64; 3] {
     sums
 }
 
-/// A step with slopes comes to the limit of ever shorter steps with held inputs: of second order or better, for every law
-/// and wherever it starts from. Loads go from nothing to 20 N, and speeds to 0.1 m/s, within a millisecond.
+/// A step with slopes approaches the limit of ever shorter steps with held inputs, for every law and wherever it starts
+/// from: with eight times as many steps the error falls at least sixteenfold. Loads go from nothing to 20 N, and speeds
+/// to 0.1 m/s, within a millisecond.
 #[test]
 fn a_ramp_comes_to_the_limit_of_short_held_steps() {
     let mut laws = 0;

@@ -416,6 +416,10 @@ fn lag(x: f64) -> f64 {
     if x < 1e-3 { 0.5 - x / 12.0 } else { 1.0 / x - 1.0 / x.exp_m1() }
 }
 
+/// Least level that a piece of a ramp approaches, relative to that of its middle (chosen): where the level falls by most
+/// of itself, the one that would end where an approach to the moving level ends may be negative.
+const LEAST_SEEN: f64 = 0.25;
+
 impl Leuven {
     /// Advances over a piece of a ramp in which the velocity keeps its sign, and level and strengths count as linear.
     ///
@@ -437,7 +441,7 @@ impl Leuven {
         let [begin, end] = stretch.level;
         let aim = end - (end - begin - drive * stretch.duration) * lag(x);
         let seen = aim - 0.5 * drive * stretch.duration;
-        let work = self.advance(&mut limits, seen.max(0.25 * level), distance);
+        let work = self.advance(&mut limits, seen.max(LEAST_SEEN * level), distance);
         self.lift(&limits, &stretch, outward);
         self.settle(division, &stretch, aim);
         self.dissipated_energy += work
