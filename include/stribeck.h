@@ -12,12 +12,12 @@
  *             tangential forces on body 1 or, if body 2 accelerates too, the effective mass times the relative
  *             acceleration that they cause. A contact that sticks carries friction_force = external_force. SI units
  *             throughout.
- * Columns     A model is a row of numbers. Every variable has a column, which is also its FMI value reference; the
- *             enums at the end of this file name the columns of each model, with role, unit, meaning, bound and
- *             default: in = set by the caller before each step or evaluation; fixed = parameter that stays constant
- *             during a run; tunable = parameter that may change between steps or at events; state = advanced by steps
- *             or, in Model Exchange, by the caller's solver and by events; out = result. Booleans are 0 or 1,
- *             enumerations are numbers from 1.
+ * Variables   A model is a row of numbers. Every variable has a number, its reference, which is also its FMI value
+ *             reference. It follows from the name of the variable and never changes; the enums at the end of this file
+ *             list the references of each model, with role, unit, meaning, bound and default: in = set by the caller
+ *             before each step or evaluation; fixed = parameter that stays constant during a run; tunable = parameter
+ *             that may change between steps or at events; state = advanced by steps or, in Model Exchange, by the
+ *             caller's solver and by events; out = result. Booleans are 0 or 1, enumerations are numbers from 1.
  * Ownership   An instance made by stribeck_create or fmi2Instantiate is freed exactly once, with stribeck_free or
  *             fmi2FreeInstance. Texts that the library returns belong to the library. Every pointer you pass stays
  *             yours and is not kept after the call, except the logger of fmi2Instantiate and its environment. A program
@@ -62,8 +62,8 @@ typedef enum {
   /** The model or preset does not exist. */
   STRIBECK_UNKNOWN_MODEL = 2,
   /**
-   * The variable or column does not exist in this model, or the requested derivative is not that of a result with
-   * respect to something that can be set.
+   * The variable does not exist in this model, or the requested derivative is not that of a result with respect to
+   * something that can be set.
    */
   STRIBECK_UNKNOWN_VARIABLE = 3,
   /** The value is outside the bounds of its variable, or the parameters do not fit together. */
@@ -292,14 +292,17 @@ const char *stribeck_last_error(const stribeck_model *model);
 /** Resets the model to its start values and to time 0. */
 stribeck_status stribeck_reset(stribeck_model *model);
 
-/** Number of columns, that is, of variables; 0 for NULL. */
-uint32_t stribeck_column_count(const stribeck_model *model);
+/** Number of variables; 0 for NULL. */
+uint32_t stribeck_variable_count(const stribeck_model *model);
 
-/** Column of the variable with this name. The enums of this header hold the same numbers. */
-stribeck_status stribeck_find(stribeck_model *model, const char *variable, uint32_t *column);
+/** Reference of the variable with that index, from 0, in the order of the enums of this header. */
+stribeck_status stribeck_reference(stribeck_model *model, uint32_t index, uint32_t *reference);
 
-/** Describes a column: name, unit, help text, role, kind, start value and bounds. */
-stribeck_status stribeck_describe(stribeck_model *model, uint32_t column, stribeck_variable *variable);
+/** Reference of the variable with this name. The enums of this header hold the same numbers. */
+stribeck_status stribeck_find(stribeck_model *model, const char *variable, uint32_t *reference);
+
+/** Describes a variable: name, unit, help text, role, kind, start value and bounds. */
+stribeck_status stribeck_describe(stribeck_model *model, uint32_t reference, stribeck_variable *variable);
 
 /** Number of presets, that is, named parameter sets, of the model; 0 for NULL. */
 size_t stribeck_preset_count(const stribeck_model *model);
@@ -317,12 +320,12 @@ const char *stribeck_preset_source(const stribeck_model *model, size_t index);
 stribeck_status stribeck_apply_preset(stribeck_model *model, const char *preset);
 
 /** Sets a variable. Everything except computed results can be set at any time; outputs follow at once. */
-stribeck_status stribeck_set(stribeck_model *model, uint32_t column, double value);
+stribeck_status stribeck_set(stribeck_model *model, uint32_t reference, double value);
 
 /** Reads a variable; results are computed first if anything has been set since. */
-stribeck_status stribeck_get(stribeck_model *model, uint32_t column, double *value);
+stribeck_status stribeck_get(stribeck_model *model, uint32_t reference, double *value);
 
-/** As stribeck_set, by name. Slower: look the column up once with stribeck_find if it is set often. */
+/** As stribeck_set, by name. Slower: look the reference up once with stribeck_find if it is set often. */
 stribeck_status stribeck_set_by_name(stribeck_model *model, const char *variable, double value);
 
 /** As stribeck_get, by name. */
@@ -859,6540 +862,5364 @@ typedef enum stribeck_threlfall_variant {
 /** Guid of Coulomb for fmi2Instantiate. */
 #define STRIBECK_COULOMB_GUID "{bbeced28-4358-a1f2-3f23-1a453d227502}"
 
-/** Coulomb: Coulomb friction. Columns of "Coulomb". */
+/** Coulomb: Coulomb friction. Variables of "Coulomb". */
 typedef enum stribeck_coulomb_variable {
   /** in [m/s]: Sliding velocity of body 1 relative to body 2. (default 0) */
-  STRIBECK_COULOMB_VELOCITY = 0,
+  STRIBECK_COULOMB_VELOCITY = 846470194,
   /** in [N]: Normal force that presses the surfaces together. (>= 0, default 9.81) */
-  STRIBECK_COULOMB_NORMAL_FORCE = 1,
+  STRIBECK_COULOMB_NORMAL_FORCE = 5891938,
   /** in [N]: Resultant of all other tangential forces on body 1; see Coupling if body 2 accelerates. (default 0) */
-  STRIBECK_COULOMB_EXTERNAL_FORCE = 2,
+  STRIBECK_COULOMB_EXTERNAL_FORCE = 1336490458,
   /** tunable [1]: Kinetic coefficient of friction. (>= 0, default 0.1) */
-  STRIBECK_COULOMB_MU_K = 3,
+  STRIBECK_COULOMB_MU_K = 1281456745,
   /** tunable [kg]: Effective mass of the body, to hold it at rest in co-simulation; too small is safer than too large; 0 = law as printed.
    *  (>= 0, default 0) */
-  STRIBECK_COULOMB_MASS = 4,
+  STRIBECK_COULOMB_MASS = 1601648849,
   /** fixed [stribeck_exchange]: Order in which the master exchanges values; used with mass > 0. (default Sequential) */
-  STRIBECK_COULOMB_EXCHANGE = 5,
+  STRIBECK_COULOMB_EXCHANGE = 1692658528,
   /** state [s]: Length of the last step; 0 before the first one. (>= 0, default 0) */
-  STRIBECK_COULOMB_STEP_SIZE = 6,
+  STRIBECK_COULOMB_STEP_SIZE = 843244609,
   /** state [s]: Step for which a parallel exchange plans: the longest recent one. (>= 0, default 0) */
-  STRIBECK_COULOMB_PLANNING_STEP = 7,
+  STRIBECK_COULOMB_PLANNING_STEP = 1287183179,
   /** state [N]: Force planned for the coming step of a parallel exchange. (default 0) */
-  STRIBECK_COULOMB_PLANNED_FORCE = 8,
+  STRIBECK_COULOMB_PLANNED_FORCE = 30514517,
   /** state [m/s]: Velocity at the end of the last step. (default 0) */
-  STRIBECK_COULOMB_END_VELOCITY = 9,
+  STRIBECK_COULOMB_END_VELOCITY = 1478402472,
   /** state [N]: External force at the end of the last step. (default 0) */
-  STRIBECK_COULOMB_END_EXTERNAL_FORCE = 10,
+  STRIBECK_COULOMB_END_EXTERNAL_FORCE = 1757063408,
   /** state [N]: Normal force at the end of the last step. (>= 0, default 0) */
-  STRIBECK_COULOMB_END_NORMAL_FORCE = 11,
+  STRIBECK_COULOMB_END_NORMAL_FORCE = 962162212,
   /** state [m/s]: Change of the velocity over the last step if the master gave its slope, else 0. (default 0) */
-  STRIBECK_COULOMB_VELOCITY_CHANGE = 12,
+  STRIBECK_COULOMB_VELOCITY_CHANGE = 10986035,
   /** state [N]: Change of the external force over the last step if the master gave its slope, else 0. (default 0) */
-  STRIBECK_COULOMB_EXTERNAL_FORCE_CHANGE = 13,
+  STRIBECK_COULOMB_EXTERNAL_FORCE_CHANGE = 1328420411,
   /** state [N]: Change of the normal force over the last step if the master gave its slope, else 0. (default 0) */
-  STRIBECK_COULOMB_NORMAL_FORCE_CHANGE = 14,
+  STRIBECK_COULOMB_NORMAL_FORCE_CHANGE = 2025029027,
   /** state [stribeck_phase]: Motion of the contact as found by the last event of Model Exchange. (default Free) */
-  STRIBECK_COULOMB_PHASE = 15,
+  STRIBECK_COULOMB_PHASE = 1501573624,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
-  STRIBECK_COULOMB_DISSIPATED_ENERGY = 16,
+  STRIBECK_COULOMB_DISSIPATED_ENERGY = 758404530,
   /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
-  STRIBECK_COULOMB_FRICTION_FORCE = 17,
+  STRIBECK_COULOMB_FRICTION_FORCE = 1713976319,
   /** out [W]: Power taken out of the motion: friction force times velocity. */
-  STRIBECK_COULOMB_DISSIPATED_POWER = 18,
+  STRIBECK_COULOMB_DISSIPATED_POWER = 236926875,
   /** out [Boolean]: Is the contact sticking? */
-  STRIBECK_COULOMB_STICKING = 19,
+  STRIBECK_COULOMB_STICKING = 553311409,
 } stribeck_coulomb_variable;
 
 /** Guid of CoulombStiction for fmi2Instantiate. */
 #define STRIBECK_COULOMB_STICTION_GUID "{ad4b3d5c-d393-488b-8284-a119076e3e83}"
 
-/** CoulombStiction: Coulomb friction with stiction. Columns of "CoulombStiction". */
+/** CoulombStiction: Coulomb friction with stiction. Variables of "CoulombStiction". */
 typedef enum stribeck_coulomb_stiction_variable {
   /** in [m/s]: Sliding velocity of body 1 relative to body 2. (default 0) */
-  STRIBECK_COULOMB_STICTION_VELOCITY = 0,
+  STRIBECK_COULOMB_STICTION_VELOCITY = 846470194,
   /** in [N]: Normal force that presses the surfaces together. (>= 0, default 9.81) */
-  STRIBECK_COULOMB_STICTION_NORMAL_FORCE = 1,
+  STRIBECK_COULOMB_STICTION_NORMAL_FORCE = 5891938,
   /** in [N]: Resultant of all other tangential forces on body 1; see Coupling if body 2 accelerates. (default 0) */
-  STRIBECK_COULOMB_STICTION_EXTERNAL_FORCE = 2,
+  STRIBECK_COULOMB_STICTION_EXTERNAL_FORCE = 1336490458,
   /** tunable [1]: Kinetic coefficient of friction. (>= 0, default 0.1) */
-  STRIBECK_COULOMB_STICTION_MU_K = 3,
+  STRIBECK_COULOMB_STICTION_MU_K = 1281456745,
   /** tunable [1]: Static coefficient of friction; not less than mu_k. (>= 0, default 0.15) */
-  STRIBECK_COULOMB_STICTION_MU_S = 4,
+  STRIBECK_COULOMB_STICTION_MU_S = 1147235793,
   /** state [Boolean]: Is the contact stuck since the last step? Only with mass > 0; in Model Exchange see phase.
    *  (default false) */
-  STRIBECK_COULOMB_STICTION_STUCK = 5,
+  STRIBECK_COULOMB_STICTION_STUCK = 1549186443,
   /** tunable [kg]: Effective mass of the body, to hold it at rest in co-simulation; too small is safer than too large; 0 = law as printed.
    *  (>= 0, default 0) */
-  STRIBECK_COULOMB_STICTION_MASS = 6,
+  STRIBECK_COULOMB_STICTION_MASS = 1601648849,
   /** fixed [stribeck_exchange]: Order in which the master exchanges values; used with mass > 0. (default Sequential) */
-  STRIBECK_COULOMB_STICTION_EXCHANGE = 7,
+  STRIBECK_COULOMB_STICTION_EXCHANGE = 1692658528,
   /** state [s]: Length of the last step; 0 before the first one. (>= 0, default 0) */
-  STRIBECK_COULOMB_STICTION_STEP_SIZE = 8,
+  STRIBECK_COULOMB_STICTION_STEP_SIZE = 843244609,
   /** state [s]: Step for which a parallel exchange plans: the longest recent one. (>= 0, default 0) */
-  STRIBECK_COULOMB_STICTION_PLANNING_STEP = 9,
+  STRIBECK_COULOMB_STICTION_PLANNING_STEP = 1287183179,
   /** state [N]: Force planned for the coming step of a parallel exchange. (default 0) */
-  STRIBECK_COULOMB_STICTION_PLANNED_FORCE = 10,
+  STRIBECK_COULOMB_STICTION_PLANNED_FORCE = 30514517,
   /** state [m/s]: Velocity at the end of the last step. (default 0) */
-  STRIBECK_COULOMB_STICTION_END_VELOCITY = 11,
+  STRIBECK_COULOMB_STICTION_END_VELOCITY = 1478402472,
   /** state [N]: External force at the end of the last step. (default 0) */
-  STRIBECK_COULOMB_STICTION_END_EXTERNAL_FORCE = 12,
+  STRIBECK_COULOMB_STICTION_END_EXTERNAL_FORCE = 1757063408,
   /** state [N]: Normal force at the end of the last step. (>= 0, default 0) */
-  STRIBECK_COULOMB_STICTION_END_NORMAL_FORCE = 13,
+  STRIBECK_COULOMB_STICTION_END_NORMAL_FORCE = 962162212,
   /** state [m/s]: Change of the velocity over the last step if the master gave its slope, else 0. (default 0) */
-  STRIBECK_COULOMB_STICTION_VELOCITY_CHANGE = 14,
+  STRIBECK_COULOMB_STICTION_VELOCITY_CHANGE = 10986035,
   /** state [N]: Change of the external force over the last step if the master gave its slope, else 0. (default 0) */
-  STRIBECK_COULOMB_STICTION_EXTERNAL_FORCE_CHANGE = 15,
+  STRIBECK_COULOMB_STICTION_EXTERNAL_FORCE_CHANGE = 1328420411,
   /** state [N]: Change of the normal force over the last step if the master gave its slope, else 0. (default 0) */
-  STRIBECK_COULOMB_STICTION_NORMAL_FORCE_CHANGE = 16,
+  STRIBECK_COULOMB_STICTION_NORMAL_FORCE_CHANGE = 2025029027,
   /** state [stribeck_phase]: Motion of the contact as found by the last event of Model Exchange. (default Free) */
-  STRIBECK_COULOMB_STICTION_PHASE = 17,
+  STRIBECK_COULOMB_STICTION_PHASE = 1501573624,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
-  STRIBECK_COULOMB_STICTION_DISSIPATED_ENERGY = 18,
+  STRIBECK_COULOMB_STICTION_DISSIPATED_ENERGY = 758404530,
   /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
-  STRIBECK_COULOMB_STICTION_FRICTION_FORCE = 19,
+  STRIBECK_COULOMB_STICTION_FRICTION_FORCE = 1713976319,
   /** out [W]: Power taken out of the motion: friction force times velocity. */
-  STRIBECK_COULOMB_STICTION_DISSIPATED_POWER = 20,
+  STRIBECK_COULOMB_STICTION_DISSIPATED_POWER = 236926875,
   /** out [Boolean]: Is the contact sticking? */
-  STRIBECK_COULOMB_STICTION_STICKING = 21,
+  STRIBECK_COULOMB_STICTION_STICKING = 553311409,
 } stribeck_coulomb_stiction_variable;
 
 /** Guid of CoulombViscous for fmi2Instantiate. */
 #define STRIBECK_COULOMB_VISCOUS_GUID "{61230f08-6eaa-471e-9f27-4eb4bf62e45f}"
 
-/** CoulombViscous: Coulomb friction with a viscous part. Columns of "CoulombViscous". */
+/** CoulombViscous: Coulomb friction with a viscous part. Variables of "CoulombViscous". */
 typedef enum stribeck_coulomb_viscous_variable {
   /** in [m/s]: Sliding velocity of body 1 relative to body 2. (default 0) */
-  STRIBECK_COULOMB_VISCOUS_VELOCITY = 0,
+  STRIBECK_COULOMB_VISCOUS_VELOCITY = 846470194,
   /** in [N]: Normal force that presses the surfaces together. (>= 0, default 9.81) */
-  STRIBECK_COULOMB_VISCOUS_NORMAL_FORCE = 1,
+  STRIBECK_COULOMB_VISCOUS_NORMAL_FORCE = 5891938,
   /** in [N]: Resultant of all other tangential forces on body 1; see Coupling if body 2 accelerates. (default 0) */
-  STRIBECK_COULOMB_VISCOUS_EXTERNAL_FORCE = 2,
+  STRIBECK_COULOMB_VISCOUS_EXTERNAL_FORCE = 1336490458,
   /** tunable [1]: Kinetic coefficient of friction. (>= 0, default 0.1) */
-  STRIBECK_COULOMB_VISCOUS_MU_K = 3,
+  STRIBECK_COULOMB_VISCOUS_MU_K = 1281456745,
   /** fixed [stribeck_coulomb_viscous_variant]: Variant of the law. (default Linear) */
-  STRIBECK_COULOMB_VISCOUS_VARIANT = 4,
+  STRIBECK_COULOMB_VISCOUS_VARIANT = 1125473670,
   /** tunable [N.s/m]: Viscous friction coefficient. (>= 0, default 0.1) */
-  STRIBECK_COULOMB_VISCOUS_VISCOUS_COEFFICIENT = 5,
+  STRIBECK_COULOMB_VISCOUS_VISCOUS_COEFFICIENT = 97539077,
   /** tunable [1]: Exponent of the viscous part. (> 0, default 1) */
-  STRIBECK_COULOMB_VISCOUS_VISCOUS_EXPONENT = 6,
+  STRIBECK_COULOMB_VISCOUS_VISCOUS_EXPONENT = 884504011,
   /** tunable [kg]: Effective mass of the body, to hold it at rest in co-simulation; too small is safer than too large; 0 = law as printed.
    *  (>= 0, default 0) */
-  STRIBECK_COULOMB_VISCOUS_MASS = 7,
+  STRIBECK_COULOMB_VISCOUS_MASS = 1601648849,
   /** fixed [stribeck_exchange]: Order in which the master exchanges values; used with mass > 0. (default Sequential) */
-  STRIBECK_COULOMB_VISCOUS_EXCHANGE = 8,
+  STRIBECK_COULOMB_VISCOUS_EXCHANGE = 1692658528,
   /** state [s]: Length of the last step; 0 before the first one. (>= 0, default 0) */
-  STRIBECK_COULOMB_VISCOUS_STEP_SIZE = 9,
+  STRIBECK_COULOMB_VISCOUS_STEP_SIZE = 843244609,
   /** state [s]: Step for which a parallel exchange plans: the longest recent one. (>= 0, default 0) */
-  STRIBECK_COULOMB_VISCOUS_PLANNING_STEP = 10,
+  STRIBECK_COULOMB_VISCOUS_PLANNING_STEP = 1287183179,
   /** state [N]: Force planned for the coming step of a parallel exchange. (default 0) */
-  STRIBECK_COULOMB_VISCOUS_PLANNED_FORCE = 11,
+  STRIBECK_COULOMB_VISCOUS_PLANNED_FORCE = 30514517,
   /** state [m/s]: Velocity at the end of the last step. (default 0) */
-  STRIBECK_COULOMB_VISCOUS_END_VELOCITY = 12,
+  STRIBECK_COULOMB_VISCOUS_END_VELOCITY = 1478402472,
   /** state [N]: External force at the end of the last step. (default 0) */
-  STRIBECK_COULOMB_VISCOUS_END_EXTERNAL_FORCE = 13,
+  STRIBECK_COULOMB_VISCOUS_END_EXTERNAL_FORCE = 1757063408,
   /** state [N]: Normal force at the end of the last step. (>= 0, default 0) */
-  STRIBECK_COULOMB_VISCOUS_END_NORMAL_FORCE = 14,
+  STRIBECK_COULOMB_VISCOUS_END_NORMAL_FORCE = 962162212,
   /** state [m/s]: Change of the velocity over the last step if the master gave its slope, else 0. (default 0) */
-  STRIBECK_COULOMB_VISCOUS_VELOCITY_CHANGE = 15,
+  STRIBECK_COULOMB_VISCOUS_VELOCITY_CHANGE = 10986035,
   /** state [N]: Change of the external force over the last step if the master gave its slope, else 0. (default 0) */
-  STRIBECK_COULOMB_VISCOUS_EXTERNAL_FORCE_CHANGE = 16,
+  STRIBECK_COULOMB_VISCOUS_EXTERNAL_FORCE_CHANGE = 1328420411,
   /** state [N]: Change of the normal force over the last step if the master gave its slope, else 0. (default 0) */
-  STRIBECK_COULOMB_VISCOUS_NORMAL_FORCE_CHANGE = 17,
+  STRIBECK_COULOMB_VISCOUS_NORMAL_FORCE_CHANGE = 2025029027,
   /** state [stribeck_phase]: Motion of the contact as found by the last event of Model Exchange. (default Free) */
-  STRIBECK_COULOMB_VISCOUS_PHASE = 18,
+  STRIBECK_COULOMB_VISCOUS_PHASE = 1501573624,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
-  STRIBECK_COULOMB_VISCOUS_DISSIPATED_ENERGY = 19,
+  STRIBECK_COULOMB_VISCOUS_DISSIPATED_ENERGY = 758404530,
   /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
-  STRIBECK_COULOMB_VISCOUS_FRICTION_FORCE = 20,
+  STRIBECK_COULOMB_VISCOUS_FRICTION_FORCE = 1713976319,
   /** out [W]: Power taken out of the motion: friction force times velocity. */
-  STRIBECK_COULOMB_VISCOUS_DISSIPATED_POWER = 21,
+  STRIBECK_COULOMB_VISCOUS_DISSIPATED_POWER = 236926875,
   /** out [Boolean]: Is the contact sticking? */
-  STRIBECK_COULOMB_VISCOUS_STICKING = 22,
+  STRIBECK_COULOMB_VISCOUS_STICKING = 553311409,
 } stribeck_coulomb_viscous_variable;
 
 /** Guid of Stribeck for fmi2Instantiate. */
 #define STRIBECK_STRIBECK_GUID "{1338417f-b372-978d-fe96-9f97c79779d9}"
 
-/** Stribeck: Friction that falls with speed from the static to the kinetic level (Stribeck). Columns of "Stribeck". */
+/** Stribeck: Friction that falls with speed from the static to the kinetic level (Stribeck). Variables of "Stribeck". */
 typedef enum stribeck_stribeck_variable {
   /** in [m/s]: Sliding velocity of body 1 relative to body 2. (default 0) */
-  STRIBECK_STRIBECK_VELOCITY = 0,
+  STRIBECK_STRIBECK_VELOCITY = 846470194,
   /** in [N]: Normal force that presses the surfaces together. (>= 0, default 9.81) */
-  STRIBECK_STRIBECK_NORMAL_FORCE = 1,
+  STRIBECK_STRIBECK_NORMAL_FORCE = 5891938,
   /** in [N]: Resultant of all other tangential forces on body 1; see Coupling if body 2 accelerates. (default 0) */
-  STRIBECK_STRIBECK_EXTERNAL_FORCE = 2,
+  STRIBECK_STRIBECK_EXTERNAL_FORCE = 1336490458,
   /** fixed [stribeck_stribeck_curve]: How the level falls with speed. (default Gaussian) */
-  STRIBECK_STRIBECK_CURVE = 3,
+  STRIBECK_STRIBECK_CURVE = 423101972,
   /** tunable [1]: Kinetic coefficient of friction. (>= 0, default 0.1) */
-  STRIBECK_STRIBECK_MU_K = 4,
+  STRIBECK_STRIBECK_MU_K = 1281456745,
   /** tunable [1]: Static coefficient of friction; not less than mu_k. (>= 0, default 0.15) */
-  STRIBECK_STRIBECK_MU_S = 5,
+  STRIBECK_STRIBECK_MU_S = 1147235793,
   /** tunable [m/s]: Speed at which the excess of static over kinetic friction has fallen to 1/e, or to 1/2 where the curve is a fraction (Armstrong, HessSoom, PoppStelter).
    *  (> 0, default 0.001) */
-  STRIBECK_STRIBECK_STRIBECK_VELOCITY = 6,
+  STRIBECK_STRIBECK_STRIBECK_VELOCITY = 2117263402,
   /** tunable [1]: Exponent of the Stribeck curve. (> 0, default 2) */
-  STRIBECK_STRIBECK_STRIBECK_EXPONENT = 7,
+  STRIBECK_STRIBECK_STRIBECK_EXPONENT = 509292062,
   /** tunable [N.s/m]: Viscous friction coefficient. (>= 0, default 0) */
-  STRIBECK_STRIBECK_VISCOUS_COEFFICIENT = 8,
+  STRIBECK_STRIBECK_VISCOUS_COEFFICIENT = 97539077,
   /** tunable [N.s2/m2]: Quadratic friction coefficient; used by PoppStelter. (>= 0, default 0) */
-  STRIBECK_STRIBECK_QUADRATIC_COEFFICIENT = 9,
+  STRIBECK_STRIBECK_QUADRATIC_COEFFICIENT = 1815977239,
   /** tunable [kg]: Effective mass of the body, to hold it at rest in co-simulation; too small is safer than too large; 0 = law as printed.
    *  (>= 0, default 0) */
-  STRIBECK_STRIBECK_MASS = 10,
+  STRIBECK_STRIBECK_MASS = 1601648849,
   /** fixed [stribeck_exchange]: Order in which the master exchanges values; used with mass > 0. (default Sequential) */
-  STRIBECK_STRIBECK_EXCHANGE = 11,
+  STRIBECK_STRIBECK_EXCHANGE = 1692658528,
   /** state [s]: Length of the last step; 0 before the first one. (>= 0, default 0) */
-  STRIBECK_STRIBECK_STEP_SIZE = 12,
+  STRIBECK_STRIBECK_STEP_SIZE = 843244609,
   /** state [s]: Step for which a parallel exchange plans: the longest recent one. (>= 0, default 0) */
-  STRIBECK_STRIBECK_PLANNING_STEP = 13,
+  STRIBECK_STRIBECK_PLANNING_STEP = 1287183179,
   /** state [N]: Force planned for the coming step of a parallel exchange. (default 0) */
-  STRIBECK_STRIBECK_PLANNED_FORCE = 14,
+  STRIBECK_STRIBECK_PLANNED_FORCE = 30514517,
   /** state [m/s]: Velocity at the end of the last step. (default 0) */
-  STRIBECK_STRIBECK_END_VELOCITY = 15,
+  STRIBECK_STRIBECK_END_VELOCITY = 1478402472,
   /** state [N]: External force at the end of the last step. (default 0) */
-  STRIBECK_STRIBECK_END_EXTERNAL_FORCE = 16,
+  STRIBECK_STRIBECK_END_EXTERNAL_FORCE = 1757063408,
   /** state [N]: Normal force at the end of the last step. (>= 0, default 0) */
-  STRIBECK_STRIBECK_END_NORMAL_FORCE = 17,
+  STRIBECK_STRIBECK_END_NORMAL_FORCE = 962162212,
   /** state [m/s]: Change of the velocity over the last step if the master gave its slope, else 0. (default 0) */
-  STRIBECK_STRIBECK_VELOCITY_CHANGE = 18,
+  STRIBECK_STRIBECK_VELOCITY_CHANGE = 10986035,
   /** state [N]: Change of the external force over the last step if the master gave its slope, else 0. (default 0) */
-  STRIBECK_STRIBECK_EXTERNAL_FORCE_CHANGE = 19,
+  STRIBECK_STRIBECK_EXTERNAL_FORCE_CHANGE = 1328420411,
   /** state [N]: Change of the normal force over the last step if the master gave its slope, else 0. (default 0) */
-  STRIBECK_STRIBECK_NORMAL_FORCE_CHANGE = 20,
+  STRIBECK_STRIBECK_NORMAL_FORCE_CHANGE = 2025029027,
   /** state [stribeck_phase]: Motion of the contact as found by the last event of Model Exchange. (default Free) */
-  STRIBECK_STRIBECK_PHASE = 21,
+  STRIBECK_STRIBECK_PHASE = 1501573624,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
-  STRIBECK_STRIBECK_DISSIPATED_ENERGY = 22,
+  STRIBECK_STRIBECK_DISSIPATED_ENERGY = 758404530,
   /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
-  STRIBECK_STRIBECK_FRICTION_FORCE = 23,
+  STRIBECK_STRIBECK_FRICTION_FORCE = 1713976319,
   /** out [W]: Power taken out of the motion: friction force times velocity. */
-  STRIBECK_STRIBECK_DISSIPATED_POWER = 24,
+  STRIBECK_STRIBECK_DISSIPATED_POWER = 236926875,
   /** out [Boolean]: Is the contact sticking? */
-  STRIBECK_STRIBECK_STICKING = 25,
+  STRIBECK_STRIBECK_STICKING = 553311409,
 } stribeck_stribeck_variable;
 
 /** Guid of Bernard for fmi2Instantiate. */
 #define STRIBECK_BERNARD_GUID "{6c351125-3a0f-4eff-7385-830ef8bb9be8}"
 
-/** Bernard: Coulomb friction with a linear transition, by its slope (Bernard). Columns of "Bernard". */
+/** Bernard: Coulomb friction with a linear transition, by its slope (Bernard). Variables of "Bernard". */
 typedef enum stribeck_bernard_variable {
   /** in [m/s]: Sliding velocity of body 1 relative to body 2. (default 0) */
-  STRIBECK_BERNARD_VELOCITY = 0,
+  STRIBECK_BERNARD_VELOCITY = 846470194,
   /** in [N]: Normal force that presses the surfaces together. (>= 0, default 9.81) */
-  STRIBECK_BERNARD_NORMAL_FORCE = 1,
+  STRIBECK_BERNARD_NORMAL_FORCE = 5891938,
   /** in [N]: Resultant of all other tangential forces on body 1; see Coupling if body 2 accelerates. (default 0) */
-  STRIBECK_BERNARD_EXTERNAL_FORCE = 2,
+  STRIBECK_BERNARD_EXTERNAL_FORCE = 1336490458,
   /** tunable [1]: Kinetic coefficient of friction. (>= 0, default 0.1) */
-  STRIBECK_BERNARD_MU_K = 3,
+  STRIBECK_BERNARD_MU_K = 1281456745,
   /** tunable [s/m]: Slope of the force at rest, relative to the level there. (> 0, default 2000) */
-  STRIBECK_BERNARD_TRANSITION_SLOPE = 4,
+  STRIBECK_BERNARD_TRANSITION_SLOPE = 573976870,
   /** tunable [kg]: Effective mass of the body, to hold it at rest in co-simulation; too small is safer than too large; 0 = law as printed.
    *  (>= 0, default 0) */
-  STRIBECK_BERNARD_MASS = 5,
+  STRIBECK_BERNARD_MASS = 1601648849,
   /** fixed [stribeck_exchange]: Order in which the master exchanges values; used with mass > 0. (default Sequential) */
-  STRIBECK_BERNARD_EXCHANGE = 6,
+  STRIBECK_BERNARD_EXCHANGE = 1692658528,
   /** state [s]: Length of the last step; 0 before the first one. (>= 0, default 0) */
-  STRIBECK_BERNARD_STEP_SIZE = 7,
+  STRIBECK_BERNARD_STEP_SIZE = 843244609,
   /** state [s]: Step for which a parallel exchange plans: the longest recent one. (>= 0, default 0) */
-  STRIBECK_BERNARD_PLANNING_STEP = 8,
+  STRIBECK_BERNARD_PLANNING_STEP = 1287183179,
   /** state [N]: Force planned for the coming step of a parallel exchange. (default 0) */
-  STRIBECK_BERNARD_PLANNED_FORCE = 9,
+  STRIBECK_BERNARD_PLANNED_FORCE = 30514517,
   /** state [m/s]: Velocity at the end of the last step. (default 0) */
-  STRIBECK_BERNARD_END_VELOCITY = 10,
+  STRIBECK_BERNARD_END_VELOCITY = 1478402472,
   /** state [N]: External force at the end of the last step. (default 0) */
-  STRIBECK_BERNARD_END_EXTERNAL_FORCE = 11,
+  STRIBECK_BERNARD_END_EXTERNAL_FORCE = 1757063408,
   /** state [N]: Normal force at the end of the last step. (>= 0, default 0) */
-  STRIBECK_BERNARD_END_NORMAL_FORCE = 12,
+  STRIBECK_BERNARD_END_NORMAL_FORCE = 962162212,
   /** state [m/s]: Change of the velocity over the last step if the master gave its slope, else 0. (default 0) */
-  STRIBECK_BERNARD_VELOCITY_CHANGE = 13,
+  STRIBECK_BERNARD_VELOCITY_CHANGE = 10986035,
   /** state [N]: Change of the external force over the last step if the master gave its slope, else 0. (default 0) */
-  STRIBECK_BERNARD_EXTERNAL_FORCE_CHANGE = 14,
+  STRIBECK_BERNARD_EXTERNAL_FORCE_CHANGE = 1328420411,
   /** state [N]: Change of the normal force over the last step if the master gave its slope, else 0. (default 0) */
-  STRIBECK_BERNARD_NORMAL_FORCE_CHANGE = 15,
+  STRIBECK_BERNARD_NORMAL_FORCE_CHANGE = 2025029027,
   /** state [stribeck_phase]: Motion of the contact as found by the last event of Model Exchange. (default Free) */
-  STRIBECK_BERNARD_PHASE = 16,
+  STRIBECK_BERNARD_PHASE = 1501573624,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
-  STRIBECK_BERNARD_DISSIPATED_ENERGY = 17,
+  STRIBECK_BERNARD_DISSIPATED_ENERGY = 758404530,
   /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
-  STRIBECK_BERNARD_FRICTION_FORCE = 18,
+  STRIBECK_BERNARD_FRICTION_FORCE = 1713976319,
   /** out [W]: Power taken out of the motion: friction force times velocity. */
-  STRIBECK_BERNARD_DISSIPATED_POWER = 19,
+  STRIBECK_BERNARD_DISSIPATED_POWER = 236926875,
   /** out [Boolean]: Is the contact sticking? */
-  STRIBECK_BERNARD_STICKING = 20,
+  STRIBECK_BERNARD_STICKING = 553311409,
 } stribeck_bernard_variable;
 
 /** Guid of Threlfall for fmi2Instantiate. */
 #define STRIBECK_THRELFALL_GUID "{3e1459a0-12dc-ed88-4efa-d8479f088699}"
 
-/** Threlfall: Coulomb friction with an exponential transition (Threlfall). Columns of "Threlfall". */
+/** Threlfall: Coulomb friction with an exponential transition (Threlfall). Variables of "Threlfall". */
 typedef enum stribeck_threlfall_variable {
   /** in [m/s]: Sliding velocity of body 1 relative to body 2. (default 0) */
-  STRIBECK_THRELFALL_VELOCITY = 0,
+  STRIBECK_THRELFALL_VELOCITY = 846470194,
   /** in [N]: Normal force that presses the surfaces together. (>= 0, default 9.81) */
-  STRIBECK_THRELFALL_NORMAL_FORCE = 1,
+  STRIBECK_THRELFALL_NORMAL_FORCE = 5891938,
   /** in [N]: Resultant of all other tangential forces on body 1; see Coupling if body 2 accelerates. (default 0) */
-  STRIBECK_THRELFALL_EXTERNAL_FORCE = 2,
+  STRIBECK_THRELFALL_EXTERNAL_FORCE = 1336490458,
   /** tunable [1]: Kinetic coefficient of friction. (>= 0, default 0.1) */
-  STRIBECK_THRELFALL_MU_K = 3,
+  STRIBECK_THRELFALL_MU_K = 1281456745,
   /** fixed [stribeck_threlfall_variant]: Variant of the law. (default Printed) */
-  STRIBECK_THRELFALL_VARIANT = 4,
+  STRIBECK_THRELFALL_VARIANT = 1125473670,
   /** tunable [m/s]: Velocity that sets the width of the regularised band around rest. (> 0, default 0.001) */
-  STRIBECK_THRELFALL_TRANSITION_VELOCITY = 5,
+  STRIBECK_THRELFALL_TRANSITION_VELOCITY = 1009615136,
   /** tunable [kg]: Effective mass of the body, to hold it at rest in co-simulation; too small is safer than too large; 0 = law as printed.
    *  (>= 0, default 0) */
-  STRIBECK_THRELFALL_MASS = 6,
+  STRIBECK_THRELFALL_MASS = 1601648849,
   /** fixed [stribeck_exchange]: Order in which the master exchanges values; used with mass > 0. (default Sequential) */
-  STRIBECK_THRELFALL_EXCHANGE = 7,
+  STRIBECK_THRELFALL_EXCHANGE = 1692658528,
   /** state [s]: Length of the last step; 0 before the first one. (>= 0, default 0) */
-  STRIBECK_THRELFALL_STEP_SIZE = 8,
+  STRIBECK_THRELFALL_STEP_SIZE = 843244609,
   /** state [s]: Step for which a parallel exchange plans: the longest recent one. (>= 0, default 0) */
-  STRIBECK_THRELFALL_PLANNING_STEP = 9,
+  STRIBECK_THRELFALL_PLANNING_STEP = 1287183179,
   /** state [N]: Force planned for the coming step of a parallel exchange. (default 0) */
-  STRIBECK_THRELFALL_PLANNED_FORCE = 10,
+  STRIBECK_THRELFALL_PLANNED_FORCE = 30514517,
   /** state [m/s]: Velocity at the end of the last step. (default 0) */
-  STRIBECK_THRELFALL_END_VELOCITY = 11,
+  STRIBECK_THRELFALL_END_VELOCITY = 1478402472,
   /** state [N]: External force at the end of the last step. (default 0) */
-  STRIBECK_THRELFALL_END_EXTERNAL_FORCE = 12,
+  STRIBECK_THRELFALL_END_EXTERNAL_FORCE = 1757063408,
   /** state [N]: Normal force at the end of the last step. (>= 0, default 0) */
-  STRIBECK_THRELFALL_END_NORMAL_FORCE = 13,
+  STRIBECK_THRELFALL_END_NORMAL_FORCE = 962162212,
   /** state [m/s]: Change of the velocity over the last step if the master gave its slope, else 0. (default 0) */
-  STRIBECK_THRELFALL_VELOCITY_CHANGE = 14,
+  STRIBECK_THRELFALL_VELOCITY_CHANGE = 10986035,
   /** state [N]: Change of the external force over the last step if the master gave its slope, else 0. (default 0) */
-  STRIBECK_THRELFALL_EXTERNAL_FORCE_CHANGE = 15,
+  STRIBECK_THRELFALL_EXTERNAL_FORCE_CHANGE = 1328420411,
   /** state [N]: Change of the normal force over the last step if the master gave its slope, else 0. (default 0) */
-  STRIBECK_THRELFALL_NORMAL_FORCE_CHANGE = 16,
+  STRIBECK_THRELFALL_NORMAL_FORCE_CHANGE = 2025029027,
   /** state [stribeck_phase]: Motion of the contact as found by the last event of Model Exchange. (default Free) */
-  STRIBECK_THRELFALL_PHASE = 17,
+  STRIBECK_THRELFALL_PHASE = 1501573624,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
-  STRIBECK_THRELFALL_DISSIPATED_ENERGY = 18,
+  STRIBECK_THRELFALL_DISSIPATED_ENERGY = 758404530,
   /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
-  STRIBECK_THRELFALL_FRICTION_FORCE = 19,
+  STRIBECK_THRELFALL_FRICTION_FORCE = 1713976319,
   /** out [W]: Power taken out of the motion: friction force times velocity. */
-  STRIBECK_THRELFALL_DISSIPATED_POWER = 20,
+  STRIBECK_THRELFALL_DISSIPATED_POWER = 236926875,
   /** out [Boolean]: Is the contact sticking? */
-  STRIBECK_THRELFALL_STICKING = 21,
+  STRIBECK_THRELFALL_STICKING = 553311409,
 } stribeck_threlfall_variable;
 
 /** Guid of ThrelfallModified for fmi2Instantiate. */
 #define STRIBECK_THRELFALL_MODIFIED_GUID "{51d4042e-608e-5600-eead-99a5a0eae44a}"
 
-/** ThrelfallModified: Coulomb friction with an exponential transition up to the Coulomb level (modified Threlfall). Columns of "ThrelfallModified". */
+/** ThrelfallModified: Coulomb friction with an exponential transition up to the Coulomb level (modified Threlfall). Variables of "ThrelfallModified". */
 typedef enum stribeck_threlfall_modified_variable {
   /** in [m/s]: Sliding velocity of body 1 relative to body 2. (default 0) */
-  STRIBECK_THRELFALL_MODIFIED_VELOCITY = 0,
+  STRIBECK_THRELFALL_MODIFIED_VELOCITY = 846470194,
   /** in [N]: Normal force that presses the surfaces together. (>= 0, default 9.81) */
-  STRIBECK_THRELFALL_MODIFIED_NORMAL_FORCE = 1,
+  STRIBECK_THRELFALL_MODIFIED_NORMAL_FORCE = 5891938,
   /** in [N]: Resultant of all other tangential forces on body 1; see Coupling if body 2 accelerates. (default 0) */
-  STRIBECK_THRELFALL_MODIFIED_EXTERNAL_FORCE = 2,
+  STRIBECK_THRELFALL_MODIFIED_EXTERNAL_FORCE = 1336490458,
   /** tunable [1]: Kinetic coefficient of friction. (>= 0, default 0.1) */
-  STRIBECK_THRELFALL_MODIFIED_MU_K = 3,
+  STRIBECK_THRELFALL_MODIFIED_MU_K = 1281456745,
   /** tunable [m/s]: Velocity that sets the width of the regularised band around rest. (> 0, default 0.001) */
-  STRIBECK_THRELFALL_MODIFIED_TRANSITION_VELOCITY = 4,
+  STRIBECK_THRELFALL_MODIFIED_TRANSITION_VELOCITY = 1009615136,
   /** tunable [kg]: Effective mass of the body, to hold it at rest in co-simulation; too small is safer than too large; 0 = law as printed.
    *  (>= 0, default 0) */
-  STRIBECK_THRELFALL_MODIFIED_MASS = 5,
+  STRIBECK_THRELFALL_MODIFIED_MASS = 1601648849,
   /** fixed [stribeck_exchange]: Order in which the master exchanges values; used with mass > 0. (default Sequential) */
-  STRIBECK_THRELFALL_MODIFIED_EXCHANGE = 6,
+  STRIBECK_THRELFALL_MODIFIED_EXCHANGE = 1692658528,
   /** state [s]: Length of the last step; 0 before the first one. (>= 0, default 0) */
-  STRIBECK_THRELFALL_MODIFIED_STEP_SIZE = 7,
+  STRIBECK_THRELFALL_MODIFIED_STEP_SIZE = 843244609,
   /** state [s]: Step for which a parallel exchange plans: the longest recent one. (>= 0, default 0) */
-  STRIBECK_THRELFALL_MODIFIED_PLANNING_STEP = 8,
+  STRIBECK_THRELFALL_MODIFIED_PLANNING_STEP = 1287183179,
   /** state [N]: Force planned for the coming step of a parallel exchange. (default 0) */
-  STRIBECK_THRELFALL_MODIFIED_PLANNED_FORCE = 9,
+  STRIBECK_THRELFALL_MODIFIED_PLANNED_FORCE = 30514517,
   /** state [m/s]: Velocity at the end of the last step. (default 0) */
-  STRIBECK_THRELFALL_MODIFIED_END_VELOCITY = 10,
+  STRIBECK_THRELFALL_MODIFIED_END_VELOCITY = 1478402472,
   /** state [N]: External force at the end of the last step. (default 0) */
-  STRIBECK_THRELFALL_MODIFIED_END_EXTERNAL_FORCE = 11,
+  STRIBECK_THRELFALL_MODIFIED_END_EXTERNAL_FORCE = 1757063408,
   /** state [N]: Normal force at the end of the last step. (>= 0, default 0) */
-  STRIBECK_THRELFALL_MODIFIED_END_NORMAL_FORCE = 12,
+  STRIBECK_THRELFALL_MODIFIED_END_NORMAL_FORCE = 962162212,
   /** state [m/s]: Change of the velocity over the last step if the master gave its slope, else 0. (default 0) */
-  STRIBECK_THRELFALL_MODIFIED_VELOCITY_CHANGE = 13,
+  STRIBECK_THRELFALL_MODIFIED_VELOCITY_CHANGE = 10986035,
   /** state [N]: Change of the external force over the last step if the master gave its slope, else 0. (default 0) */
-  STRIBECK_THRELFALL_MODIFIED_EXTERNAL_FORCE_CHANGE = 14,
+  STRIBECK_THRELFALL_MODIFIED_EXTERNAL_FORCE_CHANGE = 1328420411,
   /** state [N]: Change of the normal force over the last step if the master gave its slope, else 0. (default 0) */
-  STRIBECK_THRELFALL_MODIFIED_NORMAL_FORCE_CHANGE = 15,
+  STRIBECK_THRELFALL_MODIFIED_NORMAL_FORCE_CHANGE = 2025029027,
   /** state [stribeck_phase]: Motion of the contact as found by the last event of Model Exchange. (default Free) */
-  STRIBECK_THRELFALL_MODIFIED_PHASE = 16,
+  STRIBECK_THRELFALL_MODIFIED_PHASE = 1501573624,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
-  STRIBECK_THRELFALL_MODIFIED_DISSIPATED_ENERGY = 17,
+  STRIBECK_THRELFALL_MODIFIED_DISSIPATED_ENERGY = 758404530,
   /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
-  STRIBECK_THRELFALL_MODIFIED_FRICTION_FORCE = 18,
+  STRIBECK_THRELFALL_MODIFIED_FRICTION_FORCE = 1713976319,
   /** out [W]: Power taken out of the motion: friction force times velocity. */
-  STRIBECK_THRELFALL_MODIFIED_DISSIPATED_POWER = 19,
+  STRIBECK_THRELFALL_MODIFIED_DISSIPATED_POWER = 236926875,
   /** out [Boolean]: Is the contact sticking? */
-  STRIBECK_THRELFALL_MODIFIED_STICKING = 20,
+  STRIBECK_THRELFALL_MODIFIED_STICKING = 553311409,
 } stribeck_threlfall_modified_variable;
 
 /** Guid of RooneyDeravi for fmi2Instantiate. */
 #define STRIBECK_ROONEY_DERAVI_GUID "{b4dda239-e67f-2c81-3c15-83dea4130273}"
 
-/** RooneyDeravi: Coulomb friction with a transition band (Rooney and Deravi). Columns of "RooneyDeravi". */
+/** RooneyDeravi: Coulomb friction with a transition band (Rooney and Deravi). Variables of "RooneyDeravi". */
 typedef enum stribeck_rooney_deravi_variable {
   /** in [m/s]: Sliding velocity of body 1 relative to body 2. (default 0) */
-  STRIBECK_ROONEY_DERAVI_VELOCITY = 0,
+  STRIBECK_ROONEY_DERAVI_VELOCITY = 846470194,
   /** in [N]: Normal force that presses the surfaces together. (>= 0, default 9.81) */
-  STRIBECK_ROONEY_DERAVI_NORMAL_FORCE = 1,
+  STRIBECK_ROONEY_DERAVI_NORMAL_FORCE = 5891938,
   /** in [N]: Resultant of all other tangential forces on body 1; see Coupling if body 2 accelerates. (default 0) */
-  STRIBECK_ROONEY_DERAVI_EXTERNAL_FORCE = 2,
+  STRIBECK_ROONEY_DERAVI_EXTERNAL_FORCE = 1336490458,
   /** tunable [1]: Kinetic coefficient of friction. (>= 0, default 0.1) */
-  STRIBECK_ROONEY_DERAVI_MU_K = 3,
+  STRIBECK_ROONEY_DERAVI_MU_K = 1281456745,
   /** fixed [stribeck_rooney_deravi_variant]: Variant of the law. (default Linear) */
-  STRIBECK_ROONEY_DERAVI_VARIANT = 4,
+  STRIBECK_ROONEY_DERAVI_VARIANT = 1125473670,
   /** tunable [m/s]: Velocity that sets the width of the regularised band around rest. (> 0, default 0.001) */
-  STRIBECK_ROONEY_DERAVI_TRANSITION_VELOCITY = 5,
+  STRIBECK_ROONEY_DERAVI_TRANSITION_VELOCITY = 1009615136,
   /** tunable [kg]: Effective mass of the body, to hold it at rest in co-simulation; too small is safer than too large; 0 = law as printed.
    *  (>= 0, default 0) */
-  STRIBECK_ROONEY_DERAVI_MASS = 6,
+  STRIBECK_ROONEY_DERAVI_MASS = 1601648849,
   /** fixed [stribeck_exchange]: Order in which the master exchanges values; used with mass > 0. (default Sequential) */
-  STRIBECK_ROONEY_DERAVI_EXCHANGE = 7,
+  STRIBECK_ROONEY_DERAVI_EXCHANGE = 1692658528,
   /** state [s]: Length of the last step; 0 before the first one. (>= 0, default 0) */
-  STRIBECK_ROONEY_DERAVI_STEP_SIZE = 8,
+  STRIBECK_ROONEY_DERAVI_STEP_SIZE = 843244609,
   /** state [s]: Step for which a parallel exchange plans: the longest recent one. (>= 0, default 0) */
-  STRIBECK_ROONEY_DERAVI_PLANNING_STEP = 9,
+  STRIBECK_ROONEY_DERAVI_PLANNING_STEP = 1287183179,
   /** state [N]: Force planned for the coming step of a parallel exchange. (default 0) */
-  STRIBECK_ROONEY_DERAVI_PLANNED_FORCE = 10,
+  STRIBECK_ROONEY_DERAVI_PLANNED_FORCE = 30514517,
   /** state [m/s]: Velocity at the end of the last step. (default 0) */
-  STRIBECK_ROONEY_DERAVI_END_VELOCITY = 11,
+  STRIBECK_ROONEY_DERAVI_END_VELOCITY = 1478402472,
   /** state [N]: External force at the end of the last step. (default 0) */
-  STRIBECK_ROONEY_DERAVI_END_EXTERNAL_FORCE = 12,
+  STRIBECK_ROONEY_DERAVI_END_EXTERNAL_FORCE = 1757063408,
   /** state [N]: Normal force at the end of the last step. (>= 0, default 0) */
-  STRIBECK_ROONEY_DERAVI_END_NORMAL_FORCE = 13,
+  STRIBECK_ROONEY_DERAVI_END_NORMAL_FORCE = 962162212,
   /** state [m/s]: Change of the velocity over the last step if the master gave its slope, else 0. (default 0) */
-  STRIBECK_ROONEY_DERAVI_VELOCITY_CHANGE = 14,
+  STRIBECK_ROONEY_DERAVI_VELOCITY_CHANGE = 10986035,
   /** state [N]: Change of the external force over the last step if the master gave its slope, else 0. (default 0) */
-  STRIBECK_ROONEY_DERAVI_EXTERNAL_FORCE_CHANGE = 15,
+  STRIBECK_ROONEY_DERAVI_EXTERNAL_FORCE_CHANGE = 1328420411,
   /** state [N]: Change of the normal force over the last step if the master gave its slope, else 0. (default 0) */
-  STRIBECK_ROONEY_DERAVI_NORMAL_FORCE_CHANGE = 16,
+  STRIBECK_ROONEY_DERAVI_NORMAL_FORCE_CHANGE = 2025029027,
   /** state [stribeck_phase]: Motion of the contact as found by the last event of Model Exchange. (default Free) */
-  STRIBECK_ROONEY_DERAVI_PHASE = 17,
+  STRIBECK_ROONEY_DERAVI_PHASE = 1501573624,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
-  STRIBECK_ROONEY_DERAVI_DISSIPATED_ENERGY = 18,
+  STRIBECK_ROONEY_DERAVI_DISSIPATED_ENERGY = 758404530,
   /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
-  STRIBECK_ROONEY_DERAVI_FRICTION_FORCE = 19,
+  STRIBECK_ROONEY_DERAVI_FRICTION_FORCE = 1713976319,
   /** out [W]: Power taken out of the motion: friction force times velocity. */
-  STRIBECK_ROONEY_DERAVI_DISSIPATED_POWER = 20,
+  STRIBECK_ROONEY_DERAVI_DISSIPATED_POWER = 236926875,
   /** out [Boolean]: Is the contact sticking? */
-  STRIBECK_ROONEY_DERAVI_STICKING = 21,
+  STRIBECK_ROONEY_DERAVI_STICKING = 553311409,
 } stribeck_rooney_deravi_variable;
 
 /** Guid of Ambrosio for fmi2Instantiate. */
 #define STRIBECK_AMBROSIO_GUID "{4ed7c963-b21e-ea39-2768-a00ac6df0ac9}"
 
-/** Ambrosio: Coulomb friction that is ramped up with speed (Ambrosio). Columns of "Ambrosio". */
+/** Ambrosio: Coulomb friction that is ramped up with speed (Ambrosio). Variables of "Ambrosio". */
 typedef enum stribeck_ambrosio_variable {
   /** in [m/s]: Sliding velocity of body 1 relative to body 2. (default 0) */
-  STRIBECK_AMBROSIO_VELOCITY = 0,
+  STRIBECK_AMBROSIO_VELOCITY = 846470194,
   /** in [N]: Normal force that presses the surfaces together. (>= 0, default 9.81) */
-  STRIBECK_AMBROSIO_NORMAL_FORCE = 1,
+  STRIBECK_AMBROSIO_NORMAL_FORCE = 5891938,
   /** in [N]: Resultant of all other tangential forces on body 1; see Coupling if body 2 accelerates. (default 0) */
-  STRIBECK_AMBROSIO_EXTERNAL_FORCE = 2,
+  STRIBECK_AMBROSIO_EXTERNAL_FORCE = 1336490458,
   /** tunable [1]: Kinetic coefficient of friction. (>= 0, default 0.1) */
-  STRIBECK_AMBROSIO_MU_K = 3,
+  STRIBECK_AMBROSIO_MU_K = 1281456745,
   /** tunable [m/s]: Velocity that sets the width of the regularised band around rest. (>= 0, default 0.0001) */
-  STRIBECK_AMBROSIO_TRANSITION_VELOCITY = 4,
+  STRIBECK_AMBROSIO_TRANSITION_VELOCITY = 1009615136,
   /** tunable [m/s]: Velocity at which the kinetic level is reached. (> 0, default 0.001) */
-  STRIBECK_AMBROSIO_SLIDING_VELOCITY = 5,
+  STRIBECK_AMBROSIO_SLIDING_VELOCITY = 868290001,
   /** tunable [kg]: Effective mass of the body, to hold it at rest in co-simulation; too small is safer than too large; 0 = law as printed.
    *  (>= 0, default 0) */
-  STRIBECK_AMBROSIO_MASS = 6,
+  STRIBECK_AMBROSIO_MASS = 1601648849,
   /** fixed [stribeck_exchange]: Order in which the master exchanges values; used with mass > 0. (default Sequential) */
-  STRIBECK_AMBROSIO_EXCHANGE = 7,
+  STRIBECK_AMBROSIO_EXCHANGE = 1692658528,
   /** state [s]: Length of the last step; 0 before the first one. (>= 0, default 0) */
-  STRIBECK_AMBROSIO_STEP_SIZE = 8,
+  STRIBECK_AMBROSIO_STEP_SIZE = 843244609,
   /** state [s]: Step for which a parallel exchange plans: the longest recent one. (>= 0, default 0) */
-  STRIBECK_AMBROSIO_PLANNING_STEP = 9,
+  STRIBECK_AMBROSIO_PLANNING_STEP = 1287183179,
   /** state [N]: Force planned for the coming step of a parallel exchange. (default 0) */
-  STRIBECK_AMBROSIO_PLANNED_FORCE = 10,
+  STRIBECK_AMBROSIO_PLANNED_FORCE = 30514517,
   /** state [m/s]: Velocity at the end of the last step. (default 0) */
-  STRIBECK_AMBROSIO_END_VELOCITY = 11,
+  STRIBECK_AMBROSIO_END_VELOCITY = 1478402472,
   /** state [N]: External force at the end of the last step. (default 0) */
-  STRIBECK_AMBROSIO_END_EXTERNAL_FORCE = 12,
+  STRIBECK_AMBROSIO_END_EXTERNAL_FORCE = 1757063408,
   /** state [N]: Normal force at the end of the last step. (>= 0, default 0) */
-  STRIBECK_AMBROSIO_END_NORMAL_FORCE = 13,
+  STRIBECK_AMBROSIO_END_NORMAL_FORCE = 962162212,
   /** state [m/s]: Change of the velocity over the last step if the master gave its slope, else 0. (default 0) */
-  STRIBECK_AMBROSIO_VELOCITY_CHANGE = 14,
+  STRIBECK_AMBROSIO_VELOCITY_CHANGE = 10986035,
   /** state [N]: Change of the external force over the last step if the master gave its slope, else 0. (default 0) */
-  STRIBECK_AMBROSIO_EXTERNAL_FORCE_CHANGE = 15,
+  STRIBECK_AMBROSIO_EXTERNAL_FORCE_CHANGE = 1328420411,
   /** state [N]: Change of the normal force over the last step if the master gave its slope, else 0. (default 0) */
-  STRIBECK_AMBROSIO_NORMAL_FORCE_CHANGE = 16,
+  STRIBECK_AMBROSIO_NORMAL_FORCE_CHANGE = 2025029027,
   /** state [stribeck_phase]: Motion of the contact as found by the last event of Model Exchange. (default Free) */
-  STRIBECK_AMBROSIO_PHASE = 17,
+  STRIBECK_AMBROSIO_PHASE = 1501573624,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
-  STRIBECK_AMBROSIO_DISSIPATED_ENERGY = 18,
+  STRIBECK_AMBROSIO_DISSIPATED_ENERGY = 758404530,
   /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
-  STRIBECK_AMBROSIO_FRICTION_FORCE = 19,
+  STRIBECK_AMBROSIO_FRICTION_FORCE = 1713976319,
   /** out [W]: Power taken out of the motion: friction force times velocity. */
-  STRIBECK_AMBROSIO_DISSIPATED_POWER = 20,
+  STRIBECK_AMBROSIO_DISSIPATED_POWER = 236926875,
   /** out [Boolean]: Is the contact sticking? */
-  STRIBECK_AMBROSIO_STICKING = 21,
+  STRIBECK_AMBROSIO_STICKING = 553311409,
 } stribeck_ambrosio_variable;
 
 /** Guid of Karnopp for fmi2Instantiate. */
 #define STRIBECK_KARNOPP_GUID "{11c8c491-0b58-eb8e-8204-f008d65d00cc}"
 
-/** Karnopp: Coulomb friction with a band of stiction (Karnopp). Columns of "Karnopp". */
+/** Karnopp: Coulomb friction with a band of stiction (Karnopp). Variables of "Karnopp". */
 typedef enum stribeck_karnopp_variable {
   /** in [m/s]: Sliding velocity of body 1 relative to body 2. (default 0) */
-  STRIBECK_KARNOPP_VELOCITY = 0,
+  STRIBECK_KARNOPP_VELOCITY = 846470194,
   /** in [N]: Normal force that presses the surfaces together. (>= 0, default 9.81) */
-  STRIBECK_KARNOPP_NORMAL_FORCE = 1,
+  STRIBECK_KARNOPP_NORMAL_FORCE = 5891938,
   /** in [N]: Resultant of all other tangential forces on body 1; see Coupling if body 2 accelerates. (default 0) */
-  STRIBECK_KARNOPP_EXTERNAL_FORCE = 2,
+  STRIBECK_KARNOPP_EXTERNAL_FORCE = 1336490458,
   /** tunable [1]: Kinetic coefficient of friction. (>= 0, default 0.1) */
-  STRIBECK_KARNOPP_MU_K = 3,
+  STRIBECK_KARNOPP_MU_K = 1281456745,
   /** tunable [1]: Static coefficient of friction; not less than mu_k. (>= 0, default 0.15) */
-  STRIBECK_KARNOPP_MU_S = 4,
+  STRIBECK_KARNOPP_MU_S = 1147235793,
   /** tunable [m/s]: Velocity that sets the width of the regularised band around rest. (> 0, default 0.001) */
-  STRIBECK_KARNOPP_TRANSITION_VELOCITY = 5,
+  STRIBECK_KARNOPP_TRANSITION_VELOCITY = 1009615136,
   /** state [Boolean]: Is the contact stuck since the last step? Only with mass > 0; in Model Exchange see phase.
    *  (default false) */
-  STRIBECK_KARNOPP_STUCK = 6,
+  STRIBECK_KARNOPP_STUCK = 1549186443,
   /** tunable [kg]: Effective mass of the body, to hold it at rest in co-simulation; too small is safer than too large; 0 = law as printed.
    *  (>= 0, default 0) */
-  STRIBECK_KARNOPP_MASS = 7,
+  STRIBECK_KARNOPP_MASS = 1601648849,
   /** fixed [stribeck_exchange]: Order in which the master exchanges values; used with mass > 0. (default Sequential) */
-  STRIBECK_KARNOPP_EXCHANGE = 8,
+  STRIBECK_KARNOPP_EXCHANGE = 1692658528,
   /** state [s]: Length of the last step; 0 before the first one. (>= 0, default 0) */
-  STRIBECK_KARNOPP_STEP_SIZE = 9,
+  STRIBECK_KARNOPP_STEP_SIZE = 843244609,
   /** state [s]: Step for which a parallel exchange plans: the longest recent one. (>= 0, default 0) */
-  STRIBECK_KARNOPP_PLANNING_STEP = 10,
+  STRIBECK_KARNOPP_PLANNING_STEP = 1287183179,
   /** state [N]: Force planned for the coming step of a parallel exchange. (default 0) */
-  STRIBECK_KARNOPP_PLANNED_FORCE = 11,
+  STRIBECK_KARNOPP_PLANNED_FORCE = 30514517,
   /** state [m/s]: Velocity at the end of the last step. (default 0) */
-  STRIBECK_KARNOPP_END_VELOCITY = 12,
+  STRIBECK_KARNOPP_END_VELOCITY = 1478402472,
   /** state [N]: External force at the end of the last step. (default 0) */
-  STRIBECK_KARNOPP_END_EXTERNAL_FORCE = 13,
+  STRIBECK_KARNOPP_END_EXTERNAL_FORCE = 1757063408,
   /** state [N]: Normal force at the end of the last step. (>= 0, default 0) */
-  STRIBECK_KARNOPP_END_NORMAL_FORCE = 14,
+  STRIBECK_KARNOPP_END_NORMAL_FORCE = 962162212,
   /** state [m/s]: Change of the velocity over the last step if the master gave its slope, else 0. (default 0) */
-  STRIBECK_KARNOPP_VELOCITY_CHANGE = 15,
+  STRIBECK_KARNOPP_VELOCITY_CHANGE = 10986035,
   /** state [N]: Change of the external force over the last step if the master gave its slope, else 0. (default 0) */
-  STRIBECK_KARNOPP_EXTERNAL_FORCE_CHANGE = 16,
+  STRIBECK_KARNOPP_EXTERNAL_FORCE_CHANGE = 1328420411,
   /** state [N]: Change of the normal force over the last step if the master gave its slope, else 0. (default 0) */
-  STRIBECK_KARNOPP_NORMAL_FORCE_CHANGE = 17,
+  STRIBECK_KARNOPP_NORMAL_FORCE_CHANGE = 2025029027,
   /** state [stribeck_phase]: Motion of the contact as found by the last event of Model Exchange. (default Free) */
-  STRIBECK_KARNOPP_PHASE = 18,
+  STRIBECK_KARNOPP_PHASE = 1501573624,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
-  STRIBECK_KARNOPP_DISSIPATED_ENERGY = 19,
+  STRIBECK_KARNOPP_DISSIPATED_ENERGY = 758404530,
   /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
-  STRIBECK_KARNOPP_FRICTION_FORCE = 20,
+  STRIBECK_KARNOPP_FRICTION_FORCE = 1713976319,
   /** out [W]: Power taken out of the motion: friction force times velocity. */
-  STRIBECK_KARNOPP_DISSIPATED_POWER = 21,
+  STRIBECK_KARNOPP_DISSIPATED_POWER = 236926875,
   /** out [Boolean]: Is the contact sticking? */
-  STRIBECK_KARNOPP_STICKING = 22,
+  STRIBECK_KARNOPP_STICKING = 553311409,
 } stribeck_karnopp_variable;
 
 /** Guid of BengisuAkay for fmi2Instantiate. */
 #define STRIBECK_BENGISU_AKAY_GUID "{b8b3d50e-4a59-d749-82cc-1a3ad906e311}"
 
-/** BengisuAkay: Continuous friction law with a stiction peak (Bengisu and Akay). Columns of "BengisuAkay". */
+/** BengisuAkay: Continuous friction law with a stiction peak (Bengisu and Akay). Variables of "BengisuAkay". */
 typedef enum stribeck_bengisu_akay_variable {
   /** in [m/s]: Sliding velocity of body 1 relative to body 2. (default 0) */
-  STRIBECK_BENGISU_AKAY_VELOCITY = 0,
+  STRIBECK_BENGISU_AKAY_VELOCITY = 846470194,
   /** in [N]: Normal force that presses the surfaces together. (>= 0, default 9.81) */
-  STRIBECK_BENGISU_AKAY_NORMAL_FORCE = 1,
+  STRIBECK_BENGISU_AKAY_NORMAL_FORCE = 5891938,
   /** in [N]: Resultant of all other tangential forces on body 1; see Coupling if body 2 accelerates. (default 0) */
-  STRIBECK_BENGISU_AKAY_EXTERNAL_FORCE = 2,
+  STRIBECK_BENGISU_AKAY_EXTERNAL_FORCE = 1336490458,
   /** tunable [1]: Kinetic coefficient of friction. (>= 0, default 0.1) */
-  STRIBECK_BENGISU_AKAY_MU_K = 3,
+  STRIBECK_BENGISU_AKAY_MU_K = 1281456745,
   /** tunable [1]: Static coefficient of friction; not less than mu_k. (>= 0, default 0.15) */
-  STRIBECK_BENGISU_AKAY_MU_S = 4,
+  STRIBECK_BENGISU_AKAY_MU_S = 1147235793,
   /** fixed [stribeck_bengisu_akay_variant]: Variant of the law. (default Thesis) */
-  STRIBECK_BENGISU_AKAY_VARIANT = 5,
+  STRIBECK_BENGISU_AKAY_VARIANT = 1125473670,
   /** tunable [s/m]: Slope of the force at rest, relative to the level there. (> 0, default 5000) */
-  STRIBECK_BENGISU_AKAY_TRANSITION_SLOPE = 6,
+  STRIBECK_BENGISU_AKAY_TRANSITION_SLOPE = 573976870,
   /** tunable [s/m]: Rate at which the excess of static over kinetic friction decays with speed (default chosen).
    *  (> 0, default 500) */
-  STRIBECK_BENGISU_AKAY_STICTION_DECAY = 7,
+  STRIBECK_BENGISU_AKAY_STICTION_DECAY = 1861695917,
   /** tunable [m/s]: Velocity that sets the width of the regularised band around rest. (> 0, default 0.001) */
-  STRIBECK_BENGISU_AKAY_TRANSITION_VELOCITY = 8,
+  STRIBECK_BENGISU_AKAY_TRANSITION_VELOCITY = 1009615136,
   /** tunable [kg]: Effective mass of the body, to hold it at rest in co-simulation; too small is safer than too large; 0 = law as printed.
    *  (>= 0, default 0) */
-  STRIBECK_BENGISU_AKAY_MASS = 9,
+  STRIBECK_BENGISU_AKAY_MASS = 1601648849,
   /** fixed [stribeck_exchange]: Order in which the master exchanges values; used with mass > 0. (default Sequential) */
-  STRIBECK_BENGISU_AKAY_EXCHANGE = 10,
+  STRIBECK_BENGISU_AKAY_EXCHANGE = 1692658528,
   /** state [s]: Length of the last step; 0 before the first one. (>= 0, default 0) */
-  STRIBECK_BENGISU_AKAY_STEP_SIZE = 11,
+  STRIBECK_BENGISU_AKAY_STEP_SIZE = 843244609,
   /** state [s]: Step for which a parallel exchange plans: the longest recent one. (>= 0, default 0) */
-  STRIBECK_BENGISU_AKAY_PLANNING_STEP = 12,
+  STRIBECK_BENGISU_AKAY_PLANNING_STEP = 1287183179,
   /** state [N]: Force planned for the coming step of a parallel exchange. (default 0) */
-  STRIBECK_BENGISU_AKAY_PLANNED_FORCE = 13,
+  STRIBECK_BENGISU_AKAY_PLANNED_FORCE = 30514517,
   /** state [m/s]: Velocity at the end of the last step. (default 0) */
-  STRIBECK_BENGISU_AKAY_END_VELOCITY = 14,
+  STRIBECK_BENGISU_AKAY_END_VELOCITY = 1478402472,
   /** state [N]: External force at the end of the last step. (default 0) */
-  STRIBECK_BENGISU_AKAY_END_EXTERNAL_FORCE = 15,
+  STRIBECK_BENGISU_AKAY_END_EXTERNAL_FORCE = 1757063408,
   /** state [N]: Normal force at the end of the last step. (>= 0, default 0) */
-  STRIBECK_BENGISU_AKAY_END_NORMAL_FORCE = 16,
+  STRIBECK_BENGISU_AKAY_END_NORMAL_FORCE = 962162212,
   /** state [m/s]: Change of the velocity over the last step if the master gave its slope, else 0. (default 0) */
-  STRIBECK_BENGISU_AKAY_VELOCITY_CHANGE = 17,
+  STRIBECK_BENGISU_AKAY_VELOCITY_CHANGE = 10986035,
   /** state [N]: Change of the external force over the last step if the master gave its slope, else 0. (default 0) */
-  STRIBECK_BENGISU_AKAY_EXTERNAL_FORCE_CHANGE = 18,
+  STRIBECK_BENGISU_AKAY_EXTERNAL_FORCE_CHANGE = 1328420411,
   /** state [N]: Change of the normal force over the last step if the master gave its slope, else 0. (default 0) */
-  STRIBECK_BENGISU_AKAY_NORMAL_FORCE_CHANGE = 19,
+  STRIBECK_BENGISU_AKAY_NORMAL_FORCE_CHANGE = 2025029027,
   /** state [stribeck_phase]: Motion of the contact as found by the last event of Model Exchange. (default Free) */
-  STRIBECK_BENGISU_AKAY_PHASE = 20,
+  STRIBECK_BENGISU_AKAY_PHASE = 1501573624,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
-  STRIBECK_BENGISU_AKAY_DISSIPATED_ENERGY = 21,
+  STRIBECK_BENGISU_AKAY_DISSIPATED_ENERGY = 758404530,
   /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
-  STRIBECK_BENGISU_AKAY_FRICTION_FORCE = 22,
+  STRIBECK_BENGISU_AKAY_FRICTION_FORCE = 1713976319,
   /** out [W]: Power taken out of the motion: friction force times velocity. */
-  STRIBECK_BENGISU_AKAY_DISSIPATED_POWER = 23,
+  STRIBECK_BENGISU_AKAY_DISSIPATED_POWER = 236926875,
   /** out [Boolean]: Is the contact sticking? */
-  STRIBECK_BENGISU_AKAY_STICKING = 24,
+  STRIBECK_BENGISU_AKAY_STICKING = 553311409,
 } stribeck_bengisu_akay_variable;
 
 /** Guid of Hollars for fmi2Instantiate. */
 #define STRIBECK_HOLLARS_GUID "{897d132a-40f5-2444-8136-bac64cc732a1}"
 
-/** Hollars: Continuous friction law with a stiction peak, without exponentials (Hollars). Columns of "Hollars". */
+/** Hollars: Continuous friction law with a stiction peak, without exponentials (Hollars). Variables of "Hollars". */
 typedef enum stribeck_hollars_variable {
   /** in [m/s]: Sliding velocity of body 1 relative to body 2. (default 0) */
-  STRIBECK_HOLLARS_VELOCITY = 0,
+  STRIBECK_HOLLARS_VELOCITY = 846470194,
   /** in [N]: Normal force that presses the surfaces together. (>= 0, default 9.81) */
-  STRIBECK_HOLLARS_NORMAL_FORCE = 1,
+  STRIBECK_HOLLARS_NORMAL_FORCE = 5891938,
   /** in [N]: Resultant of all other tangential forces on body 1; see Coupling if body 2 accelerates. (default 0) */
-  STRIBECK_HOLLARS_EXTERNAL_FORCE = 2,
+  STRIBECK_HOLLARS_EXTERNAL_FORCE = 1336490458,
   /** tunable [1]: Kinetic coefficient of friction. (>= 0, default 0.1) */
-  STRIBECK_HOLLARS_MU_K = 3,
+  STRIBECK_HOLLARS_MU_K = 1281456745,
   /** tunable [1]: Static coefficient of friction; not less than mu_k. (>= 0, default 0.15) */
-  STRIBECK_HOLLARS_MU_S = 4,
+  STRIBECK_HOLLARS_MU_S = 1147235793,
   /** tunable [m/s]: Velocity that sets the width of the regularised band around rest. (> 0, default 0.001) */
-  STRIBECK_HOLLARS_TRANSITION_VELOCITY = 5,
+  STRIBECK_HOLLARS_TRANSITION_VELOCITY = 1009615136,
   /** tunable [s/m]: Viscous coefficient of friction, per normal force. (>= 0, default 0) */
-  STRIBECK_HOLLARS_MU_V = 6,
+  STRIBECK_HOLLARS_MU_V = 1197568650,
   /** tunable [kg]: Effective mass of the body, to hold it at rest in co-simulation; too small is safer than too large; 0 = law as printed.
    *  (>= 0, default 0) */
-  STRIBECK_HOLLARS_MASS = 7,
+  STRIBECK_HOLLARS_MASS = 1601648849,
   /** fixed [stribeck_exchange]: Order in which the master exchanges values; used with mass > 0. (default Sequential) */
-  STRIBECK_HOLLARS_EXCHANGE = 8,
+  STRIBECK_HOLLARS_EXCHANGE = 1692658528,
   /** state [s]: Length of the last step; 0 before the first one. (>= 0, default 0) */
-  STRIBECK_HOLLARS_STEP_SIZE = 9,
+  STRIBECK_HOLLARS_STEP_SIZE = 843244609,
   /** state [s]: Step for which a parallel exchange plans: the longest recent one. (>= 0, default 0) */
-  STRIBECK_HOLLARS_PLANNING_STEP = 10,
+  STRIBECK_HOLLARS_PLANNING_STEP = 1287183179,
   /** state [N]: Force planned for the coming step of a parallel exchange. (default 0) */
-  STRIBECK_HOLLARS_PLANNED_FORCE = 11,
+  STRIBECK_HOLLARS_PLANNED_FORCE = 30514517,
   /** state [m/s]: Velocity at the end of the last step. (default 0) */
-  STRIBECK_HOLLARS_END_VELOCITY = 12,
+  STRIBECK_HOLLARS_END_VELOCITY = 1478402472,
   /** state [N]: External force at the end of the last step. (default 0) */
-  STRIBECK_HOLLARS_END_EXTERNAL_FORCE = 13,
+  STRIBECK_HOLLARS_END_EXTERNAL_FORCE = 1757063408,
   /** state [N]: Normal force at the end of the last step. (>= 0, default 0) */
-  STRIBECK_HOLLARS_END_NORMAL_FORCE = 14,
+  STRIBECK_HOLLARS_END_NORMAL_FORCE = 962162212,
   /** state [m/s]: Change of the velocity over the last step if the master gave its slope, else 0. (default 0) */
-  STRIBECK_HOLLARS_VELOCITY_CHANGE = 15,
+  STRIBECK_HOLLARS_VELOCITY_CHANGE = 10986035,
   /** state [N]: Change of the external force over the last step if the master gave its slope, else 0. (default 0) */
-  STRIBECK_HOLLARS_EXTERNAL_FORCE_CHANGE = 16,
+  STRIBECK_HOLLARS_EXTERNAL_FORCE_CHANGE = 1328420411,
   /** state [N]: Change of the normal force over the last step if the master gave its slope, else 0. (default 0) */
-  STRIBECK_HOLLARS_NORMAL_FORCE_CHANGE = 17,
+  STRIBECK_HOLLARS_NORMAL_FORCE_CHANGE = 2025029027,
   /** state [stribeck_phase]: Motion of the contact as found by the last event of Model Exchange. (default Free) */
-  STRIBECK_HOLLARS_PHASE = 18,
+  STRIBECK_HOLLARS_PHASE = 1501573624,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
-  STRIBECK_HOLLARS_DISSIPATED_ENERGY = 19,
+  STRIBECK_HOLLARS_DISSIPATED_ENERGY = 758404530,
   /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
-  STRIBECK_HOLLARS_FRICTION_FORCE = 20,
+  STRIBECK_HOLLARS_FRICTION_FORCE = 1713976319,
   /** out [W]: Power taken out of the motion: friction force times velocity. */
-  STRIBECK_HOLLARS_DISSIPATED_POWER = 21,
+  STRIBECK_HOLLARS_DISSIPATED_POWER = 236926875,
   /** out [Boolean]: Is the contact sticking? */
-  STRIBECK_HOLLARS_STICKING = 22,
+  STRIBECK_HOLLARS_STICKING = 553311409,
 } stribeck_hollars_variable;
 
 /** Guid of Andersson for fmi2Instantiate. */
 #define STRIBECK_ANDERSSON_GUID "{13e325ea-4f80-0388-d174-e5dcb57a7e33}"
 
-/** Andersson: Smooth friction law with the Stribeck curve (Andersson). Columns of "Andersson". */
+/** Andersson: Smooth friction law with the Stribeck curve (Andersson). Variables of "Andersson". */
 typedef enum stribeck_andersson_variable {
   /** in [m/s]: Sliding velocity of body 1 relative to body 2. (default 0) */
-  STRIBECK_ANDERSSON_VELOCITY = 0,
+  STRIBECK_ANDERSSON_VELOCITY = 846470194,
   /** in [N]: Normal force that presses the surfaces together. (>= 0, default 9.81) */
-  STRIBECK_ANDERSSON_NORMAL_FORCE = 1,
+  STRIBECK_ANDERSSON_NORMAL_FORCE = 5891938,
   /** in [N]: Resultant of all other tangential forces on body 1; see Coupling if body 2 accelerates. (default 0) */
-  STRIBECK_ANDERSSON_EXTERNAL_FORCE = 2,
+  STRIBECK_ANDERSSON_EXTERNAL_FORCE = 1336490458,
   /** tunable [1]: Kinetic coefficient of friction. (>= 0, default 0.1) */
-  STRIBECK_ANDERSSON_MU_K = 3,
+  STRIBECK_ANDERSSON_MU_K = 1281456745,
   /** tunable [1]: Static coefficient of friction; not less than mu_k. (>= 0, default 0.15) */
-  STRIBECK_ANDERSSON_MU_S = 4,
+  STRIBECK_ANDERSSON_MU_S = 1147235793,
   /** tunable [m/s]: Speed at which the excess of static over kinetic friction has fallen to 1/e, or to 1/2 where the curve is a fraction (Armstrong, HessSoom, PoppStelter).
    *  (> 0, default 0.001) */
-  STRIBECK_ANDERSSON_STRIBECK_VELOCITY = 5,
+  STRIBECK_ANDERSSON_STRIBECK_VELOCITY = 2117263402,
   /** tunable [1]: Exponent of the Stribeck curve. (> 0, default 2) */
-  STRIBECK_ANDERSSON_STRIBECK_EXPONENT = 6,
+  STRIBECK_ANDERSSON_STRIBECK_EXPONENT = 509292062,
   /** tunable [s/m]: Slope of the force at rest, relative to the level there. (> 0, default 10000) */
-  STRIBECK_ANDERSSON_TRANSITION_SLOPE = 7,
+  STRIBECK_ANDERSSON_TRANSITION_SLOPE = 573976870,
   /** tunable [N.s/m]: Viscous friction coefficient. (>= 0, default 0) */
-  STRIBECK_ANDERSSON_VISCOUS_COEFFICIENT = 8,
+  STRIBECK_ANDERSSON_VISCOUS_COEFFICIENT = 97539077,
   /** tunable [kg]: Effective mass of the body, to hold it at rest in co-simulation; too small is safer than too large; 0 = law as printed.
    *  (>= 0, default 0) */
-  STRIBECK_ANDERSSON_MASS = 9,
+  STRIBECK_ANDERSSON_MASS = 1601648849,
   /** fixed [stribeck_exchange]: Order in which the master exchanges values; used with mass > 0. (default Sequential) */
-  STRIBECK_ANDERSSON_EXCHANGE = 10,
+  STRIBECK_ANDERSSON_EXCHANGE = 1692658528,
   /** state [s]: Length of the last step; 0 before the first one. (>= 0, default 0) */
-  STRIBECK_ANDERSSON_STEP_SIZE = 11,
+  STRIBECK_ANDERSSON_STEP_SIZE = 843244609,
   /** state [s]: Step for which a parallel exchange plans: the longest recent one. (>= 0, default 0) */
-  STRIBECK_ANDERSSON_PLANNING_STEP = 12,
+  STRIBECK_ANDERSSON_PLANNING_STEP = 1287183179,
   /** state [N]: Force planned for the coming step of a parallel exchange. (default 0) */
-  STRIBECK_ANDERSSON_PLANNED_FORCE = 13,
+  STRIBECK_ANDERSSON_PLANNED_FORCE = 30514517,
   /** state [m/s]: Velocity at the end of the last step. (default 0) */
-  STRIBECK_ANDERSSON_END_VELOCITY = 14,
+  STRIBECK_ANDERSSON_END_VELOCITY = 1478402472,
   /** state [N]: External force at the end of the last step. (default 0) */
-  STRIBECK_ANDERSSON_END_EXTERNAL_FORCE = 15,
+  STRIBECK_ANDERSSON_END_EXTERNAL_FORCE = 1757063408,
   /** state [N]: Normal force at the end of the last step. (>= 0, default 0) */
-  STRIBECK_ANDERSSON_END_NORMAL_FORCE = 16,
+  STRIBECK_ANDERSSON_END_NORMAL_FORCE = 962162212,
   /** state [m/s]: Change of the velocity over the last step if the master gave its slope, else 0. (default 0) */
-  STRIBECK_ANDERSSON_VELOCITY_CHANGE = 17,
+  STRIBECK_ANDERSSON_VELOCITY_CHANGE = 10986035,
   /** state [N]: Change of the external force over the last step if the master gave its slope, else 0. (default 0) */
-  STRIBECK_ANDERSSON_EXTERNAL_FORCE_CHANGE = 18,
+  STRIBECK_ANDERSSON_EXTERNAL_FORCE_CHANGE = 1328420411,
   /** state [N]: Change of the normal force over the last step if the master gave its slope, else 0. (default 0) */
-  STRIBECK_ANDERSSON_NORMAL_FORCE_CHANGE = 19,
+  STRIBECK_ANDERSSON_NORMAL_FORCE_CHANGE = 2025029027,
   /** state [stribeck_phase]: Motion of the contact as found by the last event of Model Exchange. (default Free) */
-  STRIBECK_ANDERSSON_PHASE = 20,
+  STRIBECK_ANDERSSON_PHASE = 1501573624,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
-  STRIBECK_ANDERSSON_DISSIPATED_ENERGY = 21,
+  STRIBECK_ANDERSSON_DISSIPATED_ENERGY = 758404530,
   /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
-  STRIBECK_ANDERSSON_FRICTION_FORCE = 22,
+  STRIBECK_ANDERSSON_FRICTION_FORCE = 1713976319,
   /** out [W]: Power taken out of the motion: friction force times velocity. */
-  STRIBECK_ANDERSSON_DISSIPATED_POWER = 23,
+  STRIBECK_ANDERSSON_DISSIPATED_POWER = 236926875,
   /** out [Boolean]: Is the contact sticking? */
-  STRIBECK_ANDERSSON_STICKING = 24,
+  STRIBECK_ANDERSSON_STICKING = 553311409,
 } stribeck_andersson_variable;
 
 /** Guid of Awrejcewicz for fmi2Instantiate. */
 #define STRIBECK_AWREJCEWICZ_GUID "{bfc4c633-ab3b-e0ee-d984-fba310e0f3cd}"
 
-/** Awrejcewicz: Continuous friction law that holds a load at rest (Awrejcewicz, Grzelczyk and Pyryev). Columns of "Awrejcewicz". */
+/** Awrejcewicz: Continuous friction law that holds a load at rest (Awrejcewicz, Grzelczyk and Pyryev). Variables of "Awrejcewicz". */
 typedef enum stribeck_awrejcewicz_variable {
   /** in [m/s]: Sliding velocity of body 1 relative to body 2. (default 0) */
-  STRIBECK_AWREJCEWICZ_VELOCITY = 0,
+  STRIBECK_AWREJCEWICZ_VELOCITY = 846470194,
   /** in [N]: Normal force that presses the surfaces together. (>= 0, default 9.81) */
-  STRIBECK_AWREJCEWICZ_NORMAL_FORCE = 1,
+  STRIBECK_AWREJCEWICZ_NORMAL_FORCE = 5891938,
   /** in [N]: Resultant of all other tangential forces on body 1; see Coupling if body 2 accelerates. (default 0) */
-  STRIBECK_AWREJCEWICZ_EXTERNAL_FORCE = 2,
+  STRIBECK_AWREJCEWICZ_EXTERNAL_FORCE = 1336490458,
   /** tunable [1]: Kinetic coefficient of friction. (>= 0, default 0.1) */
-  STRIBECK_AWREJCEWICZ_MU_K = 3,
+  STRIBECK_AWREJCEWICZ_MU_K = 1281456745,
   /** tunable [1]: Static coefficient of friction; not less than mu_k. (>= 0, default 0.15) */
-  STRIBECK_AWREJCEWICZ_MU_S = 4,
+  STRIBECK_AWREJCEWICZ_MU_S = 1147235793,
   /** tunable [m/s]: Velocity that sets the width of the regularised band around rest. (> 0, default 0.001) */
-  STRIBECK_AWREJCEWICZ_TRANSITION_VELOCITY = 5,
+  STRIBECK_AWREJCEWICZ_TRANSITION_VELOCITY = 1009615136,
   /** tunable [s/m]: Rate at which the excess of static over kinetic friction decays with speed (default chosen).
    *  (> 0, default 1000) */
-  STRIBECK_AWREJCEWICZ_STICTION_DECAY = 6,
+  STRIBECK_AWREJCEWICZ_STICTION_DECAY = 1861695917,
   /** tunable [kg]: Effective mass of the body, to hold it at rest in co-simulation; too small is safer than too large; 0 = law as printed.
    *  (>= 0, default 0) */
-  STRIBECK_AWREJCEWICZ_MASS = 7,
+  STRIBECK_AWREJCEWICZ_MASS = 1601648849,
   /** fixed [stribeck_exchange]: Order in which the master exchanges values; used with mass > 0. (default Sequential) */
-  STRIBECK_AWREJCEWICZ_EXCHANGE = 8,
+  STRIBECK_AWREJCEWICZ_EXCHANGE = 1692658528,
   /** state [s]: Length of the last step; 0 before the first one. (>= 0, default 0) */
-  STRIBECK_AWREJCEWICZ_STEP_SIZE = 9,
+  STRIBECK_AWREJCEWICZ_STEP_SIZE = 843244609,
   /** state [s]: Step for which a parallel exchange plans: the longest recent one. (>= 0, default 0) */
-  STRIBECK_AWREJCEWICZ_PLANNING_STEP = 10,
+  STRIBECK_AWREJCEWICZ_PLANNING_STEP = 1287183179,
   /** state [N]: Force planned for the coming step of a parallel exchange. (default 0) */
-  STRIBECK_AWREJCEWICZ_PLANNED_FORCE = 11,
+  STRIBECK_AWREJCEWICZ_PLANNED_FORCE = 30514517,
   /** state [m/s]: Velocity at the end of the last step. (default 0) */
-  STRIBECK_AWREJCEWICZ_END_VELOCITY = 12,
+  STRIBECK_AWREJCEWICZ_END_VELOCITY = 1478402472,
   /** state [N]: External force at the end of the last step. (default 0) */
-  STRIBECK_AWREJCEWICZ_END_EXTERNAL_FORCE = 13,
+  STRIBECK_AWREJCEWICZ_END_EXTERNAL_FORCE = 1757063408,
   /** state [N]: Normal force at the end of the last step. (>= 0, default 0) */
-  STRIBECK_AWREJCEWICZ_END_NORMAL_FORCE = 14,
+  STRIBECK_AWREJCEWICZ_END_NORMAL_FORCE = 962162212,
   /** state [m/s]: Change of the velocity over the last step if the master gave its slope, else 0. (default 0) */
-  STRIBECK_AWREJCEWICZ_VELOCITY_CHANGE = 15,
+  STRIBECK_AWREJCEWICZ_VELOCITY_CHANGE = 10986035,
   /** state [N]: Change of the external force over the last step if the master gave its slope, else 0. (default 0) */
-  STRIBECK_AWREJCEWICZ_EXTERNAL_FORCE_CHANGE = 16,
+  STRIBECK_AWREJCEWICZ_EXTERNAL_FORCE_CHANGE = 1328420411,
   /** state [N]: Change of the normal force over the last step if the master gave its slope, else 0. (default 0) */
-  STRIBECK_AWREJCEWICZ_NORMAL_FORCE_CHANGE = 17,
+  STRIBECK_AWREJCEWICZ_NORMAL_FORCE_CHANGE = 2025029027,
   /** state [stribeck_phase]: Motion of the contact as found by the last event of Model Exchange. (default Free) */
-  STRIBECK_AWREJCEWICZ_PHASE = 18,
+  STRIBECK_AWREJCEWICZ_PHASE = 1501573624,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
-  STRIBECK_AWREJCEWICZ_DISSIPATED_ENERGY = 19,
+  STRIBECK_AWREJCEWICZ_DISSIPATED_ENERGY = 758404530,
   /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
-  STRIBECK_AWREJCEWICZ_FRICTION_FORCE = 20,
+  STRIBECK_AWREJCEWICZ_FRICTION_FORCE = 1713976319,
   /** out [W]: Power taken out of the motion: friction force times velocity. */
-  STRIBECK_AWREJCEWICZ_DISSIPATED_POWER = 21,
+  STRIBECK_AWREJCEWICZ_DISSIPATED_POWER = 236926875,
   /** out [Boolean]: Is the contact sticking? */
-  STRIBECK_AWREJCEWICZ_STICKING = 22,
+  STRIBECK_AWREJCEWICZ_STICKING = 553311409,
 } stribeck_awrejcewicz_variable;
 
 /** Guid of Specker for fmi2Instantiate. */
 #define STRIBECK_SPECKER_GUID "{a3c0daa8-503e-4b13-b11b-c16e4b8b6f14}"
 
-/** Specker: Smooth friction law that passes through the static level (Specker). Columns of "Specker". */
+/** Specker: Smooth friction law that passes through the static level (Specker). Variables of "Specker". */
 typedef enum stribeck_specker_variable {
   /** in [m/s]: Sliding velocity of body 1 relative to body 2. (default 0) */
-  STRIBECK_SPECKER_VELOCITY = 0,
+  STRIBECK_SPECKER_VELOCITY = 846470194,
   /** in [N]: Normal force that presses the surfaces together. (>= 0, default 9.81) */
-  STRIBECK_SPECKER_NORMAL_FORCE = 1,
+  STRIBECK_SPECKER_NORMAL_FORCE = 5891938,
   /** in [N]: Resultant of all other tangential forces on body 1; see Coupling if body 2 accelerates. (default 0) */
-  STRIBECK_SPECKER_EXTERNAL_FORCE = 2,
+  STRIBECK_SPECKER_EXTERNAL_FORCE = 1336490458,
   /** tunable [1]: Kinetic coefficient of friction. (>= 0, default 0.1) */
-  STRIBECK_SPECKER_MU_K = 3,
+  STRIBECK_SPECKER_MU_K = 1281456745,
   /** tunable [1]: Static coefficient of friction; not less than mu_k. (>= 0, default 0.15) */
-  STRIBECK_SPECKER_MU_S = 4,
+  STRIBECK_SPECKER_MU_S = 1147235793,
   /** tunable [m/s]: Velocity that sets the width of the regularised band around rest. (> 0, default 0.00025) */
-  STRIBECK_SPECKER_TRANSITION_VELOCITY = 5,
+  STRIBECK_SPECKER_TRANSITION_VELOCITY = 1009615136,
   /** tunable [m/s]: Velocity at which the static level is reached (default chosen). (> 0, default 0.0005) */
-  STRIBECK_SPECKER_PEAK_VELOCITY = 6,
+  STRIBECK_SPECKER_PEAK_VELOCITY = 593654064,
   /** tunable [N.s/m]: Viscous friction coefficient. (>= 0, default 0) */
-  STRIBECK_SPECKER_VISCOUS_COEFFICIENT = 7,
+  STRIBECK_SPECKER_VISCOUS_COEFFICIENT = 97539077,
   /** tunable [kg]: Effective mass of the body, to hold it at rest in co-simulation; too small is safer than too large; 0 = law as printed.
    *  (>= 0, default 0) */
-  STRIBECK_SPECKER_MASS = 8,
+  STRIBECK_SPECKER_MASS = 1601648849,
   /** fixed [stribeck_exchange]: Order in which the master exchanges values; used with mass > 0. (default Sequential) */
-  STRIBECK_SPECKER_EXCHANGE = 9,
+  STRIBECK_SPECKER_EXCHANGE = 1692658528,
   /** state [s]: Length of the last step; 0 before the first one. (>= 0, default 0) */
-  STRIBECK_SPECKER_STEP_SIZE = 10,
+  STRIBECK_SPECKER_STEP_SIZE = 843244609,
   /** state [s]: Step for which a parallel exchange plans: the longest recent one. (>= 0, default 0) */
-  STRIBECK_SPECKER_PLANNING_STEP = 11,
+  STRIBECK_SPECKER_PLANNING_STEP = 1287183179,
   /** state [N]: Force planned for the coming step of a parallel exchange. (default 0) */
-  STRIBECK_SPECKER_PLANNED_FORCE = 12,
+  STRIBECK_SPECKER_PLANNED_FORCE = 30514517,
   /** state [m/s]: Velocity at the end of the last step. (default 0) */
-  STRIBECK_SPECKER_END_VELOCITY = 13,
+  STRIBECK_SPECKER_END_VELOCITY = 1478402472,
   /** state [N]: External force at the end of the last step. (default 0) */
-  STRIBECK_SPECKER_END_EXTERNAL_FORCE = 14,
+  STRIBECK_SPECKER_END_EXTERNAL_FORCE = 1757063408,
   /** state [N]: Normal force at the end of the last step. (>= 0, default 0) */
-  STRIBECK_SPECKER_END_NORMAL_FORCE = 15,
+  STRIBECK_SPECKER_END_NORMAL_FORCE = 962162212,
   /** state [m/s]: Change of the velocity over the last step if the master gave its slope, else 0. (default 0) */
-  STRIBECK_SPECKER_VELOCITY_CHANGE = 16,
+  STRIBECK_SPECKER_VELOCITY_CHANGE = 10986035,
   /** state [N]: Change of the external force over the last step if the master gave its slope, else 0. (default 0) */
-  STRIBECK_SPECKER_EXTERNAL_FORCE_CHANGE = 17,
+  STRIBECK_SPECKER_EXTERNAL_FORCE_CHANGE = 1328420411,
   /** state [N]: Change of the normal force over the last step if the master gave its slope, else 0. (default 0) */
-  STRIBECK_SPECKER_NORMAL_FORCE_CHANGE = 18,
+  STRIBECK_SPECKER_NORMAL_FORCE_CHANGE = 2025029027,
   /** state [stribeck_phase]: Motion of the contact as found by the last event of Model Exchange. (default Free) */
-  STRIBECK_SPECKER_PHASE = 19,
+  STRIBECK_SPECKER_PHASE = 1501573624,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
-  STRIBECK_SPECKER_DISSIPATED_ENERGY = 20,
+  STRIBECK_SPECKER_DISSIPATED_ENERGY = 758404530,
   /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
-  STRIBECK_SPECKER_FRICTION_FORCE = 21,
+  STRIBECK_SPECKER_FRICTION_FORCE = 1713976319,
   /** out [W]: Power taken out of the motion: friction force times velocity. */
-  STRIBECK_SPECKER_DISSIPATED_POWER = 22,
+  STRIBECK_SPECKER_DISSIPATED_POWER = 236926875,
   /** out [Boolean]: Is the contact sticking? */
-  STRIBECK_SPECKER_STICKING = 23,
+  STRIBECK_SPECKER_STICKING = 553311409,
 } stribeck_specker_variable;
 
 /** Guid of LinearStiction for fmi2Instantiate. */
 #define STRIBECK_LINEAR_STICTION_GUID "{0ed89408-c6a5-10ba-55ad-87be8bebf93e}"
 
-/** LinearStiction: Friction law with stiction made of three straight lines. Columns of "LinearStiction". */
+/** LinearStiction: Friction law with stiction made of three straight lines. Variables of "LinearStiction". */
 typedef enum stribeck_linear_stiction_variable {
   /** in [m/s]: Sliding velocity of body 1 relative to body 2. (default 0) */
-  STRIBECK_LINEAR_STICTION_VELOCITY = 0,
+  STRIBECK_LINEAR_STICTION_VELOCITY = 846470194,
   /** in [N]: Normal force that presses the surfaces together. (>= 0, default 9.81) */
-  STRIBECK_LINEAR_STICTION_NORMAL_FORCE = 1,
+  STRIBECK_LINEAR_STICTION_NORMAL_FORCE = 5891938,
   /** in [N]: Resultant of all other tangential forces on body 1; see Coupling if body 2 accelerates. (default 0) */
-  STRIBECK_LINEAR_STICTION_EXTERNAL_FORCE = 2,
+  STRIBECK_LINEAR_STICTION_EXTERNAL_FORCE = 1336490458,
   /** tunable [1]: Kinetic coefficient of friction. (>= 0, default 0.1) */
-  STRIBECK_LINEAR_STICTION_MU_K = 3,
+  STRIBECK_LINEAR_STICTION_MU_K = 1281456745,
   /** tunable [1]: Static coefficient of friction; not less than mu_k. (>= 0, default 0.15) */
-  STRIBECK_LINEAR_STICTION_MU_S = 4,
+  STRIBECK_LINEAR_STICTION_MU_S = 1147235793,
   /** tunable [m/s]: Velocity that sets the width of the regularised band around rest. (> 0, default 0.001) */
-  STRIBECK_LINEAR_STICTION_TRANSITION_VELOCITY = 5,
+  STRIBECK_LINEAR_STICTION_TRANSITION_VELOCITY = 1009615136,
   /** tunable [m/s]: Velocity at which the kinetic level is reached. (> 0, default 0.0015) */
-  STRIBECK_LINEAR_STICTION_SLIDING_VELOCITY = 6,
+  STRIBECK_LINEAR_STICTION_SLIDING_VELOCITY = 868290001,
   /** tunable [kg]: Effective mass of the body, to hold it at rest in co-simulation; too small is safer than too large; 0 = law as printed.
    *  (>= 0, default 0) */
-  STRIBECK_LINEAR_STICTION_MASS = 7,
+  STRIBECK_LINEAR_STICTION_MASS = 1601648849,
   /** fixed [stribeck_exchange]: Order in which the master exchanges values; used with mass > 0. (default Sequential) */
-  STRIBECK_LINEAR_STICTION_EXCHANGE = 8,
+  STRIBECK_LINEAR_STICTION_EXCHANGE = 1692658528,
   /** state [s]: Length of the last step; 0 before the first one. (>= 0, default 0) */
-  STRIBECK_LINEAR_STICTION_STEP_SIZE = 9,
+  STRIBECK_LINEAR_STICTION_STEP_SIZE = 843244609,
   /** state [s]: Step for which a parallel exchange plans: the longest recent one. (>= 0, default 0) */
-  STRIBECK_LINEAR_STICTION_PLANNING_STEP = 10,
+  STRIBECK_LINEAR_STICTION_PLANNING_STEP = 1287183179,
   /** state [N]: Force planned for the coming step of a parallel exchange. (default 0) */
-  STRIBECK_LINEAR_STICTION_PLANNED_FORCE = 11,
+  STRIBECK_LINEAR_STICTION_PLANNED_FORCE = 30514517,
   /** state [m/s]: Velocity at the end of the last step. (default 0) */
-  STRIBECK_LINEAR_STICTION_END_VELOCITY = 12,
+  STRIBECK_LINEAR_STICTION_END_VELOCITY = 1478402472,
   /** state [N]: External force at the end of the last step. (default 0) */
-  STRIBECK_LINEAR_STICTION_END_EXTERNAL_FORCE = 13,
+  STRIBECK_LINEAR_STICTION_END_EXTERNAL_FORCE = 1757063408,
   /** state [N]: Normal force at the end of the last step. (>= 0, default 0) */
-  STRIBECK_LINEAR_STICTION_END_NORMAL_FORCE = 14,
+  STRIBECK_LINEAR_STICTION_END_NORMAL_FORCE = 962162212,
   /** state [m/s]: Change of the velocity over the last step if the master gave its slope, else 0. (default 0) */
-  STRIBECK_LINEAR_STICTION_VELOCITY_CHANGE = 15,
+  STRIBECK_LINEAR_STICTION_VELOCITY_CHANGE = 10986035,
   /** state [N]: Change of the external force over the last step if the master gave its slope, else 0. (default 0) */
-  STRIBECK_LINEAR_STICTION_EXTERNAL_FORCE_CHANGE = 16,
+  STRIBECK_LINEAR_STICTION_EXTERNAL_FORCE_CHANGE = 1328420411,
   /** state [N]: Change of the normal force over the last step if the master gave its slope, else 0. (default 0) */
-  STRIBECK_LINEAR_STICTION_NORMAL_FORCE_CHANGE = 17,
+  STRIBECK_LINEAR_STICTION_NORMAL_FORCE_CHANGE = 2025029027,
   /** state [stribeck_phase]: Motion of the contact as found by the last event of Model Exchange. (default Free) */
-  STRIBECK_LINEAR_STICTION_PHASE = 18,
+  STRIBECK_LINEAR_STICTION_PHASE = 1501573624,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
-  STRIBECK_LINEAR_STICTION_DISSIPATED_ENERGY = 19,
+  STRIBECK_LINEAR_STICTION_DISSIPATED_ENERGY = 758404530,
   /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
-  STRIBECK_LINEAR_STICTION_FRICTION_FORCE = 20,
+  STRIBECK_LINEAR_STICTION_FRICTION_FORCE = 1713976319,
   /** out [W]: Power taken out of the motion: friction force times velocity. */
-  STRIBECK_LINEAR_STICTION_DISSIPATED_POWER = 21,
+  STRIBECK_LINEAR_STICTION_DISSIPATED_POWER = 236926875,
   /** out [Boolean]: Is the contact sticking? */
-  STRIBECK_LINEAR_STICTION_STICKING = 22,
+  STRIBECK_LINEAR_STICTION_STICKING = 553311409,
 } stribeck_linear_stiction_variable;
 
 /** Guid of BrownMcPhee for fmi2Instantiate. */
 #define STRIBECK_BROWN_MCPHEE_GUID "{e4242594-9d91-a529-753f-7d144a9382d9}"
 
-/** BrownMcPhee: Smooth friction law with a stiction peak (Brown and McPhee). Columns of "BrownMcPhee". */
+/** BrownMcPhee: Smooth friction law with a stiction peak (Brown and McPhee). Variables of "BrownMcPhee". */
 typedef enum stribeck_brown_mcphee_variable {
   /** in [m/s]: Sliding velocity of body 1 relative to body 2. (default 0) */
-  STRIBECK_BROWN_MCPHEE_VELOCITY = 0,
+  STRIBECK_BROWN_MCPHEE_VELOCITY = 846470194,
   /** in [N]: Normal force that presses the surfaces together. (>= 0, default 9.81) */
-  STRIBECK_BROWN_MCPHEE_NORMAL_FORCE = 1,
+  STRIBECK_BROWN_MCPHEE_NORMAL_FORCE = 5891938,
   /** in [N]: Resultant of all other tangential forces on body 1; see Coupling if body 2 accelerates. (default 0) */
-  STRIBECK_BROWN_MCPHEE_EXTERNAL_FORCE = 2,
+  STRIBECK_BROWN_MCPHEE_EXTERNAL_FORCE = 1336490458,
   /** tunable [1]: Kinetic coefficient of friction. (>= 0, default 0.1) */
-  STRIBECK_BROWN_MCPHEE_MU_K = 3,
+  STRIBECK_BROWN_MCPHEE_MU_K = 1281456745,
   /** tunable [1]: Static coefficient of friction; not less than mu_k. (>= 0, default 0.15) */
-  STRIBECK_BROWN_MCPHEE_MU_S = 4,
+  STRIBECK_BROWN_MCPHEE_MU_S = 1147235793,
   /** tunable [m/s]: Velocity that sets the width of the regularised band around rest. (> 0, default 0.001) */
-  STRIBECK_BROWN_MCPHEE_TRANSITION_VELOCITY = 5,
+  STRIBECK_BROWN_MCPHEE_TRANSITION_VELOCITY = 1009615136,
   /** tunable [N.s/m]: Viscous friction coefficient. (>= 0, default 0) */
-  STRIBECK_BROWN_MCPHEE_VISCOUS_COEFFICIENT = 6,
+  STRIBECK_BROWN_MCPHEE_VISCOUS_COEFFICIENT = 97539077,
   /** tunable [N]: Normal force at which the viscous part is fully active (default chosen). (> 0, default 1) */
-  STRIBECK_BROWN_MCPHEE_TRANSITION_NORMAL_FORCE = 7,
+  STRIBECK_BROWN_MCPHEE_TRANSITION_NORMAL_FORCE = 341816060,
   /** tunable [kg]: Effective mass of the body, to hold it at rest in co-simulation; too small is safer than too large; 0 = law as printed.
    *  (>= 0, default 0) */
-  STRIBECK_BROWN_MCPHEE_MASS = 8,
+  STRIBECK_BROWN_MCPHEE_MASS = 1601648849,
   /** fixed [stribeck_exchange]: Order in which the master exchanges values; used with mass > 0. (default Sequential) */
-  STRIBECK_BROWN_MCPHEE_EXCHANGE = 9,
+  STRIBECK_BROWN_MCPHEE_EXCHANGE = 1692658528,
   /** state [s]: Length of the last step; 0 before the first one. (>= 0, default 0) */
-  STRIBECK_BROWN_MCPHEE_STEP_SIZE = 10,
+  STRIBECK_BROWN_MCPHEE_STEP_SIZE = 843244609,
   /** state [s]: Step for which a parallel exchange plans: the longest recent one. (>= 0, default 0) */
-  STRIBECK_BROWN_MCPHEE_PLANNING_STEP = 11,
+  STRIBECK_BROWN_MCPHEE_PLANNING_STEP = 1287183179,
   /** state [N]: Force planned for the coming step of a parallel exchange. (default 0) */
-  STRIBECK_BROWN_MCPHEE_PLANNED_FORCE = 12,
+  STRIBECK_BROWN_MCPHEE_PLANNED_FORCE = 30514517,
   /** state [m/s]: Velocity at the end of the last step. (default 0) */
-  STRIBECK_BROWN_MCPHEE_END_VELOCITY = 13,
+  STRIBECK_BROWN_MCPHEE_END_VELOCITY = 1478402472,
   /** state [N]: External force at the end of the last step. (default 0) */
-  STRIBECK_BROWN_MCPHEE_END_EXTERNAL_FORCE = 14,
+  STRIBECK_BROWN_MCPHEE_END_EXTERNAL_FORCE = 1757063408,
   /** state [N]: Normal force at the end of the last step. (>= 0, default 0) */
-  STRIBECK_BROWN_MCPHEE_END_NORMAL_FORCE = 15,
+  STRIBECK_BROWN_MCPHEE_END_NORMAL_FORCE = 962162212,
   /** state [m/s]: Change of the velocity over the last step if the master gave its slope, else 0. (default 0) */
-  STRIBECK_BROWN_MCPHEE_VELOCITY_CHANGE = 16,
+  STRIBECK_BROWN_MCPHEE_VELOCITY_CHANGE = 10986035,
   /** state [N]: Change of the external force over the last step if the master gave its slope, else 0. (default 0) */
-  STRIBECK_BROWN_MCPHEE_EXTERNAL_FORCE_CHANGE = 17,
+  STRIBECK_BROWN_MCPHEE_EXTERNAL_FORCE_CHANGE = 1328420411,
   /** state [N]: Change of the normal force over the last step if the master gave its slope, else 0. (default 0) */
-  STRIBECK_BROWN_MCPHEE_NORMAL_FORCE_CHANGE = 18,
+  STRIBECK_BROWN_MCPHEE_NORMAL_FORCE_CHANGE = 2025029027,
   /** state [stribeck_phase]: Motion of the contact as found by the last event of Model Exchange. (default Free) */
-  STRIBECK_BROWN_MCPHEE_PHASE = 19,
+  STRIBECK_BROWN_MCPHEE_PHASE = 1501573624,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
-  STRIBECK_BROWN_MCPHEE_DISSIPATED_ENERGY = 20,
+  STRIBECK_BROWN_MCPHEE_DISSIPATED_ENERGY = 758404530,
   /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
-  STRIBECK_BROWN_MCPHEE_FRICTION_FORCE = 21,
+  STRIBECK_BROWN_MCPHEE_FRICTION_FORCE = 1713976319,
   /** out [W]: Power taken out of the motion: friction force times velocity. */
-  STRIBECK_BROWN_MCPHEE_DISSIPATED_POWER = 22,
+  STRIBECK_BROWN_MCPHEE_DISSIPATED_POWER = 236926875,
   /** out [Boolean]: Is the contact sticking? */
-  STRIBECK_BROWN_MCPHEE_STICKING = 23,
+  STRIBECK_BROWN_MCPHEE_STICKING = 553311409,
 } stribeck_brown_mcphee_variable;
 
 /** Guid of Dahl for fmi2Instantiate. */
 #define STRIBECK_DAHL_GUID "{81261687-8d7f-44de-0214-fbf63612f2b5}"
 
-/** Dahl: Pre-sliding displacement with hysteresis (Dahl). Columns of "Dahl". */
+/** Dahl: Pre-sliding displacement with hysteresis (Dahl). Variables of "Dahl". */
 typedef enum stribeck_dahl_variable {
   /** in [m/s]: Sliding velocity of body 1 relative to body 2. (default 0) */
-  STRIBECK_DAHL_VELOCITY = 0,
+  STRIBECK_DAHL_VELOCITY = 846470194,
   /** in [N]: Normal force that presses the surfaces together. (>= 0, default 9.81) */
-  STRIBECK_DAHL_NORMAL_FORCE = 1,
+  STRIBECK_DAHL_NORMAL_FORCE = 5891938,
   /** tunable [1]: Kinetic coefficient of friction. (>= 0, default 0.1) */
-  STRIBECK_DAHL_MU_K = 2,
+  STRIBECK_DAHL_MU_K = 1281456745,
   /** tunable [N/m]: Stiffness of the bristles. (> 0, default 100000) */
-  STRIBECK_DAHL_SIGMA_0 = 3,
+  STRIBECK_DAHL_SIGMA_0 = 206242323,
   /** tunable [1]: Exponent of the transition to sliding; below 1 brittle, from 1 on ductile. (>= 0, default 1) */
-  STRIBECK_DAHL_ALPHA = 4,
+  STRIBECK_DAHL_ALPHA = 1569418667,
   /** state [m]: Mean elastic deflection of the bristles. (default 0) */
-  STRIBECK_DAHL_BRISTLE_DEFLECTION = 5,
+  STRIBECK_DAHL_BRISTLE_DEFLECTION = 767148150,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
-  STRIBECK_DAHL_DISSIPATED_ENERGY = 6,
+  STRIBECK_DAHL_DISSIPATED_ENERGY = 758404530,
   /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
-  STRIBECK_DAHL_FRICTION_FORCE = 7,
+  STRIBECK_DAHL_FRICTION_FORCE = 1713976319,
   /** out [W]: Power taken out of the motion: friction force times velocity. */
-  STRIBECK_DAHL_DISSIPATED_POWER = 8,
+  STRIBECK_DAHL_DISSIPATED_POWER = 236926875,
   /** out [Boolean]: Is the contact sticking? */
-  STRIBECK_DAHL_STICKING = 9,
+  STRIBECK_DAHL_STICKING = 553311409,
 } stribeck_dahl_variable;
 
 /** Guid of LuGre for fmi2Instantiate. */
 #define STRIBECK_LUGRE_GUID "{bdfcf639-f9dc-473e-ecbe-a3a094ef8c0d}"
 
-/** LuGre: Bristle friction with Stribeck effect (LuGre). Columns of "LuGre". */
+/** LuGre: Bristle friction with Stribeck effect (LuGre). Variables of "LuGre". */
 typedef enum stribeck_lugre_variable {
   /** in [m/s]: Sliding velocity of body 1 relative to body 2. (default 0) */
-  STRIBECK_LUGRE_VELOCITY = 0,
+  STRIBECK_LUGRE_VELOCITY = 846470194,
   /** in [N]: Normal force that presses the surfaces together. (>= 0, default 9.81) */
-  STRIBECK_LUGRE_NORMAL_FORCE = 1,
+  STRIBECK_LUGRE_NORMAL_FORCE = 5891938,
   /** tunable [1]: Kinetic coefficient of friction. (> 0, default 0.1) */
-  STRIBECK_LUGRE_MU_K = 2,
+  STRIBECK_LUGRE_MU_K = 1281456745,
   /** tunable [1]: Static coefficient of friction; not less than mu_k. (>= 0, default 0.15) */
-  STRIBECK_LUGRE_MU_S = 3,
+  STRIBECK_LUGRE_MU_S = 1147235793,
   /** tunable [m/s]: Speed at which the excess of static over kinetic friction has fallen to 1/e, or to 1/2 where the curve is a fraction (Armstrong, HessSoom, PoppStelter).
    *  (> 0, default 0.001) */
-  STRIBECK_LUGRE_STRIBECK_VELOCITY = 4,
+  STRIBECK_LUGRE_STRIBECK_VELOCITY = 2117263402,
   /** tunable [1]: Exponent of the Stribeck curve. (> 0, default 2) */
-  STRIBECK_LUGRE_STRIBECK_EXPONENT = 5,
+  STRIBECK_LUGRE_STRIBECK_EXPONENT = 509292062,
   /** tunable [N/m]: Stiffness of the bristles. (> 0, default 100000) */
-  STRIBECK_LUGRE_SIGMA_0 = 6,
+  STRIBECK_LUGRE_SIGMA_0 = 206242323,
   /** tunable [N.s/m]: Damping of the bristles. (>= 0, default 316.22776601683796) */
-  STRIBECK_LUGRE_SIGMA_1 = 7,
+  STRIBECK_LUGRE_SIGMA_1 = 189464704,
   /** tunable [N.s/m]: Viscous friction coefficient. (>= 0, default 0.1) */
-  STRIBECK_LUGRE_VISCOUS_COEFFICIENT = 8,
+  STRIBECK_LUGRE_VISCOUS_COEFFICIENT = 97539077,
   /** tunable [m/s]: Speed at which the damping of the bristles fades; 0 = constant damping. (>= 0, default 0) */
-  STRIBECK_LUGRE_DAMPING_VELOCITY = 9,
+  STRIBECK_LUGRE_DAMPING_VELOCITY = 626846797,
   /** state [m]: Mean elastic deflection of the bristles. (default 0) */
-  STRIBECK_LUGRE_BRISTLE_DEFLECTION = 10,
+  STRIBECK_LUGRE_BRISTLE_DEFLECTION = 767148150,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
-  STRIBECK_LUGRE_DISSIPATED_ENERGY = 11,
+  STRIBECK_LUGRE_DISSIPATED_ENERGY = 758404530,
   /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
-  STRIBECK_LUGRE_FRICTION_FORCE = 12,
+  STRIBECK_LUGRE_FRICTION_FORCE = 1713976319,
   /** out [W]: Power taken out of the motion: friction force times velocity. */
-  STRIBECK_LUGRE_DISSIPATED_POWER = 13,
+  STRIBECK_LUGRE_DISSIPATED_POWER = 236926875,
   /** out [Boolean]: Is the contact sticking? */
-  STRIBECK_LUGRE_STICKING = 14,
+  STRIBECK_LUGRE_STICKING = 553311409,
 } stribeck_lugre_variable;
 
 /** Guid of FrictionalLag for fmi2Instantiate. */
 #define STRIBECK_FRICTIONAL_LAG_GUID "{ebbe0a4c-aecb-84a6-d133-567793ad148d}"
 
-/** FrictionalLag: Stribeck friction that lags behind the velocity (Hess and Soom). Columns of "FrictionalLag". */
+/** FrictionalLag: Stribeck friction that lags behind the velocity (Hess and Soom). Variables of "FrictionalLag". */
 typedef enum stribeck_frictional_lag_variable {
   /** in [m/s]: Sliding velocity of body 1 relative to body 2. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_VELOCITY = 0,
+  STRIBECK_FRICTIONAL_LAG_VELOCITY = 846470194,
   /** in [N]: Normal force that presses the surfaces together. (>= 0, default 9.81) */
-  STRIBECK_FRICTIONAL_LAG_NORMAL_FORCE = 1,
+  STRIBECK_FRICTIONAL_LAG_NORMAL_FORCE = 5891938,
   /** tunable [1]: Kinetic coefficient of friction. (>= 0, default 0.1) */
-  STRIBECK_FRICTIONAL_LAG_MU_K = 2,
+  STRIBECK_FRICTIONAL_LAG_MU_K = 1281456745,
   /** tunable [1]: Static coefficient of friction; not less than mu_k. (>= 0, default 0.15) */
-  STRIBECK_FRICTIONAL_LAG_MU_S = 3,
+  STRIBECK_FRICTIONAL_LAG_MU_S = 1147235793,
   /** tunable [m/s]: Speed at which the excess of static over kinetic friction has fallen to 1/e, or to 1/2 where the curve is a fraction (Armstrong, HessSoom, PoppStelter).
    *  (> 0, default 0.001) */
-  STRIBECK_FRICTIONAL_LAG_STRIBECK_VELOCITY = 4,
+  STRIBECK_FRICTIONAL_LAG_STRIBECK_VELOCITY = 2117263402,
   /** tunable [1]: Exponent of the Stribeck curve. (> 0, default 2) */
-  STRIBECK_FRICTIONAL_LAG_STRIBECK_EXPONENT = 5,
+  STRIBECK_FRICTIONAL_LAG_STRIBECK_EXPONENT = 509292062,
   /** tunable [N.s/m]: Viscous friction coefficient. (>= 0, default 0) */
-  STRIBECK_FRICTIONAL_LAG_VISCOUS_COEFFICIENT = 6,
+  STRIBECK_FRICTIONAL_LAG_VISCOUS_COEFFICIENT = 97539077,
   /** fixed [s]: Time by which the level of friction lags behind the velocity (default chosen). (>= 0, default 0.005) */
-  STRIBECK_FRICTIONAL_LAG_TIME_LAG = 7,
+  STRIBECK_FRICTIONAL_LAG_TIME_LAG = 1742363935,
   /** fixed [stribeck_frictional_lag_variant]: Variant of the law. (default Delay) */
-  STRIBECK_FRICTIONAL_LAG_VARIANT = 8,
+  STRIBECK_FRICTIONAL_LAG_VARIANT = 1125473670,
   /** state [Boolean]: Does the contact have a past? Without one the level follows the present velocity.
    *  (default false) */
-  STRIBECK_FRICTIONAL_LAG_HAS_PAST = 9,
+  STRIBECK_FRICTIONAL_LAG_HAS_PAST = 700495112,
   /** state [m/s]: Velocity that determines the friction level: delayed by the time lag, or filtered. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_LAGGED_VELOCITY = 10,
+  STRIBECK_FRICTIONAL_LAG_LAGGED_VELOCITY = 1776968477,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_1_DURATION = 11,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_1_DURATION = 1903629728,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_1_BEGIN = 12,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_1_BEGIN = 1546713253,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_1_END = 13,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_1_END = 2140881061,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_2_DURATION = 14,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_2_DURATION = 469569313,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_2_BEGIN = 15,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_2_BEGIN = 55254778,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_2_END = 16,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_2_END = 428510326,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_3_DURATION = 17,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_3_DURATION = 1134056486,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_3_BEGIN = 18,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_3_BEGIN = 1221082799,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_3_END = 19,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_3_END = 668947559,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_4_DURATION = 20,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_4_DURATION = 1361660871,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_4_BEGIN = 21,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_4_BEGIN = 88281716,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_4_END = 22,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_4_END = 1963875104,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_5_DURATION = 23,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_5_DURATION = 250257788,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_5_BEGIN = 24,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_5_BEGIN = 334762345,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_5_END = 25,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_5_END = 1588008969,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_6_DURATION = 26,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_6_DURATION = 305655373,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_6_BEGIN = 27,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_6_BEGIN = 1718004158,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_6_END = 28,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_6_END = 1774551274,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_7_DURATION = 29,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_7_DURATION = 124128482,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_7_BEGIN = 30,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_7_BEGIN = 1805583187,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_7_END = 31,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_7_END = 33966187,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_8_DURATION = 32,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_8_DURATION = 751072787,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_8_BEGIN = 33,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_8_BEGIN = 158135512,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_8_END = 34,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_8_END = 2099449428,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_9_DURATION = 35,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_9_DURATION = 84691256,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_9_BEGIN = 36,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_9_BEGIN = 234988605,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_9_END = 37,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_9_END = 486379341,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_10_DURATION = 38,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_10_DURATION = 1813815230,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_10_BEGIN = 39,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_10_BEGIN = 2081838791,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_10_END = 40,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_10_END = 292375727,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_11_DURATION = 41,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_11_DURATION = 1108312441,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_11_BEGIN = 42,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_11_BEGIN = 1911951762,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_11_END = 43,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_11_END = 1891739326,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_12_DURATION = 44,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_12_DURATION = 1074895288,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_12_BEGIN = 45,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_12_BEGIN = 1162790333,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_12_END = 46,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_12_END = 890139853,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_13_DURATION = 47,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_13_DURATION = 1741276819,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_13_BEGIN = 48,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_13_BEGIN = 1085937240,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_13_END = 49,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_13_END = 355726292,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_14_DURATION = 50,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_14_DURATION = 1405428570,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_14_BEGIN = 51,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_14_BEGIN = 1464577739,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_14_END = 52,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_14_END = 598958995,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_15_DURATION = 53,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_15_DURATION = 226786053,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_15_BEGIN = 54,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_15_BEGIN = 773380822,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_15_END = 55,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_15_END = 1326718514,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_16_DURATION = 56,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_16_DURATION = 984266900,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_16_BEGIN = 57,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_16_BEGIN = 1705384449,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_16_END = 58,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_16_END = 908977201,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_17_DURATION = 59,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_17_DURATION = 2129698463,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_17_BEGIN = 60,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_17_BEGIN = 1587347564,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_17_END = 61,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_17_END = 1421014696,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_18_DURATION = 62,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_18_DURATION = 2124260518,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_18_BEGIN = 63,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_18_BEGIN = 1400879,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_18_END = 64,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_18_END = 1072708071,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_19_DURATION = 65,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_19_DURATION = 1459773345,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_19_BEGIN = 66,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_19_BEGIN = 983056506,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_19_END = 67,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_19_END = 832270838,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_20_DURATION = 68,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_20_DURATION = 485450269,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_20_BEGIN = 69,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_20_BEGIN = 2131686798,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_20_END = 70,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_20_END = 318005242,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_21_DURATION = 71,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_21_DURATION = 1881138418,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_21_BEGIN = 72,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_21_BEGIN = 1440930659,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_21_END = 73,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_21_END = 708651899,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_22_DURATION = 74,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_22_DURATION = 1204369495,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_22_BEGIN = 75,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_22_BEGIN = 433510148,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_22_END = 76,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_22_END = 1942478960,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_23_DURATION = 77,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_23_DURATION = 45819404,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_23_BEGIN = 78,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_23_BEGIN = 290722745,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_23_END = 79,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_23_END = 30095513,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_24_DURATION = 80,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_24_DURATION = 1556167921,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_24_BEGIN = 81,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_24_BEGIN = 1918121418,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_24_END = 82,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_24_END = 257593990,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_25_DURATION = 83,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_25_DURATION = 2139922806,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_25_BEGIN = 84,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_25_BEGIN = 2119194815,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_25_END = 85,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_25_END = 1768753463,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_26_DURATION = 86,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_26_DURATION = 2004116523,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_26_BEGIN = 87,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_26_BEGIN = 1797614256,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_26_END = 88,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_26_END = 1318965244,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_27_DURATION = 89,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_27_DURATION = 473168816,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_27_BEGIN = 90,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_27_BEGIN = 246156021,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_27_END = 91,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_27_END = 1374480373,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_28_DURATION = 92,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_28_DURATION = 665857621,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_28_BEGIN = 93,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_28_BEGIN = 1399561318,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_28_END = 94,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_28_END = 1787999106,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_29_DURATION = 95,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_29_DURATION = 1476266794,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_29_BEGIN = 96,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_29_BEGIN = 1803462107,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_29_END = 97,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_29_END = 2080922915,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_30_DURATION = 98,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_30_DURATION = 1057682560,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_30_BEGIN = 99,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_30_BEGIN = 1667240197,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_30_END = 100,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_30_END = 103748869,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_31_DURATION = 101,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_31_DURATION = 258686459,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_31_BEGIN = 102,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_31_BEGIN = 1191843840,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_31_END = 103,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_31_END = 144957516,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_32_DURATION = 104,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_32_DURATION = 708622086,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_32_BEGIN = 105,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_32_BEGIN = 1461423887,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_32_END = 106,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_32_END = 88459719,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_33_DURATION = 107,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_33_DURATION = 497211009,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_33_BEGIN = 108,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_33_BEGIN = 238634970,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_33_END = 109,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_33_END = 167696470,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_34_DURATION = 110,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_34_DURATION = 1416708188,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_34_BEGIN = 111,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_34_BEGIN = 1658678473,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_34_END = 112,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_34_END = 541383785,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_35_DURATION = 113,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_35_DURATION = 1789469735,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_35_BEGIN = 114,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_35_BEGIN = 1708897620,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_35_END = 115,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_35_END = 1288415232,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_36_DURATION = 116,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_36_DURATION = 1029393218,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_36_BEGIN = 117,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_36_BEGIN = 229439283,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_36_END = 118,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_36_END = 888655435,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_37_DURATION = 119,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_37_DURATION = 435289645,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_37_BEGIN = 120,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_37_BEGIN = 1963527198,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_37_END = 121,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_37_END = 161979722,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_38_DURATION = 122,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_38_DURATION = 813115800,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_38_BEGIN = 123,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_38_BEGIN = 1911813661,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_38_END = 124,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_38_END = 1723949357,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_39_DURATION = 125,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_39_DURATION = 476287347,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_39_BEGIN = 126,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_39_BEGIN = 341515704,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_39_END = 127,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_39_END = 1797162036,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_40_DURATION = 128,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_40_DURATION = 591842087,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_40_BEGIN = 129,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_40_BEGIN = 1338329684,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_40_END = 130,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_40_END = 1277424896,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_41_DURATION = 131,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_41_DURATION = 219080540,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_41_BEGIN = 132,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_41_BEGIN = 1288110537,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_41_END = 133,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_41_END = 530393449,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_42_DURATION = 134,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_42_DURATION = 1385145645,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_42_BEGIN = 135,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_42_BEGIN = 1592959262,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_42_END = 136,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_42_END = 150989386,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_43_DURATION = 137,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_43_DURATION = 1979249218,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_43_BEGIN = 138,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_43_BEGIN = 2006354995,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_43_END = 139,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_43_END = 877665099,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_44_DURATION = 140,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_44_DURATION = 1208542459,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_44_BEGIN = 141,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_44_BEGIN = 821275904,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_44_END = 142,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_44_END = 133967180,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_45_DURATION = 143,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_45_DURATION = 2007538560,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_45_BEGIN = 144,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_45_BEGIN = 1296672261,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_45_END = 145,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_45_END = 92758533,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_46_DURATION = 146,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_46_DURATION = 1447067009,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_46_BEGIN = 147,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_46_BEGIN = 2015550682,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_46_END = 148,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_46_END = 156706134,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_47_DURATION = 149,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_47_DURATION = 1658478086,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_47_BEGIN = 150,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_47_BEGIN = 1090855951,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_47_END = 151,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_47_END = 77469383,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_48_DURATION = 152,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_48_DURATION = 1836103935,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_48_BEGIN = 153,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_48_BEGIN = 534397772,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_48_END = 154,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_48_END = 1541175944,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_49_DURATION = 155,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_49_DURATION = 46201844,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_49_BEGIN = 156,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_49_BEGIN = 564142817,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_49_END = 157,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_49_END = 1636764689,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_50_DURATION = 158,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_50_DURATION = 1242637906,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_50_BEGIN = 159,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_50_BEGIN = 1041916483,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_50_END = 160,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_50_END = 1436336219,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_51_DURATION = 161,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_51_DURATION = 1881792381,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_51_BEGIN = 162,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_51_BEGIN = 1737751406,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_51_END = 163,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_51_END = 13709018,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_52_DURATION = 164,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_52_DURATION = 2059599212,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_52_BEGIN = 165,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_52_BEGIN = 2002797465,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_52_END = 166,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_52_END = 1831706233,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_53_DURATION = 167,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_53_DURATION = 1919553079,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_53_BEGIN = 168,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_53_BEGIN = 811965540,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_53_END = 169,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_53_END = 617814480,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_54_DURATION = 170,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_54_DURATION = 1371112022,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_54_BEGIN = 171,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_54_BEGIN = 308693023,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_54_END = 172,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_54_END = 485665687,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_55_DURATION = 173,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_55_DURATION = 139387217,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_55_BEGIN = 174,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_55_BEGIN = 469934250,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_55_END = 175,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_55_END = 284790374,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_56_DURATION = 176,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_56_DURATION = 836311056,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_56_BEGIN = 177,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_56_BEGIN = 1999807445,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_56_END = 178,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_56_END = 1028607445,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_57_DURATION = 179,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_57_DURATION = 1991513355,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_57_BEGIN = 180,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_57_BEGIN = 682624784,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_57_END = 181,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_57_END = 643503708,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_58_DURATION = 182,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_58_DURATION = 1478903306,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_58_BEGIN = 183,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_58_BEGIN = 688472635,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_58_END = 184,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_58_END = 1363884675,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_59_DURATION = 185,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_59_DURATION = 653151285,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_59_BEGIN = 186,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_59_BEGIN = 284571846,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_59_END = 187,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_59_END = 1112537570,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_60_DURATION = 188,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_60_DURATION = 1103609825,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_60_BEGIN = 189,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_60_BEGIN = 400702650,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_60_END = 190,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_60_END = 223203638,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_61_DURATION = 191,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_61_DURATION = 643151590,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_61_BEGIN = 192,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_61_BEGIN = 1842827119,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_61_END = 193,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_61_END = 505217575,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_62_DURATION = 194,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_62_DURATION = 234852315,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_62_BEGIN = 195,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_62_BEGIN = 872493152,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_62_END = 196,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_62_END = 561818540,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_63_DURATION = 197,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_63_DURATION = 830788960,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_63_BEGIN = 198,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_63_BEGIN = 2085141349,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_63_END = 199,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_63_END = 1511116901,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_64_DURATION = 200,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_64_DURATION = 783637773,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_64_BEGIN = 201,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_64_BEGIN = 206940798,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_HISTORY_64_END = 202,
+  STRIBECK_FRICTIONAL_LAG_HISTORY_64_END = 910333354,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
-  STRIBECK_FRICTIONAL_LAG_DISSIPATED_ENERGY = 203,
+  STRIBECK_FRICTIONAL_LAG_DISSIPATED_ENERGY = 758404530,
   /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
-  STRIBECK_FRICTIONAL_LAG_FRICTION_FORCE = 204,
+  STRIBECK_FRICTIONAL_LAG_FRICTION_FORCE = 1713976319,
   /** out [W]: Power taken out of the motion: friction force times velocity. */
-  STRIBECK_FRICTIONAL_LAG_DISSIPATED_POWER = 205,
+  STRIBECK_FRICTIONAL_LAG_DISSIPATED_POWER = 236926875,
   /** out [Boolean]: Is the contact sticking? */
-  STRIBECK_FRICTIONAL_LAG_STICKING = 206,
+  STRIBECK_FRICTIONAL_LAG_STICKING = 553311409,
 } stribeck_frictional_lag_variable;
 
 /** Guid of Armstrong for fmi2Instantiate. */
 #define STRIBECK_ARMSTRONG_GUID "{ea672f5d-c0f7-68db-9ad2-d2faba962336}"
 
-/** Armstrong: Stick, slip, lag and rising static friction with seven parameters (Armstrong-Helouvry). Columns of "Armstrong". */
+/** Armstrong: Stick, slip, lag and rising static friction with seven parameters (Armstrong-Helouvry). Variables of "Armstrong". */
 typedef enum stribeck_armstrong_variable {
   /** in [m/s]: Sliding velocity of body 1 relative to body 2. (default 0) */
-  STRIBECK_ARMSTRONG_VELOCITY = 0,
+  STRIBECK_ARMSTRONG_VELOCITY = 846470194,
   /** in [N]: Normal force that presses the surfaces together. (>= 0, default 9.81) */
-  STRIBECK_ARMSTRONG_NORMAL_FORCE = 1,
+  STRIBECK_ARMSTRONG_NORMAL_FORCE = 5891938,
   /** tunable [1]: Kinetic coefficient of friction. (>= 0, default 0.1) */
-  STRIBECK_ARMSTRONG_MU_K = 2,
+  STRIBECK_ARMSTRONG_MU_K = 1281456745,
   /** tunable [1]: Static coefficient of friction; not less than mu_k. (>= 0, default 0.15) */
-  STRIBECK_ARMSTRONG_MU_S = 3,
+  STRIBECK_ARMSTRONG_MU_S = 1147235793,
   /** tunable [N/m]: Stiffness of the bristles. (> 0, default 100000) */
-  STRIBECK_ARMSTRONG_SIGMA_0 = 4,
+  STRIBECK_ARMSTRONG_SIGMA_0 = 206242323,
   /** tunable [m/s]: Speed at which the excess of static over kinetic friction has fallen to 1/e, or to 1/2 where the curve is a fraction (Armstrong, HessSoom, PoppStelter).
    *  (> 0, default 0.001) */
-  STRIBECK_ARMSTRONG_STRIBECK_VELOCITY = 5,
+  STRIBECK_ARMSTRONG_STRIBECK_VELOCITY = 2117263402,
   /** tunable [N.s/m]: Viscous friction coefficient. (>= 0, default 0) */
-  STRIBECK_ARMSTRONG_VISCOUS_COEFFICIENT = 6,
+  STRIBECK_ARMSTRONG_VISCOUS_COEFFICIENT = 97539077,
   /** fixed [s]: Time by which the level of friction lags behind the velocity (default chosen). (>= 0, default 0.005) */
-  STRIBECK_ARMSTRONG_TIME_LAG = 7,
+  STRIBECK_ARMSTRONG_TIME_LAG = 1742363935,
   /** tunable [s]: Dwell time after which half of the rise of the static friction has occurred (default chosen).
    *  (>= 0, default 2) */
-  STRIBECK_ARMSTRONG_GAMMA = 8,
+  STRIBECK_ARMSTRONG_GAMMA = 1344869386,
   /** state [Boolean]: Has the contact broken away? (default false) */
-  STRIBECK_ARMSTRONG_SLIPPING = 9,
+  STRIBECK_ARMSTRONG_SLIPPING = 1815582239,
   /** state [m]: Mean elastic deflection of the bristles. (default 0) */
-  STRIBECK_ARMSTRONG_BRISTLE_DEFLECTION = 10,
+  STRIBECK_ARMSTRONG_BRISTLE_DEFLECTION = 767148150,
   /** state [s]: Time since the contact got stuck; 0 while it slips. (>= 0, default 0) */
-  STRIBECK_ARMSTRONG_DWELL_TIME = 11,
+  STRIBECK_ARMSTRONG_DWELL_TIME = 640253981,
   /** state [1]: Stribeck magnitude per normal force: that at the end of the last slip while stuck, that of the breakaway while slipping.
    *  (>= 0, default 0) */
-  STRIBECK_ARMSTRONG_STRIBECK_COEFFICIENT = 12,
+  STRIBECK_ARMSTRONG_STRIBECK_COEFFICIENT = 958423482,
   /** state [m/s]: Velocity that determines the friction level: delayed by the time lag, or filtered. (default 0) */
-  STRIBECK_ARMSTRONG_LAGGED_VELOCITY = 13,
+  STRIBECK_ARMSTRONG_LAGGED_VELOCITY = 1776968477,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_1_DURATION = 14,
+  STRIBECK_ARMSTRONG_HISTORY_1_DURATION = 1903629728,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_1_BEGIN = 15,
+  STRIBECK_ARMSTRONG_HISTORY_1_BEGIN = 1546713253,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_1_END = 16,
+  STRIBECK_ARMSTRONG_HISTORY_1_END = 2140881061,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_2_DURATION = 17,
+  STRIBECK_ARMSTRONG_HISTORY_2_DURATION = 469569313,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_2_BEGIN = 18,
+  STRIBECK_ARMSTRONG_HISTORY_2_BEGIN = 55254778,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_2_END = 19,
+  STRIBECK_ARMSTRONG_HISTORY_2_END = 428510326,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_3_DURATION = 20,
+  STRIBECK_ARMSTRONG_HISTORY_3_DURATION = 1134056486,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_3_BEGIN = 21,
+  STRIBECK_ARMSTRONG_HISTORY_3_BEGIN = 1221082799,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_3_END = 22,
+  STRIBECK_ARMSTRONG_HISTORY_3_END = 668947559,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_4_DURATION = 23,
+  STRIBECK_ARMSTRONG_HISTORY_4_DURATION = 1361660871,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_4_BEGIN = 24,
+  STRIBECK_ARMSTRONG_HISTORY_4_BEGIN = 88281716,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_4_END = 25,
+  STRIBECK_ARMSTRONG_HISTORY_4_END = 1963875104,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_5_DURATION = 26,
+  STRIBECK_ARMSTRONG_HISTORY_5_DURATION = 250257788,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_5_BEGIN = 27,
+  STRIBECK_ARMSTRONG_HISTORY_5_BEGIN = 334762345,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_5_END = 28,
+  STRIBECK_ARMSTRONG_HISTORY_5_END = 1588008969,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_6_DURATION = 29,
+  STRIBECK_ARMSTRONG_HISTORY_6_DURATION = 305655373,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_6_BEGIN = 30,
+  STRIBECK_ARMSTRONG_HISTORY_6_BEGIN = 1718004158,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_6_END = 31,
+  STRIBECK_ARMSTRONG_HISTORY_6_END = 1774551274,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_7_DURATION = 32,
+  STRIBECK_ARMSTRONG_HISTORY_7_DURATION = 124128482,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_7_BEGIN = 33,
+  STRIBECK_ARMSTRONG_HISTORY_7_BEGIN = 1805583187,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_7_END = 34,
+  STRIBECK_ARMSTRONG_HISTORY_7_END = 33966187,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_8_DURATION = 35,
+  STRIBECK_ARMSTRONG_HISTORY_8_DURATION = 751072787,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_8_BEGIN = 36,
+  STRIBECK_ARMSTRONG_HISTORY_8_BEGIN = 158135512,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_8_END = 37,
+  STRIBECK_ARMSTRONG_HISTORY_8_END = 2099449428,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_9_DURATION = 38,
+  STRIBECK_ARMSTRONG_HISTORY_9_DURATION = 84691256,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_9_BEGIN = 39,
+  STRIBECK_ARMSTRONG_HISTORY_9_BEGIN = 234988605,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_9_END = 40,
+  STRIBECK_ARMSTRONG_HISTORY_9_END = 486379341,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_10_DURATION = 41,
+  STRIBECK_ARMSTRONG_HISTORY_10_DURATION = 1813815230,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_10_BEGIN = 42,
+  STRIBECK_ARMSTRONG_HISTORY_10_BEGIN = 2081838791,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_10_END = 43,
+  STRIBECK_ARMSTRONG_HISTORY_10_END = 292375727,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_11_DURATION = 44,
+  STRIBECK_ARMSTRONG_HISTORY_11_DURATION = 1108312441,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_11_BEGIN = 45,
+  STRIBECK_ARMSTRONG_HISTORY_11_BEGIN = 1911951762,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_11_END = 46,
+  STRIBECK_ARMSTRONG_HISTORY_11_END = 1891739326,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_12_DURATION = 47,
+  STRIBECK_ARMSTRONG_HISTORY_12_DURATION = 1074895288,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_12_BEGIN = 48,
+  STRIBECK_ARMSTRONG_HISTORY_12_BEGIN = 1162790333,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_12_END = 49,
+  STRIBECK_ARMSTRONG_HISTORY_12_END = 890139853,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_13_DURATION = 50,
+  STRIBECK_ARMSTRONG_HISTORY_13_DURATION = 1741276819,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_13_BEGIN = 51,
+  STRIBECK_ARMSTRONG_HISTORY_13_BEGIN = 1085937240,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_13_END = 52,
+  STRIBECK_ARMSTRONG_HISTORY_13_END = 355726292,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_14_DURATION = 53,
+  STRIBECK_ARMSTRONG_HISTORY_14_DURATION = 1405428570,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_14_BEGIN = 54,
+  STRIBECK_ARMSTRONG_HISTORY_14_BEGIN = 1464577739,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_14_END = 55,
+  STRIBECK_ARMSTRONG_HISTORY_14_END = 598958995,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_15_DURATION = 56,
+  STRIBECK_ARMSTRONG_HISTORY_15_DURATION = 226786053,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_15_BEGIN = 57,
+  STRIBECK_ARMSTRONG_HISTORY_15_BEGIN = 773380822,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_15_END = 58,
+  STRIBECK_ARMSTRONG_HISTORY_15_END = 1326718514,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_16_DURATION = 59,
+  STRIBECK_ARMSTRONG_HISTORY_16_DURATION = 984266900,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_16_BEGIN = 60,
+  STRIBECK_ARMSTRONG_HISTORY_16_BEGIN = 1705384449,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_16_END = 61,
+  STRIBECK_ARMSTRONG_HISTORY_16_END = 908977201,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_17_DURATION = 62,
+  STRIBECK_ARMSTRONG_HISTORY_17_DURATION = 2129698463,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_17_BEGIN = 63,
+  STRIBECK_ARMSTRONG_HISTORY_17_BEGIN = 1587347564,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_17_END = 64,
+  STRIBECK_ARMSTRONG_HISTORY_17_END = 1421014696,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_18_DURATION = 65,
+  STRIBECK_ARMSTRONG_HISTORY_18_DURATION = 2124260518,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_18_BEGIN = 66,
+  STRIBECK_ARMSTRONG_HISTORY_18_BEGIN = 1400879,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_18_END = 67,
+  STRIBECK_ARMSTRONG_HISTORY_18_END = 1072708071,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_19_DURATION = 68,
+  STRIBECK_ARMSTRONG_HISTORY_19_DURATION = 1459773345,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_19_BEGIN = 69,
+  STRIBECK_ARMSTRONG_HISTORY_19_BEGIN = 983056506,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_19_END = 70,
+  STRIBECK_ARMSTRONG_HISTORY_19_END = 832270838,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_20_DURATION = 71,
+  STRIBECK_ARMSTRONG_HISTORY_20_DURATION = 485450269,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_20_BEGIN = 72,
+  STRIBECK_ARMSTRONG_HISTORY_20_BEGIN = 2131686798,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_20_END = 73,
+  STRIBECK_ARMSTRONG_HISTORY_20_END = 318005242,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_21_DURATION = 74,
+  STRIBECK_ARMSTRONG_HISTORY_21_DURATION = 1881138418,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_21_BEGIN = 75,
+  STRIBECK_ARMSTRONG_HISTORY_21_BEGIN = 1440930659,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_21_END = 76,
+  STRIBECK_ARMSTRONG_HISTORY_21_END = 708651899,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_22_DURATION = 77,
+  STRIBECK_ARMSTRONG_HISTORY_22_DURATION = 1204369495,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_22_BEGIN = 78,
+  STRIBECK_ARMSTRONG_HISTORY_22_BEGIN = 433510148,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_22_END = 79,
+  STRIBECK_ARMSTRONG_HISTORY_22_END = 1942478960,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_23_DURATION = 80,
+  STRIBECK_ARMSTRONG_HISTORY_23_DURATION = 45819404,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_23_BEGIN = 81,
+  STRIBECK_ARMSTRONG_HISTORY_23_BEGIN = 290722745,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_23_END = 82,
+  STRIBECK_ARMSTRONG_HISTORY_23_END = 30095513,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_24_DURATION = 83,
+  STRIBECK_ARMSTRONG_HISTORY_24_DURATION = 1556167921,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_24_BEGIN = 84,
+  STRIBECK_ARMSTRONG_HISTORY_24_BEGIN = 1918121418,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_24_END = 85,
+  STRIBECK_ARMSTRONG_HISTORY_24_END = 257593990,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_25_DURATION = 86,
+  STRIBECK_ARMSTRONG_HISTORY_25_DURATION = 2139922806,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_25_BEGIN = 87,
+  STRIBECK_ARMSTRONG_HISTORY_25_BEGIN = 2119194815,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_25_END = 88,
+  STRIBECK_ARMSTRONG_HISTORY_25_END = 1768753463,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_26_DURATION = 89,
+  STRIBECK_ARMSTRONG_HISTORY_26_DURATION = 2004116523,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_26_BEGIN = 90,
+  STRIBECK_ARMSTRONG_HISTORY_26_BEGIN = 1797614256,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_26_END = 91,
+  STRIBECK_ARMSTRONG_HISTORY_26_END = 1318965244,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_27_DURATION = 92,
+  STRIBECK_ARMSTRONG_HISTORY_27_DURATION = 473168816,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_27_BEGIN = 93,
+  STRIBECK_ARMSTRONG_HISTORY_27_BEGIN = 246156021,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_27_END = 94,
+  STRIBECK_ARMSTRONG_HISTORY_27_END = 1374480373,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_28_DURATION = 95,
+  STRIBECK_ARMSTRONG_HISTORY_28_DURATION = 665857621,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_28_BEGIN = 96,
+  STRIBECK_ARMSTRONG_HISTORY_28_BEGIN = 1399561318,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_28_END = 97,
+  STRIBECK_ARMSTRONG_HISTORY_28_END = 1787999106,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_29_DURATION = 98,
+  STRIBECK_ARMSTRONG_HISTORY_29_DURATION = 1476266794,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_29_BEGIN = 99,
+  STRIBECK_ARMSTRONG_HISTORY_29_BEGIN = 1803462107,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_29_END = 100,
+  STRIBECK_ARMSTRONG_HISTORY_29_END = 2080922915,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_30_DURATION = 101,
+  STRIBECK_ARMSTRONG_HISTORY_30_DURATION = 1057682560,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_30_BEGIN = 102,
+  STRIBECK_ARMSTRONG_HISTORY_30_BEGIN = 1667240197,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_30_END = 103,
+  STRIBECK_ARMSTRONG_HISTORY_30_END = 103748869,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_31_DURATION = 104,
+  STRIBECK_ARMSTRONG_HISTORY_31_DURATION = 258686459,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_31_BEGIN = 105,
+  STRIBECK_ARMSTRONG_HISTORY_31_BEGIN = 1191843840,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_31_END = 106,
+  STRIBECK_ARMSTRONG_HISTORY_31_END = 144957516,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_32_DURATION = 107,
+  STRIBECK_ARMSTRONG_HISTORY_32_DURATION = 708622086,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_32_BEGIN = 108,
+  STRIBECK_ARMSTRONG_HISTORY_32_BEGIN = 1461423887,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_32_END = 109,
+  STRIBECK_ARMSTRONG_HISTORY_32_END = 88459719,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_33_DURATION = 110,
+  STRIBECK_ARMSTRONG_HISTORY_33_DURATION = 497211009,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_33_BEGIN = 111,
+  STRIBECK_ARMSTRONG_HISTORY_33_BEGIN = 238634970,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_33_END = 112,
+  STRIBECK_ARMSTRONG_HISTORY_33_END = 167696470,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_34_DURATION = 113,
+  STRIBECK_ARMSTRONG_HISTORY_34_DURATION = 1416708188,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_34_BEGIN = 114,
+  STRIBECK_ARMSTRONG_HISTORY_34_BEGIN = 1658678473,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_34_END = 115,
+  STRIBECK_ARMSTRONG_HISTORY_34_END = 541383785,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_35_DURATION = 116,
+  STRIBECK_ARMSTRONG_HISTORY_35_DURATION = 1789469735,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_35_BEGIN = 117,
+  STRIBECK_ARMSTRONG_HISTORY_35_BEGIN = 1708897620,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_35_END = 118,
+  STRIBECK_ARMSTRONG_HISTORY_35_END = 1288415232,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_36_DURATION = 119,
+  STRIBECK_ARMSTRONG_HISTORY_36_DURATION = 1029393218,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_36_BEGIN = 120,
+  STRIBECK_ARMSTRONG_HISTORY_36_BEGIN = 229439283,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_36_END = 121,
+  STRIBECK_ARMSTRONG_HISTORY_36_END = 888655435,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_37_DURATION = 122,
+  STRIBECK_ARMSTRONG_HISTORY_37_DURATION = 435289645,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_37_BEGIN = 123,
+  STRIBECK_ARMSTRONG_HISTORY_37_BEGIN = 1963527198,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_37_END = 124,
+  STRIBECK_ARMSTRONG_HISTORY_37_END = 161979722,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_38_DURATION = 125,
+  STRIBECK_ARMSTRONG_HISTORY_38_DURATION = 813115800,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_38_BEGIN = 126,
+  STRIBECK_ARMSTRONG_HISTORY_38_BEGIN = 1911813661,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_38_END = 127,
+  STRIBECK_ARMSTRONG_HISTORY_38_END = 1723949357,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_39_DURATION = 128,
+  STRIBECK_ARMSTRONG_HISTORY_39_DURATION = 476287347,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_39_BEGIN = 129,
+  STRIBECK_ARMSTRONG_HISTORY_39_BEGIN = 341515704,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_39_END = 130,
+  STRIBECK_ARMSTRONG_HISTORY_39_END = 1797162036,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_40_DURATION = 131,
+  STRIBECK_ARMSTRONG_HISTORY_40_DURATION = 591842087,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_40_BEGIN = 132,
+  STRIBECK_ARMSTRONG_HISTORY_40_BEGIN = 1338329684,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_40_END = 133,
+  STRIBECK_ARMSTRONG_HISTORY_40_END = 1277424896,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_41_DURATION = 134,
+  STRIBECK_ARMSTRONG_HISTORY_41_DURATION = 219080540,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_41_BEGIN = 135,
+  STRIBECK_ARMSTRONG_HISTORY_41_BEGIN = 1288110537,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_41_END = 136,
+  STRIBECK_ARMSTRONG_HISTORY_41_END = 530393449,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_42_DURATION = 137,
+  STRIBECK_ARMSTRONG_HISTORY_42_DURATION = 1385145645,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_42_BEGIN = 138,
+  STRIBECK_ARMSTRONG_HISTORY_42_BEGIN = 1592959262,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_42_END = 139,
+  STRIBECK_ARMSTRONG_HISTORY_42_END = 150989386,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_43_DURATION = 140,
+  STRIBECK_ARMSTRONG_HISTORY_43_DURATION = 1979249218,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_43_BEGIN = 141,
+  STRIBECK_ARMSTRONG_HISTORY_43_BEGIN = 2006354995,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_43_END = 142,
+  STRIBECK_ARMSTRONG_HISTORY_43_END = 877665099,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_44_DURATION = 143,
+  STRIBECK_ARMSTRONG_HISTORY_44_DURATION = 1208542459,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_44_BEGIN = 144,
+  STRIBECK_ARMSTRONG_HISTORY_44_BEGIN = 821275904,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_44_END = 145,
+  STRIBECK_ARMSTRONG_HISTORY_44_END = 133967180,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_45_DURATION = 146,
+  STRIBECK_ARMSTRONG_HISTORY_45_DURATION = 2007538560,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_45_BEGIN = 147,
+  STRIBECK_ARMSTRONG_HISTORY_45_BEGIN = 1296672261,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_45_END = 148,
+  STRIBECK_ARMSTRONG_HISTORY_45_END = 92758533,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_46_DURATION = 149,
+  STRIBECK_ARMSTRONG_HISTORY_46_DURATION = 1447067009,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_46_BEGIN = 150,
+  STRIBECK_ARMSTRONG_HISTORY_46_BEGIN = 2015550682,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_46_END = 151,
+  STRIBECK_ARMSTRONG_HISTORY_46_END = 156706134,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_47_DURATION = 152,
+  STRIBECK_ARMSTRONG_HISTORY_47_DURATION = 1658478086,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_47_BEGIN = 153,
+  STRIBECK_ARMSTRONG_HISTORY_47_BEGIN = 1090855951,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_47_END = 154,
+  STRIBECK_ARMSTRONG_HISTORY_47_END = 77469383,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_48_DURATION = 155,
+  STRIBECK_ARMSTRONG_HISTORY_48_DURATION = 1836103935,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_48_BEGIN = 156,
+  STRIBECK_ARMSTRONG_HISTORY_48_BEGIN = 534397772,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_48_END = 157,
+  STRIBECK_ARMSTRONG_HISTORY_48_END = 1541175944,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_49_DURATION = 158,
+  STRIBECK_ARMSTRONG_HISTORY_49_DURATION = 46201844,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_49_BEGIN = 159,
+  STRIBECK_ARMSTRONG_HISTORY_49_BEGIN = 564142817,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_49_END = 160,
+  STRIBECK_ARMSTRONG_HISTORY_49_END = 1636764689,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_50_DURATION = 161,
+  STRIBECK_ARMSTRONG_HISTORY_50_DURATION = 1242637906,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_50_BEGIN = 162,
+  STRIBECK_ARMSTRONG_HISTORY_50_BEGIN = 1041916483,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_50_END = 163,
+  STRIBECK_ARMSTRONG_HISTORY_50_END = 1436336219,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_51_DURATION = 164,
+  STRIBECK_ARMSTRONG_HISTORY_51_DURATION = 1881792381,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_51_BEGIN = 165,
+  STRIBECK_ARMSTRONG_HISTORY_51_BEGIN = 1737751406,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_51_END = 166,
+  STRIBECK_ARMSTRONG_HISTORY_51_END = 13709018,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_52_DURATION = 167,
+  STRIBECK_ARMSTRONG_HISTORY_52_DURATION = 2059599212,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_52_BEGIN = 168,
+  STRIBECK_ARMSTRONG_HISTORY_52_BEGIN = 2002797465,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_52_END = 169,
+  STRIBECK_ARMSTRONG_HISTORY_52_END = 1831706233,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_53_DURATION = 170,
+  STRIBECK_ARMSTRONG_HISTORY_53_DURATION = 1919553079,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_53_BEGIN = 171,
+  STRIBECK_ARMSTRONG_HISTORY_53_BEGIN = 811965540,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_53_END = 172,
+  STRIBECK_ARMSTRONG_HISTORY_53_END = 617814480,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_54_DURATION = 173,
+  STRIBECK_ARMSTRONG_HISTORY_54_DURATION = 1371112022,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_54_BEGIN = 174,
+  STRIBECK_ARMSTRONG_HISTORY_54_BEGIN = 308693023,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_54_END = 175,
+  STRIBECK_ARMSTRONG_HISTORY_54_END = 485665687,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_55_DURATION = 176,
+  STRIBECK_ARMSTRONG_HISTORY_55_DURATION = 139387217,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_55_BEGIN = 177,
+  STRIBECK_ARMSTRONG_HISTORY_55_BEGIN = 469934250,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_55_END = 178,
+  STRIBECK_ARMSTRONG_HISTORY_55_END = 284790374,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_56_DURATION = 179,
+  STRIBECK_ARMSTRONG_HISTORY_56_DURATION = 836311056,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_56_BEGIN = 180,
+  STRIBECK_ARMSTRONG_HISTORY_56_BEGIN = 1999807445,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_56_END = 181,
+  STRIBECK_ARMSTRONG_HISTORY_56_END = 1028607445,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_57_DURATION = 182,
+  STRIBECK_ARMSTRONG_HISTORY_57_DURATION = 1991513355,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_57_BEGIN = 183,
+  STRIBECK_ARMSTRONG_HISTORY_57_BEGIN = 682624784,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_57_END = 184,
+  STRIBECK_ARMSTRONG_HISTORY_57_END = 643503708,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_58_DURATION = 185,
+  STRIBECK_ARMSTRONG_HISTORY_58_DURATION = 1478903306,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_58_BEGIN = 186,
+  STRIBECK_ARMSTRONG_HISTORY_58_BEGIN = 688472635,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_58_END = 187,
+  STRIBECK_ARMSTRONG_HISTORY_58_END = 1363884675,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_59_DURATION = 188,
+  STRIBECK_ARMSTRONG_HISTORY_59_DURATION = 653151285,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_59_BEGIN = 189,
+  STRIBECK_ARMSTRONG_HISTORY_59_BEGIN = 284571846,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_59_END = 190,
+  STRIBECK_ARMSTRONG_HISTORY_59_END = 1112537570,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_60_DURATION = 191,
+  STRIBECK_ARMSTRONG_HISTORY_60_DURATION = 1103609825,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_60_BEGIN = 192,
+  STRIBECK_ARMSTRONG_HISTORY_60_BEGIN = 400702650,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_60_END = 193,
+  STRIBECK_ARMSTRONG_HISTORY_60_END = 223203638,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_61_DURATION = 194,
+  STRIBECK_ARMSTRONG_HISTORY_61_DURATION = 643151590,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_61_BEGIN = 195,
+  STRIBECK_ARMSTRONG_HISTORY_61_BEGIN = 1842827119,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_61_END = 196,
+  STRIBECK_ARMSTRONG_HISTORY_61_END = 505217575,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_62_DURATION = 197,
+  STRIBECK_ARMSTRONG_HISTORY_62_DURATION = 234852315,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_62_BEGIN = 198,
+  STRIBECK_ARMSTRONG_HISTORY_62_BEGIN = 872493152,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_62_END = 199,
+  STRIBECK_ARMSTRONG_HISTORY_62_END = 561818540,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_63_DURATION = 200,
+  STRIBECK_ARMSTRONG_HISTORY_63_DURATION = 830788960,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_63_BEGIN = 201,
+  STRIBECK_ARMSTRONG_HISTORY_63_BEGIN = 2085141349,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_63_END = 202,
+  STRIBECK_ARMSTRONG_HISTORY_63_END = 1511116901,
   /** state [s]: Duration of this piece of the past; 0 = not used. (>= 0, default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_64_DURATION = 203,
+  STRIBECK_ARMSTRONG_HISTORY_64_DURATION = 783637773,
   /** state [m/s]: Velocity at the beginning of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_64_BEGIN = 204,
+  STRIBECK_ARMSTRONG_HISTORY_64_BEGIN = 206940798,
   /** state [m/s]: Velocity at the end of this piece of the past. (default 0) */
-  STRIBECK_ARMSTRONG_HISTORY_64_END = 205,
+  STRIBECK_ARMSTRONG_HISTORY_64_END = 910333354,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
-  STRIBECK_ARMSTRONG_DISSIPATED_ENERGY = 206,
+  STRIBECK_ARMSTRONG_DISSIPATED_ENERGY = 758404530,
   /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
-  STRIBECK_ARMSTRONG_FRICTION_FORCE = 207,
+  STRIBECK_ARMSTRONG_FRICTION_FORCE = 1713976319,
   /** out [W]: Power taken out of the motion: friction force times velocity. */
-  STRIBECK_ARMSTRONG_DISSIPATED_POWER = 208,
+  STRIBECK_ARMSTRONG_DISSIPATED_POWER = 236926875,
   /** out [Boolean]: Is the contact sticking? */
-  STRIBECK_ARMSTRONG_STICKING = 209,
+  STRIBECK_ARMSTRONG_STICKING = 553311409,
 } stribeck_armstrong_variable;
 
 /** Guid of NonReversible for fmi2Instantiate. */
 #define STRIBECK_NON_REVERSIBLE_GUID "{b79145f5-aaf6-b9d9-9423-2c0345808397}"
 
-/** NonReversible: Different friction while speeding up and slowing down (reconstructed). Columns of "NonReversible". */
+/** NonReversible: Different friction while speeding up and slowing down (reconstructed). Variables of "NonReversible". */
 typedef enum stribeck_non_reversible_variable {
   /** in [m/s]: Sliding velocity of body 1 relative to body 2. (default 0) */
-  STRIBECK_NON_REVERSIBLE_VELOCITY = 0,
+  STRIBECK_NON_REVERSIBLE_VELOCITY = 846470194,
   /** in [N]: Normal force that presses the surfaces together. (>= 0, default 9.81) */
-  STRIBECK_NON_REVERSIBLE_NORMAL_FORCE = 1,
+  STRIBECK_NON_REVERSIBLE_NORMAL_FORCE = 5891938,
   /** in [m/s2]: Acceleration of body 1 relative to body 2; used if the velocity has no slope. (default 0) */
-  STRIBECK_NON_REVERSIBLE_ACCELERATION = 2,
+  STRIBECK_NON_REVERSIBLE_ACCELERATION = 799062685,
   /** state [m/s2]: Slope of the velocity over the last step; 0 if it was held. (default 0) */
-  STRIBECK_NON_REVERSIBLE_VELOCITY_SLOPE = 3,
+  STRIBECK_NON_REVERSIBLE_VELOCITY_SLOPE = 90397206,
   /** tunable [1]: Kinetic coefficient of friction. (>= 0, default 0.1) */
-  STRIBECK_NON_REVERSIBLE_MU_K = 4,
+  STRIBECK_NON_REVERSIBLE_MU_K = 1281456745,
   /** tunable [1]: Static coefficient of friction; not less than mu_k. (>= 0, default 0.15) */
-  STRIBECK_NON_REVERSIBLE_MU_S = 5,
+  STRIBECK_NON_REVERSIBLE_MU_S = 1147235793,
   /** tunable [1]: Coefficient of friction that a contact reaches when it comes to rest; not more than mu_s (default chosen).
    *  (>= 0, default 0) */
-  STRIBECK_NON_REVERSIBLE_MU_STOP = 6,
+  STRIBECK_NON_REVERSIBLE_MU_STOP = 916254464,
   /** tunable [s/m]: Steepness of the curve while speeding up (default chosen). (> 0, default 500) */
-  STRIBECK_NON_REVERSIBLE_ACCELERATION_DECAY = 7,
+  STRIBECK_NON_REVERSIBLE_ACCELERATION_DECAY = 840199020,
   /** tunable [s/m]: Steepness of the curve while slowing down (default chosen). (> 0, default 500) */
-  STRIBECK_NON_REVERSIBLE_DECELERATION_DECAY = 8,
+  STRIBECK_NON_REVERSIBLE_DECELERATION_DECAY = 1686569403,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
-  STRIBECK_NON_REVERSIBLE_DISSIPATED_ENERGY = 9,
+  STRIBECK_NON_REVERSIBLE_DISSIPATED_ENERGY = 758404530,
   /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
-  STRIBECK_NON_REVERSIBLE_FRICTION_FORCE = 10,
+  STRIBECK_NON_REVERSIBLE_FRICTION_FORCE = 1713976319,
   /** out [W]: Power taken out of the motion: friction force times velocity. */
-  STRIBECK_NON_REVERSIBLE_DISSIPATED_POWER = 11,
+  STRIBECK_NON_REVERSIBLE_DISSIPATED_POWER = 236926875,
   /** out [Boolean]: Is the contact sticking? */
-  STRIBECK_NON_REVERSIBLE_STICKING = 12,
+  STRIBECK_NON_REVERSIBLE_STICKING = 553311409,
 } stribeck_non_reversible_variable;
 
 /** Guid of Wojewoda for fmi2Instantiate. */
 #define STRIBECK_WOJEWODA_GUID "{1d2ec7b4-a425-5b16-68c9-aeb950488dd2}"
 
-/** Wojewoda: Hysteretic friction: stuck spring, two branches of sliding (reconstructed after Wojewoda). Columns of "Wojewoda". */
+/** Wojewoda: Hysteretic friction: stuck spring, two branches of sliding (reconstructed after Wojewoda). Variables of "Wojewoda". */
 typedef enum stribeck_wojewoda_variable {
   /** in [m/s]: Sliding velocity of body 1 relative to body 2. (default 0) */
-  STRIBECK_WOJEWODA_VELOCITY = 0,
+  STRIBECK_WOJEWODA_VELOCITY = 846470194,
   /** in [N]: Normal force that presses the surfaces together. (>= 0, default 9.81) */
-  STRIBECK_WOJEWODA_NORMAL_FORCE = 1,
+  STRIBECK_WOJEWODA_NORMAL_FORCE = 5891938,
   /** in [m/s2]: Acceleration of body 1 relative to body 2; used if the velocity has no slope. (default 0) */
-  STRIBECK_WOJEWODA_ACCELERATION = 2,
+  STRIBECK_WOJEWODA_ACCELERATION = 799062685,
   /** state [m/s2]: Slope of the velocity over the last step; 0 if it was held. (default 0) */
-  STRIBECK_WOJEWODA_VELOCITY_SLOPE = 3,
+  STRIBECK_WOJEWODA_VELOCITY_SLOPE = 90397206,
   /** tunable [1]: Kinetic coefficient of friction. (>= 0, default 0.1) */
-  STRIBECK_WOJEWODA_MU_K = 4,
+  STRIBECK_WOJEWODA_MU_K = 1281456745,
   /** tunable [1]: Static coefficient of friction; not less than mu_k. (>= 0, default 0.15) */
-  STRIBECK_WOJEWODA_MU_S = 5,
+  STRIBECK_WOJEWODA_MU_S = 1147235793,
   /** tunable [N/m]: Stiffness of the bristles. (> 0, default 100000) */
-  STRIBECK_WOJEWODA_SIGMA_0 = 6,
+  STRIBECK_WOJEWODA_SIGMA_0 = 206242323,
   /** tunable [s/m]: Steepness of the curves for speeding up and slowing down (default chosen). (> 0, default 500) */
-  STRIBECK_WOJEWODA_BRANCH_DECAY = 7,
+  STRIBECK_WOJEWODA_BRANCH_DECAY = 183287636,
   /** state [Boolean]: Has the contact broken away? (default false) */
-  STRIBECK_WOJEWODA_SLIPPING = 8,
+  STRIBECK_WOJEWODA_SLIPPING = 1815582239,
   /** state [m]: Mean elastic deflection of the bristles. (default 0) */
-  STRIBECK_WOJEWODA_BRISTLE_DEFLECTION = 9,
+  STRIBECK_WOJEWODA_BRISTLE_DEFLECTION = 767148150,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
-  STRIBECK_WOJEWODA_DISSIPATED_ENERGY = 10,
+  STRIBECK_WOJEWODA_DISSIPATED_ENERGY = 758404530,
   /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
-  STRIBECK_WOJEWODA_FRICTION_FORCE = 11,
+  STRIBECK_WOJEWODA_FRICTION_FORCE = 1713976319,
   /** out [W]: Power taken out of the motion: friction force times velocity. */
-  STRIBECK_WOJEWODA_DISSIPATED_POWER = 12,
+  STRIBECK_WOJEWODA_DISSIPATED_POWER = 236926875,
   /** out [Boolean]: Is the contact sticking? */
-  STRIBECK_WOJEWODA_STICKING = 13,
+  STRIBECK_WOJEWODA_STICKING = 553311409,
 } stribeck_wojewoda_variable;
 
 /** Guid of BlimanSorine for fmi2Instantiate. */
 #define STRIBECK_BLIMAN_SORINE_GUID "{a4b1ca64-2232-a844-5ba0-2d47690d27a9}"
 
-/** BlimanSorine: Pre-sliding displacement and breakaway peak in the sliding distance (Bliman-Sorine). Columns of "BlimanSorine". */
+/** BlimanSorine: Pre-sliding displacement and breakaway peak in the sliding distance (Bliman-Sorine). Variables of "BlimanSorine". */
 typedef enum stribeck_bliman_sorine_variable {
   /** in [m/s]: Sliding velocity of body 1 relative to body 2. (default 0) */
-  STRIBECK_BLIMAN_SORINE_VELOCITY = 0,
+  STRIBECK_BLIMAN_SORINE_VELOCITY = 846470194,
   /** in [N]: Normal force that presses the surfaces together. (>= 0, default 9.81) */
-  STRIBECK_BLIMAN_SORINE_NORMAL_FORCE = 1,
+  STRIBECK_BLIMAN_SORINE_NORMAL_FORCE = 5891938,
   /** fixed [stribeck_bliman_sorine_order]: Variant of the law. (default Second) */
-  STRIBECK_BLIMAN_SORINE_VARIANT = 2,
+  STRIBECK_BLIMAN_SORINE_VARIANT = 1125473670,
   /** tunable [1]: Kinetic coefficient of friction. (>= 0, default 0.1) */
-  STRIBECK_BLIMAN_SORINE_MU_K = 3,
+  STRIBECK_BLIMAN_SORINE_MU_K = 1281456745,
   /** tunable [1]: Level of the slow relaxation, as a coefficient of friction; second order (default calibrated).
    *  (>= 0, default 0.2732050807568877) */
-  STRIBECK_BLIMAN_SORINE_MU_2 = 4,
+  STRIBECK_BLIMAN_SORINE_MU_2 = 56742142,
   /** tunable [1]: Length of the fast relaxation as a part of that of the slow one; second order (default chosen).
    *  (> 0, <= 1, default 0.5) */
-  STRIBECK_BLIMAN_SORINE_ETA = 5,
+  STRIBECK_BLIMAN_SORINE_ETA = 194781479,
   /** tunable [m]: Sliding distance in which the slow relaxation settles to 1/e (default calibrated).
    *  (> 0, default 4.642141842225068e-5) */
-  STRIBECK_BLIMAN_SORINE_EPS_F = 6,
+  STRIBECK_BLIMAN_SORINE_EPS_F = 140585692,
   /** state [1]: Fast relaxation, in units of its level. (default 0) */
-  STRIBECK_BLIMAN_SORINE_Y_1 = 7,
+  STRIBECK_BLIMAN_SORINE_Y_1 = 215971072,
   /** state [1]: Slow relaxation, in units of its level; second order. (default 0) */
-  STRIBECK_BLIMAN_SORINE_Y_2 = 8,
+  STRIBECK_BLIMAN_SORINE_Y_2 = 266303929,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
-  STRIBECK_BLIMAN_SORINE_DISSIPATED_ENERGY = 9,
+  STRIBECK_BLIMAN_SORINE_DISSIPATED_ENERGY = 758404530,
   /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
-  STRIBECK_BLIMAN_SORINE_FRICTION_FORCE = 10,
+  STRIBECK_BLIMAN_SORINE_FRICTION_FORCE = 1713976319,
   /** out [W]: Power taken out of the motion: friction force times velocity. */
-  STRIBECK_BLIMAN_SORINE_DISSIPATED_POWER = 11,
+  STRIBECK_BLIMAN_SORINE_DISSIPATED_POWER = 236926875,
   /** out [Boolean]: Is the contact sticking? */
-  STRIBECK_BLIMAN_SORINE_STICKING = 12,
+  STRIBECK_BLIMAN_SORINE_STICKING = 553311409,
 } stribeck_bliman_sorine_variable;
 
 /** Guid of ResetIntegrator for fmi2Instantiate. */
 #define STRIBECK_RESET_INTEGRATOR_GUID "{53556615-5df0-cdd0-3b63-a07e8c5e5848}"
 
-/** ResetIntegrator: Bond that breaks at the static level (reset integrator). Columns of "ResetIntegrator". */
+/** ResetIntegrator: Bond that breaks at the static level (reset integrator). Variables of "ResetIntegrator". */
 typedef enum stribeck_reset_integrator_variable {
   /** in [m/s]: Sliding velocity of body 1 relative to body 2. (default 0) */
-  STRIBECK_RESET_INTEGRATOR_VELOCITY = 0,
+  STRIBECK_RESET_INTEGRATOR_VELOCITY = 846470194,
   /** in [N]: Normal force that presses the surfaces together. (>= 0, default 9.81) */
-  STRIBECK_RESET_INTEGRATOR_NORMAL_FORCE = 1,
+  STRIBECK_RESET_INTEGRATOR_NORMAL_FORCE = 5891938,
   /** tunable [1]: Kinetic coefficient of friction. (>= 0, default 0.1) */
-  STRIBECK_RESET_INTEGRATOR_MU_K = 2,
+  STRIBECK_RESET_INTEGRATOR_MU_K = 1281456745,
   /** tunable [1]: Static coefficient of friction; not less than mu_k. (>= 0, default 0.15) */
-  STRIBECK_RESET_INTEGRATOR_MU_S = 3,
+  STRIBECK_RESET_INTEGRATOR_MU_S = 1147235793,
   /** tunable [N/m]: Stiffness of the bristles. (> 0, default 100000) */
-  STRIBECK_RESET_INTEGRATOR_SIGMA_0 = 4,
+  STRIBECK_RESET_INTEGRATOR_SIGMA_0 = 206242323,
   /** tunable [N.s/m]: Damping of the bristles. (>= 0, default 316.22776601683796) */
-  STRIBECK_RESET_INTEGRATOR_SIGMA_1 = 5,
+  STRIBECK_RESET_INTEGRATOR_SIGMA_1 = 189464704,
   /** state [m]: Mean elastic deflection of the bristles. (default 0) */
-  STRIBECK_RESET_INTEGRATOR_BRISTLE_DEFLECTION = 6,
+  STRIBECK_RESET_INTEGRATOR_BRISTLE_DEFLECTION = 767148150,
   /** state [1]: Direction in which the contact has broken away; 0 = bonded. (>= -1, <= 1, default 0) */
-  STRIBECK_RESET_INTEGRATOR_SLIP_DIRECTION = 7,
+  STRIBECK_RESET_INTEGRATOR_SLIP_DIRECTION = 1771013485,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
-  STRIBECK_RESET_INTEGRATOR_DISSIPATED_ENERGY = 8,
+  STRIBECK_RESET_INTEGRATOR_DISSIPATED_ENERGY = 758404530,
   /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
-  STRIBECK_RESET_INTEGRATOR_FRICTION_FORCE = 9,
+  STRIBECK_RESET_INTEGRATOR_FRICTION_FORCE = 1713976319,
   /** out [W]: Power taken out of the motion: friction force times velocity. */
-  STRIBECK_RESET_INTEGRATOR_DISSIPATED_POWER = 10,
+  STRIBECK_RESET_INTEGRATOR_DISSIPATED_POWER = 236926875,
   /** out [Boolean]: Is the contact sticking? */
-  STRIBECK_RESET_INTEGRATOR_STICKING = 11,
+  STRIBECK_RESET_INTEGRATOR_STICKING = 553311409,
 } stribeck_reset_integrator_variable;
 
 /** Guid of Dankowicz for fmi2Instantiate. */
 #define STRIBECK_DANKOWICZ_GUID "{28f989d4-5f89-d379-8a3d-488097594365}"
 
-/** Dankowicz: Pre-sliding displacement of sheared asperities (Dankowicz, reconstructed). Columns of "Dankowicz". */
+/** Dankowicz: Pre-sliding displacement of sheared asperities (Dankowicz, reconstructed). Variables of "Dankowicz". */
 typedef enum stribeck_dankowicz_variable {
   /** in [m/s]: Sliding velocity of body 1 relative to body 2. (default 0) */
-  STRIBECK_DANKOWICZ_VELOCITY = 0,
+  STRIBECK_DANKOWICZ_VELOCITY = 846470194,
   /** in [N]: Normal force that presses the surfaces together. (>= 0, default 9.81) */
-  STRIBECK_DANKOWICZ_NORMAL_FORCE = 1,
+  STRIBECK_DANKOWICZ_NORMAL_FORCE = 5891938,
   /** tunable [1]: Kinetic coefficient of friction. (>= 0, default 0.1) */
-  STRIBECK_DANKOWICZ_MU_K = 2,
+  STRIBECK_DANKOWICZ_MU_K = 1281456745,
   /** tunable [m]: Shear deflection of the asperities in steady sliding (default f_C / sigma_0 of the thesis).
    *  (> 0, default 9.81e-6) */
-  STRIBECK_DANKOWICZ_DELTA_T = 3,
+  STRIBECK_DANKOWICZ_DELTA_T = 434886250,
   /** state [m]: Mean elastic deflection of the bristles. (default 0) */
-  STRIBECK_DANKOWICZ_BRISTLE_DEFLECTION = 4,
+  STRIBECK_DANKOWICZ_BRISTLE_DEFLECTION = 767148150,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
-  STRIBECK_DANKOWICZ_DISSIPATED_ENERGY = 5,
+  STRIBECK_DANKOWICZ_DISSIPATED_ENERGY = 758404530,
   /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
-  STRIBECK_DANKOWICZ_FRICTION_FORCE = 6,
+  STRIBECK_DANKOWICZ_FRICTION_FORCE = 1713976319,
   /** out [W]: Power taken out of the motion: friction force times velocity. */
-  STRIBECK_DANKOWICZ_DISSIPATED_POWER = 7,
+  STRIBECK_DANKOWICZ_DISSIPATED_POWER = 236926875,
   /** out [Boolean]: Is the contact sticking? */
-  STRIBECK_DANKOWICZ_STICKING = 8,
+  STRIBECK_DANKOWICZ_STICKING = 553311409,
 } stribeck_dankowicz_variable;
 
 /** Guid of ElastoPlastic for fmi2Instantiate. */
 #define STRIBECK_ELASTO_PLASTIC_GUID "{333ed675-96b8-6542-43ed-0bb0a226d423}"
 
-/** ElastoPlastic: Bristle friction without drift below breakaway (elasto-plastic). Columns of "ElastoPlastic". */
+/** ElastoPlastic: Bristle friction without drift below breakaway (elasto-plastic). Variables of "ElastoPlastic". */
 typedef enum stribeck_elasto_plastic_variable {
   /** in [m/s]: Sliding velocity of body 1 relative to body 2. (default 0) */
-  STRIBECK_ELASTO_PLASTIC_VELOCITY = 0,
+  STRIBECK_ELASTO_PLASTIC_VELOCITY = 846470194,
   /** in [N]: Normal force that presses the surfaces together. (>= 0, default 9.81) */
-  STRIBECK_ELASTO_PLASTIC_NORMAL_FORCE = 1,
+  STRIBECK_ELASTO_PLASTIC_NORMAL_FORCE = 5891938,
   /** tunable [1]: Kinetic coefficient of friction. (>= 0, default 0.1) */
-  STRIBECK_ELASTO_PLASTIC_MU_K = 2,
+  STRIBECK_ELASTO_PLASTIC_MU_K = 1281456745,
   /** tunable [1]: Static coefficient of friction; not less than mu_k. (>= 0, default 0.15) */
-  STRIBECK_ELASTO_PLASTIC_MU_S = 3,
+  STRIBECK_ELASTO_PLASTIC_MU_S = 1147235793,
   /** tunable [m/s]: Speed at which the excess of static over kinetic friction has fallen to 1/e, or to 1/2 where the curve is a fraction (Armstrong, HessSoom, PoppStelter).
    *  (> 0, default 0.001) */
-  STRIBECK_ELASTO_PLASTIC_STRIBECK_VELOCITY = 4,
+  STRIBECK_ELASTO_PLASTIC_STRIBECK_VELOCITY = 2117263402,
   /** tunable [1]: Exponent of the Stribeck curve. (> 0, default 2) */
-  STRIBECK_ELASTO_PLASTIC_STRIBECK_EXPONENT = 5,
+  STRIBECK_ELASTO_PLASTIC_STRIBECK_EXPONENT = 509292062,
   /** tunable [1]: Part of the deflection of steady sliding up to which the contact is purely elastic.
    *  (> 0, <= 1, default 0.7) */
-  STRIBECK_ELASTO_PLASTIC_BREAKAWAY_RATIO = 6,
+  STRIBECK_ELASTO_PLASTIC_BREAKAWAY_RATIO = 1487030850,
   /** tunable [Integer]: Exponent of the transition from elastic deflection to sliding; odd. (>= 1, <= 9, default 1) */
-  STRIBECK_ELASTO_PLASTIC_PLASTIC_EXPONENT = 7,
+  STRIBECK_ELASTO_PLASTIC_PLASTIC_EXPONENT = 447717963,
   /** tunable [N/m]: Stiffness of the bristles. (> 0, default 100000) */
-  STRIBECK_ELASTO_PLASTIC_SIGMA_0 = 8,
+  STRIBECK_ELASTO_PLASTIC_SIGMA_0 = 206242323,
   /** tunable [N.s/m]: Damping of the bristles. (>= 0, default 316.22776601683796) */
-  STRIBECK_ELASTO_PLASTIC_SIGMA_1 = 9,
+  STRIBECK_ELASTO_PLASTIC_SIGMA_1 = 189464704,
   /** tunable [N.s/m]: Viscous friction coefficient. (>= 0, default 0.1) */
-  STRIBECK_ELASTO_PLASTIC_VISCOUS_COEFFICIENT = 10,
+  STRIBECK_ELASTO_PLASTIC_VISCOUS_COEFFICIENT = 97539077,
   /** tunable [m/s]: Speed at which the damping of the bristles fades; 0 = constant damping. (>= 0, default 0) */
-  STRIBECK_ELASTO_PLASTIC_DAMPING_VELOCITY = 11,
+  STRIBECK_ELASTO_PLASTIC_DAMPING_VELOCITY = 626846797,
   /** state [m]: Mean elastic deflection of the bristles. (default 0) */
-  STRIBECK_ELASTO_PLASTIC_BRISTLE_DEFLECTION = 12,
+  STRIBECK_ELASTO_PLASTIC_BRISTLE_DEFLECTION = 767148150,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
-  STRIBECK_ELASTO_PLASTIC_DISSIPATED_ENERGY = 13,
+  STRIBECK_ELASTO_PLASTIC_DISSIPATED_ENERGY = 758404530,
   /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
-  STRIBECK_ELASTO_PLASTIC_FRICTION_FORCE = 14,
+  STRIBECK_ELASTO_PLASTIC_FRICTION_FORCE = 1713976319,
   /** out [W]: Power taken out of the motion: friction force times velocity. */
-  STRIBECK_ELASTO_PLASTIC_DISSIPATED_POWER = 15,
+  STRIBECK_ELASTO_PLASTIC_DISSIPATED_POWER = 236926875,
   /** out [Boolean]: Is the contact sticking? */
-  STRIBECK_ELASTO_PLASTIC_STICKING = 16,
+  STRIBECK_ELASTO_PLASTIC_STICKING = 553311409,
 } stribeck_elasto_plastic_variable;
 
 /** Guid of Bristle for fmi2Instantiate. */
 #define STRIBECK_BRISTLE_GUID "{aca1929e-345e-f19d-f265-d4d06626ce0b}"
 
-/** Bristle: Bonds that snap and form again at random (bristle model). Columns of "Bristle". */
+/** Bristle: Bonds that snap and form again at random (bristle model). Variables of "Bristle". */
 typedef enum stribeck_bristle_variable {
   /** in [m/s]: Sliding velocity of body 1 relative to body 2. (default 0) */
-  STRIBECK_BRISTLE_VELOCITY = 0,
+  STRIBECK_BRISTLE_VELOCITY = 846470194,
   /** in [N]: Normal force that presses the surfaces together. (>= 0, default 9.81) */
-  STRIBECK_BRISTLE_NORMAL_FORCE = 1,
+  STRIBECK_BRISTLE_NORMAL_FORCE = 5891938,
   /** tunable [1]: Kinetic coefficient of friction. (>= 0, default 0.1) */
-  STRIBECK_BRISTLE_MU_K = 2,
+  STRIBECK_BRISTLE_MU_K = 1281456745,
   /** tunable [1]: Static coefficient of friction; not less than mu_k. (>= 0, default 0.15) */
-  STRIBECK_BRISTLE_MU_S = 3,
+  STRIBECK_BRISTLE_MU_S = 1147235793,
   /** tunable [m]: Strain at which a bristle snaps (default f_s / sigma_0 of the thesis). (> 0, default 1.4715e-5) */
-  STRIBECK_BRISTLE_DELTA = 4,
+  STRIBECK_BRISTLE_DELTA = 1795259425,
   /** fixed [Integer]: Number of bristles (default chosen). (>= 1, <= 64, default 25) */
-  STRIBECK_BRISTLE_BRISTLE_COUNT = 5,
+  STRIBECK_BRISTLE_BRISTLE_COUNT = 2048496580,
   /** fixed [Integer]: Seed of the random numbers. (>= 0, default 0) */
-  STRIBECK_BRISTLE_SEED = 6,
+  STRIBECK_BRISTLE_SEED = 1346747564,
   /** fixed [stribeck_initial_bonds]: State of the bristles when the motion starts. (default Bonded) */
-  STRIBECK_BRISTLE_INITIAL_BONDS = 7,
+  STRIBECK_BRISTLE_INITIAL_BONDS = 550744762,
   /** state [m]: Strain of the bristle, x - b_i. (default 0) */
-  STRIBECK_BRISTLE_BRISTLE_1_STRAIN = 8,
+  STRIBECK_BRISTLE_BRISTLE_1_STRAIN = 622566322,
   /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
-  STRIBECK_BRISTLE_BRISTLE_1_DRAWS = 9,
+  STRIBECK_BRISTLE_BRISTLE_1_DRAWS = 1926637046,
   /** state [m]: Strain of the bristle, x - b_i. (default 0) */
-  STRIBECK_BRISTLE_BRISTLE_2_STRAIN = 10,
+  STRIBECK_BRISTLE_BRISTLE_2_STRAIN = 802444927,
   /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
-  STRIBECK_BRISTLE_BRISTLE_2_DRAWS = 11,
+  STRIBECK_BRISTLE_BRISTLE_2_DRAWS = 814704753,
   /** state [m]: Strain of the bristle, x - b_i. (default 0) */
-  STRIBECK_BRISTLE_BRISTLE_3_STRAIN = 12,
+  STRIBECK_BRISTLE_BRISTLE_3_STRAIN = 1307367312,
   /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
-  STRIBECK_BRISTLE_BRISTLE_3_DRAWS = 13,
+  STRIBECK_BRISTLE_BRISTLE_3_DRAWS = 1114305728,
   /** state [m]: Strain of the bristle, x - b_i. (default 0) */
-  STRIBECK_BRISTLE_BRISTLE_4_STRAIN = 14,
+  STRIBECK_BRISTLE_BRISTLE_4_STRAIN = 1060117685,
   /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
-  STRIBECK_BRISTLE_BRISTLE_4_DRAWS = 15,
+  STRIBECK_BRISTLE_BRISTLE_4_DRAWS = 675813507,
   /** state [m]: Strain of the bristle, x - b_i. (default 0) */
-  STRIBECK_BRISTLE_BRISTLE_5_STRAIN = 16,
+  STRIBECK_BRISTLE_BRISTLE_5_STRAIN = 1379308734,
   /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
-  STRIBECK_BRISTLE_BRISTLE_5_DRAWS = 17,
+  STRIBECK_BRISTLE_BRISTLE_5_DRAWS = 770910154,
   /** state [m]: Strain of the bristle, x - b_i. (default 0) */
-  STRIBECK_BRISTLE_BRISTLE_6_STRAIN = 18,
+  STRIBECK_BRISTLE_BRISTLE_6_STRAIN = 1896585051,
   /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
-  STRIBECK_BRISTLE_BRISTLE_6_DRAWS = 19,
+  STRIBECK_BRISTLE_BRISTLE_6_DRAWS = 1413752181,
   /** state [m]: Strain of the bristle, x - b_i. (default 0) */
-  STRIBECK_BRISTLE_BRISTLE_7_STRAIN = 20,
+  STRIBECK_BRISTLE_BRISTLE_7_STRAIN = 394681180,
   /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
-  STRIBECK_BRISTLE_BRISTLE_7_DRAWS = 21,
+  STRIBECK_BRISTLE_BRISTLE_7_DRAWS = 444147268,
   /** state [m]: Strain of the bristle, x - b_i. (default 0) */
-  STRIBECK_BRISTLE_BRISTLE_8_STRAIN = 22,
+  STRIBECK_BRISTLE_BRISTLE_8_STRAIN = 1426978929,
   /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
-  STRIBECK_BRISTLE_BRISTLE_8_DRAWS = 23,
+  STRIBECK_BRISTLE_BRISTLE_8_DRAWS = 289098103,
   /** state [m]: Strain of the bristle, x - b_i. (default 0) */
-  STRIBECK_BRISTLE_BRISTLE_9_STRAIN = 24,
+  STRIBECK_BRISTLE_BRISTLE_9_STRAIN = 1938705818,
   /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
-  STRIBECK_BRISTLE_BRISTLE_9_DRAWS = 25,
+  STRIBECK_BRISTLE_BRISTLE_9_DRAWS = 564797742,
   /** state [m]: Strain of the bristle, x - b_i. (default 0) */
-  STRIBECK_BRISTLE_BRISTLE_10_STRAIN = 26,
+  STRIBECK_BRISTLE_BRISTLE_10_STRAIN = 824176402,
   /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
-  STRIBECK_BRISTLE_BRISTLE_10_DRAWS = 27,
+  STRIBECK_BRISTLE_BRISTLE_10_DRAWS = 660947670,
   /** state [m]: Strain of the bristle, x - b_i. (default 0) */
-  STRIBECK_BRISTLE_BRISTLE_11_STRAIN = 28,
+  STRIBECK_BRISTLE_BRISTLE_11_STRAIN = 1015062569,
   /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
-  STRIBECK_BRISTLE_BRISTLE_11_DRAWS = 29,
+  STRIBECK_BRISTLE_BRISTLE_11_DRAWS = 945990367,
   /** state [m]: Strain of the bristle, x - b_i. (default 0) */
-  STRIBECK_BRISTLE_BRISTLE_12_STRAIN = 30,
+  STRIBECK_BRISTLE_BRISTLE_12_STRAIN = 650588528,
   /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
-  STRIBECK_BRISTLE_BRISTLE_12_DRAWS = 31,
+  STRIBECK_BRISTLE_BRISTLE_12_DRAWS = 71759904,
   /** state [m]: Strain of the bristle, x - b_i. (default 0) */
-  STRIBECK_BRISTLE_BRISTLE_13_STRAIN = 32,
+  STRIBECK_BRISTLE_BRISTLE_13_STRAIN = 1750090463,
   /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
-  STRIBECK_BRISTLE_BRISTLE_13_DRAWS = 33,
+  STRIBECK_BRISTLE_BRISTLE_13_DRAWS = 954168401,
   /** state [m]: Strain of the bristle, x - b_i. (default 0) */
-  STRIBECK_BRISTLE_BRISTLE_14_STRAIN = 34,
+  STRIBECK_BRISTLE_BRISTLE_14_STRAIN = 1554666654,
   /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
-  STRIBECK_BRISTLE_BRISTLE_14_DRAWS = 35,
+  STRIBECK_BRISTLE_BRISTLE_14_DRAWS = 1907930666,
   /** state [m]: Strain of the bristle, x - b_i. (default 0) */
-  STRIBECK_BRISTLE_BRISTLE_15_STRAIN = 36,
+  STRIBECK_BRISTLE_BRISTLE_15_STRAIN = 355513749,
   /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
-  STRIBECK_BRISTLE_BRISTLE_15_DRAWS = 37,
+  STRIBECK_BRISTLE_BRISTLE_15_DRAWS = 1107001315,
   /** state [m]: Strain of the bristle, x - b_i. (default 0) */
-  STRIBECK_BRISTLE_BRISTLE_16_STRAIN = 38,
+  STRIBECK_BRISTLE_BRISTLE_16_STRAIN = 1069748156,
   /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
-  STRIBECK_BRISTLE_BRISTLE_16_DRAWS = 39,
+  STRIBECK_BRISTLE_BRISTLE_16_DRAWS = 1679808548,
   /** state [m]: Strain of the bristle, x - b_i. (default 0) */
-  STRIBECK_BRISTLE_BRISTLE_17_STRAIN = 40,
+  STRIBECK_BRISTLE_BRISTLE_17_STRAIN = 2071942971,
   /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
-  STRIBECK_BRISTLE_BRISTLE_17_DRAWS = 41,
+  STRIBECK_BRISTLE_BRISTLE_17_DRAWS = 444865749,
   /** state [m]: Strain of the bristle, x - b_i. (default 0) */
-  STRIBECK_BRISTLE_BRISTLE_18_STRAIN = 42,
+  STRIBECK_BRISTLE_BRISTLE_18_STRAIN = 1514206330,
   /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
-  STRIBECK_BRISTLE_BRISTLE_18_DRAWS = 43,
+  STRIBECK_BRISTLE_BRISTLE_18_DRAWS = 1738316174,
   /** state [m]: Strain of the bristle, x - b_i. (default 0) */
-  STRIBECK_BRISTLE_BRISTLE_19_STRAIN = 44,
+  STRIBECK_BRISTLE_BRISTLE_19_STRAIN = 1602233681,
   /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
-  STRIBECK_BRISTLE_BRISTLE_19_DRAWS = 45,
+  STRIBECK_BRISTLE_BRISTLE_19_DRAWS = 1149822167,
   /** state [m]: Strain of the bristle, x - b_i. (default 0) */
-  STRIBECK_BRISTLE_BRISTLE_20_STRAIN = 46,
+  STRIBECK_BRISTLE_BRISTLE_20_STRAIN = 763127057,
   /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
-  STRIBECK_BRISTLE_BRISTLE_20_DRAWS = 47,
+  STRIBECK_BRISTLE_BRISTLE_20_DRAWS = 1073161623,
   /** state [m]: Strain of the bristle, x - b_i. (default 0) */
-  STRIBECK_BRISTLE_BRISTLE_21_STRAIN = 48,
+  STRIBECK_BRISTLE_BRISTLE_21_STRAIN = 1053299258,
   /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
-  STRIBECK_BRISTLE_BRISTLE_21_DRAWS = 49,
+  STRIBECK_BRISTLE_BRISTLE_21_DRAWS = 2002693710,
   /** state [m]: Strain of the bristle, x - b_i. (default 0) */
-  STRIBECK_BRISTLE_BRISTLE_22_STRAIN = 50,
+  STRIBECK_BRISTLE_BRISTLE_22_STRAIN = 1552356487,
   /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
-  STRIBECK_BRISTLE_BRISTLE_22_DRAWS = 51,
+  STRIBECK_BRISTLE_BRISTLE_22_DRAWS = 434357929,
   /** state [m]: Strain of the bristle, x - b_i. (default 0) */
-  STRIBECK_BRISTLE_BRISTLE_23_STRAIN = 52,
+  STRIBECK_BRISTLE_BRISTLE_23_STRAIN = 619956024,
   /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
-  STRIBECK_BRISTLE_BRISTLE_23_DRAWS = 53,
+  STRIBECK_BRISTLE_BRISTLE_23_DRAWS = 1154008568,
   /** state [m]: Strain of the bristle, x - b_i. (default 0) */
-  STRIBECK_BRISTLE_BRISTLE_24_STRAIN = 54,
+  STRIBECK_BRISTLE_BRISTLE_24_STRAIN = 538687965,
   /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
-  STRIBECK_BRISTLE_BRISTLE_24_DRAWS = 55,
+  STRIBECK_BRISTLE_BRISTLE_24_DRAWS = 820908059,
   /** state [m]: Strain of the bristle, x - b_i. (default 0) */
-  STRIBECK_BRISTLE_BRISTLE_25_STRAIN = 56,
+  STRIBECK_BRISTLE_BRISTLE_25_STRAIN = 746808614,
   /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
-  STRIBECK_BRISTLE_BRISTLE_25_DRAWS = 57,
+  STRIBECK_BRISTLE_BRISTLE_25_DRAWS = 1899972482,
   /** state [m]: Strain of the bristle, x - b_i. (default 0) */
-  STRIBECK_BRISTLE_BRISTLE_26_STRAIN = 58,
+  STRIBECK_BRISTLE_BRISTLE_26_STRAIN = 1896280931,
   /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
-  STRIBECK_BRISTLE_BRISTLE_26_DRAWS = 59,
+  STRIBECK_BRISTLE_BRISTLE_26_DRAWS = 2113895437,
   /** state [m]: Strain of the bristle, x - b_i. (default 0) */
-  STRIBECK_BRISTLE_BRISTLE_27_STRAIN = 60,
+  STRIBECK_BRISTLE_BRISTLE_27_STRAIN = 1935089380,
   /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
-  STRIBECK_BRISTLE_BRISTLE_27_DRAWS = 61,
+  STRIBECK_BRISTLE_BRISTLE_27_DRAWS = 1314575772,
   /** state [m]: Strain of the bristle, x - b_i. (default 0) */
-  STRIBECK_BRISTLE_BRISTLE_28_STRAIN = 62,
+  STRIBECK_BRISTLE_BRISTLE_28_STRAIN = 1576590569,
   /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
-  STRIBECK_BRISTLE_BRISTLE_28_DRAWS = 63,
+  STRIBECK_BRISTLE_BRISTLE_28_DRAWS = 786013599,
   /** state [m]: Strain of the bristle, x - b_i. (default 0) */
-  STRIBECK_BRISTLE_BRISTLE_29_STRAIN = 64,
+  STRIBECK_BRISTLE_BRISTLE_29_STRAIN = 1348542930,
   /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
-  STRIBECK_BRISTLE_BRISTLE_29_DRAWS = 65,
+  STRIBECK_BRISTLE_BRISTLE_29_DRAWS = 625863830,
   /** state [m]: Strain of the bristle, x - b_i. (default 0) */
-  STRIBECK_BRISTLE_BRISTLE_30_STRAIN = 66,
+  STRIBECK_BRISTLE_BRISTLE_30_STRAIN = 1510145948,
   /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
-  STRIBECK_BRISTLE_BRISTLE_30_DRAWS = 67,
+  STRIBECK_BRISTLE_BRISTLE_30_DRAWS = 193056388,
   /** state [m]: Strain of the bristle, x - b_i. (default 0) */
-  STRIBECK_BRISTLE_BRISTLE_31_STRAIN = 68,
+  STRIBECK_BRISTLE_BRISTLE_31_STRAIN = 1778844827,
   /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
-  STRIBECK_BRISTLE_BRISTLE_31_DRAWS = 69,
+  STRIBECK_BRISTLE_BRISTLE_31_DRAWS = 347838901,
   /** state [m]: Strain of the bristle, x - b_i. (default 0) */
-  STRIBECK_BRISTLE_BRISTLE_32_STRAIN = 70,
+  STRIBECK_BRISTLE_BRISTLE_32_STRAIN = 1406723582,
   /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
-  STRIBECK_BRISTLE_BRISTLE_32_DRAWS = 71,
+  STRIBECK_BRISTLE_BRISTLE_32_DRAWS = 1879484426,
   /** state [m]: Strain of the bristle, x - b_i. (default 0) */
-  STRIBECK_BRISTLE_BRISTLE_33_STRAIN = 72,
+  STRIBECK_BRISTLE_BRISTLE_33_STRAIN = 111415029,
   /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
-  STRIBECK_BRISTLE_BRISTLE_33_DRAWS = 73,
+  STRIBECK_BRISTLE_BRISTLE_33_DRAWS = 424619459,
   /** state [m]: Strain of the bristle, x - b_i. (default 0) */
-  STRIBECK_BRISTLE_BRISTLE_34_STRAIN = 74,
+  STRIBECK_BRISTLE_BRISTLE_34_STRAIN = 167354832,
   /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
-  STRIBECK_BRISTLE_BRISTLE_34_DRAWS = 75,
+  STRIBECK_BRISTLE_BRISTLE_34_DRAWS = 472849920,
   /** state [m]: Strain of the bristle, x - b_i. (default 0) */
-  STRIBECK_BRISTLE_BRISTLE_35_STRAIN = 76,
+  STRIBECK_BRISTLE_BRISTLE_35_STRAIN = 595199679,
   /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
-  STRIBECK_BRISTLE_BRISTLE_35_DRAWS = 77,
+  STRIBECK_BRISTLE_BRISTLE_35_DRAWS = 1646982577,
   /** state [m]: Strain of the bristle, x - b_i. (default 0) */
-  STRIBECK_BRISTLE_BRISTLE_36_STRAIN = 78,
+  STRIBECK_BRISTLE_BRISTLE_36_STRAIN = 463753458,
   /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
-  STRIBECK_BRISTLE_BRISTLE_36_DRAWS = 79,
+  STRIBECK_BRISTLE_BRISTLE_36_DRAWS = 1410074166,
   /** state [m]: Strain of the bristle, x - b_i. (default 0) */
-  STRIBECK_BRISTLE_BRISTLE_37_STRAIN = 80,
+  STRIBECK_BRISTLE_BRISTLE_37_STRAIN = 680387721,
   /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
-  STRIBECK_BRISTLE_BRISTLE_37_DRAWS = 81,
+  STRIBECK_BRISTLE_BRISTLE_37_DRAWS = 1591397311,
   /** state [m]: Strain of the bristle, x - b_i. (default 0) */
-  STRIBECK_BRISTLE_BRISTLE_38_STRAIN = 82,
+  STRIBECK_BRISTLE_BRISTLE_38_STRAIN = 1855698692,
   /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
-  STRIBECK_BRISTLE_BRISTLE_38_DRAWS = 83,
+  STRIBECK_BRISTLE_BRISTLE_38_DRAWS = 2093707324,
   /** state [m]: Strain of the bristle, x - b_i. (default 0) */
-  STRIBECK_BRISTLE_BRISTLE_39_STRAIN = 84,
+  STRIBECK_BRISTLE_BRISTLE_39_STRAIN = 328317827,
   /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
-  STRIBECK_BRISTLE_BRISTLE_39_DRAWS = 85,
+  STRIBECK_BRISTLE_BRISTLE_39_DRAWS = 745543341,
   /** state [m]: Strain of the bristle, x - b_i. (default 0) */
-  STRIBECK_BRISTLE_BRISTLE_40_STRAIN = 86,
+  STRIBECK_BRISTLE_BRISTLE_40_STRAIN = 1636591683,
   /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
-  STRIBECK_BRISTLE_BRISTLE_40_DRAWS = 87,
+  STRIBECK_BRISTLE_BRISTLE_40_DRAWS = 2115612525,
   /** state [m]: Strain of the bristle, x - b_i. (default 0) */
-  STRIBECK_BRISTLE_BRISTLE_41_STRAIN = 88,
+  STRIBECK_BRISTLE_BRISTLE_41_STRAIN = 311319748,
   /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
-  STRIBECK_BRISTLE_BRISTLE_41_DRAWS = 89,
+  STRIBECK_BRISTLE_BRISTLE_41_DRAWS = 1975204092,
   /** state [m]: Strain of the bristle, x - b_i. (default 0) */
-  STRIBECK_BRISTLE_BRISTLE_42_STRAIN = 90,
+  STRIBECK_BRISTLE_BRISTLE_42_STRAIN = 561248957,
   /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
-  STRIBECK_BRISTLE_BRISTLE_42_DRAWS = 91,
+  STRIBECK_BRISTLE_BRISTLE_42_DRAWS = 786127227,
   /** state [m]: Strain of the bristle, x - b_i. (default 0) */
-  STRIBECK_BRISTLE_BRISTLE_43_STRAIN = 92,
+  STRIBECK_BRISTLE_BRISTLE_43_STRAIN = 1887960326,
   /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
-  STRIBECK_BRISTLE_BRISTLE_43_DRAWS = 93,
+  STRIBECK_BRISTLE_BRISTLE_43_DRAWS = 413220322,
   /** state [m]: Strain of the bristle, x - b_i. (default 0) */
-  STRIBECK_BRISTLE_BRISTLE_44_STRAIN = 94,
+  STRIBECK_BRISTLE_BRISTLE_44_STRAIN = 561349095,
   /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
-  STRIBECK_BRISTLE_BRISTLE_44_DRAWS = 95,
+  STRIBECK_BRISTLE_BRISTLE_44_DRAWS = 793974409,
   /** state [m]: Strain of the bristle, x - b_i. (default 0) */
-  STRIBECK_BRISTLE_BRISTLE_45_STRAIN = 96,
+  STRIBECK_BRISTLE_BRISTLE_45_STRAIN = 953431320,
   /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
-  STRIBECK_BRISTLE_BRISTLE_45_DRAWS = 97,
+  STRIBECK_BRISTLE_BRISTLE_45_DRAWS = 1104492120,
   /** state [m]: Strain of the bristle, x - b_i. (default 0) */
-  STRIBECK_BRISTLE_BRISTLE_46_STRAIN = 98,
+  STRIBECK_BRISTLE_BRISTLE_46_STRAIN = 998064753,
   /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
-  STRIBECK_BRISTLE_BRISTLE_46_DRAWS = 99,
+  STRIBECK_BRISTLE_BRISTLE_46_DRAWS = 1044715383,
   /** state [m]: Strain of the bristle, x - b_i. (default 0) */
-  STRIBECK_BRISTLE_BRISTLE_47_STRAIN = 100,
+  STRIBECK_BRISTLE_BRISTLE_47_STRAIN = 1509791642,
   /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
-  STRIBECK_BRISTLE_BRISTLE_47_DRAWS = 101,
+  STRIBECK_BRISTLE_BRISTLE_47_DRAWS = 1320415022,
   /** state [m]: Strain of the bristle, x - b_i. (default 0) */
-  STRIBECK_BRISTLE_BRISTLE_48_STRAIN = 102,
+  STRIBECK_BRISTLE_BRISTLE_48_STRAIN = 1467670875,
   /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
-  STRIBECK_BRISTLE_BRISTLE_48_DRAWS = 103,
+  STRIBECK_BRISTLE_BRISTLE_48_DRAWS = 21885813,
   /** state [m]: Strain of the bristle, x - b_i. (default 0) */
-  STRIBECK_BRISTLE_BRISTLE_49_STRAIN = 104,
+  STRIBECK_BRISTLE_BRISTLE_49_STRAIN = 2113250652,
   /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
-  STRIBECK_BRISTLE_BRISTLE_49_DRAWS = 105,
+  STRIBECK_BRISTLE_BRISTLE_49_DRAWS = 1199764548,
   /** state [m]: Strain of the bristle, x - b_i. (default 0) */
-  STRIBECK_BRISTLE_BRISTLE_50_STRAIN = 106,
+  STRIBECK_BRISTLE_BRISTLE_50_STRAIN = 1834249526,
   /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
-  STRIBECK_BRISTLE_BRISTLE_50_DRAWS = 107,
+  STRIBECK_BRISTLE_BRISTLE_50_DRAWS = 1620245874,
   /** state [m]: Strain of the bristle, x - b_i. (default 0) */
-  STRIBECK_BRISTLE_BRISTLE_51_STRAIN = 108,
+  STRIBECK_BRISTLE_BRISTLE_51_STRAIN = 1681381933,
   /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
-  STRIBECK_BRISTLE_BRISTLE_51_DRAWS = 109,
+  STRIBECK_BRISTLE_BRISTLE_51_DRAWS = 1052071947,
   /** state [m]: Strain of the bristle, x - b_i. (default 0) */
-  STRIBECK_BRISTLE_BRISTLE_52_STRAIN = 110,
+  STRIBECK_BRISTLE_BRISTLE_52_STRAIN = 1657414772,
   /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
-  STRIBECK_BRISTLE_BRISTLE_52_DRAWS = 111,
+  STRIBECK_BRISTLE_BRISTLE_52_DRAWS = 107447052,
   /** state [m]: Strain of the bristle, x - b_i. (default 0) */
-  STRIBECK_BRISTLE_BRISTLE_53_STRAIN = 112,
+  STRIBECK_BRISTLE_BRISTLE_53_STRAIN = 1642128499,
   /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
-  STRIBECK_BRISTLE_BRISTLE_53_DRAWS = 113,
+  STRIBECK_BRISTLE_BRISTLE_53_DRAWS = 384283325,
   /** state [m]: Strain of the bristle, x - b_i. (default 0) */
-  STRIBECK_BRISTLE_BRISTLE_54_STRAIN = 114,
+  STRIBECK_BRISTLE_BRISTLE_54_STRAIN = 1504882698,
   /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
-  STRIBECK_BRISTLE_BRISTLE_54_DRAWS = 115,
+  STRIBECK_BRISTLE_BRISTLE_54_DRAWS = 430710974,
   /** state [m]: Strain of the bristle, x - b_i. (default 0) */
-  STRIBECK_BRISTLE_BRISTLE_55_STRAIN = 116,
+  STRIBECK_BRISTLE_BRISTLE_55_STRAIN = 1840767201,
   /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
-  STRIBECK_BRISTLE_BRISTLE_55_DRAWS = 117,
+  STRIBECK_BRISTLE_BRISTLE_55_DRAWS = 1834618439,
   /** state [m]: Strain of the bristle, x - b_i. (default 0) */
-  STRIBECK_BRISTLE_BRISTLE_56_STRAIN = 118,
+  STRIBECK_BRISTLE_BRISTLE_56_STRAIN = 1763294984,
   /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
-  STRIBECK_BRISTLE_BRISTLE_56_DRAWS = 119,
+  STRIBECK_BRISTLE_BRISTLE_56_DRAWS = 164137192,
   /** state [m]: Strain of the bristle, x - b_i. (default 0) */
-  STRIBECK_BRISTLE_BRISTLE_57_STRAIN = 120,
+  STRIBECK_BRISTLE_BRISTLE_57_STRAIN = 1702798103,
   /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
-  STRIBECK_BRISTLE_BRISTLE_57_DRAWS = 121,
+  STRIBECK_BRISTLE_BRISTLE_57_DRAWS = 1185568985,
   /** state [m]: Strain of the bristle, x - b_i. (default 0) */
-  STRIBECK_BRISTLE_BRISTLE_58_STRAIN = 122,
+  STRIBECK_BRISTLE_BRISTLE_58_STRAIN = 1102019694,
   /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
-  STRIBECK_BRISTLE_BRISTLE_58_DRAWS = 123,
+  STRIBECK_BRISTLE_BRISTLE_58_DRAWS = 1879836442,
   /** state [m]: Strain of the bristle, x - b_i. (default 0) */
-  STRIBECK_BRISTLE_BRISTLE_59_STRAIN = 124,
+  STRIBECK_BRISTLE_BRISTLE_59_STRAIN = 244052965,
   /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
-  STRIBECK_BRISTLE_BRISTLE_59_DRAWS = 125,
+  STRIBECK_BRISTLE_BRISTLE_59_DRAWS = 462181139,
   /** state [m]: Strain of the bristle, x - b_i. (default 0) */
-  STRIBECK_BRISTLE_BRISTLE_60_STRAIN = 126,
+  STRIBECK_BRISTLE_BRISTLE_60_STRAIN = 1518020245,
   /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
-  STRIBECK_BRISTLE_BRISTLE_60_DRAWS = 127,
+  STRIBECK_BRISTLE_BRISTLE_60_DRAWS = 1477569251,
   /** state [m]: Strain of the bristle, x - b_i. (default 0) */
-  STRIBECK_BRISTLE_BRISTLE_61_STRAIN = 128,
+  STRIBECK_BRISTLE_BRISTLE_61_STRAIN = 569689502,
   /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
-  STRIBECK_BRISTLE_BRISTLE_61_DRAWS = 129,
+  STRIBECK_BRISTLE_BRISTLE_61_DRAWS = 131014954,
   /** state [m]: Strain of the bristle, x - b_i. (default 0) */
-  STRIBECK_BRISTLE_BRISTLE_62_STRAIN = 130,
+  STRIBECK_BRISTLE_BRISTLE_62_STRAIN = 1086965819,
   /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
-  STRIBECK_BRISTLE_BRISTLE_62_DRAWS = 131,
+  STRIBECK_BRISTLE_BRISTLE_62_DRAWS = 815433685,
   /** state [m]: Strain of the bristle, x - b_i. (default 0) */
-  STRIBECK_BRISTLE_BRISTLE_63_STRAIN = 132,
+  STRIBECK_BRISTLE_BRISTLE_63_STRAIN = 84771004,
   /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
-  STRIBECK_BRISTLE_BRISTLE_63_DRAWS = 133,
+  STRIBECK_BRISTLE_BRISTLE_63_DRAWS = 2050376484,
   /** state [m]: Strain of the bristle, x - b_i. (default 0) */
-  STRIBECK_BRISTLE_BRISTLE_64_STRAIN = 134,
+  STRIBECK_BRISTLE_BRISTLE_64_STRAIN = 30085417,
   /** state [1]: Random numbers that the bristle has used. (>= 0, default 0) */
-  STRIBECK_BRISTLE_BRISTLE_64_DRAWS = 135,
+  STRIBECK_BRISTLE_BRISTLE_64_DRAWS = 1316558303,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
-  STRIBECK_BRISTLE_DISSIPATED_ENERGY = 136,
+  STRIBECK_BRISTLE_DISSIPATED_ENERGY = 758404530,
   /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
-  STRIBECK_BRISTLE_FRICTION_FORCE = 137,
+  STRIBECK_BRISTLE_FRICTION_FORCE = 1713976319,
   /** out [W]: Power taken out of the motion: friction force times velocity. */
-  STRIBECK_BRISTLE_DISSIPATED_POWER = 138,
+  STRIBECK_BRISTLE_DISSIPATED_POWER = 236926875,
   /** out [Boolean]: Is the contact sticking? */
-  STRIBECK_BRISTLE_STICKING = 139,
+  STRIBECK_BRISTLE_STICKING = 553311409,
 } stribeck_bristle_variable;
 
 /** Guid of SpeckerDynamic for fmi2Instantiate. */
 #define STRIBECK_SPECKER_DYNAMIC_GUID "{86b330c2-8260-a4e9-0f47-98493ba7f49a}"
 
-/** SpeckerDynamic: Smooth friction law with a velocity-dependent lag (Specker, reconstructed). Columns of "SpeckerDynamic". */
+/** SpeckerDynamic: Smooth friction law with a velocity-dependent lag (Specker, reconstructed). Variables of "SpeckerDynamic". */
 typedef enum stribeck_specker_dynamic_variable {
   /** in [m/s]: Sliding velocity of body 1 relative to body 2. (default 0) */
-  STRIBECK_SPECKER_DYNAMIC_VELOCITY = 0,
+  STRIBECK_SPECKER_DYNAMIC_VELOCITY = 846470194,
   /** in [N]: Normal force that presses the surfaces together. (>= 0, default 9.81) */
-  STRIBECK_SPECKER_DYNAMIC_NORMAL_FORCE = 1,
+  STRIBECK_SPECKER_DYNAMIC_NORMAL_FORCE = 5891938,
   /** tunable [1]: Kinetic coefficient of friction. (>= 0, default 0.1) */
-  STRIBECK_SPECKER_DYNAMIC_MU_K = 2,
+  STRIBECK_SPECKER_DYNAMIC_MU_K = 1281456745,
   /** tunable [1]: Static coefficient of friction; not less than mu_k. (>= 0, default 0.15) */
-  STRIBECK_SPECKER_DYNAMIC_MU_S = 3,
+  STRIBECK_SPECKER_DYNAMIC_MU_S = 1147235793,
   /** tunable [m/s]: Velocity that sets the width of the regularised band around rest. (> 0, default 0.00025) */
-  STRIBECK_SPECKER_DYNAMIC_TRANSITION_VELOCITY = 4,
+  STRIBECK_SPECKER_DYNAMIC_TRANSITION_VELOCITY = 1009615136,
   /** tunable [m/s]: Velocity at which the static level is reached (default chosen). (> 0, default 0.0005) */
-  STRIBECK_SPECKER_DYNAMIC_PEAK_VELOCITY = 5,
+  STRIBECK_SPECKER_DYNAMIC_PEAK_VELOCITY = 593654064,
   /** tunable [N.s/m]: Viscous friction coefficient. (>= 0, default 0) */
-  STRIBECK_SPECKER_DYNAMIC_VISCOUS_COEFFICIENT = 6,
+  STRIBECK_SPECKER_DYNAMIC_VISCOUS_COEFFICIENT = 97539077,
   /** tunable [N/m]: Stiffness of the bristles. (> 0, default 100000) */
-  STRIBECK_SPECKER_DYNAMIC_SIGMA_0 = 7,
+  STRIBECK_SPECKER_DYNAMIC_SIGMA_0 = 206242323,
   /** tunable [s]: Time constant of the force while sliding (default chosen). (> 0, default 0.001) */
-  STRIBECK_SPECKER_DYNAMIC_SLIP_TIME = 8,
+  STRIBECK_SPECKER_DYNAMIC_SLIP_TIME = 282526557,
   /** state [N]: Friction force behind the low-pass. (default 0) */
-  STRIBECK_SPECKER_DYNAMIC_LAGGING_FORCE = 9,
+  STRIBECK_SPECKER_DYNAMIC_LAGGING_FORCE = 786728864,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
-  STRIBECK_SPECKER_DYNAMIC_DISSIPATED_ENERGY = 10,
+  STRIBECK_SPECKER_DYNAMIC_DISSIPATED_ENERGY = 758404530,
   /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
-  STRIBECK_SPECKER_DYNAMIC_FRICTION_FORCE = 11,
+  STRIBECK_SPECKER_DYNAMIC_FRICTION_FORCE = 1713976319,
   /** out [W]: Power taken out of the motion: friction force times velocity. */
-  STRIBECK_SPECKER_DYNAMIC_DISSIPATED_POWER = 12,
+  STRIBECK_SPECKER_DYNAMIC_DISSIPATED_POWER = 236926875,
   /** out [Boolean]: Is the contact sticking? */
-  STRIBECK_SPECKER_DYNAMIC_STICKING = 13,
+  STRIBECK_SPECKER_DYNAMIC_STICKING = 553311409,
 } stribeck_specker_dynamic_variable;
 
 /** Guid of MaxwellSlip for fmi2Instantiate. */
 #define STRIBECK_MAXWELL_SLIP_GUID "{148e43d1-2241-4114-8fef-1877e0c68caa}"
 
-/** MaxwellSlip: Elements that stick or slip, with hysteresis of pre-sliding (generalised Maxwell-slip, GMS). Columns of "MaxwellSlip". */
+/** MaxwellSlip: Elements that stick or slip, with hysteresis of pre-sliding (generalised Maxwell-slip, GMS). Variables of "MaxwellSlip". */
 typedef enum stribeck_maxwell_slip_variable {
   /** in [m/s]: Sliding velocity of body 1 relative to body 2. (default 0) */
-  STRIBECK_MAXWELL_SLIP_VELOCITY = 0,
+  STRIBECK_MAXWELL_SLIP_VELOCITY = 846470194,
   /** in [N]: Normal force that presses the surfaces together. (>= 0, default 9.81) */
-  STRIBECK_MAXWELL_SLIP_NORMAL_FORCE = 1,
+  STRIBECK_MAXWELL_SLIP_NORMAL_FORCE = 5891938,
   /** tunable [1]: Kinetic coefficient of friction. (>= 0, default 0.1) */
-  STRIBECK_MAXWELL_SLIP_MU_K = 2,
+  STRIBECK_MAXWELL_SLIP_MU_K = 1281456745,
   /** tunable [1]: Static coefficient of friction; not less than mu_k. (>= 0, default 0.15) */
-  STRIBECK_MAXWELL_SLIP_MU_S = 3,
+  STRIBECK_MAXWELL_SLIP_MU_S = 1147235793,
   /** tunable [m/s]: Speed at which the excess of static over kinetic friction has fallen to 1/e, or to 1/2 where the curve is a fraction (Armstrong, HessSoom, PoppStelter).
    *  (> 0, default 0.001) */
-  STRIBECK_MAXWELL_SLIP_STRIBECK_VELOCITY = 4,
+  STRIBECK_MAXWELL_SLIP_STRIBECK_VELOCITY = 2117263402,
   /** tunable [1]: Exponent of the Stribeck curve. (> 0, default 2) */
-  STRIBECK_MAXWELL_SLIP_STRIBECK_EXPONENT = 5,
+  STRIBECK_MAXWELL_SLIP_STRIBECK_EXPONENT = 509292062,
   /** tunable [N/m]: Stiffness of the bristles. (> 0, default 100000) */
-  STRIBECK_MAXWELL_SLIP_SIGMA_0 = 6,
+  STRIBECK_MAXWELL_SLIP_SIGMA_0 = 206242323,
   /** tunable [N.s/m]: Damping of the bristles. (>= 0, default 0) */
-  STRIBECK_MAXWELL_SLIP_SIGMA_1 = 7,
+  STRIBECK_MAXWELL_SLIP_SIGMA_1 = 189464704,
   /** tunable [N.s/m]: Viscous friction coefficient. (>= 0, default 0) */
-  STRIBECK_MAXWELL_SLIP_VISCOUS_COEFFICIENT = 8,
+  STRIBECK_MAXWELL_SLIP_VISCOUS_COEFFICIENT = 97539077,
   /** tunable [N/s]: Rate at which the slipping elements together approach their level (default chosen).
    *  (> 0, default 1000) */
-  STRIBECK_MAXWELL_SLIP_ATTRACTION = 9,
+  STRIBECK_MAXWELL_SLIP_ATTRACTION = 262854784,
   /** fixed [stribeck_element_distribution]: Where the shares of the elements come from. (default Explicit) */
-  STRIBECK_MAXWELL_SLIP_DISTRIBUTION = 10,
+  STRIBECK_MAXWELL_SLIP_DISTRIBUTION = 882397483,
   /** fixed [Integer]: Number of elements in use (default chosen). (>= 1, <= 1000, default 4) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_COUNT = 11,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_COUNT = 1814028119,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.5) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_1_STIFFNESS_SHARE = 12,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_1_STIFFNESS_SHARE = 1984559525,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_1_STRENGTH_SHARE = 13,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_1_STRENGTH_SHARE = 1653101785,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_1_FORCE = 14,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_1_FORCE = 417008123,
   /** state [Boolean]: Is the element slipping? (default false) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_1_SLIPPING = 15,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_1_SLIPPING = 61645750,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.25) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_2_STIFFNESS_SHARE = 16,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_2_STIFFNESS_SHARE = 635638510,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.2) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_2_STRENGTH_SHARE = 17,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_2_STRENGTH_SHARE = 1020390876,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_2_FORCE = 18,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_2_FORCE = 956601336,
   /** state [Boolean]: Is the element slipping? (default false) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_2_SLIPPING = 19,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_2_SLIPPING = 916397611,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.15) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_3_STIFFNESS_SHARE = 20,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_3_STIFFNESS_SHARE = 236442871,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.3) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_3_STRENGTH_SHARE = 21,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_3_STRENGTH_SHARE = 1826059887,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_3_FORCE = 22,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_3_FORCE = 810068841,
   /** state [Boolean]: Is the element slipping? (default false) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_3_SLIPPING = 23,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_3_SLIPPING = 1045816540,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_4_STIFFNESS_SHARE = 24,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_4_STIFFNESS_SHARE = 507261856,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.4) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_4_STRENGTH_SHARE = 25,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_4_STRENGTH_SHARE = 466493098,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_4_FORCE = 26,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_4_FORCE = 1956354086,
   /** state [Boolean]: Is the element slipping? (default false) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_4_SLIPPING = 27,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_4_SLIPPING = 567684305,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_5_STIFFNESS_SHARE = 28,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_5_STIFFNESS_SHARE = 978834793,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_5_STRENGTH_SHARE = 29,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_5_STRENGTH_SHARE = 968197717,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_5_FORCE = 30,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_5_FORCE = 1495200879,
   /** state [Boolean]: Is the element slipping? (default false) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_5_SLIPPING = 31,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_5_SLIPPING = 1747360226,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_6_STIFFNESS_SHARE = 32,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_6_STIFFNESS_SHARE = 2004137970,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_6_STRENGTH_SHARE = 33,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_6_STRENGTH_SHARE = 1481769336,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_6_FORCE = 34,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_6_FORCE = 1688949644,
   /** state [Boolean]: Is the element slipping? (default false) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_6_SLIPPING = 35,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_6_SLIPPING = 780131655,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_7_STIFFNESS_SHARE = 36,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_7_STIFFNESS_SHARE = 423657291,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_7_STRENGTH_SHARE = 37,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_7_STRENGTH_SHARE = 363891723,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_7_FORCE = 38,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_7_FORCE = 1643862173,
   /** state [Boolean]: Is the element slipping? (default false) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_7_SLIPPING = 39,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_7_SLIPPING = 2136700712,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_8_STIFFNESS_SHARE = 40,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_8_STIFFNESS_SHARE = 1337862804,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_8_STRENGTH_SHARE = 41,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_8_STRENGTH_SHARE = 866511878,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_8_FORCE = 42,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_8_FORCE = 475811146,
   /** state [Boolean]: Is the element slipping? (default false) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_8_SLIPPING = 43,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_8_SLIPPING = 1088859837,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_9_STIFFNESS_SHARE = 44,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_9_STIFFNESS_SHARE = 1333387469,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_9_STRENGTH_SHARE = 45,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_9_STRENGTH_SHARE = 1790412305,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_9_FORCE = 46,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_9_FORCE = 427133779,
   /** state [Boolean]: Is the element slipping? (default false) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_9_SLIPPING = 47,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_9_SLIPPING = 790213006,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_10_STIFFNESS_SHARE = 48,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_10_STIFFNESS_SHARE = 930777631,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_10_STRENGTH_SHARE = 49,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_10_STRENGTH_SHARE = 1307487559,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_10_FORCE = 50,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_10_FORCE = 309754689,
   /** state [Boolean]: Is the element slipping? (default false) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_10_SLIPPING = 51,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_10_SLIPPING = 1971059860,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_11_STIFFNESS_SHARE = 52,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_11_STIFFNESS_SHARE = 1582832214,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_11_STRENGTH_SHARE = 53,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_11_STRENGTH_SHARE = 1197920180,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_11_FORCE = 54,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_11_FORCE = 1627200688,
   /** state [Boolean]: Is the element slipping? (default false) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_11_SLIPPING = 55,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_11_SLIPPING = 1236750147,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_12_STIFFNESS_SHARE = 56,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_12_STIFFNESS_SHARE = 242124973,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_12_STRENGTH_SHARE = 57,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_12_STRENGTH_SHARE = 318599793,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_12_FORCE = 58,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_12_FORCE = 1622967027,
   /** state [Boolean]: Is the element slipping? (default false) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_12_SLIPPING = 59,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_12_SLIPPING = 423589806,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_13_STIFFNESS_SHARE = 60,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_13_STIFFNESS_SHARE = 488236916,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_13_STRENGTH_SHARE = 61,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_13_STRENGTH_SHARE = 569303654,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_13_FORCE = 62,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_13_FORCE = 934999786,
   /** state [Boolean]: Is the element slipping? (default false) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_13_SLIPPING = 63,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_13_SLIPPING = 592280285,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_14_STIFFNESS_SHARE = 64,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_14_STIFFNESS_SHARE = 867993811,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_14_STRENGTH_SHARE = 65,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_14_STRENGTH_SHARE = 464171203,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_14_FORCE = 66,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_14_FORCE = 1304020821,
   /** state [Boolean]: Is the element slipping? (default false) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_14_SLIPPING = 67,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_14_SLIPPING = 51371456,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_15_STIFFNESS_SHARE = 68,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_15_STIFFNESS_SHARE = 1030058266,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_15_STRENGTH_SHARE = 69,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_15_STRENGTH_SHARE = 1045466960,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_15_FORCE = 70,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_15_FORCE = 2058652516,
   /** state [Boolean]: Is the element slipping? (default false) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_15_SLIPPING = 71,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_15_SLIPPING = 277263231,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_16_STIFFNESS_SHARE = 72,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_16_STIFFNESS_SHARE = 1516159377,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_16_STRENGTH_SHARE = 73,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_16_STRENGTH_SHARE = 236029453,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_16_FORCE = 74,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_16_FORCE = 1408145063,
   /** state [Boolean]: Is the element slipping? (default false) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_16_SLIPPING = 75,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_16_SLIPPING = 1467883514,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_17_STIFFNESS_SHARE = 76,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_17_STIFFNESS_SHARE = 1526225256,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_17_STRENGTH_SHARE = 77,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_17_STRENGTH_SHARE = 1201028194,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_17_FORCE = 78,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_17_FORCE = 303569406,
   /** state [Boolean]: Is the element slipping? (default false) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_17_SLIPPING = 79,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_17_SLIPPING = 1335271913,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_18_STIFFNESS_SHARE = 80,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_18_STIFFNESS_SHARE = 209375959,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_18_STRENGTH_SHARE = 81,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_18_STRENGTH_SHARE = 596598607,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_18_FORCE = 82,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_18_FORCE = 2027178633,
   /** state [Boolean]: Is the element slipping? (default false) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_18_SLIPPING = 83,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_18_SLIPPING = 800456828,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_19_STIFFNESS_SHARE = 84,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_19_STIFFNESS_SHARE = 1120869198,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_19_STRENGTH_SHARE = 85,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_19_STRENGTH_SHARE = 207821116,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_19_FORCE = 86,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_19_FORCE = 1048396568,
   /** state [Boolean]: Is the element slipping? (default false) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_19_SLIPPING = 87,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_19_SLIPPING = 722875339,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_20_STIFFNESS_SHARE = 88,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_20_STIFFNESS_SHARE = 946953330,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_20_STRENGTH_SHARE = 89,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_20_STRENGTH_SHARE = 184261368,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_20_FORCE = 90,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_20_FORCE = 1384494092,
   /** state [Boolean]: Is the element slipping? (default false) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_20_SLIPPING = 91,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_20_SLIPPING = 1106485959,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_21_STIFFNESS_SHARE = 92,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_21_STIFFNESS_SHARE = 1513956299,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_21_STRENGTH_SHARE = 93,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_21_STRENGTH_SHARE = 1213867403,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_21_FORCE = 94,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_21_FORCE = 1339406621,
   /** state [Boolean]: Is the element slipping? (default false) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_21_SLIPPING = 95,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_21_SLIPPING = 315571368,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_22_STIFFNESS_SHARE = 96,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_22_STIFFNESS_SHARE = 1597560864,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_22_STRENGTH_SHARE = 97,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_22_STRENGTH_SHARE = 1316468778,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_22_FORCE = 98,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_22_FORCE = 1651898534,
   /** state [Boolean]: Is the element slipping? (default false) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_22_SLIPPING = 99,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_22_SLIPPING = 894038609,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_23_STIFFNESS_SHARE = 100,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_23_STIFFNESS_SHARE = 2069133801,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_23_STRENGTH_SHARE = 101,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_23_STRENGTH_SHARE = 1818173397,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_23_FORCE = 102,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_23_FORCE = 1190745327,
   /** state [Boolean]: Is the element slipping? (default false) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_23_SLIPPING = 103,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_23_SLIPPING = 2073714530,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_24_STIFFNESS_SHARE = 104,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_24_STIFFNESS_SHARE = 1725937518,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_24_STRENGTH_SHARE = 105,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_24_STRENGTH_SHARE = 1870366556,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_24_FORCE = 106,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_24_FORCE = 652145784,
   /** state [Boolean]: Is the element slipping? (default false) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_24_SLIPPING = 107,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_24_SLIPPING = 1242751915,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_25_STIFFNESS_SHARE = 108,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_25_STIFFNESS_SHARE = 1326741879,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_25_STRENGTH_SHARE = 109,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_25_STRENGTH_SHARE = 528551919,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_25_FORCE = 110,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_25_FORCE = 505613289,
   /** state [Boolean]: Is the element slipping? (default false) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_25_SLIPPING = 111,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_25_SLIPPING = 1372170844,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_26_STIFFNESS_SHARE = 112,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_26_STIFFNESS_SHARE = 2058379500,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_26_STRENGTH_SHARE = 113,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_26_STRENGTH_SHARE = 1023527406,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_26_FORCE = 114,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_26_FORCE = 904932594,
   /** state [Boolean]: Is the element slipping? (default false) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_26_SLIPPING = 115,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_26_SLIPPING = 1220548901,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_27_STIFFNESS_SHARE = 116,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_27_STIFFNESS_SHARE = 927374885,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_27_STRENGTH_SHARE = 117,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_27_STRENGTH_SHARE = 355593817,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_27_FORCE = 118,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_27_FORCE = 112552571,
   /** state [Boolean]: Is the element slipping? (default false) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_27_SLIPPING = 119,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_27_SLIPPING = 388000054,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_28_STIFFNESS_SHARE = 120,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_28_STIFFNESS_SHARE = 1832821434,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_28_STRENGTH_SHARE = 121,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_28_STRENGTH_SHARE = 798860656,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_28_FORCE = 122,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_28_FORCE = 1990520644,
   /** state [Boolean]: Is the element slipping? (default false) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_28_SLIPPING = 123,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_28_SLIPPING = 1763494623,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_29_STIFFNESS_SHARE = 124,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_29_STIFFNESS_SHARE = 1725129971,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_29_STRENGTH_SHARE = 125,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_29_STRENGTH_SHARE = 13610851,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_29_FORCE = 126,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_29_FORCE = 1966599861,
   /** state [Boolean]: Is the element slipping? (default false) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_29_SLIPPING = 127,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_29_SLIPPING = 291006880,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_30_STIFFNESS_SHARE = 128,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_30_STIFFNESS_SHARE = 1598222037,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_30_STRENGTH_SHARE = 129,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_30_STRENGTH_SHARE = 432647785,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_30_FORCE = 130,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_30_FORCE = 1876414123,
   /** state [Boolean]: Is the element slipping? (default false) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_30_SLIPPING = 131,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_30_SLIPPING = 458579142,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_31_STIFFNESS_SHARE = 132,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_31_STIFFNESS_SHARE = 1134555100,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_31_STRENGTH_SHARE = 133,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_31_STRENGTH_SHARE = 245259646,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_31_FORCE = 134,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_31_FORCE = 673411298,
   /** state [Boolean]: Is the element slipping? (default false) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_31_SLIPPING = 135,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_31_SLIPPING = 695477365,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_32_STIFFNESS_SHARE = 136,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_32_STIFFNESS_SHARE = 772041447,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_32_STRENGTH_SHARE = 137,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_32_STRENGTH_SHARE = 1257553087,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_32_FORCE = 138,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_32_FORCE = 585098457,
   /** state [Boolean]: Is the element slipping? (default false) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_32_SLIPPING = 139,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_32_SLIPPING = 1547016876,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_33_STIFFNESS_SHARE = 140,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_33_STIFFNESS_SHARE = 872053022,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_33_STRENGTH_SHARE = 141,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_33_STRENGTH_SHARE = 992579756,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_33_FORCE = 142,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_33_FORCE = 1202670568,
   /** state [Boolean]: Is the element slipping? (default false) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_33_SLIPPING = 143,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_33_SLIPPING = 1215492283,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_34_STIFFNESS_SHARE = 144,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_34_STIFFNESS_SHARE = 665747033,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_34_STRENGTH_SHARE = 145,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_34_STRENGTH_SHARE = 964650981,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_34_FORCE = 146,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_34_FORCE = 1613712607,
   /** state [Boolean]: Is the element slipping? (default false) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_34_SLIPPING = 147,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_34_SLIPPING = 1256503346,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_35_STIFFNESS_SHARE = 148,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_35_STIFFNESS_SHARE = 1703752592,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_35_STRENGTH_SHARE = 149,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_35_STRENGTH_SHARE = 1012019194,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_35_FORCE = 150,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_35_FORCE = 114543126,
   /** state [Boolean]: Is the element slipping? (default false) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_35_SLIPPING = 151,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_35_SLIPPING = 691903969,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_36_STIFFNESS_SHARE = 152,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_36_STIFFNESS_SHARE = 1398614523,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_36_STRENGTH_SHARE = 153,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_36_STRENGTH_SHARE = 1685909851,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_36_FORCE = 154,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_36_FORCE = 1016182349,
   /** state [Boolean]: Is the element slipping? (default false) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_36_SLIPPING = 155,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_36_SLIPPING = 694061816,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_37_STIFFNESS_SHARE = 156,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_37_STIFFNESS_SHARE = 903984738,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_37_STRENGTH_SHARE = 157,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_37_STRENGTH_SHARE = 1625210248,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_37_FORCE = 158,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_37_FORCE = 18164220,
   /** state [Boolean]: Is the element slipping? (default false) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_37_SLIPPING = 159,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_37_SLIPPING = 102603351,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_38_STIFFNESS_SHARE = 160,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_38_STIFFNESS_SHARE = 1356982141,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_38_STRENGTH_SHARE = 161,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_38_STRENGTH_SHARE = 849034273,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_38_FORCE = 162,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_38_FORCE = 1336195843,
   /** state [Boolean]: Is the element slipping? (default false) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_38_SLIPPING = 163,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_38_SLIPPING = 737377246,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_39_STIFFNESS_SHARE = 164,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_39_STIFFNESS_SHARE = 1715598724,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_39_STRENGTH_SHARE = 165,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_39_STRENGTH_SHARE = 1964832726,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_39_FORCE = 166,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_39_FORCE = 1304001018,
   /** state [Boolean]: Is the element slipping? (default false) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_39_SLIPPING = 167,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_39_SLIPPING = 993257933,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_40_STIFFNESS_SHARE = 168,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_40_STIFFNESS_SHARE = 52686992,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_40_STRENGTH_SHARE = 169,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_40_STRENGTH_SHARE = 1556782842,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_40_FORCE = 170,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_40_FORCE = 1891458838,
   /** state [Boolean]: Is the element slipping? (default false) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_40_SLIPPING = 171,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_40_SLIPPING = 1641759969,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_41_STIFFNESS_SHARE = 172,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_41_STIFFNESS_SHARE = 1162165081,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_41_STRENGTH_SHARE = 173,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_41_STRENGTH_SHARE = 1509414629,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_41_FORCE = 174,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_41_FORCE = 1243144671,
   /** state [Boolean]: Is the element slipping? (default false) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_41_SLIPPING = 175,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_41_SLIPPING = 58875698,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_42_STIFFNESS_SHARE = 176,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_42_STIFFNESS_SHARE = 1400402786,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_42_STRENGTH_SHARE = 177,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_42_STRENGTH_SHARE = 22490248,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_42_FORCE = 178,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_42_FORCE = 1795079932,
   /** state [Boolean]: Is the element slipping? (default false) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_42_SLIPPING = 179,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_42_SLIPPING = 1052459351,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_43_STIFFNESS_SHARE = 180,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_43_STIFFNESS_SHARE = 1895032571,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_43_STRENGTH_SHARE = 181,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_43_STRENGTH_SHARE = 83189851,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_43_FORCE = 182,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_43_FORCE = 645614413,
   /** state [Boolean]: Is the element slipping? (default false) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_43_SLIPPING = 183,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_43_SLIPPING = 1643917816,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_44_STIFFNESS_SHARE = 184,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_44_STIFFNESS_SHARE = 1630973148,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_44_STRENGTH_SHARE = 185,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_44_STRENGTH_SHARE = 790023294,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_44_FORCE = 186,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_44_FORCE = 302843362,
   /** state [Boolean]: Is the element slipping? (default false) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_44_SLIPPING = 187,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_44_SLIPPING = 1645333365,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_45_STIFFNESS_SHARE = 188,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_45_STIFFNESS_SHARE = 2094640085,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_45_STRENGTH_SHARE = 189,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_45_STRENGTH_SHARE = 977411433,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_45_FORCE = 190,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_45_FORCE = 1505846187,
   /** state [Boolean]: Is the element slipping? (default false) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_45_SLIPPING = 191,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_45_SLIPPING = 1408435142,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_46_STIFFNESS_SHARE = 192,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_46_STIFFNESS_SHARE = 1368471070,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_46_STRENGTH_SHARE = 193,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_46_STRENGTH_SHARE = 1537343404,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_46_FORCE = 194,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_46_FORCE = 832102632,
   /** state [Boolean]: Is the element slipping? (default false) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_46_SLIPPING = 195,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_46_SLIPPING = 17864635,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_47_STIFFNESS_SHARE = 196,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_47_STIFFNESS_SHARE = 1268459495,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_47_STRENGTH_SHARE = 197,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_47_STRENGTH_SHARE = 1802316735,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_47_FORCE = 198,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_47_FORCE = 214530521,
   /** state [Boolean]: Is the element slipping? (default false) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_47_SLIPPING = 199,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_47_SLIPPING = 349389228,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_48_STIFFNESS_SHARE = 200,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_48_STIFFNESS_SHARE = 962357688,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_48_STRENGTH_SHARE = 201,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_48_STRENGTH_SHARE = 551198226,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_48_FORCE = 202,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_48_FORCE = 1487246542,
   /** state [Boolean]: Is the element slipping? (default false) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_48_SLIPPING = 203,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_48_SLIPPING = 63228505,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_49_STIFFNESS_SHARE = 204,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_49_STIFFNESS_SHARE = 1693810849,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_49_STRENGTH_SHARE = 205,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_49_STRENGTH_SHARE = 1863738557,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_49_FORCE = 206,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_49_FORCE = 1661841975,
   /** state [Boolean]: Is the element slipping? (default false) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_49_SLIPPING = 207,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_49_SLIPPING = 1268102634,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_50_STIFFNESS_SHARE = 208,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_50_STIFFNESS_SHARE = 858733547,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_50_STRENGTH_SHARE = 209,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_50_STRENGTH_SHARE = 1454051371,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_50_FORCE = 210,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_50_FORCE = 203243773,
   /** state [Boolean]: Is the element slipping? (default false) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_50_SLIPPING = 211,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_50_SLIPPING = 913270536,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_51_STIFFNESS_SHARE = 212,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_51_STIFFNESS_SHARE = 729255570,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_51_STRENGTH_SHARE = 213,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_51_STRENGTH_SHARE = 1369670296,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_51_FORCE = 214,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_51_FORCE = 1665163628,
   /** state [Boolean]: Is the element slipping? (default false) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_51_SLIPPING = 215,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_51_SLIPPING = 429935015,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_52_STIFFNESS_SHARE = 216,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_52_STIFFNESS_SHARE = 478314121,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_52_STRENGTH_SHARE = 217,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_52_STRENGTH_SHARE = 1175523701,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_52_FORCE = 218,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_52_FORCE = 750257615,
   /** state [Boolean]: Is the element slipping? (default false) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_52_SLIPPING = 219,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_52_SLIPPING = 1135649474,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_53_STIFFNESS_SHARE = 220,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_53_STIFFNESS_SHARE = 249802176,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_53_STRENGTH_SHARE = 221,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_53_STRENGTH_SHARE = 1412119242,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_53_FORCE = 222,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_53_FORCE = 599051910,
   /** state [Boolean]: Is the element slipping? (default false) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_53_SLIPPING = 223,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_53_SLIPPING = 558867377,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_54_STIFFNESS_SHARE = 224,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_54_STIFFNESS_SHARE = 80424343,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_54_STRENGTH_SHARE = 225,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_54_STRENGTH_SHARE = 1301221135,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_54_FORCE = 226,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_54_FORCE = 837516361,
   /** state [Boolean]: Is the element slipping? (default false) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_54_SLIPPING = 227,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_54_SLIPPING = 196555580,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_55_STIFFNESS_SHARE = 228,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_55_STIFFNESS_SHARE = 782214158,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_55_STRENGTH_SHARE = 229,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_55_STRENGTH_SHARE = 2098940,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_55_FORCE = 230,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_55_FORCE = 1684639960,
   /** state [Boolean]: Is the element slipping? (default false) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_55_SLIPPING = 231,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_55_SLIPPING = 1945475467,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_56_STIFFNESS_SHARE = 232,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_56_STIFFNESS_SHARE = 1642684485,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_56_STRENGTH_SHARE = 233,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_56_STRENGTH_SHARE = 1564337017,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_56_FORCE = 234,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_56_FORCE = 873888731,
   /** state [Boolean]: Is the element slipping? (default false) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_56_SLIPPING = 235,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_56_SLIPPING = 1061606934,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_57_STIFFNESS_SHARE = 236,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_57_STIFFNESS_SHARE = 1394649868,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_57_STRENGTH_SHARE = 237,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_57_STRENGTH_SHARE = 143624462,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_57_FORCE = 238,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_57_FORCE = 172823890,
   /** state [Boolean]: Is the element slipping? (default false) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_57_SLIPPING = 239,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_57_SLIPPING = 507858693,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_58_STIFFNESS_SHARE = 240,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_58_STIFFNESS_SHARE = 101493395,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_58_STRENGTH_SHARE = 241,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_58_STRENGTH_SHARE = 1962539907,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_58_FORCE = 242,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_58_FORCE = 114358549,
   /** state [Boolean]: Is the element slipping? (default false) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_58_SLIPPING = 243,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_58_SLIPPING = 1197397120,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_59_STIFFNESS_SHARE = 244,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_59_STIFFNESS_SHARE = 234895322,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_59_STRENGTH_SHARE = 245,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_59_STRENGTH_SHARE = 1234062608,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_59_FORCE = 246,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_59_FORCE = 1362131492,
   /** state [Boolean]: Is the element slipping? (default false) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_59_SLIPPING = 247,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_59_SLIPPING = 1894357567,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_60_STIFFNESS_SHARE = 248,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_60_STIFFNESS_SHARE = 1306091582,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_60_STRENGTH_SHARE = 249,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_60_STRENGTH_SHARE = 1993267020,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_60_FORCE = 250,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_60_FORCE = 2000504648,
   /** state [Boolean]: Is the element slipping? (default false) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_60_SLIPPING = 251,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_60_SLIPPING = 1409802907,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_61_STIFFNESS_SHARE = 252,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_61_STIFFNESS_SHARE = 1830921223,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_61_STRENGTH_SHARE = 253,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_61_STRENGTH_SHARE = 949193311,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_61_FORCE = 254,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_61_FORCE = 1622568249,
   /** state [Boolean]: Is the element slipping? (default false) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_61_SLIPPING = 255,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_61_SLIPPING = 1513784204,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_62_STIFFNESS_SHARE = 256,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_62_STIFFNESS_SHARE = 544926460,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_62_STRENGTH_SHARE = 257,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_62_STRENGTH_SHARE = 1321062046,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_62_FORCE = 258,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_62_FORCE = 954080834,
   /** state [Boolean]: Is the element slipping? (default false) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_62_SLIPPING = 259,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_62_SLIPPING = 1026729045,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_63_STIFFNESS_SHARE = 260,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_63_STIFFNESS_SHARE = 1751068149,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_63_STRENGTH_SHARE = 261,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_63_STRENGTH_SHARE = 1706177161,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_63_FORCE = 262,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_63_FORCE = 1435926411,
   /** state [Boolean]: Is the element slipping? (default false) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_63_SLIPPING = 263,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_63_SLIPPING = 884594470,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_64_STIFFNESS_SHARE = 264,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_64_STIFFNESS_SHARE = 887313282,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_64_STRENGTH_SHARE = 265,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_64_STRENGTH_SHARE = 655092008,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_64_FORCE = 266,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_64_FORCE = 266751068,
   /** state [Boolean]: Is the element slipping? (default false) */
-  STRIBECK_MAXWELL_SLIP_ELEMENT_64_SLIPPING = 267,
+  STRIBECK_MAXWELL_SLIP_ELEMENT_64_SLIPPING = 1934953527,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
-  STRIBECK_MAXWELL_SLIP_DISSIPATED_ENERGY = 268,
+  STRIBECK_MAXWELL_SLIP_DISSIPATED_ENERGY = 758404530,
   /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
-  STRIBECK_MAXWELL_SLIP_FRICTION_FORCE = 269,
+  STRIBECK_MAXWELL_SLIP_FRICTION_FORCE = 1713976319,
   /** out [W]: Power taken out of the motion: friction force times velocity. */
-  STRIBECK_MAXWELL_SLIP_DISSIPATED_POWER = 270,
+  STRIBECK_MAXWELL_SLIP_DISSIPATED_POWER = 236926875,
   /** out [Boolean]: Is the contact sticking? */
-  STRIBECK_MAXWELL_SLIP_STICKING = 271,
+  STRIBECK_MAXWELL_SLIP_STICKING = 553311409,
 } stribeck_maxwell_slip_variable;
 
 /** Guid of Leuven for fmi2Instantiate. */
 #define STRIBECK_LEUVEN_GUID "{5eb02a12-d916-797f-9640-ff7071270152}"
 
-/** Leuven: Bristle friction with hysteresis of pre-sliding (Leuven, in the form of Lampaert). Columns of "Leuven". */
+/** Leuven: Bristle friction with hysteresis of pre-sliding (Leuven, in the form of Lampaert). Variables of "Leuven". */
 typedef enum stribeck_leuven_variable {
   /** in [m/s]: Sliding velocity of body 1 relative to body 2. (default 0) */
-  STRIBECK_LEUVEN_VELOCITY = 0,
+  STRIBECK_LEUVEN_VELOCITY = 846470194,
   /** in [N]: Normal force that presses the surfaces together. (>= 0, default 9.81) */
-  STRIBECK_LEUVEN_NORMAL_FORCE = 1,
+  STRIBECK_LEUVEN_NORMAL_FORCE = 5891938,
   /** tunable [1]: Kinetic coefficient of friction. (>= 0, default 0.1) */
-  STRIBECK_LEUVEN_MU_K = 2,
+  STRIBECK_LEUVEN_MU_K = 1281456745,
   /** tunable [1]: Static coefficient of friction; not less than mu_k. (>= 0, default 0.15) */
-  STRIBECK_LEUVEN_MU_S = 3,
+  STRIBECK_LEUVEN_MU_S = 1147235793,
   /** tunable [m/s]: Speed at which the excess of static over kinetic friction has fallen to 1/e, or to 1/2 where the curve is a fraction (Armstrong, HessSoom, PoppStelter).
    *  (> 0, default 0.001) */
-  STRIBECK_LEUVEN_STRIBECK_VELOCITY = 4,
+  STRIBECK_LEUVEN_STRIBECK_VELOCITY = 2117263402,
   /** tunable [1]: Exponent of the Stribeck curve. (> 0, default 2) */
-  STRIBECK_LEUVEN_STRIBECK_EXPONENT = 5,
+  STRIBECK_LEUVEN_STRIBECK_EXPONENT = 509292062,
   /** tunable [N/m]: Stiffness of the bristles. (> 0, default 100000) */
-  STRIBECK_LEUVEN_SIGMA_0 = 6,
+  STRIBECK_LEUVEN_SIGMA_0 = 206242323,
   /** tunable [N.s/m]: Damping of the bristles. (>= 0, default 316.22776601683796) */
-  STRIBECK_LEUVEN_SIGMA_1 = 7,
+  STRIBECK_LEUVEN_SIGMA_1 = 189464704,
   /** tunable [N.s/m]: Viscous friction coefficient. (>= 0, default 0.1) */
-  STRIBECK_LEUVEN_VISCOUS_COEFFICIENT = 8,
+  STRIBECK_LEUVEN_VISCOUS_COEFFICIENT = 97539077,
   /** tunable [1]: Exponent of the approach to the steady level (default chosen). (>= 0.1, default 1) */
-  STRIBECK_LEUVEN_APPROACH_EXPONENT = 9,
+  STRIBECK_LEUVEN_APPROACH_EXPONENT = 1565510341,
   /** tunable [1]: Strength of all elements together, as a multiple of the static level; not less than 1 (default chosen).
    *  (> 0, default 1.2) */
-  STRIBECK_LEUVEN_HYSTERESIS_STRENGTH = 10,
+  STRIBECK_LEUVEN_HYSTERESIS_STRENGTH = 1853440090,
   /** fixed [stribeck_element_distribution]: Where the shares of the elements come from. (default Explicit) */
-  STRIBECK_LEUVEN_DISTRIBUTION = 11,
+  STRIBECK_LEUVEN_DISTRIBUTION = 882397483,
   /** fixed [Integer]: Number of elements in use (default chosen). (>= 1, <= 64, default 4) */
-  STRIBECK_LEUVEN_ELEMENT_COUNT = 12,
+  STRIBECK_LEUVEN_ELEMENT_COUNT = 1814028119,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.5) */
-  STRIBECK_LEUVEN_ELEMENT_1_STIFFNESS_SHARE = 13,
+  STRIBECK_LEUVEN_ELEMENT_1_STIFFNESS_SHARE = 1984559525,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_LEUVEN_ELEMENT_1_STRENGTH_SHARE = 14,
+  STRIBECK_LEUVEN_ELEMENT_1_STRENGTH_SHARE = 1653101785,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_LEUVEN_ELEMENT_1_FORCE = 15,
+  STRIBECK_LEUVEN_ELEMENT_1_FORCE = 417008123,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.25) */
-  STRIBECK_LEUVEN_ELEMENT_2_STIFFNESS_SHARE = 16,
+  STRIBECK_LEUVEN_ELEMENT_2_STIFFNESS_SHARE = 635638510,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.2) */
-  STRIBECK_LEUVEN_ELEMENT_2_STRENGTH_SHARE = 17,
+  STRIBECK_LEUVEN_ELEMENT_2_STRENGTH_SHARE = 1020390876,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_LEUVEN_ELEMENT_2_FORCE = 18,
+  STRIBECK_LEUVEN_ELEMENT_2_FORCE = 956601336,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.15) */
-  STRIBECK_LEUVEN_ELEMENT_3_STIFFNESS_SHARE = 19,
+  STRIBECK_LEUVEN_ELEMENT_3_STIFFNESS_SHARE = 236442871,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.3) */
-  STRIBECK_LEUVEN_ELEMENT_3_STRENGTH_SHARE = 20,
+  STRIBECK_LEUVEN_ELEMENT_3_STRENGTH_SHARE = 1826059887,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_LEUVEN_ELEMENT_3_FORCE = 21,
+  STRIBECK_LEUVEN_ELEMENT_3_FORCE = 810068841,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_LEUVEN_ELEMENT_4_STIFFNESS_SHARE = 22,
+  STRIBECK_LEUVEN_ELEMENT_4_STIFFNESS_SHARE = 507261856,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.4) */
-  STRIBECK_LEUVEN_ELEMENT_4_STRENGTH_SHARE = 23,
+  STRIBECK_LEUVEN_ELEMENT_4_STRENGTH_SHARE = 466493098,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_LEUVEN_ELEMENT_4_FORCE = 24,
+  STRIBECK_LEUVEN_ELEMENT_4_FORCE = 1956354086,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_LEUVEN_ELEMENT_5_STIFFNESS_SHARE = 25,
+  STRIBECK_LEUVEN_ELEMENT_5_STIFFNESS_SHARE = 978834793,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_LEUVEN_ELEMENT_5_STRENGTH_SHARE = 26,
+  STRIBECK_LEUVEN_ELEMENT_5_STRENGTH_SHARE = 968197717,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_LEUVEN_ELEMENT_5_FORCE = 27,
+  STRIBECK_LEUVEN_ELEMENT_5_FORCE = 1495200879,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_LEUVEN_ELEMENT_6_STIFFNESS_SHARE = 28,
+  STRIBECK_LEUVEN_ELEMENT_6_STIFFNESS_SHARE = 2004137970,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_LEUVEN_ELEMENT_6_STRENGTH_SHARE = 29,
+  STRIBECK_LEUVEN_ELEMENT_6_STRENGTH_SHARE = 1481769336,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_LEUVEN_ELEMENT_6_FORCE = 30,
+  STRIBECK_LEUVEN_ELEMENT_6_FORCE = 1688949644,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_LEUVEN_ELEMENT_7_STIFFNESS_SHARE = 31,
+  STRIBECK_LEUVEN_ELEMENT_7_STIFFNESS_SHARE = 423657291,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_LEUVEN_ELEMENT_7_STRENGTH_SHARE = 32,
+  STRIBECK_LEUVEN_ELEMENT_7_STRENGTH_SHARE = 363891723,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_LEUVEN_ELEMENT_7_FORCE = 33,
+  STRIBECK_LEUVEN_ELEMENT_7_FORCE = 1643862173,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_LEUVEN_ELEMENT_8_STIFFNESS_SHARE = 34,
+  STRIBECK_LEUVEN_ELEMENT_8_STIFFNESS_SHARE = 1337862804,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_LEUVEN_ELEMENT_8_STRENGTH_SHARE = 35,
+  STRIBECK_LEUVEN_ELEMENT_8_STRENGTH_SHARE = 866511878,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_LEUVEN_ELEMENT_8_FORCE = 36,
+  STRIBECK_LEUVEN_ELEMENT_8_FORCE = 475811146,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_LEUVEN_ELEMENT_9_STIFFNESS_SHARE = 37,
+  STRIBECK_LEUVEN_ELEMENT_9_STIFFNESS_SHARE = 1333387469,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_LEUVEN_ELEMENT_9_STRENGTH_SHARE = 38,
+  STRIBECK_LEUVEN_ELEMENT_9_STRENGTH_SHARE = 1790412305,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_LEUVEN_ELEMENT_9_FORCE = 39,
+  STRIBECK_LEUVEN_ELEMENT_9_FORCE = 427133779,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_LEUVEN_ELEMENT_10_STIFFNESS_SHARE = 40,
+  STRIBECK_LEUVEN_ELEMENT_10_STIFFNESS_SHARE = 930777631,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_LEUVEN_ELEMENT_10_STRENGTH_SHARE = 41,
+  STRIBECK_LEUVEN_ELEMENT_10_STRENGTH_SHARE = 1307487559,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_LEUVEN_ELEMENT_10_FORCE = 42,
+  STRIBECK_LEUVEN_ELEMENT_10_FORCE = 309754689,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_LEUVEN_ELEMENT_11_STIFFNESS_SHARE = 43,
+  STRIBECK_LEUVEN_ELEMENT_11_STIFFNESS_SHARE = 1582832214,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_LEUVEN_ELEMENT_11_STRENGTH_SHARE = 44,
+  STRIBECK_LEUVEN_ELEMENT_11_STRENGTH_SHARE = 1197920180,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_LEUVEN_ELEMENT_11_FORCE = 45,
+  STRIBECK_LEUVEN_ELEMENT_11_FORCE = 1627200688,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_LEUVEN_ELEMENT_12_STIFFNESS_SHARE = 46,
+  STRIBECK_LEUVEN_ELEMENT_12_STIFFNESS_SHARE = 242124973,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_LEUVEN_ELEMENT_12_STRENGTH_SHARE = 47,
+  STRIBECK_LEUVEN_ELEMENT_12_STRENGTH_SHARE = 318599793,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_LEUVEN_ELEMENT_12_FORCE = 48,
+  STRIBECK_LEUVEN_ELEMENT_12_FORCE = 1622967027,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_LEUVEN_ELEMENT_13_STIFFNESS_SHARE = 49,
+  STRIBECK_LEUVEN_ELEMENT_13_STIFFNESS_SHARE = 488236916,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_LEUVEN_ELEMENT_13_STRENGTH_SHARE = 50,
+  STRIBECK_LEUVEN_ELEMENT_13_STRENGTH_SHARE = 569303654,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_LEUVEN_ELEMENT_13_FORCE = 51,
+  STRIBECK_LEUVEN_ELEMENT_13_FORCE = 934999786,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_LEUVEN_ELEMENT_14_STIFFNESS_SHARE = 52,
+  STRIBECK_LEUVEN_ELEMENT_14_STIFFNESS_SHARE = 867993811,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_LEUVEN_ELEMENT_14_STRENGTH_SHARE = 53,
+  STRIBECK_LEUVEN_ELEMENT_14_STRENGTH_SHARE = 464171203,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_LEUVEN_ELEMENT_14_FORCE = 54,
+  STRIBECK_LEUVEN_ELEMENT_14_FORCE = 1304020821,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_LEUVEN_ELEMENT_15_STIFFNESS_SHARE = 55,
+  STRIBECK_LEUVEN_ELEMENT_15_STIFFNESS_SHARE = 1030058266,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_LEUVEN_ELEMENT_15_STRENGTH_SHARE = 56,
+  STRIBECK_LEUVEN_ELEMENT_15_STRENGTH_SHARE = 1045466960,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_LEUVEN_ELEMENT_15_FORCE = 57,
+  STRIBECK_LEUVEN_ELEMENT_15_FORCE = 2058652516,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_LEUVEN_ELEMENT_16_STIFFNESS_SHARE = 58,
+  STRIBECK_LEUVEN_ELEMENT_16_STIFFNESS_SHARE = 1516159377,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_LEUVEN_ELEMENT_16_STRENGTH_SHARE = 59,
+  STRIBECK_LEUVEN_ELEMENT_16_STRENGTH_SHARE = 236029453,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_LEUVEN_ELEMENT_16_FORCE = 60,
+  STRIBECK_LEUVEN_ELEMENT_16_FORCE = 1408145063,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_LEUVEN_ELEMENT_17_STIFFNESS_SHARE = 61,
+  STRIBECK_LEUVEN_ELEMENT_17_STIFFNESS_SHARE = 1526225256,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_LEUVEN_ELEMENT_17_STRENGTH_SHARE = 62,
+  STRIBECK_LEUVEN_ELEMENT_17_STRENGTH_SHARE = 1201028194,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_LEUVEN_ELEMENT_17_FORCE = 63,
+  STRIBECK_LEUVEN_ELEMENT_17_FORCE = 303569406,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_LEUVEN_ELEMENT_18_STIFFNESS_SHARE = 64,
+  STRIBECK_LEUVEN_ELEMENT_18_STIFFNESS_SHARE = 209375959,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_LEUVEN_ELEMENT_18_STRENGTH_SHARE = 65,
+  STRIBECK_LEUVEN_ELEMENT_18_STRENGTH_SHARE = 596598607,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_LEUVEN_ELEMENT_18_FORCE = 66,
+  STRIBECK_LEUVEN_ELEMENT_18_FORCE = 2027178633,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_LEUVEN_ELEMENT_19_STIFFNESS_SHARE = 67,
+  STRIBECK_LEUVEN_ELEMENT_19_STIFFNESS_SHARE = 1120869198,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_LEUVEN_ELEMENT_19_STRENGTH_SHARE = 68,
+  STRIBECK_LEUVEN_ELEMENT_19_STRENGTH_SHARE = 207821116,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_LEUVEN_ELEMENT_19_FORCE = 69,
+  STRIBECK_LEUVEN_ELEMENT_19_FORCE = 1048396568,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_LEUVEN_ELEMENT_20_STIFFNESS_SHARE = 70,
+  STRIBECK_LEUVEN_ELEMENT_20_STIFFNESS_SHARE = 946953330,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_LEUVEN_ELEMENT_20_STRENGTH_SHARE = 71,
+  STRIBECK_LEUVEN_ELEMENT_20_STRENGTH_SHARE = 184261368,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_LEUVEN_ELEMENT_20_FORCE = 72,
+  STRIBECK_LEUVEN_ELEMENT_20_FORCE = 1384494092,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_LEUVEN_ELEMENT_21_STIFFNESS_SHARE = 73,
+  STRIBECK_LEUVEN_ELEMENT_21_STIFFNESS_SHARE = 1513956299,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_LEUVEN_ELEMENT_21_STRENGTH_SHARE = 74,
+  STRIBECK_LEUVEN_ELEMENT_21_STRENGTH_SHARE = 1213867403,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_LEUVEN_ELEMENT_21_FORCE = 75,
+  STRIBECK_LEUVEN_ELEMENT_21_FORCE = 1339406621,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_LEUVEN_ELEMENT_22_STIFFNESS_SHARE = 76,
+  STRIBECK_LEUVEN_ELEMENT_22_STIFFNESS_SHARE = 1597560864,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_LEUVEN_ELEMENT_22_STRENGTH_SHARE = 77,
+  STRIBECK_LEUVEN_ELEMENT_22_STRENGTH_SHARE = 1316468778,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_LEUVEN_ELEMENT_22_FORCE = 78,
+  STRIBECK_LEUVEN_ELEMENT_22_FORCE = 1651898534,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_LEUVEN_ELEMENT_23_STIFFNESS_SHARE = 79,
+  STRIBECK_LEUVEN_ELEMENT_23_STIFFNESS_SHARE = 2069133801,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_LEUVEN_ELEMENT_23_STRENGTH_SHARE = 80,
+  STRIBECK_LEUVEN_ELEMENT_23_STRENGTH_SHARE = 1818173397,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_LEUVEN_ELEMENT_23_FORCE = 81,
+  STRIBECK_LEUVEN_ELEMENT_23_FORCE = 1190745327,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_LEUVEN_ELEMENT_24_STIFFNESS_SHARE = 82,
+  STRIBECK_LEUVEN_ELEMENT_24_STIFFNESS_SHARE = 1725937518,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_LEUVEN_ELEMENT_24_STRENGTH_SHARE = 83,
+  STRIBECK_LEUVEN_ELEMENT_24_STRENGTH_SHARE = 1870366556,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_LEUVEN_ELEMENT_24_FORCE = 84,
+  STRIBECK_LEUVEN_ELEMENT_24_FORCE = 652145784,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_LEUVEN_ELEMENT_25_STIFFNESS_SHARE = 85,
+  STRIBECK_LEUVEN_ELEMENT_25_STIFFNESS_SHARE = 1326741879,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_LEUVEN_ELEMENT_25_STRENGTH_SHARE = 86,
+  STRIBECK_LEUVEN_ELEMENT_25_STRENGTH_SHARE = 528551919,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_LEUVEN_ELEMENT_25_FORCE = 87,
+  STRIBECK_LEUVEN_ELEMENT_25_FORCE = 505613289,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_LEUVEN_ELEMENT_26_STIFFNESS_SHARE = 88,
+  STRIBECK_LEUVEN_ELEMENT_26_STIFFNESS_SHARE = 2058379500,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_LEUVEN_ELEMENT_26_STRENGTH_SHARE = 89,
+  STRIBECK_LEUVEN_ELEMENT_26_STRENGTH_SHARE = 1023527406,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_LEUVEN_ELEMENT_26_FORCE = 90,
+  STRIBECK_LEUVEN_ELEMENT_26_FORCE = 904932594,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_LEUVEN_ELEMENT_27_STIFFNESS_SHARE = 91,
+  STRIBECK_LEUVEN_ELEMENT_27_STIFFNESS_SHARE = 927374885,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_LEUVEN_ELEMENT_27_STRENGTH_SHARE = 92,
+  STRIBECK_LEUVEN_ELEMENT_27_STRENGTH_SHARE = 355593817,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_LEUVEN_ELEMENT_27_FORCE = 93,
+  STRIBECK_LEUVEN_ELEMENT_27_FORCE = 112552571,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_LEUVEN_ELEMENT_28_STIFFNESS_SHARE = 94,
+  STRIBECK_LEUVEN_ELEMENT_28_STIFFNESS_SHARE = 1832821434,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_LEUVEN_ELEMENT_28_STRENGTH_SHARE = 95,
+  STRIBECK_LEUVEN_ELEMENT_28_STRENGTH_SHARE = 798860656,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_LEUVEN_ELEMENT_28_FORCE = 96,
+  STRIBECK_LEUVEN_ELEMENT_28_FORCE = 1990520644,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_LEUVEN_ELEMENT_29_STIFFNESS_SHARE = 97,
+  STRIBECK_LEUVEN_ELEMENT_29_STIFFNESS_SHARE = 1725129971,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_LEUVEN_ELEMENT_29_STRENGTH_SHARE = 98,
+  STRIBECK_LEUVEN_ELEMENT_29_STRENGTH_SHARE = 13610851,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_LEUVEN_ELEMENT_29_FORCE = 99,
+  STRIBECK_LEUVEN_ELEMENT_29_FORCE = 1966599861,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_LEUVEN_ELEMENT_30_STIFFNESS_SHARE = 100,
+  STRIBECK_LEUVEN_ELEMENT_30_STIFFNESS_SHARE = 1598222037,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_LEUVEN_ELEMENT_30_STRENGTH_SHARE = 101,
+  STRIBECK_LEUVEN_ELEMENT_30_STRENGTH_SHARE = 432647785,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_LEUVEN_ELEMENT_30_FORCE = 102,
+  STRIBECK_LEUVEN_ELEMENT_30_FORCE = 1876414123,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_LEUVEN_ELEMENT_31_STIFFNESS_SHARE = 103,
+  STRIBECK_LEUVEN_ELEMENT_31_STIFFNESS_SHARE = 1134555100,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_LEUVEN_ELEMENT_31_STRENGTH_SHARE = 104,
+  STRIBECK_LEUVEN_ELEMENT_31_STRENGTH_SHARE = 245259646,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_LEUVEN_ELEMENT_31_FORCE = 105,
+  STRIBECK_LEUVEN_ELEMENT_31_FORCE = 673411298,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_LEUVEN_ELEMENT_32_STIFFNESS_SHARE = 106,
+  STRIBECK_LEUVEN_ELEMENT_32_STIFFNESS_SHARE = 772041447,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_LEUVEN_ELEMENT_32_STRENGTH_SHARE = 107,
+  STRIBECK_LEUVEN_ELEMENT_32_STRENGTH_SHARE = 1257553087,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_LEUVEN_ELEMENT_32_FORCE = 108,
+  STRIBECK_LEUVEN_ELEMENT_32_FORCE = 585098457,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_LEUVEN_ELEMENT_33_STIFFNESS_SHARE = 109,
+  STRIBECK_LEUVEN_ELEMENT_33_STIFFNESS_SHARE = 872053022,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_LEUVEN_ELEMENT_33_STRENGTH_SHARE = 110,
+  STRIBECK_LEUVEN_ELEMENT_33_STRENGTH_SHARE = 992579756,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_LEUVEN_ELEMENT_33_FORCE = 111,
+  STRIBECK_LEUVEN_ELEMENT_33_FORCE = 1202670568,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_LEUVEN_ELEMENT_34_STIFFNESS_SHARE = 112,
+  STRIBECK_LEUVEN_ELEMENT_34_STIFFNESS_SHARE = 665747033,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_LEUVEN_ELEMENT_34_STRENGTH_SHARE = 113,
+  STRIBECK_LEUVEN_ELEMENT_34_STRENGTH_SHARE = 964650981,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_LEUVEN_ELEMENT_34_FORCE = 114,
+  STRIBECK_LEUVEN_ELEMENT_34_FORCE = 1613712607,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_LEUVEN_ELEMENT_35_STIFFNESS_SHARE = 115,
+  STRIBECK_LEUVEN_ELEMENT_35_STIFFNESS_SHARE = 1703752592,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_LEUVEN_ELEMENT_35_STRENGTH_SHARE = 116,
+  STRIBECK_LEUVEN_ELEMENT_35_STRENGTH_SHARE = 1012019194,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_LEUVEN_ELEMENT_35_FORCE = 117,
+  STRIBECK_LEUVEN_ELEMENT_35_FORCE = 114543126,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_LEUVEN_ELEMENT_36_STIFFNESS_SHARE = 118,
+  STRIBECK_LEUVEN_ELEMENT_36_STIFFNESS_SHARE = 1398614523,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_LEUVEN_ELEMENT_36_STRENGTH_SHARE = 119,
+  STRIBECK_LEUVEN_ELEMENT_36_STRENGTH_SHARE = 1685909851,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_LEUVEN_ELEMENT_36_FORCE = 120,
+  STRIBECK_LEUVEN_ELEMENT_36_FORCE = 1016182349,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_LEUVEN_ELEMENT_37_STIFFNESS_SHARE = 121,
+  STRIBECK_LEUVEN_ELEMENT_37_STIFFNESS_SHARE = 903984738,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_LEUVEN_ELEMENT_37_STRENGTH_SHARE = 122,
+  STRIBECK_LEUVEN_ELEMENT_37_STRENGTH_SHARE = 1625210248,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_LEUVEN_ELEMENT_37_FORCE = 123,
+  STRIBECK_LEUVEN_ELEMENT_37_FORCE = 18164220,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_LEUVEN_ELEMENT_38_STIFFNESS_SHARE = 124,
+  STRIBECK_LEUVEN_ELEMENT_38_STIFFNESS_SHARE = 1356982141,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_LEUVEN_ELEMENT_38_STRENGTH_SHARE = 125,
+  STRIBECK_LEUVEN_ELEMENT_38_STRENGTH_SHARE = 849034273,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_LEUVEN_ELEMENT_38_FORCE = 126,
+  STRIBECK_LEUVEN_ELEMENT_38_FORCE = 1336195843,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_LEUVEN_ELEMENT_39_STIFFNESS_SHARE = 127,
+  STRIBECK_LEUVEN_ELEMENT_39_STIFFNESS_SHARE = 1715598724,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_LEUVEN_ELEMENT_39_STRENGTH_SHARE = 128,
+  STRIBECK_LEUVEN_ELEMENT_39_STRENGTH_SHARE = 1964832726,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_LEUVEN_ELEMENT_39_FORCE = 129,
+  STRIBECK_LEUVEN_ELEMENT_39_FORCE = 1304001018,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_LEUVEN_ELEMENT_40_STIFFNESS_SHARE = 130,
+  STRIBECK_LEUVEN_ELEMENT_40_STIFFNESS_SHARE = 52686992,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_LEUVEN_ELEMENT_40_STRENGTH_SHARE = 131,
+  STRIBECK_LEUVEN_ELEMENT_40_STRENGTH_SHARE = 1556782842,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_LEUVEN_ELEMENT_40_FORCE = 132,
+  STRIBECK_LEUVEN_ELEMENT_40_FORCE = 1891458838,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_LEUVEN_ELEMENT_41_STIFFNESS_SHARE = 133,
+  STRIBECK_LEUVEN_ELEMENT_41_STIFFNESS_SHARE = 1162165081,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_LEUVEN_ELEMENT_41_STRENGTH_SHARE = 134,
+  STRIBECK_LEUVEN_ELEMENT_41_STRENGTH_SHARE = 1509414629,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_LEUVEN_ELEMENT_41_FORCE = 135,
+  STRIBECK_LEUVEN_ELEMENT_41_FORCE = 1243144671,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_LEUVEN_ELEMENT_42_STIFFNESS_SHARE = 136,
+  STRIBECK_LEUVEN_ELEMENT_42_STIFFNESS_SHARE = 1400402786,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_LEUVEN_ELEMENT_42_STRENGTH_SHARE = 137,
+  STRIBECK_LEUVEN_ELEMENT_42_STRENGTH_SHARE = 22490248,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_LEUVEN_ELEMENT_42_FORCE = 138,
+  STRIBECK_LEUVEN_ELEMENT_42_FORCE = 1795079932,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_LEUVEN_ELEMENT_43_STIFFNESS_SHARE = 139,
+  STRIBECK_LEUVEN_ELEMENT_43_STIFFNESS_SHARE = 1895032571,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_LEUVEN_ELEMENT_43_STRENGTH_SHARE = 140,
+  STRIBECK_LEUVEN_ELEMENT_43_STRENGTH_SHARE = 83189851,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_LEUVEN_ELEMENT_43_FORCE = 141,
+  STRIBECK_LEUVEN_ELEMENT_43_FORCE = 645614413,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_LEUVEN_ELEMENT_44_STIFFNESS_SHARE = 142,
+  STRIBECK_LEUVEN_ELEMENT_44_STIFFNESS_SHARE = 1630973148,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_LEUVEN_ELEMENT_44_STRENGTH_SHARE = 143,
+  STRIBECK_LEUVEN_ELEMENT_44_STRENGTH_SHARE = 790023294,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_LEUVEN_ELEMENT_44_FORCE = 144,
+  STRIBECK_LEUVEN_ELEMENT_44_FORCE = 302843362,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_LEUVEN_ELEMENT_45_STIFFNESS_SHARE = 145,
+  STRIBECK_LEUVEN_ELEMENT_45_STIFFNESS_SHARE = 2094640085,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_LEUVEN_ELEMENT_45_STRENGTH_SHARE = 146,
+  STRIBECK_LEUVEN_ELEMENT_45_STRENGTH_SHARE = 977411433,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_LEUVEN_ELEMENT_45_FORCE = 147,
+  STRIBECK_LEUVEN_ELEMENT_45_FORCE = 1505846187,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_LEUVEN_ELEMENT_46_STIFFNESS_SHARE = 148,
+  STRIBECK_LEUVEN_ELEMENT_46_STIFFNESS_SHARE = 1368471070,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_LEUVEN_ELEMENT_46_STRENGTH_SHARE = 149,
+  STRIBECK_LEUVEN_ELEMENT_46_STRENGTH_SHARE = 1537343404,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_LEUVEN_ELEMENT_46_FORCE = 150,
+  STRIBECK_LEUVEN_ELEMENT_46_FORCE = 832102632,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_LEUVEN_ELEMENT_47_STIFFNESS_SHARE = 151,
+  STRIBECK_LEUVEN_ELEMENT_47_STIFFNESS_SHARE = 1268459495,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_LEUVEN_ELEMENT_47_STRENGTH_SHARE = 152,
+  STRIBECK_LEUVEN_ELEMENT_47_STRENGTH_SHARE = 1802316735,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_LEUVEN_ELEMENT_47_FORCE = 153,
+  STRIBECK_LEUVEN_ELEMENT_47_FORCE = 214530521,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_LEUVEN_ELEMENT_48_STIFFNESS_SHARE = 154,
+  STRIBECK_LEUVEN_ELEMENT_48_STIFFNESS_SHARE = 962357688,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_LEUVEN_ELEMENT_48_STRENGTH_SHARE = 155,
+  STRIBECK_LEUVEN_ELEMENT_48_STRENGTH_SHARE = 551198226,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_LEUVEN_ELEMENT_48_FORCE = 156,
+  STRIBECK_LEUVEN_ELEMENT_48_FORCE = 1487246542,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_LEUVEN_ELEMENT_49_STIFFNESS_SHARE = 157,
+  STRIBECK_LEUVEN_ELEMENT_49_STIFFNESS_SHARE = 1693810849,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_LEUVEN_ELEMENT_49_STRENGTH_SHARE = 158,
+  STRIBECK_LEUVEN_ELEMENT_49_STRENGTH_SHARE = 1863738557,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_LEUVEN_ELEMENT_49_FORCE = 159,
+  STRIBECK_LEUVEN_ELEMENT_49_FORCE = 1661841975,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_LEUVEN_ELEMENT_50_STIFFNESS_SHARE = 160,
+  STRIBECK_LEUVEN_ELEMENT_50_STIFFNESS_SHARE = 858733547,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_LEUVEN_ELEMENT_50_STRENGTH_SHARE = 161,
+  STRIBECK_LEUVEN_ELEMENT_50_STRENGTH_SHARE = 1454051371,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_LEUVEN_ELEMENT_50_FORCE = 162,
+  STRIBECK_LEUVEN_ELEMENT_50_FORCE = 203243773,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_LEUVEN_ELEMENT_51_STIFFNESS_SHARE = 163,
+  STRIBECK_LEUVEN_ELEMENT_51_STIFFNESS_SHARE = 729255570,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_LEUVEN_ELEMENT_51_STRENGTH_SHARE = 164,
+  STRIBECK_LEUVEN_ELEMENT_51_STRENGTH_SHARE = 1369670296,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_LEUVEN_ELEMENT_51_FORCE = 165,
+  STRIBECK_LEUVEN_ELEMENT_51_FORCE = 1665163628,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_LEUVEN_ELEMENT_52_STIFFNESS_SHARE = 166,
+  STRIBECK_LEUVEN_ELEMENT_52_STIFFNESS_SHARE = 478314121,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_LEUVEN_ELEMENT_52_STRENGTH_SHARE = 167,
+  STRIBECK_LEUVEN_ELEMENT_52_STRENGTH_SHARE = 1175523701,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_LEUVEN_ELEMENT_52_FORCE = 168,
+  STRIBECK_LEUVEN_ELEMENT_52_FORCE = 750257615,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_LEUVEN_ELEMENT_53_STIFFNESS_SHARE = 169,
+  STRIBECK_LEUVEN_ELEMENT_53_STIFFNESS_SHARE = 249802176,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_LEUVEN_ELEMENT_53_STRENGTH_SHARE = 170,
+  STRIBECK_LEUVEN_ELEMENT_53_STRENGTH_SHARE = 1412119242,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_LEUVEN_ELEMENT_53_FORCE = 171,
+  STRIBECK_LEUVEN_ELEMENT_53_FORCE = 599051910,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_LEUVEN_ELEMENT_54_STIFFNESS_SHARE = 172,
+  STRIBECK_LEUVEN_ELEMENT_54_STIFFNESS_SHARE = 80424343,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_LEUVEN_ELEMENT_54_STRENGTH_SHARE = 173,
+  STRIBECK_LEUVEN_ELEMENT_54_STRENGTH_SHARE = 1301221135,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_LEUVEN_ELEMENT_54_FORCE = 174,
+  STRIBECK_LEUVEN_ELEMENT_54_FORCE = 837516361,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_LEUVEN_ELEMENT_55_STIFFNESS_SHARE = 175,
+  STRIBECK_LEUVEN_ELEMENT_55_STIFFNESS_SHARE = 782214158,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_LEUVEN_ELEMENT_55_STRENGTH_SHARE = 176,
+  STRIBECK_LEUVEN_ELEMENT_55_STRENGTH_SHARE = 2098940,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_LEUVEN_ELEMENT_55_FORCE = 177,
+  STRIBECK_LEUVEN_ELEMENT_55_FORCE = 1684639960,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_LEUVEN_ELEMENT_56_STIFFNESS_SHARE = 178,
+  STRIBECK_LEUVEN_ELEMENT_56_STIFFNESS_SHARE = 1642684485,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_LEUVEN_ELEMENT_56_STRENGTH_SHARE = 179,
+  STRIBECK_LEUVEN_ELEMENT_56_STRENGTH_SHARE = 1564337017,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_LEUVEN_ELEMENT_56_FORCE = 180,
+  STRIBECK_LEUVEN_ELEMENT_56_FORCE = 873888731,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_LEUVEN_ELEMENT_57_STIFFNESS_SHARE = 181,
+  STRIBECK_LEUVEN_ELEMENT_57_STIFFNESS_SHARE = 1394649868,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_LEUVEN_ELEMENT_57_STRENGTH_SHARE = 182,
+  STRIBECK_LEUVEN_ELEMENT_57_STRENGTH_SHARE = 143624462,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_LEUVEN_ELEMENT_57_FORCE = 183,
+  STRIBECK_LEUVEN_ELEMENT_57_FORCE = 172823890,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_LEUVEN_ELEMENT_58_STIFFNESS_SHARE = 184,
+  STRIBECK_LEUVEN_ELEMENT_58_STIFFNESS_SHARE = 101493395,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_LEUVEN_ELEMENT_58_STRENGTH_SHARE = 185,
+  STRIBECK_LEUVEN_ELEMENT_58_STRENGTH_SHARE = 1962539907,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_LEUVEN_ELEMENT_58_FORCE = 186,
+  STRIBECK_LEUVEN_ELEMENT_58_FORCE = 114358549,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_LEUVEN_ELEMENT_59_STIFFNESS_SHARE = 187,
+  STRIBECK_LEUVEN_ELEMENT_59_STIFFNESS_SHARE = 234895322,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_LEUVEN_ELEMENT_59_STRENGTH_SHARE = 188,
+  STRIBECK_LEUVEN_ELEMENT_59_STRENGTH_SHARE = 1234062608,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_LEUVEN_ELEMENT_59_FORCE = 189,
+  STRIBECK_LEUVEN_ELEMENT_59_FORCE = 1362131492,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_LEUVEN_ELEMENT_60_STIFFNESS_SHARE = 190,
+  STRIBECK_LEUVEN_ELEMENT_60_STIFFNESS_SHARE = 1306091582,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_LEUVEN_ELEMENT_60_STRENGTH_SHARE = 191,
+  STRIBECK_LEUVEN_ELEMENT_60_STRENGTH_SHARE = 1993267020,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_LEUVEN_ELEMENT_60_FORCE = 192,
+  STRIBECK_LEUVEN_ELEMENT_60_FORCE = 2000504648,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_LEUVEN_ELEMENT_61_STIFFNESS_SHARE = 193,
+  STRIBECK_LEUVEN_ELEMENT_61_STIFFNESS_SHARE = 1830921223,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_LEUVEN_ELEMENT_61_STRENGTH_SHARE = 194,
+  STRIBECK_LEUVEN_ELEMENT_61_STRENGTH_SHARE = 949193311,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_LEUVEN_ELEMENT_61_FORCE = 195,
+  STRIBECK_LEUVEN_ELEMENT_61_FORCE = 1622568249,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_LEUVEN_ELEMENT_62_STIFFNESS_SHARE = 196,
+  STRIBECK_LEUVEN_ELEMENT_62_STIFFNESS_SHARE = 544926460,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_LEUVEN_ELEMENT_62_STRENGTH_SHARE = 197,
+  STRIBECK_LEUVEN_ELEMENT_62_STRENGTH_SHARE = 1321062046,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_LEUVEN_ELEMENT_62_FORCE = 198,
+  STRIBECK_LEUVEN_ELEMENT_62_FORCE = 954080834,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_LEUVEN_ELEMENT_63_STIFFNESS_SHARE = 199,
+  STRIBECK_LEUVEN_ELEMENT_63_STIFFNESS_SHARE = 1751068149,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_LEUVEN_ELEMENT_63_STRENGTH_SHARE = 200,
+  STRIBECK_LEUVEN_ELEMENT_63_STRENGTH_SHARE = 1706177161,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_LEUVEN_ELEMENT_63_FORCE = 201,
+  STRIBECK_LEUVEN_ELEMENT_63_FORCE = 1435926411,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_LEUVEN_ELEMENT_64_STIFFNESS_SHARE = 202,
+  STRIBECK_LEUVEN_ELEMENT_64_STIFFNESS_SHARE = 887313282,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_LEUVEN_ELEMENT_64_STRENGTH_SHARE = 203,
+  STRIBECK_LEUVEN_ELEMENT_64_STRENGTH_SHARE = 655092008,
   /** state [N]: Force of the element. (default 0) */
-  STRIBECK_LEUVEN_ELEMENT_64_FORCE = 204,
+  STRIBECK_LEUVEN_ELEMENT_64_FORCE = 266751068,
   /** state [m]: Mean elastic deflection of the bristles. (default 0) */
-  STRIBECK_LEUVEN_BRISTLE_DEFLECTION = 205,
+  STRIBECK_LEUVEN_BRISTLE_DEFLECTION = 767148150,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
-  STRIBECK_LEUVEN_DISSIPATED_ENERGY = 206,
+  STRIBECK_LEUVEN_DISSIPATED_ENERGY = 758404530,
   /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
-  STRIBECK_LEUVEN_FRICTION_FORCE = 207,
+  STRIBECK_LEUVEN_FRICTION_FORCE = 1713976319,
   /** out [W]: Power taken out of the motion: friction force times velocity. */
-  STRIBECK_LEUVEN_DISSIPATED_POWER = 208,
+  STRIBECK_LEUVEN_DISSIPATED_POWER = 236926875,
   /** out [Boolean]: Is the contact sticking? */
-  STRIBECK_LEUVEN_STICKING = 209,
+  STRIBECK_LEUVEN_STICKING = 553311409,
 } stribeck_leuven_variable;
 
 /** Guid of Gonthier for fmi2Instantiate. */
 #define STRIBECK_GONTHIER_GUID "{42fa2fc2-775c-cded-96c6-6470d75d4139}"
 
-/** Gonthier: Bristle friction with dwell time (Gonthier). Columns of "Gonthier". */
+/** Gonthier: Bristle friction with dwell time (Gonthier). Variables of "Gonthier". */
 typedef enum stribeck_gonthier_variable {
   /** in [m/s]: Sliding velocity of body 1 relative to body 2. (default 0) */
-  STRIBECK_GONTHIER_VELOCITY = 0,
+  STRIBECK_GONTHIER_VELOCITY = 846470194,
   /** in [N]: Normal force that presses the surfaces together. (>= 0, default 9.81) */
-  STRIBECK_GONTHIER_NORMAL_FORCE = 1,
+  STRIBECK_GONTHIER_NORMAL_FORCE = 5891938,
   /** tunable [1]: Kinetic coefficient of friction. (>= 0, default 0.1) */
-  STRIBECK_GONTHIER_MU_K = 2,
+  STRIBECK_GONTHIER_MU_K = 1281456745,
   /** tunable [1]: Static coefficient of friction; not less than mu_k. (>= 0, default 0.15) */
-  STRIBECK_GONTHIER_MU_S = 3,
+  STRIBECK_GONTHIER_MU_S = 1147235793,
   /** tunable [m/s]: Speed at which the excess of static over kinetic friction has fallen to 1/e, or to 1/2 where the curve is a fraction (Armstrong, HessSoom, PoppStelter).
    *  (> 0, default 0.001) */
-  STRIBECK_GONTHIER_STRIBECK_VELOCITY = 4,
+  STRIBECK_GONTHIER_STRIBECK_VELOCITY = 2117263402,
   /** tunable [m/s]: Velocity that sets the width of the regularised band around rest. (> 0, default 1e-5) */
-  STRIBECK_GONTHIER_TRANSITION_VELOCITY = 5,
+  STRIBECK_GONTHIER_TRANSITION_VELOCITY = 1009615136,
   /** tunable [N/m]: Stiffness of the bristles. (> 0, default 100000) */
-  STRIBECK_GONTHIER_SIGMA_0 = 6,
+  STRIBECK_GONTHIER_SIGMA_0 = 206242323,
   /** tunable [N.s/m]: Damping of the bristles. (> 0, default 316.22776601683796) */
-  STRIBECK_GONTHIER_SIGMA_1 = 7,
+  STRIBECK_GONTHIER_SIGMA_1 = 189464704,
   /** tunable [N.s/m]: Viscous friction coefficient. (>= 0, default 0.1) */
-  STRIBECK_GONTHIER_VISCOUS_COEFFICIENT = 8,
+  STRIBECK_GONTHIER_VISCOUS_COEFFICIENT = 97539077,
   /** tunable [s]: Time constant with which the static level rises at rest. (> 0, default 2) */
-  STRIBECK_GONTHIER_DWELL_TIME_CONSTANT = 9,
+  STRIBECK_GONTHIER_DWELL_TIME_CONSTANT = 88383486,
   /** state [m]: Mean elastic deflection of the bristles. (default 0) */
-  STRIBECK_GONTHIER_BRISTLE_DEFLECTION = 10,
+  STRIBECK_GONTHIER_BRISTLE_DEFLECTION = 767148150,
   /** state [1]: Memory of the time at rest: 0 after sliding, 1 after a long rest. (>= 0, <= 1, default 0) */
-  STRIBECK_GONTHIER_DWELL = 11,
+  STRIBECK_GONTHIER_DWELL = 313856875,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
-  STRIBECK_GONTHIER_DISSIPATED_ENERGY = 12,
+  STRIBECK_GONTHIER_DISSIPATED_ENERGY = 758404530,
   /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
-  STRIBECK_GONTHIER_FRICTION_FORCE = 13,
+  STRIBECK_GONTHIER_FRICTION_FORCE = 1713976319,
   /** out [W]: Power taken out of the motion: friction force times velocity. */
-  STRIBECK_GONTHIER_DISSIPATED_POWER = 14,
+  STRIBECK_GONTHIER_DISSIPATED_POWER = 236926875,
   /** out [Boolean]: Is the contact sticking? */
-  STRIBECK_GONTHIER_STICKING = 15,
+  STRIBECK_GONTHIER_STICKING = 553311409,
 } stribeck_gonthier_variable;
 
 /** Guid of Liang for fmi2Instantiate. */
 #define STRIBECK_LIANG_GUID "{a8a88c6c-69e0-5d83-f43c-264b3bc7ce95}"
 
-/** Liang: Bristle friction in space (Liang). Columns of "Liang". */
+/** Liang: Bristle friction in space (Liang). Variables of "Liang". */
 typedef enum stribeck_liang_variable {
   /** in [m/s]: Velocity of body 1 relative to body 2, component x. (default 0) */
-  STRIBECK_LIANG_VELOCITY_X = 0,
+  STRIBECK_LIANG_VELOCITY_X = 1174807869,
   /** in [m/s]: Velocity of body 1 relative to body 2, component y. (default 0) */
-  STRIBECK_LIANG_VELOCITY_Y = 1,
+  STRIBECK_LIANG_VELOCITY_Y = 1158030250,
   /** in [m/s]: Velocity of body 1 relative to body 2, component z. (default 0) */
-  STRIBECK_LIANG_VELOCITY_Z = 2,
+  STRIBECK_LIANG_VELOCITY_Z = 1141252631,
   /** in [1]: Normal of the contact, component x; the length does not matter. (default 0) */
-  STRIBECK_LIANG_NORMAL_X = 3,
+  STRIBECK_LIANG_NORMAL_X = 1438289821,
   /** in [1]: Normal of the contact, component y; the length does not matter. (default 0) */
-  STRIBECK_LIANG_NORMAL_Y = 4,
+  STRIBECK_LIANG_NORMAL_Y = 1421512202,
   /** in [1]: Normal of the contact, component z; the length does not matter. (default 1) */
-  STRIBECK_LIANG_NORMAL_Z = 5,
+  STRIBECK_LIANG_NORMAL_Z = 1404734583,
   /** in [N]: Normal force that presses the surfaces together. (>= 0, default 9.81) */
-  STRIBECK_LIANG_NORMAL_FORCE = 6,
+  STRIBECK_LIANG_NORMAL_FORCE = 5891938,
   /** tunable [1]: Kinetic coefficient of friction. (>= 0, default 0.1) */
-  STRIBECK_LIANG_MU_K = 7,
+  STRIBECK_LIANG_MU_K = 1281456745,
   /** tunable [1]: Static coefficient of friction; not less than mu_k. (>= 0, default 0.15) */
-  STRIBECK_LIANG_MU_S = 8,
+  STRIBECK_LIANG_MU_S = 1147235793,
   /** tunable [m/s]: Velocity that sets the width of the regularised band around rest. (> 0, default 0.001) */
-  STRIBECK_LIANG_TRANSITION_VELOCITY = 9,
+  STRIBECK_LIANG_TRANSITION_VELOCITY = 1009615136,
   /** tunable [N/m]: Stiffness of the bristles. (> 0, default 100000) */
-  STRIBECK_LIANG_SIGMA_0 = 10,
+  STRIBECK_LIANG_SIGMA_0 = 206242323,
   /** tunable [N.s/m]: Damping of the bristles. (>= 0, default 316.22776601683796) */
-  STRIBECK_LIANG_SIGMA_1 = 11,
+  STRIBECK_LIANG_SIGMA_1 = 189464704,
   /** fixed [stribeck_liang_variant]: Variant of the law. (default RadialReturn) */
-  STRIBECK_LIANG_VARIANT = 12,
+  STRIBECK_LIANG_VARIANT = 1125473670,
   /** state [m]: Elastic deflection of the bristles, component x. (default 0) */
-  STRIBECK_LIANG_BRISTLE_DEFLECTION_X = 13,
+  STRIBECK_LIANG_BRISTLE_DEFLECTION_X = 1159069321,
   /** state [m]: Elastic deflection of the bristles, component y. (default 0) */
-  STRIBECK_LIANG_BRISTLE_DEFLECTION_Y = 14,
+  STRIBECK_LIANG_BRISTLE_DEFLECTION_Y = 1142291702,
   /** state [m]: Elastic deflection of the bristles, component z. (default 0) */
-  STRIBECK_LIANG_BRISTLE_DEFLECTION_Z = 15,
+  STRIBECK_LIANG_BRISTLE_DEFLECTION_Z = 1125514083,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
-  STRIBECK_LIANG_DISSIPATED_ENERGY = 16,
+  STRIBECK_LIANG_DISSIPATED_ENERGY = 758404530,
   /** out [N]: Friction force, component x; has the direction of the velocity when sliding. Body 1 feels its negative. */
-  STRIBECK_LIANG_FRICTION_FORCE_X = 17,
+  STRIBECK_LIANG_FRICTION_FORCE_X = 1757412168,
   /** out [N]: Friction force, component y; has the direction of the velocity when sliding. Body 1 feels its negative. */
-  STRIBECK_LIANG_FRICTION_FORCE_Y = 18,
+  STRIBECK_LIANG_FRICTION_FORCE_Y = 1774189787,
   /** out [N]: Friction force, component z; has the direction of the velocity when sliding. Body 1 feels its negative. */
-  STRIBECK_LIANG_FRICTION_FORCE_Z = 19,
+  STRIBECK_LIANG_FRICTION_FORCE_Z = 1790967406,
   /** out [W]: Power taken out of the motion: friction force times velocity. */
-  STRIBECK_LIANG_DISSIPATED_POWER = 20,
+  STRIBECK_LIANG_DISSIPATED_POWER = 236926875,
   /** out [Boolean]: Is the contact sticking? */
-  STRIBECK_LIANG_STICKING = 21,
+  STRIBECK_LIANG_STICKING = 553311409,
 } stribeck_liang_variable;
 
 /** Guid of LuGrePlanar for fmi2Instantiate. */
 #define STRIBECK_LUGRE_PLANAR_GUID "{665ef91d-b628-8f64-4c98-d8d6b5ac8ad4}"
 
-/** LuGrePlanar: Bristle friction with Stribeck effect in a plane (LuGre). Columns of "LuGrePlanar". */
+/** LuGrePlanar: Bristle friction with Stribeck effect in a plane (LuGre). Variables of "LuGrePlanar". */
 typedef enum stribeck_lugre_planar_variable {
   /** in [m/s]: Velocity of body 1 relative to body 2, component x. (default 0) */
-  STRIBECK_LUGRE_PLANAR_VELOCITY_X = 0,
+  STRIBECK_LUGRE_PLANAR_VELOCITY_X = 1174807869,
   /** in [m/s]: Velocity of body 1 relative to body 2, component y. (default 0) */
-  STRIBECK_LUGRE_PLANAR_VELOCITY_Y = 1,
+  STRIBECK_LUGRE_PLANAR_VELOCITY_Y = 1158030250,
   /** in [N]: Normal force that presses the surfaces together. (>= 0, default 9.81) */
-  STRIBECK_LUGRE_PLANAR_NORMAL_FORCE = 2,
+  STRIBECK_LUGRE_PLANAR_NORMAL_FORCE = 5891938,
   /** tunable [1]: Kinetic coefficient of friction. (>= 0, default 0.1) */
-  STRIBECK_LUGRE_PLANAR_MU_K = 3,
+  STRIBECK_LUGRE_PLANAR_MU_K = 1281456745,
   /** tunable [1]: Static coefficient of friction; not less than mu_k. (>= 0, default 0.15) */
-  STRIBECK_LUGRE_PLANAR_MU_S = 4,
+  STRIBECK_LUGRE_PLANAR_MU_S = 1147235793,
   /** tunable [m/s]: Speed at which the excess of static over kinetic friction has fallen to 1/e, or to 1/2 where the curve is a fraction (Armstrong, HessSoom, PoppStelter).
    *  (> 0, default 0.001) */
-  STRIBECK_LUGRE_PLANAR_STRIBECK_VELOCITY = 5,
+  STRIBECK_LUGRE_PLANAR_STRIBECK_VELOCITY = 2117263402,
   /** tunable [1]: Exponent of the Stribeck curve. (> 0, default 2) */
-  STRIBECK_LUGRE_PLANAR_STRIBECK_EXPONENT = 6,
+  STRIBECK_LUGRE_PLANAR_STRIBECK_EXPONENT = 509292062,
   /** tunable [N/m]: Stiffness of the bristles. (> 0, default 100000) */
-  STRIBECK_LUGRE_PLANAR_SIGMA_0 = 7,
+  STRIBECK_LUGRE_PLANAR_SIGMA_0 = 206242323,
   /** tunable [N.s/m]: Damping of the bristles. (>= 0, default 316.22776601683796) */
-  STRIBECK_LUGRE_PLANAR_SIGMA_1 = 8,
+  STRIBECK_LUGRE_PLANAR_SIGMA_1 = 189464704,
   /** tunable [N.s/m]: Viscous friction coefficient. (>= 0, default 0.1) */
-  STRIBECK_LUGRE_PLANAR_VISCOUS_COEFFICIENT = 9,
+  STRIBECK_LUGRE_PLANAR_VISCOUS_COEFFICIENT = 97539077,
   /** tunable [m/s]: Speed at which the damping of the bristles fades; 0 = constant damping. (>= 0, default 0) */
-  STRIBECK_LUGRE_PLANAR_DAMPING_VELOCITY = 10,
+  STRIBECK_LUGRE_PLANAR_DAMPING_VELOCITY = 626846797,
   /** state [m]: Elastic deflection of the bristles, component x. (default 0) */
-  STRIBECK_LUGRE_PLANAR_BRISTLE_DEFLECTION_X = 11,
+  STRIBECK_LUGRE_PLANAR_BRISTLE_DEFLECTION_X = 1159069321,
   /** state [m]: Elastic deflection of the bristles, component y. (default 0) */
-  STRIBECK_LUGRE_PLANAR_BRISTLE_DEFLECTION_Y = 12,
+  STRIBECK_LUGRE_PLANAR_BRISTLE_DEFLECTION_Y = 1142291702,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
-  STRIBECK_LUGRE_PLANAR_DISSIPATED_ENERGY = 13,
+  STRIBECK_LUGRE_PLANAR_DISSIPATED_ENERGY = 758404530,
   /** out [N]: Friction force, component x; has the direction of the velocity when sliding. Body 1 feels its negative. */
-  STRIBECK_LUGRE_PLANAR_FRICTION_FORCE_X = 14,
+  STRIBECK_LUGRE_PLANAR_FRICTION_FORCE_X = 1757412168,
   /** out [N]: Friction force, component y; has the direction of the velocity when sliding. Body 1 feels its negative. */
-  STRIBECK_LUGRE_PLANAR_FRICTION_FORCE_Y = 15,
+  STRIBECK_LUGRE_PLANAR_FRICTION_FORCE_Y = 1774189787,
   /** out [W]: Power taken out of the motion: friction force times velocity. */
-  STRIBECK_LUGRE_PLANAR_DISSIPATED_POWER = 16,
+  STRIBECK_LUGRE_PLANAR_DISSIPATED_POWER = 236926875,
   /** out [Boolean]: Is the contact sticking? */
-  STRIBECK_LUGRE_PLANAR_STICKING = 17,
+  STRIBECK_LUGRE_PLANAR_STICKING = 553311409,
 } stribeck_lugre_planar_variable;
 
 /** Guid of ElastoPlasticPlanar for fmi2Instantiate. */
 #define STRIBECK_ELASTO_PLASTIC_PLANAR_GUID "{e9f5ed33-430e-0fb4-5efd-07a8506903de}"
 
-/** ElastoPlasticPlanar: Bristle friction without drift below breakaway, in a plane (elasto-plastic). Columns of "ElastoPlasticPlanar". */
+/** ElastoPlasticPlanar: Bristle friction without drift below breakaway, in a plane (elasto-plastic). Variables of "ElastoPlasticPlanar". */
 typedef enum stribeck_elasto_plastic_planar_variable {
   /** in [m/s]: Velocity of body 1 relative to body 2, component x. (default 0) */
-  STRIBECK_ELASTO_PLASTIC_PLANAR_VELOCITY_X = 0,
+  STRIBECK_ELASTO_PLASTIC_PLANAR_VELOCITY_X = 1174807869,
   /** in [m/s]: Velocity of body 1 relative to body 2, component y. (default 0) */
-  STRIBECK_ELASTO_PLASTIC_PLANAR_VELOCITY_Y = 1,
+  STRIBECK_ELASTO_PLASTIC_PLANAR_VELOCITY_Y = 1158030250,
   /** in [N]: Normal force that presses the surfaces together. (>= 0, default 9.81) */
-  STRIBECK_ELASTO_PLASTIC_PLANAR_NORMAL_FORCE = 2,
+  STRIBECK_ELASTO_PLASTIC_PLANAR_NORMAL_FORCE = 5891938,
   /** tunable [1]: Kinetic coefficient of friction. (>= 0, default 0.1) */
-  STRIBECK_ELASTO_PLASTIC_PLANAR_MU_K = 3,
+  STRIBECK_ELASTO_PLASTIC_PLANAR_MU_K = 1281456745,
   /** tunable [1]: Static coefficient of friction; not less than mu_k. (>= 0, default 0.15) */
-  STRIBECK_ELASTO_PLASTIC_PLANAR_MU_S = 4,
+  STRIBECK_ELASTO_PLASTIC_PLANAR_MU_S = 1147235793,
   /** tunable [m/s]: Speed at which the excess of static over kinetic friction has fallen to 1/e, or to 1/2 where the curve is a fraction (Armstrong, HessSoom, PoppStelter).
    *  (> 0, default 0.001) */
-  STRIBECK_ELASTO_PLASTIC_PLANAR_STRIBECK_VELOCITY = 5,
+  STRIBECK_ELASTO_PLASTIC_PLANAR_STRIBECK_VELOCITY = 2117263402,
   /** tunable [1]: Exponent of the Stribeck curve. (> 0, default 2) */
-  STRIBECK_ELASTO_PLASTIC_PLANAR_STRIBECK_EXPONENT = 6,
+  STRIBECK_ELASTO_PLASTIC_PLANAR_STRIBECK_EXPONENT = 509292062,
   /** tunable [1]: Part of the deflection of steady sliding up to which the contact is purely elastic.
    *  (> 0, <= 0.99, default 0.7) */
-  STRIBECK_ELASTO_PLASTIC_PLANAR_BREAKAWAY_RATIO = 7,
+  STRIBECK_ELASTO_PLASTIC_PLANAR_BREAKAWAY_RATIO = 1487030850,
   /** tunable [N/m]: Stiffness of the bristles. (> 0, default 100000) */
-  STRIBECK_ELASTO_PLASTIC_PLANAR_SIGMA_0 = 8,
+  STRIBECK_ELASTO_PLASTIC_PLANAR_SIGMA_0 = 206242323,
   /** tunable [N.s/m]: Damping of the bristles. (>= 0, default 316.22776601683796) */
-  STRIBECK_ELASTO_PLASTIC_PLANAR_SIGMA_1 = 9,
+  STRIBECK_ELASTO_PLASTIC_PLANAR_SIGMA_1 = 189464704,
   /** tunable [N.s/m]: Viscous friction coefficient. (>= 0, default 0.1) */
-  STRIBECK_ELASTO_PLASTIC_PLANAR_VISCOUS_COEFFICIENT = 10,
+  STRIBECK_ELASTO_PLASTIC_PLANAR_VISCOUS_COEFFICIENT = 97539077,
   /** tunable [m/s]: Speed at which the damping of the bristles fades; 0 = constant damping. (>= 0, default 0) */
-  STRIBECK_ELASTO_PLASTIC_PLANAR_DAMPING_VELOCITY = 11,
+  STRIBECK_ELASTO_PLASTIC_PLANAR_DAMPING_VELOCITY = 626846797,
   /** state [m]: Elastic deflection of the bristles, component x. (default 0) */
-  STRIBECK_ELASTO_PLASTIC_PLANAR_BRISTLE_DEFLECTION_X = 12,
+  STRIBECK_ELASTO_PLASTIC_PLANAR_BRISTLE_DEFLECTION_X = 1159069321,
   /** state [m]: Elastic deflection of the bristles, component y. (default 0) */
-  STRIBECK_ELASTO_PLASTIC_PLANAR_BRISTLE_DEFLECTION_Y = 13,
+  STRIBECK_ELASTO_PLASTIC_PLANAR_BRISTLE_DEFLECTION_Y = 1142291702,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
-  STRIBECK_ELASTO_PLASTIC_PLANAR_DISSIPATED_ENERGY = 14,
+  STRIBECK_ELASTO_PLASTIC_PLANAR_DISSIPATED_ENERGY = 758404530,
   /** out [N]: Friction force, component x; has the direction of the velocity when sliding. Body 1 feels its negative. */
-  STRIBECK_ELASTO_PLASTIC_PLANAR_FRICTION_FORCE_X = 15,
+  STRIBECK_ELASTO_PLASTIC_PLANAR_FRICTION_FORCE_X = 1757412168,
   /** out [N]: Friction force, component y; has the direction of the velocity when sliding. Body 1 feels its negative. */
-  STRIBECK_ELASTO_PLASTIC_PLANAR_FRICTION_FORCE_Y = 16,
+  STRIBECK_ELASTO_PLASTIC_PLANAR_FRICTION_FORCE_Y = 1774189787,
   /** out [W]: Power taken out of the motion: friction force times velocity. */
-  STRIBECK_ELASTO_PLASTIC_PLANAR_DISSIPATED_POWER = 17,
+  STRIBECK_ELASTO_PLASTIC_PLANAR_DISSIPATED_POWER = 236926875,
   /** out [Boolean]: Is the contact sticking? */
-  STRIBECK_ELASTO_PLASTIC_PLANAR_STICKING = 18,
+  STRIBECK_ELASTO_PLASTIC_PLANAR_STICKING = 553311409,
 } stribeck_elasto_plastic_planar_variable;
 
 /** Guid of ShockAbsorber for fmi2Instantiate. */
 #define STRIBECK_SHOCK_ABSORBER_GUID "{b8b67bdc-0cb7-0992-180b-49e1f88da5c0}"
 
-/** ShockAbsorber: Telescopic shock absorber with friction from its side load. Columns of "ShockAbsorber". */
+/** ShockAbsorber: Telescopic shock absorber with friction from its side load. Variables of "ShockAbsorber". */
 typedef enum stribeck_shock_absorber_variable {
   /** in [m]: Distance of the eyes, or travel of the host: see adapter. (default 0.1775) */
-  STRIBECK_SHOCK_ABSORBER_LENGTH = 0,
+  STRIBECK_SHOCK_ABSORBER_LENGTH = 63976981,
   /** in [m/s]: Time derivative of the length; positive in extension. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_VELOCITY = 1,
+  STRIBECK_SHOCK_ABSORBER_VELOCITY = 846470194,
   /** in [N]: Transverse force of the tube on the rod along m, at the eye of the tube; or lambda_1. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_SIDE_FORCE_M = 2,
+  STRIBECK_SHOCK_ABSORBER_SIDE_FORCE_M = 1541469338,
   /** in [N]: Transverse force of the tube on the rod along n, at the eye of the tube; or lambda_2. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_SIDE_FORCE_N = 3,
+  STRIBECK_SHOCK_ABSORBER_SIDE_FORCE_N = 1524691719,
   /** in [N.m]: Moment of the tube on the rod about m, at the eye of the tube; or lambda_3. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_SIDE_MOMENT_M = 4,
+  STRIBECK_SHOCK_ABSORBER_SIDE_MOMENT_M = 1100257835,
   /** in [N.m]: Moment of the tube on the rod about n, at the eye of the tube; or lambda_4. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_SIDE_MOMENT_N = 5,
+  STRIBECK_SHOCK_ABSORBER_SIDE_MOMENT_N = 1117035454,
   /** in [rad/s]: Spin of the rod relative to the tube, about the axis from tube to rod. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_SPIN_RATE = 6,
+  STRIBECK_SHOCK_ABSORBER_SPIN_RATE = 49729312,
   /** in [N]: All other forces along the strut, positive in extension; only for laws that hold a load at rest.
    *  (default 0) */
-  STRIBECK_SHOCK_ABSORBER_EXTERNAL_FORCE = 7,
+  STRIBECK_SHOCK_ABSORBER_EXTERNAL_FORCE = 1336490458,
   /** in [m/s2]: Time derivative of the velocity; for num.input_mode = Linear and for laws that use it. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_ACCELERATION = 8,
+  STRIBECK_SHOCK_ABSORBER_ACCELERATION = 799062685,
   /** in [K]: Ambient temperature; used if thermal.enabled is true. (>= 0, default 293.15) */
-  STRIBECK_SHOCK_ABSORBER_TEMPERATURE_AMBIENT = 9,
+  STRIBECK_SHOCK_ABSORBER_TEMPERATURE_AMBIENT = 1378166418,
   /** fixed [m]: Distance of the eyes at full extension (default chosen). (> 0, default 0.2) */
-  STRIBECK_SHOCK_ABSORBER_GEOM_LENGTH_EXTENDED = 10,
+  STRIBECK_SHOCK_ABSORBER_GEOM_LENGTH_EXTENDED = 1634510775,
   /** fixed [m]: Stroke from full extension to full compression. (> 0, default 0.055) */
-  STRIBECK_SHOCK_ABSORBER_GEOM_STROKE = 11,
+  STRIBECK_SHOCK_ABSORBER_GEOM_STROKE = 693420161,
   /** fixed [Boolean]: Are d_i and d_j derived from length_extended and stroke? (default false) */
-  STRIBECK_SHOCK_ABSORBER_GEOM_GUIDANCE_DERIVED = 12,
+  STRIBECK_SHOCK_ABSORBER_GEOM_GUIDANCE_DERIVED = 846575701,
   /** fixed [m]: Distance from the eye of the tube to the rod guide (default chosen). (> 0, default 0.125) */
-  STRIBECK_SHOCK_ABSORBER_GEOM_D_I = 13,
+  STRIBECK_SHOCK_ABSORBER_GEOM_D_I = 203271619,
   /** fixed [m]: Distance from the eye of the rod to the piston (default chosen). (> 0, default 0.105) */
-  STRIBECK_SHOCK_ABSORBER_GEOM_D_J = 14,
+  STRIBECK_SHOCK_ABSORBER_GEOM_D_J = 220049238,
   /** fixed [m]: Overlap below which the contact forces are kept finite (default chosen). (>= 0, default 0.002) */
-  STRIBECK_SHOCK_ABSORBER_GEOM_H_REG = 15,
+  STRIBECK_SHOCK_ABSORBER_GEOM_H_REG = 606834118,
   /** fixed [m]: Radius of the rod, at the rod guide (default chosen). (>= 0, default 0.007) */
-  STRIBECK_SHOCK_ABSORBER_GEOM_R_1 = 16,
+  STRIBECK_SHOCK_ABSORBER_GEOM_R_1 = 1046876817,
   /** fixed [m]: Radius of the piston (default chosen). (>= 0, default 0.0125) */
-  STRIBECK_SHOCK_ABSORBER_GEOM_R_2 = 17,
+  STRIBECK_SHOCK_ABSORBER_GEOM_R_2 = 996543960,
   /** fixed [Boolean]: Is there a spring? (default true) */
-  STRIBECK_SHOCK_ABSORBER_SPRING_ENABLED = 18,
+  STRIBECK_SHOCK_ABSORBER_SPRING_ENABLED = 602440755,
   /** fixed [stribeck_spring_mode]: Form of the spring's characteristic. (default Linear) */
-  STRIBECK_SHOCK_ABSORBER_SPRING_MODE = 19,
+  STRIBECK_SHOCK_ABSORBER_SPRING_MODE = 354240045,
   /** tunable [N/m]: Stiffness. (>= 0, default 45000) */
-  STRIBECK_SHOCK_ABSORBER_SPRING_K = 20,
+  STRIBECK_SHOCK_ABSORBER_SPRING_K = 1239346679,
   /** tunable [N]: Force at full extension (default chosen). (default 150) */
-  STRIBECK_SHOCK_ABSORBER_SPRING_PRELOAD = 21,
+  STRIBECK_SHOCK_ABSORBER_SPRING_PRELOAD = 693664647,
   /** fixed [Integer]: Number of points of the table in use (default chosen). (>= 2, <= 16, default 3) */
-  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_N = 22,
+  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_N = 173096048,
   /** tunable [m]: Compressions of the table, ascending (default chosen). (default 0) */
-  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_1 = 23,
+  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_1 = 1626994985,
   /** tunable [m]: Compressions of the table, ascending (default chosen). (default 0.03) */
-  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_2 = 24,
+  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_2 = 553028690,
   /** tunable [m]: Compressions of the table, ascending (default chosen). (default 0.055) */
-  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_3 = 25,
+  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_3 = 485771119,
   /** tunable [m]: Compressions of the table, ascending (default chosen). (default 0) */
-  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_4 = 26,
+  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_4 = 486903952,
   /** tunable [m]: Compressions of the table, ascending (default chosen). (default 0) */
-  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_5 = 27,
+  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_5 = 1627583365,
   /** tunable [m]: Compressions of the table, ascending (default chosen). (default 0) */
-  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_6 = 28,
+  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_6 = 1627436270,
   /** tunable [m]: Compressions of the table, ascending (default chosen). (default 0) */
-  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_7 = 29,
+  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_7 = 486462667,
   /** tunable [m]: Compressions of the table, ascending (default chosen). (default 0) */
-  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_8 = 30,
+  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_8 = 1558751676,
   /** tunable [m]: Compressions of the table, ascending (default chosen). (default 0) */
-  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_9 = 31,
+  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_9 = 551895857,
   /** tunable [m]: Compressions of the table, ascending (default chosen). (default 0) */
-  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_10 = 32,
+  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_10 = 1632597957,
   /** tunable [m]: Compressions of the table, ascending (default chosen). (default 0) */
-  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_11 = 33,
+  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_11 = 491918544,
   /** tunable [m]: Compressions of the table, ascending (default chosen). (default 0) */
-  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_12 = 34,
+  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_12 = 491374091,
   /** tunable [m]: Compressions of the table, ascending (default chosen). (default 0) */
-  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_13 = 35,
+  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_13 = 1632450862,
   /** tunable [m]: Compressions of the table, ascending (default chosen). (default 0) */
-  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_14 = 36,
+  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_14 = 1631906409,
   /** tunable [m]: Compressions of the table, ascending (default chosen). (default 0) */
-  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_15 = 37,
+  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_15 = 491226996,
   /** tunable [m]: Compressions of the table, ascending (default chosen). (default 0) */
-  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_16 = 38,
+  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_X_16 = 490785711,
   /** tunable [N]: Forces of the table, without preload (default chosen). (default 0) */
-  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_F_1 = 39,
+  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_F_1 = 1971131151,
   /** tunable [N]: Forces of the table, without preload (default chosen). (default 1350) */
-  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_F_2 = 40,
+  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_F_2 = 1971675604,
   /** tunable [N]: Forces of the table, without preload (default chosen). (default 2850) */
-  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_F_3 = 41,
+  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_F_3 = 964819785,
   /** tunable [N]: Forces of the table, without preload (default chosen). (default 0) */
-  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_F_4 = 42,
+  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_F_4 = 965364238,
   /** tunable [N]: Forces of the table, without preload (default chosen). (default 0) */
-  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_F_5 = 43,
+  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_F_5 = 1971822699,
   /** tunable [N]: Forces of the table, without preload (default chosen). (default 0) */
-  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_F_6 = 44,
+  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_F_6 = 1972263984,
   /** tunable [N]: Forces of the table, without preload (default chosen). (default 0) */
-  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_F_7 = 45,
+  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_F_7 = 965511333,
   /** tunable [N]: Forces of the table, without preload (default chosen). (default 0) */
-  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_F_8 = 46,
+  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_F_8 = 2037108794,
   /** tunable [N]: Forces of the table, without preload (default chosen). (default 0) */
-  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_F_9 = 47,
+  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_F_9 = 896135191,
   /** tunable [N]: Forces of the table, without preload (default chosen). (default 0) */
-  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_F_10 = 48,
+  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_F_10 = 47843055,
   /** tunable [N]: Forces of the table, without preload (default chosen). (default 0) */
-  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_F_11 = 49,
+  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_F_11 = 115100626,
   /** tunable [N]: Forces of the table, without preload (default chosen). (default 0) */
-  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_F_12 = 50,
+  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_F_12 = 1189066921,
   /** tunable [N]: Forces of the table, without preload (default chosen). (default 0) */
-  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_F_13 = 51,
+  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_F_13 = 48387508,
   /** tunable [N]: Forces of the table, without preload (default chosen). (default 0) */
-  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_F_14 = 52,
+  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_F_14 = 48534603,
   /** tunable [N]: Forces of the table, without preload (default chosen). (default 0) */
-  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_F_15 = 53,
+  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_F_15 = 1189508206,
   /** tunable [N]: Forces of the table, without preload (default chosen). (default 0) */
-  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_F_16 = 54,
+  STRIBECK_SHOCK_ABSORBER_SPRING_TAB_F_16 = 1189655301,
   /** fixed [Boolean]: Is there a gas force? (default true) */
-  STRIBECK_SHOCK_ABSORBER_GAS_ENABLED = 55,
+  STRIBECK_SHOCK_ABSORBER_GAS_ENABLED = 729824997,
   /** tunable [Pa]: Absolute gas pressure at full extension (default chosen). (>= 0, default 1000000) */
-  STRIBECK_SHOCK_ABSORBER_GAS_P0 = 56,
+  STRIBECK_SHOCK_ABSORBER_GAS_P0 = 640951140,
   /** fixed [m3]: Gas volume at full extension (default chosen). (> 0, default 3e-5) */
-  STRIBECK_SHOCK_ABSORBER_GAS_V0 = 57,
+  STRIBECK_SHOCK_ABSORBER_GAS_V0 = 444496818,
   /** fixed [1]: Polytropic exponent (default chosen). (>= 0, default 1.2) */
-  STRIBECK_SHOCK_ABSORBER_GAS_N = 58,
+  STRIBECK_SHOCK_ABSORBER_GAS_N = 904392190,
   /** fixed [m]: Diameter of the rod (default chosen). (>= 0, default 0.014) */
-  STRIBECK_SHOCK_ABSORBER_GAS_ROD_DIAMETER = 59,
+  STRIBECK_SHOCK_ABSORBER_GAS_ROD_DIAMETER = 1130974353,
   /** tunable [Pa]: Ambient pressure. (>= 0, default 101325) */
-  STRIBECK_SHOCK_ABSORBER_GAS_P_AMBIENT = 60,
+  STRIBECK_SHOCK_ABSORBER_GAS_P_AMBIENT = 1322016071,
   /** fixed [Boolean]: Is there a bump stop? (default true) */
-  STRIBECK_SHOCK_ABSORBER_BUMP_ENABLED = 61,
+  STRIBECK_SHOCK_ABSORBER_BUMP_ENABLED = 528272746,
   /** fixed [m]: Compression from full extension at which the bump stop is touched (default chosen). (default 0.04) */
-  STRIBECK_SHOCK_ABSORBER_BUMP_GAP = 62,
+  STRIBECK_SHOCK_ABSORBER_BUMP_GAP = 342752507,
   /** fixed [stribeck_bump_mode]: Form of the bump stop's characteristic. (default Linear) */
-  STRIBECK_SHOCK_ABSORBER_BUMP_MODE = 63,
+  STRIBECK_SHOCK_ABSORBER_BUMP_MODE = 262009054,
   /** tunable [N/m]: Stiffness: of the linear form, and first coefficient of the cubic one (default chosen).
    *  (>= 0, default 150000) */
-  STRIBECK_SHOCK_ABSORBER_BUMP_K = 64,
+  STRIBECK_SHOCK_ABSORBER_BUMP_K = 1950935518,
   /** tunable [1]: Exponent of the power form (default chosen). (>= 1, default 2.2) */
-  STRIBECK_SHOCK_ABSORBER_BUMP_N = 65,
+  STRIBECK_SHOCK_ABSORBER_BUMP_N = 2034823613,
   /** tunable [m]: Compression at which the power form has the force F_ref (default chosen). (> 0, default 0.01) */
-  STRIBECK_SHOCK_ABSORBER_BUMP_X_REF = 66,
+  STRIBECK_SHOCK_ABSORBER_BUMP_X_REF = 1165900593,
   /** tunable [N]: Force of the power form at x_ref (default chosen). (>= 0, default 1500) */
-  STRIBECK_SHOCK_ABSORBER_BUMP_F_REF = 67,
+  STRIBECK_SHOCK_ABSORBER_BUMP_F_REF = 1732261983,
   /** tunable [N/m2]: Second coefficient of the cubic form. (>= 0, default 0) */
-  STRIBECK_SHOCK_ABSORBER_BUMP_K2 = 68,
+  STRIBECK_SHOCK_ABSORBER_BUMP_K2 = 2059943556,
   /** tunable [N/m3]: Third coefficient of the cubic form. (>= 0, default 0) */
-  STRIBECK_SHOCK_ABSORBER_BUMP_K3 = 69,
+  STRIBECK_SHOCK_ABSORBER_BUMP_K3 = 2076721175,
   /** tunable [N.s/m]: Damping while the stop is touched. (>= 0, default 0) */
-  STRIBECK_SHOCK_ABSORBER_BUMP_C = 70,
+  STRIBECK_SHOCK_ABSORBER_BUMP_C = 1816714566,
   /** fixed [Boolean]: Is there a rebound stop? (default true) */
-  STRIBECK_SHOCK_ABSORBER_REBOUND_ENABLED = 71,
+  STRIBECK_SHOCK_ABSORBER_REBOUND_ENABLED = 670112079,
   /** fixed [m]: Compression from full extension at which the rebound stop is touched. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_REBOUND_GAP = 72,
+  STRIBECK_SHOCK_ABSORBER_REBOUND_GAP = 931930910,
   /** tunable [N/m]: Stiffness (default chosen). (>= 0, default 1000000) */
-  STRIBECK_SHOCK_ABSORBER_REBOUND_K = 73,
+  STRIBECK_SHOCK_ABSORBER_REBOUND_K = 1217846635,
   /** tunable [N.s/m]: Damping while the stop is touched. (>= 0, default 0) */
-  STRIBECK_SHOCK_ABSORBER_REBOUND_C = 74,
+  STRIBECK_SHOCK_ABSORBER_REBOUND_C = 1083625683,
   /** fixed [Boolean]: Is there a damper? (default true) */
-  STRIBECK_SHOCK_ABSORBER_DAMPER_ENABLED = 75,
+  STRIBECK_SHOCK_ABSORBER_DAMPER_ENABLED = 653710919,
   /** fixed [stribeck_damper_mode]: Form of the damper's characteristic. (default Linear) */
-  STRIBECK_SHOCK_ABSORBER_DAMPER_MODE = 76,
+  STRIBECK_SHOCK_ABSORBER_DAMPER_MODE = 1000786193,
   /** tunable [N.s/m]: Damping coefficient in compression (default chosen). (>= 0, default 1500) */
-  STRIBECK_SHOCK_ABSORBER_DAMPER_C_COMP = 77,
+  STRIBECK_SHOCK_ABSORBER_DAMPER_C_COMP = 1218223315,
   /** tunable [N.s/m]: Damping coefficient in extension, the rebound (default chosen). (>= 0, default 2300) */
-  STRIBECK_SHOCK_ABSORBER_DAMPER_C_REB = 78,
+  STRIBECK_SHOCK_ABSORBER_DAMPER_C_REB = 1051140173,
   /** tunable [s/m]: Degression in compression. (>= 0, default 0) */
-  STRIBECK_SHOCK_ABSORBER_DAMPER_DEGR_COMP = 79,
+  STRIBECK_SHOCK_ABSORBER_DAMPER_DEGR_COMP = 191387222,
   /** tunable [s/m]: Degression in extension. (>= 0, default 0) */
-  STRIBECK_SHOCK_ABSORBER_DAMPER_DEGR_REB = 80,
+  STRIBECK_SHOCK_ABSORBER_DAMPER_DEGR_REB = 563928450,
   /** fixed [Integer]: Number of points of the table in use (default chosen). (>= 2, <= 16, default 11) */
-  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_N = 81,
+  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_N = 1952893940,
   /** tunable [m/s]: Velocities of the table, ascending; positive in extension (default chosen). (default -1) */
-  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_1 = 82,
+  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_1 = 948357411,
   /** tunable [m/s]: Velocities of the table, ascending; positive in extension (default chosen). (default -0.5) */
-  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_2 = 83,
+  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_2 = 948901864,
   /** tunable [m/s]: Velocities of the table, ascending; positive in extension (default chosen). (default -0.25) */
-  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_3 = 84,
+  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_3 = 2089581277,
   /** tunable [m/s]: Velocities of the table, ascending; positive in extension (default chosen). (default -0.1) */
-  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_4 = 85,
+  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_4 = 1015026602,
   /** tunable [m/s]: Velocities of the table, ascending; positive in extension (default chosen). (default -0.05) */
-  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_5 = 86,
+  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_5 = 947769031,
   /** tunable [m/s]: Velocities of the table, ascending; positive in extension (default chosen). (default 0) */
-  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_6 = 87,
+  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_6 = 2021926348,
   /** tunable [m/s]: Velocities of the table, ascending; positive in extension (default chosen). (default 0.05) */
-  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_7 = 88,
+  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_7 = 2088889729,
   /** tunable [m/s]: Velocities of the table, ascending; positive in extension (default chosen). (default 0.1) */
-  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_8 = 89,
+  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_8 = 2090714110,
   /** tunable [m/s]: Velocities of the table, ascending; positive in extension (default chosen). (default 0.25) */
-  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_9 = 90,
+  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_9 = 2023456539,
   /** tunable [m/s]: Velocities of the table, ascending; positive in extension (default chosen). (default 0.5) */
-  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_10 = 91,
+  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_10 = 915979179,
   /** tunable [m/s]: Velocities of the table, ascending; positive in extension (default chosen). (default 1) */
-  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_11 = 92,
+  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_11 = 2057004366,
   /** tunable [m/s]: Velocities of the table, ascending; positive in extension (default chosen). (default 0) */
-  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_12 = 93,
+  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_12 = 2057151461,
   /** tunable [m/s]: Velocities of the table, ascending; positive in extension (default chosen). (default 0) */
-  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_13 = 94,
+  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_13 = 916523632,
   /** tunable [m/s]: Velocities of the table, ascending; positive in extension (default chosen). (default 0) */
-  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_14 = 95,
+  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_14 = 915390799,
   /** tunable [m/s]: Velocities of the table, ascending; positive in extension (default chosen). (default 0) */
-  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_15 = 96,
+  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_15 = 982648370,
   /** tunable [m/s]: Velocities of the table, ascending; positive in extension (default chosen). (default 0) */
-  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_16 = 97,
+  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_V_16 = 2056563081,
   /** tunable [N]: Resistances of the table, with the sign of the velocity and not decreasing (default chosen).
    *  (default -1150) */
-  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_1 = 98,
+  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_1 = 191481363,
   /** tunable [N]: Resistances of the table, with the sign of the velocity and not decreasing (default chosen).
    *  (default -700) */
-  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_2 = 99,
+  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_2 = 192025816,
   /** tunable [N]: Resistances of the table, with the sign of the velocity and not decreasing (default chosen).
    *  (default -430) */
-  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_3 = 100,
+  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_3 = 258989197,
   /** tunable [N]: Resistances of the table, with the sign of the velocity and not decreasing (default chosen).
    *  (default -210) */
-  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_4 = 101,
+  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_4 = 1331918170,
   /** tunable [N]: Resistances of the table, with the sign of the velocity and not decreasing (default chosen).
    *  (default -110) */
-  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_5 = 102,
+  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_5 = 190892983,
   /** tunable [N]: Resistances of the table, with the sign of the velocity and not decreasing (default chosen).
    *  (default 0) */
-  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_6 = 103,
+  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_6 = 191334268,
   /** tunable [N]: Resistances of the table, with the sign of the velocity and not decreasing (default chosen).
    *  (default 180) */
-  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_7 = 104,
+  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_7 = 1332065265,
   /** tunable [N]: Resistances of the table, with the sign of the velocity and not decreasing (default chosen).
    *  (default 340) */
-  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_8 = 105,
+  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_8 = 260122030,
   /** tunable [N]: Resistances of the table, with the sign of the velocity and not decreasing (default chosen).
    *  (default 640) */
-  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_9 = 106,
+  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_9 = 1266528907,
   /** tunable [N]: Resistances of the table, with the sign of the velocity and not decreasing (default chosen).
    *  (default 950) */
-  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_10 = 107,
+  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_10 = 1116503963,
   /** tunable [N]: Resistances of the table, with the sign of the velocity and not decreasing (default chosen).
    *  (default 1500) */
-  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_11 = 108,
+  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_11 = 1183761534,
   /** tunable [N]: Resistances of the table, with the sign of the velocity and not decreasing (default chosen).
    *  (default 0) */
-  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_12 = 109,
+  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_12 = 110192597,
   /** tunable [N]: Resistances of the table, with the sign of the velocity and not decreasing (default chosen).
    *  (default 0) */
-  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_13 = 110,
+  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_13 = 43229216,
   /** tunable [N]: Resistances of the table, with the sign of the velocity and not decreasing (default chosen).
    *  (default 0) */
-  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_14 = 111,
+  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_14 = 42096383,
   /** tunable [N]: Resistances of the table, with the sign of the velocity and not decreasing (default chosen).
    *  (default 0) */
-  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_15 = 112,
+  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_15 = 1183069986,
   /** tunable [N]: Resistances of the table, with the sign of the velocity and not decreasing (default chosen).
    *  (default 0) */
-  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_16 = 113,
+  STRIBECK_SHOCK_ABSORBER_DAMPER_TAB_F_16 = 1183217081,
   /** fixed [stribeck_interpolation]: Curve through the points of the table. (default Linear) */
-  STRIBECK_SHOCK_ABSORBER_DAMPER_INTERPOLATION = 114,
+  STRIBECK_SHOCK_ABSORBER_DAMPER_INTERPOLATION = 1084982648,
   /** tunable [1]: Factor on the damper force. (>= 0, default 1) */
-  STRIBECK_SHOCK_ABSORBER_DAMPER_SCALE = 115,
+  STRIBECK_SHOCK_ABSORBER_DAMPER_SCALE = 1838924032,
   /** fixed [N/m]: Stiffness in series with the damper, of oil and top mount; 0 = rigid. (>= 0, default 0) */
-  STRIBECK_SHOCK_ABSORBER_DAMPER_K_SERIES = 116,
+  STRIBECK_SHOCK_ABSORBER_DAMPER_K_SERIES = 1401687841,
   /** fixed [stribeck_friction_model]: Friction law; parameters of other laws are ignored. (default LuGre) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_MODEL = 117,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_MODEL = 718325868,
   /** tunable [stribeck_friction_switch]: Active parts of the friction. (default On) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_SWITCH = 118,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_SWITCH = 1316691407,
   /** tunable [1]: Friction in compression over friction in extension: (1 + asymmetry) / (1 - asymmetry).
    *  (>= -0.99, <= 0.99, default 0) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_ASYMMETRY = 119,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ASYMMETRY = 2029946676,
   /** tunable [1]: Factor on all friction levels. (>= 0, default 1) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_SCALE = 120,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_SCALE = 956758479,
   /** tunable [kg]: Effective mass of the body, for laws that use it; 0 = law as printed. (>= 0, default 0) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_MASS = 121,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_MASS = 1642932867,
   /** fixed [stribeck_exchange]: Order in which the master exchanges force and motion; used with mass > 0.
    *  (default Sequential) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_EXCHANGE = 122,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_EXCHANGE = 913732870,
   /** tunable [m/s]: Speed at which the excess of static over kinetic friction has fallen to 1/e, or to 1/2 where the curve is a fraction (Armstrong, HessSoom, PoppStelter).
    *  (> 0, default 0.001) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_STRIBECK_VELOCITY = 123,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_STRIBECK_VELOCITY = 1519261972,
   /** tunable [1]: Exponent of the Stribeck curve. (> 0, default 2) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_STRIBECK_EXPONENT = 124,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_STRIBECK_EXPONENT = 1211129088,
   /** tunable [N/m]: Stiffness of the bristles. (> 0, default 100000) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_SIGMA_0 = 125,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_SIGMA_0 = 1309247285,
   /** tunable [N.s/m]: Damping of the bristles. (>= 0, default 316.22776601683796) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_SIGMA_1 = 126,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_SIGMA_1 = 1292469666,
   /** tunable [N.s/m]: Viscous friction coefficient. (>= 0, default 0.1) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_VISCOUS_COEFFICIENT = 127,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_VISCOUS_COEFFICIENT = 157080163,
   /** tunable [m/s]: Speed at which the damping of the bristles fades; 0 = constant damping. (>= 0, default 0) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_DAMPING_VELOCITY = 128,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_DAMPING_VELOCITY = 610883159,
   /** fixed [stribeck_coulomb_viscous_variant]: Variant of the law. (default Linear) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_COULOMBVISCOUS_VARIANT = 129,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_COULOMBVISCOUS_VARIANT = 2048999885,
   /** tunable [1]: Exponent of the viscous part. (> 0, default 1) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_VISCOUS_EXPONENT = 130,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_VISCOUS_EXPONENT = 1053197097,
   /** fixed [stribeck_stribeck_curve]: How the level falls with speed. (default Gaussian) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_CURVE = 131,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_CURVE = 365515582,
   /** tunable [N.s/m]: Viscous friction coefficient. (>= 0, default 0) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_STRIBECK_VISCOUS_COEFFICIENT = 132,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_STRIBECK_VISCOUS_COEFFICIENT = 1198184670,
   /** tunable [N.s2/m2]: Quadratic friction coefficient; used by PoppStelter. (>= 0, default 0) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_QUADRATIC_COEFFICIENT = 133,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_QUADRATIC_COEFFICIENT = 1058495321,
   /** tunable [s/m]: Slope of the force at rest, relative to the level there. (> 0, default 2000) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_TRANSITION_SLOPE = 134,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_TRANSITION_SLOPE = 1048698240,
   /** fixed [stribeck_threlfall_variant]: Variant of the law. (default Printed) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_THRELFALL_VARIANT = 135,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_THRELFALL_VARIANT = 202163868,
   /** tunable [m/s]: Velocity that sets the width of the regularised band around rest. (> 0, default 0.001) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_TRANSITION_VELOCITY = 136,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_TRANSITION_VELOCITY = 163906394,
   /** fixed [stribeck_rooney_deravi_variant]: Variant of the law. (default Linear) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_ROONEYDERAVI_VARIANT = 137,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ROONEYDERAVI_VARIANT = 1956286015,
   /** tunable [m/s]: Velocity that sets the width of the regularised band around rest. (>= 0, default 0.0001) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_AMBROSIO_TRANSITION_VELOCITY = 138,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_AMBROSIO_TRANSITION_VELOCITY = 32779198,
   /** tunable [m/s]: Velocity at which the kinetic level is reached. (> 0, default 0.001) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_SLIDING_VELOCITY = 139,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_SLIDING_VELOCITY = 2091256599,
   /** fixed [stribeck_bengisu_akay_variant]: Variant of the law. (default Thesis) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_BENGISUAKAY_VARIANT = 140,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_BENGISUAKAY_VARIANT = 780083729,
   /** tunable [s/m]: Slope of the force at rest, relative to the level there. (> 0, default 5000) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_BENGISUAKAY_TRANSITION_SLOPE = 141,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_BENGISUAKAY_TRANSITION_SLOPE = 1008920195,
   /** tunable [s/m]: Rate at which the excess of static over kinetic friction decays with speed (default chosen).
    *  (> 0, default 500) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_STICTION_DECAY = 142,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_STICTION_DECAY = 197701967,
   /** tunable [s/m]: Viscous coefficient of friction, per normal force. (>= 0, default 0) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_MU_V = 143,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_MU_V = 195132,
   /** tunable [s/m]: Slope of the force at rest, relative to the level there. (> 0, default 10000) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_ANDERSSON_TRANSITION_SLOPE = 144,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ANDERSSON_TRANSITION_SLOPE = 175687589,
   /** tunable [N.s/m]: Viscous friction coefficient. (>= 0, default 0) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_ANDERSSON_VISCOUS_COEFFICIENT = 145,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ANDERSSON_VISCOUS_COEFFICIENT = 451477724,
   /** tunable [s/m]: Rate at which the excess of static over kinetic friction decays with speed (default chosen).
    *  (> 0, default 1000) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_AWREJCEWICZ_STICTION_DECAY = 146,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_AWREJCEWICZ_STICTION_DECAY = 1199436897,
   /** tunable [m/s]: Velocity that sets the width of the regularised band around rest. (> 0, default 0.00025) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_SPECKER_TRANSITION_VELOCITY = 147,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_SPECKER_TRANSITION_VELOCITY = 816843187,
   /** tunable [m/s]: Velocity at which the static level is reached (default chosen). (> 0, default 0.0005) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_PEAK_VELOCITY = 148,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_PEAK_VELOCITY = 494732202,
   /** tunable [N.s/m]: Viscous friction coefficient. (>= 0, default 0) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_SPECKER_VISCOUS_COEFFICIENT = 149,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_SPECKER_VISCOUS_COEFFICIENT = 484229442,
   /** tunable [m/s]: Velocity at which the kinetic level is reached. (> 0, default 0.0015) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_LINEARSTICTION_SLIDING_VELOCITY = 150,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_LINEARSTICTION_SLIDING_VELOCITY = 1146592147,
   /** tunable [N.s/m]: Viscous friction coefficient. (>= 0, default 0) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_BROWNMCPHEE_VISCOUS_COEFFICIENT = 151,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_BROWNMCPHEE_VISCOUS_COEFFICIENT = 237120135,
   /** tunable [N]: Normal force at which the viscous part is fully active (default chosen). (> 0, default 1) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_TRANSITION_NORMAL_FORCE = 152,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_TRANSITION_NORMAL_FORCE = 804491626,
   /** tunable [1]: Exponent of the transition to sliding; below 1 brittle, from 1 on ductile. (>= 0, default 1) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_ALPHA = 153,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ALPHA = 582116977,
   /** tunable [N.s/m]: Viscous friction coefficient. (>= 0, default 0) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_FRICTIONALLAG_VISCOUS_COEFFICIENT = 154,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_FRICTIONALLAG_VISCOUS_COEFFICIENT = 1079872672,
   /** fixed [s]: Time by which the level of friction lags behind the velocity (default chosen). (>= 0, default 0.005) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_TIME_LAG = 155,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_TIME_LAG = 1346657113,
   /** fixed [stribeck_frictional_lag_variant]: Variant of the law. (default Delay) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_FRICTIONALLAG_VARIANT = 156,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_FRICTIONALLAG_VARIANT = 1166768751,
   /** tunable [N.s/m]: Viscous friction coefficient. (>= 0, default 0) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_ARMSTRONG_VISCOUS_COEFFICIENT = 157,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ARMSTRONG_VISCOUS_COEFFICIENT = 104992308,
   /** tunable [s]: Dwell time after which half of the rise of the static friction has occurred (default chosen).
    *  (>= 0, default 2) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_GAMMA = 158,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_GAMMA = 1977894676,
   /** tunable [1]: Coefficient of friction that a contact reaches when it comes to rest; not more than mu_s (default chosen).
    *  (>= 0, default 0) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_MU_STOP = 159,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_MU_STOP = 1837154842,
   /** tunable [s/m]: Steepness of the curve while speeding up (default chosen). (> 0, default 500) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_ACCELERATION_DECAY = 160,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ACCELERATION_DECAY = 1879733450,
   /** tunable [s/m]: Steepness of the curve while slowing down (default chosen). (> 0, default 500) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_DECELERATION_DECAY = 161,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_DECELERATION_DECAY = 1768807973,
   /** tunable [s/m]: Steepness of the curves for speeding up and slowing down (default chosen). (> 0, default 500) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_BRANCH_DECAY = 162,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_BRANCH_DECAY = 2073065670,
   /** fixed [stribeck_bliman_sorine_order]: Variant of the law. (default Second) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_BLIMANSORINE_VARIANT = 163,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_BLIMANSORINE_VARIANT = 583382101,
   /** tunable [1]: Level of the slow relaxation, as a coefficient of friction; second order (default calibrated).
    *  (>= 0, default 0.2732050807568877) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_MU_2 = 164,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_MU_2 = 1006800688,
   /** tunable [1]: Length of the fast relaxation as a part of that of the slow one; second order (default chosen).
    *  (> 0, <= 1, default 0.5) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_ETA = 165,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ETA = 1505373677,
   /** tunable [m]: Sliding distance in which the slow relaxation settles to 1/e (default calibrated).
    *  (> 0, default 4.642141842225068e-5) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_EPS_F = 166,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_EPS_F = 143280926,
   /** tunable [m]: Shear deflection of the asperities in steady sliding (default f_C / sigma_0 of the thesis).
    *  (> 0, default 9.81e-6) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_DELTA_T = 167,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_DELTA_T = 626693188,
   /** tunable [1]: Part of the deflection of steady sliding up to which the contact is purely elastic.
    *  (> 0, <= 1, default 0.7) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_BREAKAWAY_RATIO = 168,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_BREAKAWAY_RATIO = 1652803556,
   /** tunable [Integer]: Exponent of the transition from elastic deflection to sliding; odd. (>= 1, <= 9, default 1) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_PLASTIC_EXPONENT = 169,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_PLASTIC_EXPONENT = 580682845,
   /** tunable [m]: Strain at which a bristle snaps (default f_s / sigma_0 of the thesis). (> 0, default 1.4715e-5) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_DELTA = 170,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_DELTA = 2065665047,
   /** fixed [Integer]: Number of bristles (default chosen). (>= 1, <= 64, default 25) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_BRISTLE_COUNT = 171,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_BRISTLE_COUNT = 1010238726,
   /** fixed [Integer]: Seed of the random numbers. (>= 0, default 0) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_SEED = 172,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_SEED = 1731659842,
   /** fixed [stribeck_initial_bonds]: State of the bristles when the motion starts. (default Bonded) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_INITIAL_BONDS = 173,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_INITIAL_BONDS = 254102368,
   /** tunable [m/s]: Velocity that sets the width of the regularised band around rest. (> 0, default 0.00025) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_SPECKERDYNAMIC_TRANSITION_VELOCITY = 174,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_SPECKERDYNAMIC_TRANSITION_VELOCITY = 695032766,
   /** tunable [N.s/m]: Viscous friction coefficient. (>= 0, default 0) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_SPECKERDYNAMIC_VISCOUS_COEFFICIENT = 175,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_SPECKERDYNAMIC_VISCOUS_COEFFICIENT = 165096311,
   /** tunable [s]: Time constant of the force while sliding (default chosen). (> 0, default 0.001) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_SLIP_TIME = 176,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_SLIP_TIME = 788380435,
   /** tunable [N.s/m]: Damping of the bristles. (>= 0, default 0) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_MAXWELLSLIP_SIGMA_1 = 177,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_MAXWELLSLIP_SIGMA_1 = 1478808016,
   /** tunable [N.s/m]: Viscous friction coefficient. (>= 0, default 0) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_MAXWELLSLIP_VISCOUS_COEFFICIENT = 178,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_MAXWELLSLIP_VISCOUS_COEFFICIENT = 396050933,
   /** tunable [N/s]: Rate at which the slipping elements together approach their level (default chosen).
    *  (> 0, default 1000) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_ATTRACTION = 179,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ATTRACTION = 1435098162,
   /** fixed [stribeck_element_distribution]: Where the shares of the elements come from. (default Explicit) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_DISTRIBUTION = 180,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_DISTRIBUTION = 21287993,
   /** fixed [Integer]: Number of elements in use (default chosen). (>= 1, <= 16, default 4) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_COUNT = 181,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_COUNT = 1149577601,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.5) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_1_STIFFNESS_SHARE = 182,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_1_STIFFNESS_SHARE = 1847706511,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_1_STRENGTH_SHARE = 183,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_1_STRENGTH_SHARE = 683083159,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.25) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_2_STIFFNESS_SHARE = 184,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_2_STIFFNESS_SHARE = 1300159780,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.2) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_2_STRENGTH_SHARE = 185,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_2_STRENGTH_SHARE = 1889862646,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.15) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_3_STIFFNESS_SHARE = 186,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_3_STIFFNESS_SHARE = 1127554717,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.3) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_3_STRENGTH_SHARE = 187,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_3_STRENGTH_SHARE = 248847553,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_4_STIFFNESS_SHARE = 188,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_4_STIFFNESS_SHARE = 1010711754,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.4) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_4_STRENGTH_SHARE = 189,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_4_STRENGTH_SHARE = 956173024,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_5_STIFFNESS_SHARE = 190,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_5_STIFFNESS_SHARE = 2008968323,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_5_STRENGTH_SHARE = 191,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_5_STRENGTH_SHARE = 717020499,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_6_STIFFNESS_SHARE = 192,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_6_STIFFNESS_SHARE = 13936472,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_6_STRENGTH_SHARE = 193,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_6_STRENGTH_SHARE = 2108675762,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_7_STIFFNESS_SHARE = 194,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_7_STIFFNESS_SHARE = 1560638401,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_7_STRENGTH_SHARE = 195,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_7_STRENGTH_SHARE = 581810013,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_8_STIFFNESS_SHARE = 196,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_8_STIFFNESS_SHARE = 1234943678,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_8_STRENGTH_SHARE = 197,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_8_STRENGTH_SHARE = 479727308,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_9_STIFFNESS_SHARE = 198,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_9_STIFFNESS_SHARE = 1759773319,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_9_STRENGTH_SHARE = 199,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_9_STRENGTH_SHARE = 1583137247,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_10_STIFFNESS_SHARE = 200,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_10_STIFFNESS_SHARE = 1230619133,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_10_STRENGTH_SHARE = 201,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_10_STRENGTH_SHARE = 523667361,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_11_STIFFNESS_SHARE = 202,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_11_STIFFNESS_SHARE = 1589235716,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_11_STRENGTH_SHARE = 203,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_11_STRENGTH_SHARE = 1639465814,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_12_STIFFNESS_SHARE = 204,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_12_STIFFNESS_SHARE = 471692527,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_12_STRENGTH_SHARE = 205,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_12_STRENGTH_SHARE = 398607607,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_13_STIFFNESS_SHARE = 206,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_13_STIFFNESS_SHARE = 1603765734,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_13_STRENGTH_SHARE = 207,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_13_STRENGTH_SHARE = 2038715940,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_14_STIFFNESS_SHARE = 208,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_14_STIFFNESS_SHARE = 1071029793,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_14_STRENGTH_SHARE = 209,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_14_STRENGTH_SHARE = 993607997,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_15_STIFFNESS_SHARE = 210,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_15_STIFFNESS_SHARE = 339576632,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_15_STRENGTH_SHARE = 211,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_15_STRENGTH_SHARE = 1828551314,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_16_STIFFNESS_SHARE = 212,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_16_STIFFNESS_SHARE = 1364232803,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_16_STRENGTH_SHARE = 213,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_ELEMENT_16_STRENGTH_SHARE = 1567232691,
   /** tunable [1]: Exponent of the approach to the steady level (default chosen). (>= 0.1, default 1) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_APPROACH_EXPONENT = 214,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_APPROACH_EXPONENT = 772972039,
   /** tunable [1]: Strength of all elements together, as a multiple of the static level; not less than 1 (default chosen).
    *  (> 0, default 1.2) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_HYSTERESIS_STRENGTH = 215,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_HYSTERESIS_STRENGTH = 235565580,
   /** tunable [m/s]: Velocity that sets the width of the regularised band around rest. (> 0, default 1e-5) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_GONTHIER_TRANSITION_VELOCITY = 216,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_GONTHIER_TRANSITION_VELOCITY = 2083171682,
   /** tunable [s]: Time constant with which the static level rises at rest. (> 0, default 2) */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_DWELL_TIME_CONSTANT = 217,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_DWELL_TIME_CONSTANT = 1275370588,
   /** tunable [1]: Static coefficient of friction; not less than mu_k (default chosen). (>= 0, default 0.15) */
-  STRIBECK_SHOCK_ABSORBER_C1_MU_S = 218,
+  STRIBECK_SHOCK_ABSORBER_C1_MU_S = 577759937,
   /** tunable [1]: Kinetic coefficient of friction (default chosen). (>= 0, default 0.1) */
-  STRIBECK_SHOCK_ABSORBER_C1_MU_K = 219,
+  STRIBECK_SHOCK_ABSORBER_C1_MU_K = 175097081,
   /** tunable [N]: Breakaway force without normal force, e.g. of a seal; not less than preload_k (default chosen).
    *  (>= 0, default 10) */
-  STRIBECK_SHOCK_ABSORBER_C1_PRELOAD_S = 220,
+  STRIBECK_SHOCK_ABSORBER_C1_PRELOAD_S = 552210280,
   /** tunable [N]: Sliding friction force without normal force, e.g. of a seal (default chosen). (>= 0, default 8) */
-  STRIBECK_SHOCK_ABSORBER_C1_PRELOAD_K = 221,
+  STRIBECK_SHOCK_ABSORBER_C1_PRELOAD_K = 149547424,
   /** tunable [1]: Static coefficient of friction; not less than mu_k (default chosen). (>= 0, default 0.1) */
-  STRIBECK_SHOCK_ABSORBER_C2_MU_S = 222,
+  STRIBECK_SHOCK_ABSORBER_C2_MU_S = 1609957642,
   /** tunable [1]: Kinetic coefficient of friction (default chosen). (>= 0, default 0.08) */
-  STRIBECK_SHOCK_ABSORBER_C2_MU_K = 223,
+  STRIBECK_SHOCK_ABSORBER_C2_MU_K = 1744178594,
   /** tunable [N]: Breakaway force without normal force, e.g. of a seal; not less than preload_k (default chosen).
    *  (>= 0, default 8) */
-  STRIBECK_SHOCK_ABSORBER_C2_PRELOAD_S = 224,
+  STRIBECK_SHOCK_ABSORBER_C2_PRELOAD_S = 1474317509,
   /** tunable [N]: Sliding friction force without normal force, e.g. of a seal (default chosen). (>= 0, default 6) */
-  STRIBECK_SHOCK_ABSORBER_C2_PRELOAD_K = 225,
+  STRIBECK_SHOCK_ABSORBER_C2_PRELOAD_K = 1876980365,
   /** fixed [stribeck_side_mode]: Side loads that act on the joint. (default Sum) */
-  STRIBECK_SHOCK_ABSORBER_SIDE_MODE = 226,
+  STRIBECK_SHOCK_ABSORBER_SIDE_MODE = 363937827,
   /** fixed [stribeck_side_convention]: Meaning of the four side-load inputs. (default WrenchOnRod) */
-  STRIBECK_SHOCK_ABSORBER_SIDE_CONVENTION = 227,
+  STRIBECK_SHOCK_ABSORBER_SIDE_CONVENTION = 327089831,
   /** tunable [m]: Offset of the spring's line of action along m (default chosen). (default 0.003) */
-  STRIBECK_SHOCK_ABSORBER_SIDE_OFFSET_M = 228,
+  STRIBECK_SHOCK_ABSORBER_SIDE_OFFSET_M = 1605389515,
   /** tunable [m]: Offset of the spring's line of action along n. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_SIDE_OFFSET_N = 229,
+  STRIBECK_SHOCK_ABSORBER_SIDE_OFFSET_N = 1622167134,
   /** tunable [1]: Side force of the spring along m, relative to its axial force; it acts at the eye of the tube.
    *  (default 0) */
-  STRIBECK_SHOCK_ABSORBER_SIDE_FORCE_RATIO = 230,
+  STRIBECK_SHOCK_ABSORBER_SIDE_FORCE_RATIO = 302325823,
   /** fixed [stribeck_normal_sum]: Rule for the loads of the contacts from the load of the joint. (default TwoPoint) */
-  STRIBECK_SHOCK_ABSORBER_SIDE_NORMAL_SUM = 231,
+  STRIBECK_SHOCK_ABSORBER_SIDE_NORMAL_SUM = 1495483511,
   /** tunable [1]: Factor on the contact forces for the distribution of pressure; 4 / pi for a cosine over half the rim.
    *  (>= 0, default 1) */
-  STRIBECK_SHOCK_ABSORBER_SIDE_C_GEO = 232,
+  STRIBECK_SHOCK_ABSORBER_SIDE_C_GEO = 1983693491,
   /** fixed [Boolean]: Does the temperature change and affect the damper force? (default false) */
-  STRIBECK_SHOCK_ABSORBER_THERMAL_ENABLED = 233,
+  STRIBECK_SHOCK_ABSORBER_THERMAL_ENABLED = 1143096615,
   /** tunable [1/K]: Relative loss of damper force per kelvin (default chosen). (>= 0, default 0.003) */
-  STRIBECK_SHOCK_ABSORBER_THERMAL_BETA = 234,
+  STRIBECK_SHOCK_ABSORBER_THERMAL_BETA = 896115256,
   /** fixed [K]: Temperature at which the damper's characteristic was measured (default chosen).
    *  (> 0, default 293.15) */
-  STRIBECK_SHOCK_ABSORBER_THERMAL_TEMPERATURE_REF = 235,
+  STRIBECK_SHOCK_ABSORBER_THERMAL_TEMPERATURE_REF = 1979371978,
   /** fixed [J/K]: Heat capacity of the damper (default chosen: 0.6 kg of aluminium and oil). (> 0, default 600) */
-  STRIBECK_SHOCK_ABSORBER_THERMAL_CAPACITY = 236,
+  STRIBECK_SHOCK_ABSORBER_THERMAL_CAPACITY = 1977759622,
   /** tunable [W/K]: Heat flow to the surroundings per kelvin (default chosen). (>= 0, default 1.5) */
-  STRIBECK_SHOCK_ABSORBER_THERMAL_CONDUCTANCE = 237,
+  STRIBECK_SHOCK_ABSORBER_THERMAL_CONDUCTANCE = 1418428113,
   /** fixed [m]: Length of the strut when the input length is 0. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_ADAPTER_LENGTH_OFFSET = 238,
+  STRIBECK_SHOCK_ABSORBER_ADAPTER_LENGTH_OFFSET = 469657428,
   /** fixed [1]: Length of the strut per input length; -MR for wheel travel, -0.001 for millimetres of compression.
    *  (default 1) */
-  STRIBECK_SHOCK_ABSORBER_ADAPTER_LENGTH_GAIN = 239,
+  STRIBECK_SHOCK_ABSORBER_ADAPTER_LENGTH_GAIN = 1285630152,
   /** fixed [1]: Factor on force_travel, for the host's unit of force. (default 1) */
-  STRIBECK_SHOCK_ABSORBER_ADAPTER_FORCE_GAIN = 240,
+  STRIBECK_SHOCK_ABSORBER_ADAPTER_FORCE_GAIN = 1616342737,
   /** fixed [s]: Largest internal step (default chosen). (> 0, default 0.0001) */
-  STRIBECK_SHOCK_ABSORBER_NUM_H_MAX = 241,
+  STRIBECK_SHOCK_ABSORBER_NUM_H_MAX = 459041784,
   /** fixed [stribeck_input_mode]: Motion of the inputs within a step. (default Hold) */
-  STRIBECK_SHOCK_ABSORBER_NUM_INPUT_MODE = 242,
+  STRIBECK_SHOCK_ABSORBER_NUM_INPUT_MODE = 446727669,
   /** tunable [kg]: Mass that the strut carries or moves, whichever is smaller; for the advice step_limit only.
    *  (> 0, default 16.4) */
-  STRIBECK_SHOCK_ABSORBER_NUM_MASS_REF = 243,
+  STRIBECK_SHOCK_ABSORBER_NUM_MASS_REF = 1199349185,
   /** fixed [stribeck_friction_start]: Initial state of the friction law. (default Steady) */
-  STRIBECK_SHOCK_ABSORBER_INIT_FRICTION_STATE = 244,
+  STRIBECK_SHOCK_ABSORBER_INIT_FRICTION_STATE = 1669186807,
   /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_1 = 245,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_1 = 27959037,
   /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_2 = 246,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_3 = 247,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_4 = 248,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_5 = 249,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_6 = 250,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_7 = 251,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_8 = 252,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_9 = 253,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_10 = 254,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_11 = 255,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_12 = 256,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_13 = 257,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_14 = 258,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_15 = 259,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_16 = 260,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_17 = 261,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_18 = 262,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_19 = 263,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_20 = 264,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_21 = 265,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_22 = 266,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_23 = 267,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_24 = 268,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_25 = 269,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_26 = 270,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_27 = 271,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_28 = 272,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_29 = 273,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_30 = 274,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_31 = 275,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_32 = 276,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_33 = 277,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_34 = 278,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_35 = 279,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_36 = 280,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_37 = 281,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_38 = 282,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_39 = 283,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_40 = 284,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_41 = 285,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_42 = 286,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_43 = 287,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_44 = 288,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_45 = 289,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_46 = 290,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_47 = 291,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_48 = 292,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_49 = 293,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_50 = 294,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_51 = 295,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_52 = 296,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_53 = 297,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_54 = 298,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_55 = 299,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_56 = 300,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_57 = 301,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_58 = 302,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_59 = 303,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_60 = 304,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_61 = 305,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_62 = 306,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_63 = 307,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_64 = 308,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_65 = 309,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_66 = 310,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_67 = 311,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_68 = 312,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_69 = 313,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_70 = 314,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_71 = 315,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_72 = 316,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_73 = 317,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_74 = 318,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_75 = 319,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_76 = 320,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_77 = 321,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_78 = 322,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_79 = 323,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_80 = 324,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_81 = 325,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_82 = 326,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_83 = 327,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_84 = 328,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_85 = 329,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_86 = 330,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_87 = 331,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_88 = 332,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_89 = 333,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_90 = 334,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_91 = 335,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_92 = 336,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_93 = 337,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_94 = 338,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_95 = 339,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_96 = 340,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_97 = 341,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_98 = 342,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_99 = 343,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_100 = 344,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_101 = 345,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_102 = 346,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_103 = 347,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_104 = 348,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_105 = 349,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_106 = 350,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_107 = 351,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_108 = 352,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_109 = 353,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_110 = 354,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_111 = 355,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_112 = 356,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_113 = 357,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_114 = 358,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_115 = 359,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_116 = 360,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_117 = 361,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_118 = 362,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_119 = 363,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_120 = 364,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_121 = 365,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_122 = 366,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_123 = 367,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_124 = 368,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_125 = 369,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_126 = 370,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_127 = 371,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_128 = 372,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_129 = 373,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_130 = 374,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_131 = 375,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_132 = 376,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_133 = 377,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_134 = 378,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_135 = 379,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_136 = 380,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_137 = 381,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_138 = 382,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_139 = 383,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_140 = 384,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_141 = 385,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_142 = 386,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_143 = 387,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_144 = 388,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_145 = 389,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_146 = 390,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_147 = 391,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_148 = 392,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_149 = 393,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_150 = 394,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_151 = 395,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_152 = 396,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_153 = 397,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_154 = 398,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_155 = 399,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_156 = 400,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_157 = 401,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_158 = 402,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_159 = 403,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_160 = 404,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_161 = 405,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_162 = 406,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_163 = 407,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_164 = 408,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_165 = 409,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_166 = 410,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_167 = 411,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_168 = 412,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_169 = 413,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_170 = 414,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_171 = 415,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_172 = 416,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_173 = 417,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_174 = 418,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_175 = 419,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_176 = 420,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_177 = 421,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_178 = 422,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_179 = 423,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_180 = 424,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_181 = 425,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_182 = 426,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_183 = 427,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_184 = 428,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_185 = 429,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_186 = 430,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_187 = 431,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_188 = 432,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_189 = 433,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_190 = 434,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_191 = 435,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_192 = 436,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_193 = 437,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_194 = 438,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_195 = 439,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_196 = 440,
-  /** state [1]: States of the friction law at the rod guide, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_1_197 = 441,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_1 = 442,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_2 = 443,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_3 = 444,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_4 = 445,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_5 = 446,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_6 = 447,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_7 = 448,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_8 = 449,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_9 = 450,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_10 = 451,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_11 = 452,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_12 = 453,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_13 = 454,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_14 = 455,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_15 = 456,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_16 = 457,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_17 = 458,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_18 = 459,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_19 = 460,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_20 = 461,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_21 = 462,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_22 = 463,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_23 = 464,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_24 = 465,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_25 = 466,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_26 = 467,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_27 = 468,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_28 = 469,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_29 = 470,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_30 = 471,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_31 = 472,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_32 = 473,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_33 = 474,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_34 = 475,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_35 = 476,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_36 = 477,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_37 = 478,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_38 = 479,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_39 = 480,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_40 = 481,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_41 = 482,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_42 = 483,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_43 = 484,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_44 = 485,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_45 = 486,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_46 = 487,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_47 = 488,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_48 = 489,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_49 = 490,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_50 = 491,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_51 = 492,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_52 = 493,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_53 = 494,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_54 = 495,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_55 = 496,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_56 = 497,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_57 = 498,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_58 = 499,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_59 = 500,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_60 = 501,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_61 = 502,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_62 = 503,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_63 = 504,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_64 = 505,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_65 = 506,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_66 = 507,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_67 = 508,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_68 = 509,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_69 = 510,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_70 = 511,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_71 = 512,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_72 = 513,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_73 = 514,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_74 = 515,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_75 = 516,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_76 = 517,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_77 = 518,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_78 = 519,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_79 = 520,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_80 = 521,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_81 = 522,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_82 = 523,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_83 = 524,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_84 = 525,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_85 = 526,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_86 = 527,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_87 = 528,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_88 = 529,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_89 = 530,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_90 = 531,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_91 = 532,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_92 = 533,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_93 = 534,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_94 = 535,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_95 = 536,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_96 = 537,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_97 = 538,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_98 = 539,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_99 = 540,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_100 = 541,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_101 = 542,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_102 = 543,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_103 = 544,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_104 = 545,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_105 = 546,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_106 = 547,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_107 = 548,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_108 = 549,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_109 = 550,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_110 = 551,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_111 = 552,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_112 = 553,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_113 = 554,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_114 = 555,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_115 = 556,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_116 = 557,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_117 = 558,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_118 = 559,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_119 = 560,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_120 = 561,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_121 = 562,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_122 = 563,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_123 = 564,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_124 = 565,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_125 = 566,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_126 = 567,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_127 = 568,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_128 = 569,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_129 = 570,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_130 = 571,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_131 = 572,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_132 = 573,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_133 = 574,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_134 = 575,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_135 = 576,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_136 = 577,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_137 = 578,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_138 = 579,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_139 = 580,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_140 = 581,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_141 = 582,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_142 = 583,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_143 = 584,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_144 = 585,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_145 = 586,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_146 = 587,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_147 = 588,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_148 = 589,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_149 = 590,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_150 = 591,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_151 = 592,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_152 = 593,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_153 = 594,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_154 = 595,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_155 = 596,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_156 = 597,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_157 = 598,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_158 = 599,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_159 = 600,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_160 = 601,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_161 = 602,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_162 = 603,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_163 = 604,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_164 = 605,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_165 = 606,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_166 = 607,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_167 = 608,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_168 = 609,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_169 = 610,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_170 = 611,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_171 = 612,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_172 = 613,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_173 = 614,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_174 = 615,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_175 = 616,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_176 = 617,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_177 = 618,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_178 = 619,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_179 = 620,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_180 = 621,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_181 = 622,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_182 = 623,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_183 = 624,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_184 = 625,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_185 = 626,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_186 = 627,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_187 = 628,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_188 = 629,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_189 = 630,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_190 = 631,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_191 = 632,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_192 = 633,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_193 = 634,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_194 = 635,
-  /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_195 = 636,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_1_2 = 1101527974,
   /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_196 = 637,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_1 = 192605202,
   /** state [1]: States of the friction law at the piston, in SI units: see GuideContact. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_MEMORY_2_197 = 638,
+  STRIBECK_SHOCK_ABSORBER_MEMORY_2_2 = 1266468329,
   /** state [m/s]: Velocity of the damper's piston behind its series stiffness; that of the strut without a series stiffness.
    *  (default 0) */
-  STRIBECK_SHOCK_ABSORBER_PISTON_VELOCITY = 639,
-  /** state [Boolean]: Has the run begun? (default false) */
-  STRIBECK_SHOCK_ABSORBER_STARTED = 640,
-  /** state [s]: Last communication step; 0 before the first. (>= 0, default 0) */
-  STRIBECK_SHOCK_ABSORBER_STEP_SIZE = 641,
+  STRIBECK_SHOCK_ABSORBER_PISTON_VELOCITY = 1881215274,
   /** state, out [K]: Temperature of the damper. (> 0, default 293.15) */
-  STRIBECK_SHOCK_ABSORBER_TEMPERATURE = 642,
+  STRIBECK_SHOCK_ABSORBER_TEMPERATURE = 1777510709,
   /** state, out [J]: Energy taken out of the motion by friction and damper since the start. (default 0) */
-  STRIBECK_SHOCK_ABSORBER_DISSIPATED_ENERGY = 643,
+  STRIBECK_SHOCK_ABSORBER_DISSIPATED_ENERGY = 758404530,
   /** out [N]: Force of the strut; positive pushes the eyes apart. */
-  STRIBECK_SHOCK_ABSORBER_FORCE = 644,
+  STRIBECK_SHOCK_ABSORBER_FORCE = 2041153668,
   /** out [N]: The same with the opposite sign: positive pulls the eyes together. */
-  STRIBECK_SHOCK_ABSORBER_FORCE_TENSION = 645,
+  STRIBECK_SHOCK_ABSORBER_FORCE_TENSION = 1267795993,
   /** out [N]: Part of the spring. */
-  STRIBECK_SHOCK_ABSORBER_FORCE_SPRING = 646,
+  STRIBECK_SHOCK_ABSORBER_FORCE_SPRING = 1981388104,
   /** out [N]: Part of the gas. */
-  STRIBECK_SHOCK_ABSORBER_FORCE_GAS = 647,
+  STRIBECK_SHOCK_ABSORBER_FORCE_GAS = 1995581518,
   /** out [N]: Part of the bump stop. */
-  STRIBECK_SHOCK_ABSORBER_FORCE_BUMP = 648,
+  STRIBECK_SHOCK_ABSORBER_FORCE_BUMP = 1217129313,
   /** out [N]: Part of the rebound stop. */
-  STRIBECK_SHOCK_ABSORBER_FORCE_REBOUND = 649,
+  STRIBECK_SHOCK_ABSORBER_FORCE_REBOUND = 1853814980,
   /** out [N]: Part of the damper. */
-  STRIBECK_SHOCK_ABSORBER_FORCE_DAMPER = 650,
+  STRIBECK_SHOCK_ABSORBER_FORCE_DAMPER = 1982494132,
   /** out [N]: Part of the friction. */
-  STRIBECK_SHOCK_ABSORBER_FORCE_FRICTION = 651,
+  STRIBECK_SHOCK_ABSORBER_FORCE_FRICTION = 2078264455,
   /** out [N]: Force on the travel of the host, by virtual work: see adapter. */
-  STRIBECK_SHOCK_ABSORBER_FORCE_TRAVEL = 652,
+  STRIBECK_SHOCK_ABSORBER_FORCE_TRAVEL = 2046608485,
   /** out [N]: Axial friction at the rod guide; has the sign of the velocity when sliding. */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_1 = 653,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_1 = 291020775,
   /** out [N]: Axial friction at the piston; has the sign of the velocity when sliding. */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_2 = 654,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_2 = 307798394,
   /** out [N]: Normal force at the rod guide. */
-  STRIBECK_SHOCK_ABSORBER_NORMAL_1 = 655,
+  STRIBECK_SHOCK_ABSORBER_NORMAL_1 = 213575218,
   /** out [N]: Normal force at the piston. */
-  STRIBECK_SHOCK_ABSORBER_NORMAL_2 = 656,
+  STRIBECK_SHOCK_ABSORBER_NORMAL_2 = 196797599,
   /** out [N.m]: Friction torque about the axis, on the tube; has the sign of the spin rate when sliding. */
-  STRIBECK_SHOCK_ABSORBER_FRICTION_TORQUE = 657,
+  STRIBECK_SHOCK_ABSORBER_FRICTION_TORQUE = 971415098,
   /** out [m]: Compression from full extension. */
-  STRIBECK_SHOCK_ABSORBER_COMPRESSION = 658,
+  STRIBECK_SHOCK_ABSORBER_COMPRESSION = 987494389,
   /** out [m]: Distance from piston to rod guide. */
-  STRIBECK_SHOCK_ABSORBER_OVERLAP = 659,
+  STRIBECK_SHOCK_ABSORBER_OVERLAP = 660987912,
   /** out [N/m]: Derivative of the force with respect to the length of the strut. */
-  STRIBECK_SHOCK_ABSORBER_DFORCE_DLENGTH = 660,
+  STRIBECK_SHOCK_ABSORBER_DFORCE_DLENGTH = 120123813,
   /** out [N.s/m]: Derivative of the force after a step with respect to the velocity of the strut. */
-  STRIBECK_SHOCK_ABSORBER_DFORCE_DVELOCITY = 661,
+  STRIBECK_SHOCK_ABSORBER_DFORCE_DVELOCITY = 1696124290,
   /** out [s]: Largest communication step that is stable for num.mass_ref; advice to the master. */
-  STRIBECK_SHOCK_ABSORBER_STEP_LIMIT = 662,
+  STRIBECK_SHOCK_ABSORBER_STEP_LIMIT = 422381299,
   /** out [W]: Power taken out of the motion by friction and damper. */
-  STRIBECK_SHOCK_ABSORBER_DISSIPATED_POWER = 663,
+  STRIBECK_SHOCK_ABSORBER_DISSIPATED_POWER = 236926875,
   /** out [Boolean]: Do the contacts stick? */
-  STRIBECK_SHOCK_ABSORBER_STICKING = 664,
+  STRIBECK_SHOCK_ABSORBER_STICKING = 553311409,
   /** out [Boolean]: Is the bump stop touched? */
-  STRIBECK_SHOCK_ABSORBER_BUMP_ACTIVE = 665,
+  STRIBECK_SHOCK_ABSORBER_BUMP_ACTIVE = 12196120,
   /** out [Boolean]: Is the overlap so short that the contact forces are regularised? */
-  STRIBECK_SHOCK_ABSORBER_OVERLAP_LOW = 666,
+  STRIBECK_SHOCK_ABSORBER_OVERLAP_LOW = 1487137969,
 } stribeck_shock_absorber_variable;
 
 /** Guid of TelescopicJoint for fmi2Instantiate. */
 #define STRIBECK_TELESCOPIC_JOINT_GUID "{2f8d9de5-6e9b-7810-ca8e-d72e365f8a12}"
 
-/** TelescopicJoint: Contact forces of a telescopic joint, from its side load. Columns of "TelescopicJoint". */
+/** TelescopicJoint: Contact forces of a telescopic joint, from its side load. Variables of "TelescopicJoint". */
 typedef enum stribeck_telescopic_joint_variable {
   /** in [m]: Distance of the eyes. (default 0.1775) */
-  STRIBECK_TELESCOPIC_JOINT_LENGTH = 0,
+  STRIBECK_TELESCOPIC_JOINT_LENGTH = 63976981,
   /** in [N]: Transverse force of the tube on the rod along m, at the eye of the tube; or lambda_1. (default 0) */
-  STRIBECK_TELESCOPIC_JOINT_SIDE_FORCE_M = 1,
+  STRIBECK_TELESCOPIC_JOINT_SIDE_FORCE_M = 1541469338,
   /** in [N]: Transverse force of the tube on the rod along n, at the eye of the tube; or lambda_2. (default 0) */
-  STRIBECK_TELESCOPIC_JOINT_SIDE_FORCE_N = 2,
+  STRIBECK_TELESCOPIC_JOINT_SIDE_FORCE_N = 1524691719,
   /** in [N.m]: Moment of the tube on the rod about m, at the eye of the tube; or lambda_3. (default 0) */
-  STRIBECK_TELESCOPIC_JOINT_SIDE_MOMENT_M = 3,
+  STRIBECK_TELESCOPIC_JOINT_SIDE_MOMENT_M = 1100257835,
   /** in [N.m]: Moment of the tube on the rod about n, at the eye of the tube; or lambda_4. (default 0) */
-  STRIBECK_TELESCOPIC_JOINT_SIDE_MOMENT_N = 4,
+  STRIBECK_TELESCOPIC_JOINT_SIDE_MOMENT_N = 1117035454,
   /** fixed [stribeck_side_convention]: Meaning of the four side loads. (default WrenchOnRod) */
-  STRIBECK_TELESCOPIC_JOINT_CONVENTION = 5,
+  STRIBECK_TELESCOPIC_JOINT_CONVENTION = 712418130,
   /** fixed [stribeck_normal_sum]: Rule for summing the contact forces. (default TwoPoint) */
-  STRIBECK_TELESCOPIC_JOINT_NORMAL_SUM = 6,
+  STRIBECK_TELESCOPIC_JOINT_NORMAL_SUM = 337058274,
   /** fixed [m]: Distance from the eye of the tube to the rod guide (default chosen). (> 0, default 0.125) */
-  STRIBECK_TELESCOPIC_JOINT_GEOM_D_I = 7,
+  STRIBECK_TELESCOPIC_JOINT_GEOM_D_I = 203271619,
   /** fixed [m]: Distance from the eye of the rod to the piston (default chosen). (> 0, default 0.105) */
-  STRIBECK_TELESCOPIC_JOINT_GEOM_D_J = 8,
+  STRIBECK_TELESCOPIC_JOINT_GEOM_D_J = 220049238,
   /** fixed [m]: Overlap below which the contact forces are kept finite (default chosen). (>= 0, default 0.002) */
-  STRIBECK_TELESCOPIC_JOINT_GEOM_H_REG = 9,
+  STRIBECK_TELESCOPIC_JOINT_GEOM_H_REG = 606834118,
   /** out [N]: Normal force at the rod guide. */
-  STRIBECK_TELESCOPIC_JOINT_NORMAL_1 = 10,
+  STRIBECK_TELESCOPIC_JOINT_NORMAL_1 = 213575218,
   /** out [N]: Normal force at the piston. */
-  STRIBECK_TELESCOPIC_JOINT_NORMAL_2 = 11,
+  STRIBECK_TELESCOPIC_JOINT_NORMAL_2 = 196797599,
   /** out [N]: Force on the rod at the rod guide along m. */
-  STRIBECK_TELESCOPIC_JOINT_FORCE_1_M = 12,
+  STRIBECK_TELESCOPIC_JOINT_FORCE_1_M = 2068730960,
   /** out [N]: Force on the rod at the rod guide along n. */
-  STRIBECK_TELESCOPIC_JOINT_FORCE_1_N = 13,
+  STRIBECK_TELESCOPIC_JOINT_FORCE_1_N = 2119063817,
   /** out [N]: Force on the rod at the piston along m. */
-  STRIBECK_TELESCOPIC_JOINT_FORCE_2_M = 14,
+  STRIBECK_TELESCOPIC_JOINT_FORCE_2_M = 660688669,
   /** out [N]: Force on the rod at the piston along n. */
-  STRIBECK_TELESCOPIC_JOINT_FORCE_2_N = 15,
+  STRIBECK_TELESCOPIC_JOINT_FORCE_2_N = 610355812,
   /** out [m]: Distance from piston to rod guide. */
-  STRIBECK_TELESCOPIC_JOINT_OVERLAP = 16,
+  STRIBECK_TELESCOPIC_JOINT_OVERLAP = 660987912,
   /** out [Boolean]: Is the overlap so short that the contact forces are regularised? */
-  STRIBECK_TELESCOPIC_JOINT_OVERLAP_LOW = 17,
+  STRIBECK_TELESCOPIC_JOINT_OVERLAP_LOW = 1487137969,
 } stribeck_telescopic_joint_variable;
 
 /** Guid of GuideContact for fmi2Instantiate. */
 #define STRIBECK_GUIDE_CONTACT_GUID "{db48fccd-436f-c2ea-f8c2-6da3aa63e4a3}"
 
-/** GuideContact: Friction of a rod in its guide, by any law of the catalogue. Columns of "GuideContact". */
+/** GuideContact: Friction of a rod in its guide, by any law of the catalogue. Variables of "GuideContact". */
 typedef enum stribeck_guide_contact_variable {
   /** in [m/s]: Axial velocity of the rod relative to the guide. (default 0) */
-  STRIBECK_GUIDE_CONTACT_VELOCITY = 0,
+  STRIBECK_GUIDE_CONTACT_VELOCITY = 846470194,
   /** in [rad/s]: Spin of the rod relative to the guide. (default 0) */
-  STRIBECK_GUIDE_CONTACT_SPIN_RATE = 1,
+  STRIBECK_GUIDE_CONTACT_SPIN_RATE = 49729312,
   /** in [N]: Normal force that presses the surfaces together. (>= 0, default 0) */
-  STRIBECK_GUIDE_CONTACT_NORMAL_FORCE = 2,
+  STRIBECK_GUIDE_CONTACT_NORMAL_FORCE = 5891938,
   /** in [N]: All other axial forces on the rod; only for laws that hold a load at rest. (default 0) */
-  STRIBECK_GUIDE_CONTACT_EXTERNAL_FORCE = 3,
+  STRIBECK_GUIDE_CONTACT_EXTERNAL_FORCE = 1336490458,
   /** in [m/s2]: Time derivative of the velocity; only for laws that use it. (default 0) */
-  STRIBECK_GUIDE_CONTACT_ACCELERATION = 4,
+  STRIBECK_GUIDE_CONTACT_ACCELERATION = 799062685,
   /** tunable [m]: Radius of the contact. (>= 0, default 0.007) */
-  STRIBECK_GUIDE_CONTACT_RADIUS = 5,
+  STRIBECK_GUIDE_CONTACT_RADIUS = 230313139,
   /** tunable [1]: Static coefficient of friction; not less than mu_k (default chosen). (>= 0, default 0.15) */
-  STRIBECK_GUIDE_CONTACT_LEVELS_MU_S = 6,
+  STRIBECK_GUIDE_CONTACT_LEVELS_MU_S = 1754235372,
   /** tunable [1]: Kinetic coefficient of friction (default chosen). (>= 0, default 0.1) */
-  STRIBECK_GUIDE_CONTACT_LEVELS_MU_K = 7,
+  STRIBECK_GUIDE_CONTACT_LEVELS_MU_K = 9414580,
   /** tunable [N]: Breakaway force without normal force, e.g. of a seal; not less than preload_k (default chosen).
    *  (>= 0, default 10) */
-  STRIBECK_GUIDE_CONTACT_LEVELS_PRELOAD_S = 8,
+  STRIBECK_GUIDE_CONTACT_LEVELS_PRELOAD_S = 717434771,
   /** tunable [N]: Sliding friction force without normal force, e.g. of a seal (default chosen). (>= 0, default 8) */
-  STRIBECK_GUIDE_CONTACT_LEVELS_PRELOAD_K = 9,
+  STRIBECK_GUIDE_CONTACT_LEVELS_PRELOAD_K = 1120097627,
   /** fixed [stribeck_friction_model]: Friction law; parameters of other laws are ignored. (default LuGre) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_MODEL = 10,
+  STRIBECK_GUIDE_CONTACT_FRICTION_MODEL = 718325868,
   /** tunable [stribeck_friction_switch]: Active parts of the friction. (default On) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_SWITCH = 11,
+  STRIBECK_GUIDE_CONTACT_FRICTION_SWITCH = 1316691407,
   /** tunable [1]: Friction in compression over friction in extension: (1 + asymmetry) / (1 - asymmetry).
    *  (>= -0.99, <= 0.99, default 0) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_ASYMMETRY = 12,
+  STRIBECK_GUIDE_CONTACT_FRICTION_ASYMMETRY = 2029946676,
   /** tunable [1]: Factor on all friction levels. (>= 0, default 1) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_SCALE = 13,
+  STRIBECK_GUIDE_CONTACT_FRICTION_SCALE = 956758479,
   /** tunable [kg]: Effective mass of the body, for laws that use it; 0 = law as printed. (>= 0, default 0) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_MASS = 14,
+  STRIBECK_GUIDE_CONTACT_FRICTION_MASS = 1642932867,
   /** fixed [stribeck_exchange]: Order in which the master exchanges force and motion; used with mass > 0.
    *  (default Sequential) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_EXCHANGE = 15,
+  STRIBECK_GUIDE_CONTACT_FRICTION_EXCHANGE = 913732870,
   /** tunable [m/s]: Speed at which the excess of static over kinetic friction has fallen to 1/e, or to 1/2 where the curve is a fraction (Armstrong, HessSoom, PoppStelter).
    *  (> 0, default 0.001) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_STRIBECK_VELOCITY = 16,
+  STRIBECK_GUIDE_CONTACT_FRICTION_STRIBECK_VELOCITY = 1519261972,
   /** tunable [1]: Exponent of the Stribeck curve. (> 0, default 2) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_STRIBECK_EXPONENT = 17,
+  STRIBECK_GUIDE_CONTACT_FRICTION_STRIBECK_EXPONENT = 1211129088,
   /** tunable [N/m]: Stiffness of the bristles. (> 0, default 100000) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_SIGMA_0 = 18,
+  STRIBECK_GUIDE_CONTACT_FRICTION_SIGMA_0 = 1309247285,
   /** tunable [N.s/m]: Damping of the bristles. (>= 0, default 316.22776601683796) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_SIGMA_1 = 19,
+  STRIBECK_GUIDE_CONTACT_FRICTION_SIGMA_1 = 1292469666,
   /** tunable [N.s/m]: Viscous friction coefficient. (>= 0, default 0.1) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_VISCOUS_COEFFICIENT = 20,
+  STRIBECK_GUIDE_CONTACT_FRICTION_VISCOUS_COEFFICIENT = 157080163,
   /** tunable [m/s]: Speed at which the damping of the bristles fades; 0 = constant damping. (>= 0, default 0) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_DAMPING_VELOCITY = 21,
+  STRIBECK_GUIDE_CONTACT_FRICTION_DAMPING_VELOCITY = 610883159,
   /** fixed [stribeck_coulomb_viscous_variant]: Variant of the law. (default Linear) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_COULOMBVISCOUS_VARIANT = 22,
+  STRIBECK_GUIDE_CONTACT_FRICTION_COULOMBVISCOUS_VARIANT = 2048999885,
   /** tunable [1]: Exponent of the viscous part. (> 0, default 1) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_VISCOUS_EXPONENT = 23,
+  STRIBECK_GUIDE_CONTACT_FRICTION_VISCOUS_EXPONENT = 1053197097,
   /** fixed [stribeck_stribeck_curve]: How the level falls with speed. (default Gaussian) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_CURVE = 24,
+  STRIBECK_GUIDE_CONTACT_FRICTION_CURVE = 365515582,
   /** tunable [N.s/m]: Viscous friction coefficient. (>= 0, default 0) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_STRIBECK_VISCOUS_COEFFICIENT = 25,
+  STRIBECK_GUIDE_CONTACT_FRICTION_STRIBECK_VISCOUS_COEFFICIENT = 1198184670,
   /** tunable [N.s2/m2]: Quadratic friction coefficient; used by PoppStelter. (>= 0, default 0) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_QUADRATIC_COEFFICIENT = 26,
+  STRIBECK_GUIDE_CONTACT_FRICTION_QUADRATIC_COEFFICIENT = 1058495321,
   /** tunable [s/m]: Slope of the force at rest, relative to the level there. (> 0, default 2000) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_TRANSITION_SLOPE = 27,
+  STRIBECK_GUIDE_CONTACT_FRICTION_TRANSITION_SLOPE = 1048698240,
   /** fixed [stribeck_threlfall_variant]: Variant of the law. (default Printed) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_THRELFALL_VARIANT = 28,
+  STRIBECK_GUIDE_CONTACT_FRICTION_THRELFALL_VARIANT = 202163868,
   /** tunable [m/s]: Velocity that sets the width of the regularised band around rest. (> 0, default 0.001) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_TRANSITION_VELOCITY = 29,
+  STRIBECK_GUIDE_CONTACT_FRICTION_TRANSITION_VELOCITY = 163906394,
   /** fixed [stribeck_rooney_deravi_variant]: Variant of the law. (default Linear) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_ROONEYDERAVI_VARIANT = 30,
+  STRIBECK_GUIDE_CONTACT_FRICTION_ROONEYDERAVI_VARIANT = 1956286015,
   /** tunable [m/s]: Velocity that sets the width of the regularised band around rest. (>= 0, default 0.0001) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_AMBROSIO_TRANSITION_VELOCITY = 31,
+  STRIBECK_GUIDE_CONTACT_FRICTION_AMBROSIO_TRANSITION_VELOCITY = 32779198,
   /** tunable [m/s]: Velocity at which the kinetic level is reached. (> 0, default 0.001) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_SLIDING_VELOCITY = 32,
+  STRIBECK_GUIDE_CONTACT_FRICTION_SLIDING_VELOCITY = 2091256599,
   /** fixed [stribeck_bengisu_akay_variant]: Variant of the law. (default Thesis) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_BENGISUAKAY_VARIANT = 33,
+  STRIBECK_GUIDE_CONTACT_FRICTION_BENGISUAKAY_VARIANT = 780083729,
   /** tunable [s/m]: Slope of the force at rest, relative to the level there. (> 0, default 5000) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_BENGISUAKAY_TRANSITION_SLOPE = 34,
+  STRIBECK_GUIDE_CONTACT_FRICTION_BENGISUAKAY_TRANSITION_SLOPE = 1008920195,
   /** tunable [s/m]: Rate at which the excess of static over kinetic friction decays with speed (default chosen).
    *  (> 0, default 500) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_STICTION_DECAY = 35,
+  STRIBECK_GUIDE_CONTACT_FRICTION_STICTION_DECAY = 197701967,
   /** tunable [s/m]: Viscous coefficient of friction, per normal force. (>= 0, default 0) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_MU_V = 36,
+  STRIBECK_GUIDE_CONTACT_FRICTION_MU_V = 195132,
   /** tunable [s/m]: Slope of the force at rest, relative to the level there. (> 0, default 10000) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_ANDERSSON_TRANSITION_SLOPE = 37,
+  STRIBECK_GUIDE_CONTACT_FRICTION_ANDERSSON_TRANSITION_SLOPE = 175687589,
   /** tunable [N.s/m]: Viscous friction coefficient. (>= 0, default 0) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_ANDERSSON_VISCOUS_COEFFICIENT = 38,
+  STRIBECK_GUIDE_CONTACT_FRICTION_ANDERSSON_VISCOUS_COEFFICIENT = 451477724,
   /** tunable [s/m]: Rate at which the excess of static over kinetic friction decays with speed (default chosen).
    *  (> 0, default 1000) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_AWREJCEWICZ_STICTION_DECAY = 39,
+  STRIBECK_GUIDE_CONTACT_FRICTION_AWREJCEWICZ_STICTION_DECAY = 1199436897,
   /** tunable [m/s]: Velocity that sets the width of the regularised band around rest. (> 0, default 0.00025) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_SPECKER_TRANSITION_VELOCITY = 40,
+  STRIBECK_GUIDE_CONTACT_FRICTION_SPECKER_TRANSITION_VELOCITY = 816843187,
   /** tunable [m/s]: Velocity at which the static level is reached (default chosen). (> 0, default 0.0005) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_PEAK_VELOCITY = 41,
+  STRIBECK_GUIDE_CONTACT_FRICTION_PEAK_VELOCITY = 494732202,
   /** tunable [N.s/m]: Viscous friction coefficient. (>= 0, default 0) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_SPECKER_VISCOUS_COEFFICIENT = 42,
+  STRIBECK_GUIDE_CONTACT_FRICTION_SPECKER_VISCOUS_COEFFICIENT = 484229442,
   /** tunable [m/s]: Velocity at which the kinetic level is reached. (> 0, default 0.0015) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_LINEARSTICTION_SLIDING_VELOCITY = 43,
+  STRIBECK_GUIDE_CONTACT_FRICTION_LINEARSTICTION_SLIDING_VELOCITY = 1146592147,
   /** tunable [N.s/m]: Viscous friction coefficient. (>= 0, default 0) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_BROWNMCPHEE_VISCOUS_COEFFICIENT = 44,
+  STRIBECK_GUIDE_CONTACT_FRICTION_BROWNMCPHEE_VISCOUS_COEFFICIENT = 237120135,
   /** tunable [N]: Normal force at which the viscous part is fully active (default chosen). (> 0, default 1) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_TRANSITION_NORMAL_FORCE = 45,
+  STRIBECK_GUIDE_CONTACT_FRICTION_TRANSITION_NORMAL_FORCE = 804491626,
   /** tunable [1]: Exponent of the transition to sliding; below 1 brittle, from 1 on ductile. (>= 0, default 1) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_ALPHA = 46,
+  STRIBECK_GUIDE_CONTACT_FRICTION_ALPHA = 582116977,
   /** tunable [N.s/m]: Viscous friction coefficient. (>= 0, default 0) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_FRICTIONALLAG_VISCOUS_COEFFICIENT = 47,
+  STRIBECK_GUIDE_CONTACT_FRICTION_FRICTIONALLAG_VISCOUS_COEFFICIENT = 1079872672,
   /** fixed [s]: Time by which the level of friction lags behind the velocity (default chosen). (>= 0, default 0.005) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_TIME_LAG = 48,
+  STRIBECK_GUIDE_CONTACT_FRICTION_TIME_LAG = 1346657113,
   /** fixed [stribeck_frictional_lag_variant]: Variant of the law. (default Delay) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_FRICTIONALLAG_VARIANT = 49,
+  STRIBECK_GUIDE_CONTACT_FRICTION_FRICTIONALLAG_VARIANT = 1166768751,
   /** tunable [N.s/m]: Viscous friction coefficient. (>= 0, default 0) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_ARMSTRONG_VISCOUS_COEFFICIENT = 50,
+  STRIBECK_GUIDE_CONTACT_FRICTION_ARMSTRONG_VISCOUS_COEFFICIENT = 104992308,
   /** tunable [s]: Dwell time after which half of the rise of the static friction has occurred (default chosen).
    *  (>= 0, default 2) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_GAMMA = 51,
+  STRIBECK_GUIDE_CONTACT_FRICTION_GAMMA = 1977894676,
   /** tunable [1]: Coefficient of friction that a contact reaches when it comes to rest; not more than mu_s (default chosen).
    *  (>= 0, default 0) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_MU_STOP = 52,
+  STRIBECK_GUIDE_CONTACT_FRICTION_MU_STOP = 1837154842,
   /** tunable [s/m]: Steepness of the curve while speeding up (default chosen). (> 0, default 500) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_ACCELERATION_DECAY = 53,
+  STRIBECK_GUIDE_CONTACT_FRICTION_ACCELERATION_DECAY = 1879733450,
   /** tunable [s/m]: Steepness of the curve while slowing down (default chosen). (> 0, default 500) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_DECELERATION_DECAY = 54,
+  STRIBECK_GUIDE_CONTACT_FRICTION_DECELERATION_DECAY = 1768807973,
   /** tunable [s/m]: Steepness of the curves for speeding up and slowing down (default chosen). (> 0, default 500) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_BRANCH_DECAY = 55,
+  STRIBECK_GUIDE_CONTACT_FRICTION_BRANCH_DECAY = 2073065670,
   /** fixed [stribeck_bliman_sorine_order]: Variant of the law. (default Second) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_BLIMANSORINE_VARIANT = 56,
+  STRIBECK_GUIDE_CONTACT_FRICTION_BLIMANSORINE_VARIANT = 583382101,
   /** tunable [1]: Level of the slow relaxation, as a coefficient of friction; second order (default calibrated).
    *  (>= 0, default 0.2732050807568877) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_MU_2 = 57,
+  STRIBECK_GUIDE_CONTACT_FRICTION_MU_2 = 1006800688,
   /** tunable [1]: Length of the fast relaxation as a part of that of the slow one; second order (default chosen).
    *  (> 0, <= 1, default 0.5) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_ETA = 58,
+  STRIBECK_GUIDE_CONTACT_FRICTION_ETA = 1505373677,
   /** tunable [m]: Sliding distance in which the slow relaxation settles to 1/e (default calibrated).
    *  (> 0, default 4.642141842225068e-5) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_EPS_F = 59,
+  STRIBECK_GUIDE_CONTACT_FRICTION_EPS_F = 143280926,
   /** tunable [m]: Shear deflection of the asperities in steady sliding (default f_C / sigma_0 of the thesis).
    *  (> 0, default 9.81e-6) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_DELTA_T = 60,
+  STRIBECK_GUIDE_CONTACT_FRICTION_DELTA_T = 626693188,
   /** tunable [1]: Part of the deflection of steady sliding up to which the contact is purely elastic.
    *  (> 0, <= 1, default 0.7) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_BREAKAWAY_RATIO = 61,
+  STRIBECK_GUIDE_CONTACT_FRICTION_BREAKAWAY_RATIO = 1652803556,
   /** tunable [Integer]: Exponent of the transition from elastic deflection to sliding; odd. (>= 1, <= 9, default 1) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_PLASTIC_EXPONENT = 62,
+  STRIBECK_GUIDE_CONTACT_FRICTION_PLASTIC_EXPONENT = 580682845,
   /** tunable [m]: Strain at which a bristle snaps (default f_s / sigma_0 of the thesis). (> 0, default 1.4715e-5) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_DELTA = 63,
+  STRIBECK_GUIDE_CONTACT_FRICTION_DELTA = 2065665047,
   /** fixed [Integer]: Number of bristles (default chosen). (>= 1, <= 64, default 25) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_BRISTLE_COUNT = 64,
+  STRIBECK_GUIDE_CONTACT_FRICTION_BRISTLE_COUNT = 1010238726,
   /** fixed [Integer]: Seed of the random numbers. (>= 0, default 0) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_SEED = 65,
+  STRIBECK_GUIDE_CONTACT_FRICTION_SEED = 1731659842,
   /** fixed [stribeck_initial_bonds]: State of the bristles when the motion starts. (default Bonded) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_INITIAL_BONDS = 66,
+  STRIBECK_GUIDE_CONTACT_FRICTION_INITIAL_BONDS = 254102368,
   /** tunable [m/s]: Velocity that sets the width of the regularised band around rest. (> 0, default 0.00025) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_SPECKERDYNAMIC_TRANSITION_VELOCITY = 67,
+  STRIBECK_GUIDE_CONTACT_FRICTION_SPECKERDYNAMIC_TRANSITION_VELOCITY = 695032766,
   /** tunable [N.s/m]: Viscous friction coefficient. (>= 0, default 0) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_SPECKERDYNAMIC_VISCOUS_COEFFICIENT = 68,
+  STRIBECK_GUIDE_CONTACT_FRICTION_SPECKERDYNAMIC_VISCOUS_COEFFICIENT = 165096311,
   /** tunable [s]: Time constant of the force while sliding (default chosen). (> 0, default 0.001) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_SLIP_TIME = 69,
+  STRIBECK_GUIDE_CONTACT_FRICTION_SLIP_TIME = 788380435,
   /** tunable [N.s/m]: Damping of the bristles. (>= 0, default 0) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_MAXWELLSLIP_SIGMA_1 = 70,
+  STRIBECK_GUIDE_CONTACT_FRICTION_MAXWELLSLIP_SIGMA_1 = 1478808016,
   /** tunable [N.s/m]: Viscous friction coefficient. (>= 0, default 0) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_MAXWELLSLIP_VISCOUS_COEFFICIENT = 71,
+  STRIBECK_GUIDE_CONTACT_FRICTION_MAXWELLSLIP_VISCOUS_COEFFICIENT = 396050933,
   /** tunable [N/s]: Rate at which the slipping elements together approach their level (default chosen).
    *  (> 0, default 1000) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_ATTRACTION = 72,
+  STRIBECK_GUIDE_CONTACT_FRICTION_ATTRACTION = 1435098162,
   /** fixed [stribeck_element_distribution]: Where the shares of the elements come from. (default Explicit) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_DISTRIBUTION = 73,
+  STRIBECK_GUIDE_CONTACT_FRICTION_DISTRIBUTION = 21287993,
   /** fixed [Integer]: Number of elements in use (default chosen). (>= 1, <= 16, default 4) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_COUNT = 74,
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_COUNT = 1149577601,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.5) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_1_STIFFNESS_SHARE = 75,
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_1_STIFFNESS_SHARE = 1847706511,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_1_STRENGTH_SHARE = 76,
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_1_STRENGTH_SHARE = 683083159,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.25) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_2_STIFFNESS_SHARE = 77,
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_2_STIFFNESS_SHARE = 1300159780,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.2) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_2_STRENGTH_SHARE = 78,
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_2_STRENGTH_SHARE = 1889862646,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.15) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_3_STIFFNESS_SHARE = 79,
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_3_STIFFNESS_SHARE = 1127554717,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.3) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_3_STRENGTH_SHARE = 80,
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_3_STRENGTH_SHARE = 248847553,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_4_STIFFNESS_SHARE = 81,
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_4_STIFFNESS_SHARE = 1010711754,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.4) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_4_STRENGTH_SHARE = 82,
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_4_STRENGTH_SHARE = 956173024,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_5_STIFFNESS_SHARE = 83,
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_5_STIFFNESS_SHARE = 2008968323,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_5_STRENGTH_SHARE = 84,
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_5_STRENGTH_SHARE = 717020499,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_6_STIFFNESS_SHARE = 85,
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_6_STIFFNESS_SHARE = 13936472,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_6_STRENGTH_SHARE = 86,
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_6_STRENGTH_SHARE = 2108675762,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_7_STIFFNESS_SHARE = 87,
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_7_STIFFNESS_SHARE = 1560638401,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_7_STRENGTH_SHARE = 88,
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_7_STRENGTH_SHARE = 581810013,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_8_STIFFNESS_SHARE = 89,
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_8_STIFFNESS_SHARE = 1234943678,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_8_STRENGTH_SHARE = 90,
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_8_STRENGTH_SHARE = 479727308,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_9_STIFFNESS_SHARE = 91,
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_9_STIFFNESS_SHARE = 1759773319,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_9_STRENGTH_SHARE = 92,
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_9_STRENGTH_SHARE = 1583137247,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_10_STIFFNESS_SHARE = 93,
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_10_STIFFNESS_SHARE = 1230619133,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_10_STRENGTH_SHARE = 94,
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_10_STRENGTH_SHARE = 523667361,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_11_STIFFNESS_SHARE = 95,
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_11_STIFFNESS_SHARE = 1589235716,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_11_STRENGTH_SHARE = 96,
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_11_STRENGTH_SHARE = 1639465814,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_12_STIFFNESS_SHARE = 97,
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_12_STIFFNESS_SHARE = 471692527,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_12_STRENGTH_SHARE = 98,
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_12_STRENGTH_SHARE = 398607607,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_13_STIFFNESS_SHARE = 99,
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_13_STIFFNESS_SHARE = 1603765734,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_13_STRENGTH_SHARE = 100,
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_13_STRENGTH_SHARE = 2038715940,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_14_STIFFNESS_SHARE = 101,
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_14_STIFFNESS_SHARE = 1071029793,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_14_STRENGTH_SHARE = 102,
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_14_STRENGTH_SHARE = 993607997,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_15_STIFFNESS_SHARE = 103,
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_15_STIFFNESS_SHARE = 339576632,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_15_STRENGTH_SHARE = 104,
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_15_STRENGTH_SHARE = 1828551314,
   /** tunable [1]: Stiffness of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_16_STIFFNESS_SHARE = 105,
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_16_STIFFNESS_SHARE = 1364232803,
   /** tunable [1]: Strength of the element, relative to the sum over all elements in use. (> 0, default 0.1) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_16_STRENGTH_SHARE = 106,
+  STRIBECK_GUIDE_CONTACT_FRICTION_ELEMENT_16_STRENGTH_SHARE = 1567232691,
   /** tunable [1]: Exponent of the approach to the steady level (default chosen). (>= 0.1, default 1) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_APPROACH_EXPONENT = 107,
+  STRIBECK_GUIDE_CONTACT_FRICTION_APPROACH_EXPONENT = 772972039,
   /** tunable [1]: Strength of all elements together, as a multiple of the static level; not less than 1 (default chosen).
    *  (> 0, default 1.2) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_HYSTERESIS_STRENGTH = 108,
+  STRIBECK_GUIDE_CONTACT_FRICTION_HYSTERESIS_STRENGTH = 235565580,
   /** tunable [m/s]: Velocity that sets the width of the regularised band around rest. (> 0, default 1e-5) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_GONTHIER_TRANSITION_VELOCITY = 109,
+  STRIBECK_GUIDE_CONTACT_FRICTION_GONTHIER_TRANSITION_VELOCITY = 2083171682,
   /** tunable [s]: Time constant with which the static level rises at rest. (> 0, default 2) */
-  STRIBECK_GUIDE_CONTACT_FRICTION_DWELL_TIME_CONSTANT = 110,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_1 = 111,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_2 = 112,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_3 = 113,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_4 = 114,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_5 = 115,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_6 = 116,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_7 = 117,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_8 = 118,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_9 = 119,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_10 = 120,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_11 = 121,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_12 = 122,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_13 = 123,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_14 = 124,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_15 = 125,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_16 = 126,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_17 = 127,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_18 = 128,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_19 = 129,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_20 = 130,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_21 = 131,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_22 = 132,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_23 = 133,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_24 = 134,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_25 = 135,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_26 = 136,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_27 = 137,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_28 = 138,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_29 = 139,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_30 = 140,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_31 = 141,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_32 = 142,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_33 = 143,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_34 = 144,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_35 = 145,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_36 = 146,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_37 = 147,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_38 = 148,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_39 = 149,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_40 = 150,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_41 = 151,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_42 = 152,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_43 = 153,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_44 = 154,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_45 = 155,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_46 = 156,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_47 = 157,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_48 = 158,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_49 = 159,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_50 = 160,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_51 = 161,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_52 = 162,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_53 = 163,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_54 = 164,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_55 = 165,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_56 = 166,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_57 = 167,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_58 = 168,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_59 = 169,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_60 = 170,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_61 = 171,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_62 = 172,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_63 = 173,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_64 = 174,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_65 = 175,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_66 = 176,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_67 = 177,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_68 = 178,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_69 = 179,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_70 = 180,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_71 = 181,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_72 = 182,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_73 = 183,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_74 = 184,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_75 = 185,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_76 = 186,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_77 = 187,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_78 = 188,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_79 = 189,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_80 = 190,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_81 = 191,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_82 = 192,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_83 = 193,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_84 = 194,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_85 = 195,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_86 = 196,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_87 = 197,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_88 = 198,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_89 = 199,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_90 = 200,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_91 = 201,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_92 = 202,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_93 = 203,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_94 = 204,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_95 = 205,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_96 = 206,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_97 = 207,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_98 = 208,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_99 = 209,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_100 = 210,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_101 = 211,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_102 = 212,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_103 = 213,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_104 = 214,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_105 = 215,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_106 = 216,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_107 = 217,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_108 = 218,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_109 = 219,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_110 = 220,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_111 = 221,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_112 = 222,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_113 = 223,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_114 = 224,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_115 = 225,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_116 = 226,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_117 = 227,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_118 = 228,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_119 = 229,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_120 = 230,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_121 = 231,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_122 = 232,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_123 = 233,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_124 = 234,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_125 = 235,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_126 = 236,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_127 = 237,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_128 = 238,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_129 = 239,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_130 = 240,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_131 = 241,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_132 = 242,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_133 = 243,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_134 = 244,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_135 = 245,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_136 = 246,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_137 = 247,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_138 = 248,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_139 = 249,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_140 = 250,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_141 = 251,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_142 = 252,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_143 = 253,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_144 = 254,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_145 = 255,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_146 = 256,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_147 = 257,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_148 = 258,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_149 = 259,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_150 = 260,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_151 = 261,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_152 = 262,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_153 = 263,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_154 = 264,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_155 = 265,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_156 = 266,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_157 = 267,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_158 = 268,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_159 = 269,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_160 = 270,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_161 = 271,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_162 = 272,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_163 = 273,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_164 = 274,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_165 = 275,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_166 = 276,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_167 = 277,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_168 = 278,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_169 = 279,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_170 = 280,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_171 = 281,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_172 = 282,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_173 = 283,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_174 = 284,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_175 = 285,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_176 = 286,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_177 = 287,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_178 = 288,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_179 = 289,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_180 = 290,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_181 = 291,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_182 = 292,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_183 = 293,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_184 = 294,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_185 = 295,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_186 = 296,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_187 = 297,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_188 = 298,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_189 = 299,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_190 = 300,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_191 = 301,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_192 = 302,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_193 = 303,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_194 = 304,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_195 = 305,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_196 = 306,
-  /** state [1]: States of the friction law, in SI units and in the order of the law, discrete ones last. (default 0) */
-  STRIBECK_GUIDE_CONTACT_MEMORY_197 = 307,
-  /** state [Boolean]: Has the run begun? (default false) */
-  STRIBECK_GUIDE_CONTACT_STARTED = 308,
+  STRIBECK_GUIDE_CONTACT_FRICTION_DWELL_TIME_CONSTANT = 1275370588,
+  /** state [1]: States of the friction law, in SI units: its continuous states in their order. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_1 = 1672239013,
+  /** state [1]: States of the friction law, in SI units: its continuous states in their order. (default 0) */
+  STRIBECK_GUIDE_CONTACT_MEMORY_2 = 1672091918,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
-  STRIBECK_GUIDE_CONTACT_DISSIPATED_ENERGY = 309,
+  STRIBECK_GUIDE_CONTACT_DISSIPATED_ENERGY = 758404530,
   /** out [N]: Axial friction force; has the sign of the velocity when sliding. */
-  STRIBECK_GUIDE_CONTACT_FRICTION_FORCE = 310,
+  STRIBECK_GUIDE_CONTACT_FRICTION_FORCE = 1713976319,
   /** out [N.m]: Friction torque about the axis; has the sign of the spin rate when sliding. */
-  STRIBECK_GUIDE_CONTACT_FRICTION_TORQUE = 311,
+  STRIBECK_GUIDE_CONTACT_FRICTION_TORQUE = 971415098,
   /** out [W]: Power taken out of the motion. */
-  STRIBECK_GUIDE_CONTACT_DISSIPATED_POWER = 312,
+  STRIBECK_GUIDE_CONTACT_DISSIPATED_POWER = 236926875,
   /** out [Boolean]: Is the contact sticking? */
-  STRIBECK_GUIDE_CONTACT_STICKING = 313,
+  STRIBECK_GUIDE_CONTACT_STICKING = 553311409,
 } stribeck_guide_contact_variable;
 
 /** Guid of CoilSpring for fmi2Instantiate. */
 #define STRIBECK_COIL_SPRING_GUID "{1940e84a-ac92-39f7-c0de-a671c35f8e0b}"
 
-/** CoilSpring: Coil spring with preload, linear or from a table. Columns of "CoilSpring". */
+/** CoilSpring: Coil spring with preload, linear or from a table. Variables of "CoilSpring". */
 typedef enum stribeck_coil_spring_variable {
   /** in [m]: Compression from full extension. (default 0) */
-  STRIBECK_COIL_SPRING_COMPRESSION = 0,
+  STRIBECK_COIL_SPRING_COMPRESSION = 987494389,
   /** fixed [Boolean]: Is there a spring? (default true) */
-  STRIBECK_COIL_SPRING_SPRING_ENABLED = 1,
+  STRIBECK_COIL_SPRING_SPRING_ENABLED = 602440755,
   /** fixed [stribeck_spring_mode]: Form of the spring's characteristic. (default Linear) */
-  STRIBECK_COIL_SPRING_SPRING_MODE = 2,
+  STRIBECK_COIL_SPRING_SPRING_MODE = 354240045,
   /** tunable [N/m]: Stiffness. (>= 0, default 45000) */
-  STRIBECK_COIL_SPRING_SPRING_K = 3,
+  STRIBECK_COIL_SPRING_SPRING_K = 1239346679,
   /** tunable [N]: Force at full extension (default chosen). (default 150) */
-  STRIBECK_COIL_SPRING_SPRING_PRELOAD = 4,
+  STRIBECK_COIL_SPRING_SPRING_PRELOAD = 693664647,
   /** fixed [Integer]: Number of points of the table in use (default chosen). (>= 2, <= 16, default 3) */
-  STRIBECK_COIL_SPRING_SPRING_TAB_N = 5,
+  STRIBECK_COIL_SPRING_SPRING_TAB_N = 173096048,
   /** tunable [m]: Compressions of the table, ascending (default chosen). (default 0) */
-  STRIBECK_COIL_SPRING_SPRING_TAB_X_1 = 6,
+  STRIBECK_COIL_SPRING_SPRING_TAB_X_1 = 1626994985,
   /** tunable [m]: Compressions of the table, ascending (default chosen). (default 0.03) */
-  STRIBECK_COIL_SPRING_SPRING_TAB_X_2 = 7,
+  STRIBECK_COIL_SPRING_SPRING_TAB_X_2 = 553028690,
   /** tunable [m]: Compressions of the table, ascending (default chosen). (default 0.055) */
-  STRIBECK_COIL_SPRING_SPRING_TAB_X_3 = 8,
+  STRIBECK_COIL_SPRING_SPRING_TAB_X_3 = 485771119,
   /** tunable [m]: Compressions of the table, ascending (default chosen). (default 0) */
-  STRIBECK_COIL_SPRING_SPRING_TAB_X_4 = 9,
+  STRIBECK_COIL_SPRING_SPRING_TAB_X_4 = 486903952,
   /** tunable [m]: Compressions of the table, ascending (default chosen). (default 0) */
-  STRIBECK_COIL_SPRING_SPRING_TAB_X_5 = 10,
+  STRIBECK_COIL_SPRING_SPRING_TAB_X_5 = 1627583365,
   /** tunable [m]: Compressions of the table, ascending (default chosen). (default 0) */
-  STRIBECK_COIL_SPRING_SPRING_TAB_X_6 = 11,
+  STRIBECK_COIL_SPRING_SPRING_TAB_X_6 = 1627436270,
   /** tunable [m]: Compressions of the table, ascending (default chosen). (default 0) */
-  STRIBECK_COIL_SPRING_SPRING_TAB_X_7 = 12,
+  STRIBECK_COIL_SPRING_SPRING_TAB_X_7 = 486462667,
   /** tunable [m]: Compressions of the table, ascending (default chosen). (default 0) */
-  STRIBECK_COIL_SPRING_SPRING_TAB_X_8 = 13,
+  STRIBECK_COIL_SPRING_SPRING_TAB_X_8 = 1558751676,
   /** tunable [m]: Compressions of the table, ascending (default chosen). (default 0) */
-  STRIBECK_COIL_SPRING_SPRING_TAB_X_9 = 14,
+  STRIBECK_COIL_SPRING_SPRING_TAB_X_9 = 551895857,
   /** tunable [m]: Compressions of the table, ascending (default chosen). (default 0) */
-  STRIBECK_COIL_SPRING_SPRING_TAB_X_10 = 15,
+  STRIBECK_COIL_SPRING_SPRING_TAB_X_10 = 1632597957,
   /** tunable [m]: Compressions of the table, ascending (default chosen). (default 0) */
-  STRIBECK_COIL_SPRING_SPRING_TAB_X_11 = 16,
+  STRIBECK_COIL_SPRING_SPRING_TAB_X_11 = 491918544,
   /** tunable [m]: Compressions of the table, ascending (default chosen). (default 0) */
-  STRIBECK_COIL_SPRING_SPRING_TAB_X_12 = 17,
+  STRIBECK_COIL_SPRING_SPRING_TAB_X_12 = 491374091,
   /** tunable [m]: Compressions of the table, ascending (default chosen). (default 0) */
-  STRIBECK_COIL_SPRING_SPRING_TAB_X_13 = 18,
+  STRIBECK_COIL_SPRING_SPRING_TAB_X_13 = 1632450862,
   /** tunable [m]: Compressions of the table, ascending (default chosen). (default 0) */
-  STRIBECK_COIL_SPRING_SPRING_TAB_X_14 = 19,
+  STRIBECK_COIL_SPRING_SPRING_TAB_X_14 = 1631906409,
   /** tunable [m]: Compressions of the table, ascending (default chosen). (default 0) */
-  STRIBECK_COIL_SPRING_SPRING_TAB_X_15 = 20,
+  STRIBECK_COIL_SPRING_SPRING_TAB_X_15 = 491226996,
   /** tunable [m]: Compressions of the table, ascending (default chosen). (default 0) */
-  STRIBECK_COIL_SPRING_SPRING_TAB_X_16 = 21,
+  STRIBECK_COIL_SPRING_SPRING_TAB_X_16 = 490785711,
   /** tunable [N]: Forces of the table, without preload (default chosen). (default 0) */
-  STRIBECK_COIL_SPRING_SPRING_TAB_F_1 = 22,
+  STRIBECK_COIL_SPRING_SPRING_TAB_F_1 = 1971131151,
   /** tunable [N]: Forces of the table, without preload (default chosen). (default 1350) */
-  STRIBECK_COIL_SPRING_SPRING_TAB_F_2 = 23,
+  STRIBECK_COIL_SPRING_SPRING_TAB_F_2 = 1971675604,
   /** tunable [N]: Forces of the table, without preload (default chosen). (default 2850) */
-  STRIBECK_COIL_SPRING_SPRING_TAB_F_3 = 24,
+  STRIBECK_COIL_SPRING_SPRING_TAB_F_3 = 964819785,
   /** tunable [N]: Forces of the table, without preload (default chosen). (default 0) */
-  STRIBECK_COIL_SPRING_SPRING_TAB_F_4 = 25,
+  STRIBECK_COIL_SPRING_SPRING_TAB_F_4 = 965364238,
   /** tunable [N]: Forces of the table, without preload (default chosen). (default 0) */
-  STRIBECK_COIL_SPRING_SPRING_TAB_F_5 = 26,
+  STRIBECK_COIL_SPRING_SPRING_TAB_F_5 = 1971822699,
   /** tunable [N]: Forces of the table, without preload (default chosen). (default 0) */
-  STRIBECK_COIL_SPRING_SPRING_TAB_F_6 = 27,
+  STRIBECK_COIL_SPRING_SPRING_TAB_F_6 = 1972263984,
   /** tunable [N]: Forces of the table, without preload (default chosen). (default 0) */
-  STRIBECK_COIL_SPRING_SPRING_TAB_F_7 = 28,
+  STRIBECK_COIL_SPRING_SPRING_TAB_F_7 = 965511333,
   /** tunable [N]: Forces of the table, without preload (default chosen). (default 0) */
-  STRIBECK_COIL_SPRING_SPRING_TAB_F_8 = 29,
+  STRIBECK_COIL_SPRING_SPRING_TAB_F_8 = 2037108794,
   /** tunable [N]: Forces of the table, without preload (default chosen). (default 0) */
-  STRIBECK_COIL_SPRING_SPRING_TAB_F_9 = 30,
+  STRIBECK_COIL_SPRING_SPRING_TAB_F_9 = 896135191,
   /** tunable [N]: Forces of the table, without preload (default chosen). (default 0) */
-  STRIBECK_COIL_SPRING_SPRING_TAB_F_10 = 31,
+  STRIBECK_COIL_SPRING_SPRING_TAB_F_10 = 47843055,
   /** tunable [N]: Forces of the table, without preload (default chosen). (default 0) */
-  STRIBECK_COIL_SPRING_SPRING_TAB_F_11 = 32,
+  STRIBECK_COIL_SPRING_SPRING_TAB_F_11 = 115100626,
   /** tunable [N]: Forces of the table, without preload (default chosen). (default 0) */
-  STRIBECK_COIL_SPRING_SPRING_TAB_F_12 = 33,
+  STRIBECK_COIL_SPRING_SPRING_TAB_F_12 = 1189066921,
   /** tunable [N]: Forces of the table, without preload (default chosen). (default 0) */
-  STRIBECK_COIL_SPRING_SPRING_TAB_F_13 = 34,
+  STRIBECK_COIL_SPRING_SPRING_TAB_F_13 = 48387508,
   /** tunable [N]: Forces of the table, without preload (default chosen). (default 0) */
-  STRIBECK_COIL_SPRING_SPRING_TAB_F_14 = 35,
+  STRIBECK_COIL_SPRING_SPRING_TAB_F_14 = 48534603,
   /** tunable [N]: Forces of the table, without preload (default chosen). (default 0) */
-  STRIBECK_COIL_SPRING_SPRING_TAB_F_15 = 36,
+  STRIBECK_COIL_SPRING_SPRING_TAB_F_15 = 1189508206,
   /** tunable [N]: Forces of the table, without preload (default chosen). (default 0) */
-  STRIBECK_COIL_SPRING_SPRING_TAB_F_16 = 37,
+  STRIBECK_COIL_SPRING_SPRING_TAB_F_16 = 1189655301,
   /** out [N]: Force of the spring; positive pushes its ends apart. */
-  STRIBECK_COIL_SPRING_FORCE = 38,
+  STRIBECK_COIL_SPRING_FORCE = 2041153668,
 } stribeck_coil_spring_variable;
 
 /** Guid of GasSpring for fmi2Instantiate. */
 #define STRIBECK_GAS_SPRING_GUID "{600bb709-07c3-9d50-5c31-a25dd319a7a2}"
 
-/** GasSpring: Gas force on the rod of a shock absorber. Columns of "GasSpring". */
+/** GasSpring: Gas force on the rod of a shock absorber. Variables of "GasSpring". */
 typedef enum stribeck_gas_spring_variable {
   /** in [m]: Compression from full extension. (default 0) */
-  STRIBECK_GAS_SPRING_COMPRESSION = 0,
+  STRIBECK_GAS_SPRING_COMPRESSION = 987494389,
   /** fixed [Boolean]: Is there a gas force? (default true) */
-  STRIBECK_GAS_SPRING_GAS_ENABLED = 1,
+  STRIBECK_GAS_SPRING_GAS_ENABLED = 729824997,
   /** tunable [Pa]: Absolute gas pressure at full extension (default chosen). (>= 0, default 1000000) */
-  STRIBECK_GAS_SPRING_GAS_P0 = 2,
+  STRIBECK_GAS_SPRING_GAS_P0 = 640951140,
   /** fixed [m3]: Gas volume at full extension (default chosen). (> 0, default 3e-5) */
-  STRIBECK_GAS_SPRING_GAS_V0 = 3,
+  STRIBECK_GAS_SPRING_GAS_V0 = 444496818,
   /** fixed [1]: Polytropic exponent (default chosen). (>= 0, default 1.2) */
-  STRIBECK_GAS_SPRING_GAS_N = 4,
+  STRIBECK_GAS_SPRING_GAS_N = 904392190,
   /** fixed [m]: Diameter of the rod (default chosen). (>= 0, default 0.014) */
-  STRIBECK_GAS_SPRING_GAS_ROD_DIAMETER = 5,
+  STRIBECK_GAS_SPRING_GAS_ROD_DIAMETER = 1130974353,
   /** tunable [Pa]: Ambient pressure. (>= 0, default 101325) */
-  STRIBECK_GAS_SPRING_GAS_P_AMBIENT = 6,
+  STRIBECK_GAS_SPRING_GAS_P_AMBIENT = 1322016071,
   /** out [N]: Gas force on the rod; positive pushes it out. */
-  STRIBECK_GAS_SPRING_FORCE = 7,
+  STRIBECK_GAS_SPRING_FORCE = 2041153668,
 } stribeck_gas_spring_variable;
 
 /** Guid of EndStops for fmi2Instantiate. */
 #define STRIBECK_END_STOPS_GUID "{6107fa94-fb45-4292-a2f5-7dd0553054a9}"
 
-/** EndStops: Bump stop and rebound stop of a shock absorber. Columns of "EndStops". */
+/** EndStops: Bump stop and rebound stop of a shock absorber. Variables of "EndStops". */
 typedef enum stribeck_end_stops_variable {
   /** in [m]: Compression from full extension. (default 0) */
-  STRIBECK_END_STOPS_COMPRESSION = 0,
+  STRIBECK_END_STOPS_COMPRESSION = 987494389,
   /** in [m/s]: Velocity of extension. (default 0) */
-  STRIBECK_END_STOPS_VELOCITY = 1,
+  STRIBECK_END_STOPS_VELOCITY = 846470194,
   /** fixed [Boolean]: Is there a bump stop? (default true) */
-  STRIBECK_END_STOPS_BUMP_ENABLED = 2,
+  STRIBECK_END_STOPS_BUMP_ENABLED = 528272746,
   /** fixed [m]: Compression from full extension at which the bump stop is touched (default chosen). (default 0.04) */
-  STRIBECK_END_STOPS_BUMP_GAP = 3,
+  STRIBECK_END_STOPS_BUMP_GAP = 342752507,
   /** fixed [stribeck_bump_mode]: Form of the bump stop's characteristic. (default Linear) */
-  STRIBECK_END_STOPS_BUMP_MODE = 4,
+  STRIBECK_END_STOPS_BUMP_MODE = 262009054,
   /** tunable [N/m]: Stiffness: of the linear form, and first coefficient of the cubic one (default chosen).
    *  (>= 0, default 150000) */
-  STRIBECK_END_STOPS_BUMP_K = 5,
+  STRIBECK_END_STOPS_BUMP_K = 1950935518,
   /** tunable [1]: Exponent of the power form (default chosen). (>= 1, default 2.2) */
-  STRIBECK_END_STOPS_BUMP_N = 6,
+  STRIBECK_END_STOPS_BUMP_N = 2034823613,
   /** tunable [m]: Compression at which the power form has the force F_ref (default chosen). (> 0, default 0.01) */
-  STRIBECK_END_STOPS_BUMP_X_REF = 7,
+  STRIBECK_END_STOPS_BUMP_X_REF = 1165900593,
   /** tunable [N]: Force of the power form at x_ref (default chosen). (>= 0, default 1500) */
-  STRIBECK_END_STOPS_BUMP_F_REF = 8,
+  STRIBECK_END_STOPS_BUMP_F_REF = 1732261983,
   /** tunable [N/m2]: Second coefficient of the cubic form. (>= 0, default 0) */
-  STRIBECK_END_STOPS_BUMP_K2 = 9,
+  STRIBECK_END_STOPS_BUMP_K2 = 2059943556,
   /** tunable [N/m3]: Third coefficient of the cubic form. (>= 0, default 0) */
-  STRIBECK_END_STOPS_BUMP_K3 = 10,
+  STRIBECK_END_STOPS_BUMP_K3 = 2076721175,
   /** tunable [N.s/m]: Damping while the stop is touched. (>= 0, default 0) */
-  STRIBECK_END_STOPS_BUMP_C = 11,
+  STRIBECK_END_STOPS_BUMP_C = 1816714566,
   /** fixed [Boolean]: Is there a rebound stop? (default true) */
-  STRIBECK_END_STOPS_REBOUND_ENABLED = 12,
+  STRIBECK_END_STOPS_REBOUND_ENABLED = 670112079,
   /** fixed [m]: Compression from full extension at which the rebound stop is touched. (default 0) */
-  STRIBECK_END_STOPS_REBOUND_GAP = 13,
+  STRIBECK_END_STOPS_REBOUND_GAP = 931930910,
   /** tunable [N/m]: Stiffness (default chosen). (>= 0, default 1000000) */
-  STRIBECK_END_STOPS_REBOUND_K = 14,
+  STRIBECK_END_STOPS_REBOUND_K = 1217846635,
   /** tunable [N.s/m]: Damping while the stop is touched. (>= 0, default 0) */
-  STRIBECK_END_STOPS_REBOUND_C = 15,
+  STRIBECK_END_STOPS_REBOUND_C = 1083625683,
   /** out [N]: Force of the bump stop; positive pushes the eyes apart. */
-  STRIBECK_END_STOPS_FORCE_BUMP = 16,
+  STRIBECK_END_STOPS_FORCE_BUMP = 1217129313,
   /** out [N]: Force of the rebound stop; negative pulls the eyes together. */
-  STRIBECK_END_STOPS_FORCE_REBOUND = 17,
+  STRIBECK_END_STOPS_FORCE_REBOUND = 1853814980,
   /** out [Boolean]: Is the bump stop touched? */
-  STRIBECK_END_STOPS_BUMP_ACTIVE = 18,
+  STRIBECK_END_STOPS_BUMP_ACTIVE = 12196120,
 } stribeck_end_stops_variable;
 
 /** Guid of HydraulicDamper for fmi2Instantiate. */
 #define STRIBECK_HYDRAULIC_DAMPER_GUID "{6567281f-8e7a-ef7a-1a5f-070b449a16c4}"
 
-/** HydraulicDamper: Hydraulic damper, linear, degressive or from a table. Columns of "HydraulicDamper". */
+/** HydraulicDamper: Hydraulic damper, linear, degressive or from a table. Variables of "HydraulicDamper". */
 typedef enum stribeck_hydraulic_damper_variable {
   /** in [m/s]: Velocity of extension. (default 0) */
-  STRIBECK_HYDRAULIC_DAMPER_VELOCITY = 0,
+  STRIBECK_HYDRAULIC_DAMPER_VELOCITY = 846470194,
   /** fixed [Boolean]: Is there a damper? (default true) */
-  STRIBECK_HYDRAULIC_DAMPER_DAMPER_ENABLED = 1,
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_ENABLED = 653710919,
   /** fixed [stribeck_damper_mode]: Form of the damper's characteristic. (default Linear) */
-  STRIBECK_HYDRAULIC_DAMPER_DAMPER_MODE = 2,
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_MODE = 1000786193,
   /** tunable [N.s/m]: Damping coefficient in compression (default chosen). (>= 0, default 1500) */
-  STRIBECK_HYDRAULIC_DAMPER_DAMPER_C_COMP = 3,
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_C_COMP = 1218223315,
   /** tunable [N.s/m]: Damping coefficient in extension, the rebound (default chosen). (>= 0, default 2300) */
-  STRIBECK_HYDRAULIC_DAMPER_DAMPER_C_REB = 4,
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_C_REB = 1051140173,
   /** tunable [s/m]: Degression in compression. (>= 0, default 0) */
-  STRIBECK_HYDRAULIC_DAMPER_DAMPER_DEGR_COMP = 5,
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_DEGR_COMP = 191387222,
   /** tunable [s/m]: Degression in extension. (>= 0, default 0) */
-  STRIBECK_HYDRAULIC_DAMPER_DAMPER_DEGR_REB = 6,
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_DEGR_REB = 563928450,
   /** fixed [Integer]: Number of points of the table in use (default chosen). (>= 2, <= 16, default 11) */
-  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_N = 7,
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_N = 1952893940,
   /** tunable [m/s]: Velocities of the table, ascending; positive in extension (default chosen). (default -1) */
-  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_1 = 8,
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_1 = 948357411,
   /** tunable [m/s]: Velocities of the table, ascending; positive in extension (default chosen). (default -0.5) */
-  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_2 = 9,
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_2 = 948901864,
   /** tunable [m/s]: Velocities of the table, ascending; positive in extension (default chosen). (default -0.25) */
-  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_3 = 10,
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_3 = 2089581277,
   /** tunable [m/s]: Velocities of the table, ascending; positive in extension (default chosen). (default -0.1) */
-  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_4 = 11,
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_4 = 1015026602,
   /** tunable [m/s]: Velocities of the table, ascending; positive in extension (default chosen). (default -0.05) */
-  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_5 = 12,
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_5 = 947769031,
   /** tunable [m/s]: Velocities of the table, ascending; positive in extension (default chosen). (default 0) */
-  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_6 = 13,
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_6 = 2021926348,
   /** tunable [m/s]: Velocities of the table, ascending; positive in extension (default chosen). (default 0.05) */
-  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_7 = 14,
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_7 = 2088889729,
   /** tunable [m/s]: Velocities of the table, ascending; positive in extension (default chosen). (default 0.1) */
-  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_8 = 15,
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_8 = 2090714110,
   /** tunable [m/s]: Velocities of the table, ascending; positive in extension (default chosen). (default 0.25) */
-  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_9 = 16,
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_9 = 2023456539,
   /** tunable [m/s]: Velocities of the table, ascending; positive in extension (default chosen). (default 0.5) */
-  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_10 = 17,
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_10 = 915979179,
   /** tunable [m/s]: Velocities of the table, ascending; positive in extension (default chosen). (default 1) */
-  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_11 = 18,
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_11 = 2057004366,
   /** tunable [m/s]: Velocities of the table, ascending; positive in extension (default chosen). (default 0) */
-  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_12 = 19,
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_12 = 2057151461,
   /** tunable [m/s]: Velocities of the table, ascending; positive in extension (default chosen). (default 0) */
-  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_13 = 20,
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_13 = 916523632,
   /** tunable [m/s]: Velocities of the table, ascending; positive in extension (default chosen). (default 0) */
-  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_14 = 21,
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_14 = 915390799,
   /** tunable [m/s]: Velocities of the table, ascending; positive in extension (default chosen). (default 0) */
-  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_15 = 22,
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_15 = 982648370,
   /** tunable [m/s]: Velocities of the table, ascending; positive in extension (default chosen). (default 0) */
-  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_16 = 23,
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_V_16 = 2056563081,
   /** tunable [N]: Resistances of the table, with the sign of the velocity and not decreasing (default chosen).
    *  (default -1150) */
-  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_1 = 24,
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_1 = 191481363,
   /** tunable [N]: Resistances of the table, with the sign of the velocity and not decreasing (default chosen).
    *  (default -700) */
-  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_2 = 25,
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_2 = 192025816,
   /** tunable [N]: Resistances of the table, with the sign of the velocity and not decreasing (default chosen).
    *  (default -430) */
-  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_3 = 26,
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_3 = 258989197,
   /** tunable [N]: Resistances of the table, with the sign of the velocity and not decreasing (default chosen).
    *  (default -210) */
-  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_4 = 27,
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_4 = 1331918170,
   /** tunable [N]: Resistances of the table, with the sign of the velocity and not decreasing (default chosen).
    *  (default -110) */
-  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_5 = 28,
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_5 = 190892983,
   /** tunable [N]: Resistances of the table, with the sign of the velocity and not decreasing (default chosen).
    *  (default 0) */
-  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_6 = 29,
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_6 = 191334268,
   /** tunable [N]: Resistances of the table, with the sign of the velocity and not decreasing (default chosen).
    *  (default 180) */
-  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_7 = 30,
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_7 = 1332065265,
   /** tunable [N]: Resistances of the table, with the sign of the velocity and not decreasing (default chosen).
    *  (default 340) */
-  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_8 = 31,
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_8 = 260122030,
   /** tunable [N]: Resistances of the table, with the sign of the velocity and not decreasing (default chosen).
    *  (default 640) */
-  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_9 = 32,
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_9 = 1266528907,
   /** tunable [N]: Resistances of the table, with the sign of the velocity and not decreasing (default chosen).
    *  (default 950) */
-  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_10 = 33,
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_10 = 1116503963,
   /** tunable [N]: Resistances of the table, with the sign of the velocity and not decreasing (default chosen).
    *  (default 1500) */
-  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_11 = 34,
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_11 = 1183761534,
   /** tunable [N]: Resistances of the table, with the sign of the velocity and not decreasing (default chosen).
    *  (default 0) */
-  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_12 = 35,
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_12 = 110192597,
   /** tunable [N]: Resistances of the table, with the sign of the velocity and not decreasing (default chosen).
    *  (default 0) */
-  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_13 = 36,
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_13 = 43229216,
   /** tunable [N]: Resistances of the table, with the sign of the velocity and not decreasing (default chosen).
    *  (default 0) */
-  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_14 = 37,
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_14 = 42096383,
   /** tunable [N]: Resistances of the table, with the sign of the velocity and not decreasing (default chosen).
    *  (default 0) */
-  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_15 = 38,
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_15 = 1183069986,
   /** tunable [N]: Resistances of the table, with the sign of the velocity and not decreasing (default chosen).
    *  (default 0) */
-  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_16 = 39,
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_TAB_F_16 = 1183217081,
   /** fixed [stribeck_interpolation]: Curve through the points of the table. (default Linear) */
-  STRIBECK_HYDRAULIC_DAMPER_DAMPER_INTERPOLATION = 40,
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_INTERPOLATION = 1084982648,
   /** tunable [1]: Factor on the damper force. (>= 0, default 1) */
-  STRIBECK_HYDRAULIC_DAMPER_DAMPER_SCALE = 41,
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_SCALE = 1838924032,
   /** fixed [N/m]: Stiffness in series with the damper, of oil and top mount; 0 = rigid. (>= 0, default 0) */
-  STRIBECK_HYDRAULIC_DAMPER_DAMPER_K_SERIES = 42,
+  STRIBECK_HYDRAULIC_DAMPER_DAMPER_K_SERIES = 1401687841,
   /** fixed [s]: Largest internal step (default chosen). (> 0, default 0.0001) */
-  STRIBECK_HYDRAULIC_DAMPER_STEP_SIZE = 43,
+  STRIBECK_HYDRAULIC_DAMPER_STEP_SIZE = 843244609,
   /** state [m/s]: Velocity of the piston behind the series stiffness; the velocity itself if there is none.
    *  (default 0) */
-  STRIBECK_HYDRAULIC_DAMPER_PISTON_VELOCITY = 44,
+  STRIBECK_HYDRAULIC_DAMPER_PISTON_VELOCITY = 1881215274,
   /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
-  STRIBECK_HYDRAULIC_DAMPER_DISSIPATED_ENERGY = 45,
+  STRIBECK_HYDRAULIC_DAMPER_DISSIPATED_ENERGY = 758404530,
   /** out [N]: Force of the damper; positive pushes its ends apart. */
-  STRIBECK_HYDRAULIC_DAMPER_FORCE = 46,
+  STRIBECK_HYDRAULIC_DAMPER_FORCE = 2041153668,
   /** out [W]: Power taken out of the motion. */
-  STRIBECK_HYDRAULIC_DAMPER_DISSIPATED_POWER = 47,
+  STRIBECK_HYDRAULIC_DAMPER_DISSIPATED_POWER = 236926875,
 } stribeck_hydraulic_damper_variable;
 
 /** Guid of DamperTemperature for fmi2Instantiate. */
 #define STRIBECK_DAMPER_TEMPERATURE_GUID "{0f9cde77-96a0-c294-c83c-91ac86f9f893}"
 
-/** DamperTemperature: Temperature of a damper and its effect on the force. Columns of "DamperTemperature". */
+/** DamperTemperature: Temperature of a damper and its effect on the force. Variables of "DamperTemperature". */
 typedef enum stribeck_damper_temperature_variable {
   /** in [W]: Power dissipated in the damper. (default 0) */
-  STRIBECK_DAMPER_TEMPERATURE_POWER = 0,
+  STRIBECK_DAMPER_TEMPERATURE_POWER = 1968120646,
   /** in [K]: Ambient temperature. (>= 0, default 293.15) */
-  STRIBECK_DAMPER_TEMPERATURE_TEMPERATURE_AMBIENT = 1,
+  STRIBECK_DAMPER_TEMPERATURE_TEMPERATURE_AMBIENT = 1378166418,
   /** fixed [Boolean]: Does the temperature change and affect the damper force? (default false) */
-  STRIBECK_DAMPER_TEMPERATURE_THERMAL_ENABLED = 2,
+  STRIBECK_DAMPER_TEMPERATURE_THERMAL_ENABLED = 1143096615,
   /** tunable [1/K]: Relative loss of damper force per kelvin (default chosen). (>= 0, default 0.003) */
-  STRIBECK_DAMPER_TEMPERATURE_THERMAL_BETA = 3,
+  STRIBECK_DAMPER_TEMPERATURE_THERMAL_BETA = 896115256,
   /** fixed [K]: Temperature at which the damper's characteristic was measured (default chosen).
    *  (> 0, default 293.15) */
-  STRIBECK_DAMPER_TEMPERATURE_THERMAL_TEMPERATURE_REF = 4,
+  STRIBECK_DAMPER_TEMPERATURE_THERMAL_TEMPERATURE_REF = 1979371978,
   /** fixed [J/K]: Heat capacity of the damper (default chosen: 0.6 kg of aluminium and oil). (> 0, default 600) */
-  STRIBECK_DAMPER_TEMPERATURE_THERMAL_CAPACITY = 5,
+  STRIBECK_DAMPER_TEMPERATURE_THERMAL_CAPACITY = 1977759622,
   /** tunable [W/K]: Heat flow to the surroundings per kelvin (default chosen). (>= 0, default 1.5) */
-  STRIBECK_DAMPER_TEMPERATURE_THERMAL_CONDUCTANCE = 6,
+  STRIBECK_DAMPER_TEMPERATURE_THERMAL_CONDUCTANCE = 1418428113,
   /** state, out [K]: Temperature of the damper. (> 0, default 293.15) */
-  STRIBECK_DAMPER_TEMPERATURE_TEMPERATURE = 7,
+  STRIBECK_DAMPER_TEMPERATURE_TEMPERATURE = 1777510709,
   /** out [1]: Factor on the damper force. */
-  STRIBECK_DAMPER_TEMPERATURE_FORCE_FACTOR = 8,
+  STRIBECK_DAMPER_TEMPERATURE_FORCE_FACTOR = 1337182042,
 } stribeck_damper_temperature_variable;
 
 /** Guid of BeltRig for fmi2Instantiate. */
 #define STRIBECK_BELT_RIG_GUID "{8afd28c8-91fa-cade-2d68-b28fdb2690f2}"
 
-/** BeltRig: Block on a moving belt, held by a spring. Columns of "BeltRig". */
+/** BeltRig: Block on a moving belt, held by a spring. Variables of "BeltRig". */
 typedef enum stribeck_belt_rig_variable {
   /** in [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. (default 0) */
-  STRIBECK_BELT_RIG_FRICTION_FORCE = 0,
+  STRIBECK_BELT_RIG_FRICTION_FORCE = 1713976319,
   /** fixed [kg]: Mass of the block. (> 0, default 1) */
-  STRIBECK_BELT_RIG_MASS = 1,
+  STRIBECK_BELT_RIG_MASS = 1601648849,
   /** fixed [N/m]: Stiffness of the spring. (>= 0, default 2) */
-  STRIBECK_BELT_RIG_STIFFNESS = 2,
+  STRIBECK_BELT_RIG_STIFFNESS = 1230999982,
   /** tunable [m/s]: Velocity of the belt. (default 0.1) */
-  STRIBECK_BELT_RIG_BELT_VELOCITY = 3,
+  STRIBECK_BELT_RIG_BELT_VELOCITY = 805761162,
   /** state, out [m]: Position of the block; the spring is relaxed at 0. (default 0) */
-  STRIBECK_BELT_RIG_POSITION = 4,
+  STRIBECK_BELT_RIG_POSITION = 323964426,
   /** state, out [m/s]: Velocity of the block. (default 0.1) */
-  STRIBECK_BELT_RIG_BLOCK_VELOCITY = 5,
+  STRIBECK_BELT_RIG_BLOCK_VELOCITY = 27527328,
   /** out [m/s]: Velocity of the block relative to the belt. */
-  STRIBECK_BELT_RIG_VELOCITY = 6,
+  STRIBECK_BELT_RIG_VELOCITY = 846470194,
   /** out [N]: Spring force on the block. */
-  STRIBECK_BELT_RIG_EXTERNAL_FORCE = 7,
+  STRIBECK_BELT_RIG_EXTERNAL_FORCE = 1336490458,
 } stribeck_belt_rig_variable;
 
 /** Guid of QuarterCar for fmi2Instantiate. */
 #define STRIBECK_QUARTER_CAR_GUID "{23e3aa46-e0a4-32f5-d7aa-582b2d5849d3}"
 
-/** QuarterCar: Quarter car: body, wheel and tyre, driven by the force of a strut. Columns of "QuarterCar". */
+/** QuarterCar: Quarter car: body, wheel and tyre, driven by the force of a strut. Variables of "QuarterCar". */
 typedef enum stribeck_quarter_car_variable {
   /** in [m]: Height of the road under the wheel. (default 0) */
-  STRIBECK_QUARTER_CAR_ROAD_HEIGHT = 0,
+  STRIBECK_QUARTER_CAR_ROAD_HEIGHT = 464235471,
   /** in [m/s]: Rate of the road's height. (default 0) */
-  STRIBECK_QUARTER_CAR_ROAD_VELOCITY = 1,
+  STRIBECK_QUARTER_CAR_ROAD_VELOCITY = 716199623,
   /** fixed [kg]: Mass of the body, without the wheels. (> 0, default 52.91) */
-  STRIBECK_QUARTER_CAR_BODY_MASS = 2,
+  STRIBECK_QUARTER_CAR_BODY_MASS = 978845638,
   /** fixed [1]: Damper travel per wheel travel. (> 0, default 1.011) */
-  STRIBECK_QUARTER_CAR_MOTION_RATIO = 3,
+  STRIBECK_QUARTER_CAR_MOTION_RATIO = 1923590475,
   /** fixed [m]: Length of the strut at rest, eye to eye. (> 0, default 0.1775) */
-  STRIBECK_QUARTER_CAR_STATIC_LENGTH = 4,
+  STRIBECK_QUARTER_CAR_STATIC_LENGTH = 271843360,
   /** fixed [N]: Force of the strut at rest; its spring seat is assumed to be set so that this force balances the weight.
    *  (default 1325.2555) */
-  STRIBECK_QUARTER_CAR_STATIC_FORCE = 5,
+  STRIBECK_QUARTER_CAR_STATIC_FORCE = 368777087,
   /** fixed [kg]: Unsprung mass of the corner. (> 0, default 16.36) */
-  STRIBECK_QUARTER_CAR_WHEEL_MASS = 6,
+  STRIBECK_QUARTER_CAR_WHEEL_MASS = 1406898941,
   /** fixed [N/m]: Stiffness of the tyre. (>= 0, default 87563.5) */
-  STRIBECK_QUARTER_CAR_TYRE_STIFFNESS = 7,
+  STRIBECK_QUARTER_CAR_TYRE_STIFFNESS = 659520257,
   /** fixed [N.s/m]: Damping of the tyre. (>= 0, default 95.8) */
-  STRIBECK_QUARTER_CAR_TYRE_DAMPING = 8,
+  STRIBECK_QUARTER_CAR_TYRE_DAMPING = 1956649378,
   /** state, out [m]: Height of the body above its height at rest. (default 0) */
-  STRIBECK_QUARTER_CAR_BODY_HEIGHT = 9,
+  STRIBECK_QUARTER_CAR_BODY_HEIGHT = 2147148885,
   /** state, out [m/s]: Vertical velocity of the body. (default 0) */
-  STRIBECK_QUARTER_CAR_BODY_VELOCITY = 10,
+  STRIBECK_QUARTER_CAR_BODY_VELOCITY = 821608557,
   /** in [N]: Force of the strut; positive pushes its eyes apart. (default 1325.2555) */
-  STRIBECK_QUARTER_CAR_STRUT_FORCE = 11,
+  STRIBECK_QUARTER_CAR_STRUT_FORCE = 1883817233,
   /** state, out [m]: Height of the wheel above its height at rest. (default 0) */
-  STRIBECK_QUARTER_CAR_WHEEL_HEIGHT = 12,
+  STRIBECK_QUARTER_CAR_WHEEL_HEIGHT = 1220580878,
   /** state, out [m/s]: Vertical velocity of the wheel. (default 0) */
-  STRIBECK_QUARTER_CAR_WHEEL_VELOCITY = 13,
+  STRIBECK_QUARTER_CAR_WHEEL_VELOCITY = 1595595438,
   /** out [m]: Length of the strut, eye to eye. */
-  STRIBECK_QUARTER_CAR_LENGTH = 14,
+  STRIBECK_QUARTER_CAR_LENGTH = 63976981,
   /** out [m/s]: Rate of the strut's length; positive as it extends. */
-  STRIBECK_QUARTER_CAR_VELOCITY = 15,
+  STRIBECK_QUARTER_CAR_VELOCITY = 846470194,
   /** out [N]: Vertical force of the tyre on the ground; 0 while the wheel is off the ground. */
-  STRIBECK_QUARTER_CAR_TYRE_LOAD = 16,
+  STRIBECK_QUARTER_CAR_TYRE_LOAD = 1258449592,
 } stribeck_quarter_car_variable;
 
 /** Guid of FourPostCar for fmi2Instantiate. */
 #define STRIBECK_FOUR_POST_CAR_GUID "{abce49bb-587d-13bb-7750-5282709d5eef}"
 
-/** FourPostCar: Car on four posts, driven by the forces of four struts. Columns of "FourPostCar". */
+/** FourPostCar: Car on four posts, driven by the forces of four struts. Variables of "FourPostCar". */
 typedef enum stribeck_four_post_car_variable {
   /** fixed [kg]: Mass of the body, without the wheels. (> 0, default 223.2) */
-  STRIBECK_FOUR_POST_CAR_BODY_MASS = 0,
+  STRIBECK_FOUR_POST_CAR_BODY_MASS = 978845638,
   /** fixed [kg.m2]: Moment of inertia of the body about its lateral axis. (> 0, default 126.29) */
-  STRIBECK_FOUR_POST_CAR_PITCH_INERTIA = 1,
+  STRIBECK_FOUR_POST_CAR_PITCH_INERTIA = 1899038564,
   /** fixed [kg.m2]: Moment of inertia of the body about its longitudinal axis. (> 0, default 26.46) */
-  STRIBECK_FOUR_POST_CAR_ROLL_INERTIA = 2,
+  STRIBECK_FOUR_POST_CAR_ROLL_INERTIA = 1281002275,
   /** fixed [m]: Distance between the axles. (> 0, default 1.528) */
-  STRIBECK_FOUR_POST_CAR_WHEELBASE = 3,
+  STRIBECK_FOUR_POST_CAR_WHEELBASE = 1240602281,
   /** fixed [m]: Distance of the front axle ahead of the body's centre of gravity. (>= 0, default 0.8035) */
-  STRIBECK_FOUR_POST_CAR_CG_TO_FRONT = 4,
+  STRIBECK_FOUR_POST_CAR_CG_TO_FRONT = 1103134773,
   /** state, out [m]: Height of the centre of gravity above its height at rest. (default 0) */
-  STRIBECK_FOUR_POST_CAR_HEAVE = 5,
+  STRIBECK_FOUR_POST_CAR_HEAVE = 765446484,
   /** state, out [m/s]: Vertical velocity of the centre of gravity. (default 0) */
-  STRIBECK_FOUR_POST_CAR_HEAVE_RATE = 6,
+  STRIBECK_FOUR_POST_CAR_HEAVE_RATE = 1033019235,
   /** state, out [rad]: Pitch angle; positive nose down. (default 0) */
-  STRIBECK_FOUR_POST_CAR_PITCH = 7,
+  STRIBECK_FOUR_POST_CAR_PITCH = 1026706097,
   /** state, out [rad/s]: Rate of the pitch angle. (default 0) */
-  STRIBECK_FOUR_POST_CAR_PITCH_RATE = 8,
+  STRIBECK_FOUR_POST_CAR_PITCH_RATE = 362334040,
   /** state, out [rad]: Roll angle; positive lowers the right side. (default 0) */
-  STRIBECK_FOUR_POST_CAR_ROLL = 9,
+  STRIBECK_FOUR_POST_CAR_ROLL = 385826078,
   /** state, out [rad/s]: Rate of the roll angle. (default 0) */
-  STRIBECK_FOUR_POST_CAR_ROLL_RATE = 10,
+  STRIBECK_FOUR_POST_CAR_ROLL_RATE = 809575385,
   /** fixed [m]: Distance between the wheels of the axle. (> 0, default 1.22) */
-  STRIBECK_FOUR_POST_CAR_FRONT_TRACK = 11,
+  STRIBECK_FOUR_POST_CAR_FRONT_TRACK = 1374883633,
   /** fixed [1]: Damper travel per wheel travel. (> 0, default 1.011) */
-  STRIBECK_FOUR_POST_CAR_FRONT_MOTION_RATIO = 12,
+  STRIBECK_FOUR_POST_CAR_FRONT_MOTION_RATIO = 136683956,
   /** fixed [m]: Length of the strut at rest, eye to eye. (> 0, default 0.1775) */
-  STRIBECK_FOUR_POST_CAR_FRONT_STATIC_LENGTH = 13,
+  STRIBECK_FOUR_POST_CAR_FRONT_STATIC_LENGTH = 521595661,
   /** fixed [N]: Force of the strut at rest; its spring seat is assumed to be set so that this force balances the weight.
    *  (default 1325.2555) */
-  STRIBECK_FOUR_POST_CAR_FRONT_STATIC_FORCE = 14,
+  STRIBECK_FOUR_POST_CAR_FRONT_STATIC_FORCE = 1579506636,
   /** fixed [kg]: Unsprung mass of the corner. (> 0, default 16.36) */
-  STRIBECK_FOUR_POST_CAR_FRONT_WHEEL_MASS = 15,
+  STRIBECK_FOUR_POST_CAR_FRONT_WHEEL_MASS = 2014428290,
   /** fixed [N/m]: Stiffness of the tyre. (>= 0, default 87563.5) */
-  STRIBECK_FOUR_POST_CAR_FRONT_TYRE_STIFFNESS = 16,
+  STRIBECK_FOUR_POST_CAR_FRONT_TYRE_STIFFNESS = 1243508938,
   /** fixed [N.s/m]: Damping of the tyre. (>= 0, default 95.8) */
-  STRIBECK_FOUR_POST_CAR_FRONT_TYRE_DAMPING = 17,
+  STRIBECK_FOUR_POST_CAR_FRONT_TYRE_DAMPING = 1057394425,
   /** fixed [m]: Distance between the wheels of the axle. (> 0, default 1.2) */
-  STRIBECK_FOUR_POST_CAR_REAR_TRACK = 18,
+  STRIBECK_FOUR_POST_CAR_REAR_TRACK = 109134438,
   /** fixed [1]: Damper travel per wheel travel. (> 0, default 1.004) */
-  STRIBECK_FOUR_POST_CAR_REAR_MOTION_RATIO = 19,
+  STRIBECK_FOUR_POST_CAR_REAR_MOTION_RATIO = 1310894605,
   /** fixed [m]: Length of the strut at rest, eye to eye. (> 0, default 0.1775) */
-  STRIBECK_FOUR_POST_CAR_REAR_STATIC_LENGTH = 20,
+  STRIBECK_FOUR_POST_CAR_REAR_STATIC_LENGTH = 274478290,
   /** fixed [N]: Force of the strut at rest; its spring seat is assumed to be set so that this force balances the weight.
    *  (default 1100.2555) */
-  STRIBECK_FOUR_POST_CAR_REAR_STATIC_FORCE = 21,
+  STRIBECK_FOUR_POST_CAR_REAR_STATIC_FORCE = 2035376845,
   /** fixed [kg]: Unsprung mass of the corner. (> 0, default 16.36) */
-  STRIBECK_FOUR_POST_CAR_REAR_WHEEL_MASS = 22,
+  STRIBECK_FOUR_POST_CAR_REAR_WHEEL_MASS = 453317695,
   /** fixed [N/m]: Stiffness of the tyre. (>= 0, default 87563.5) */
-  STRIBECK_FOUR_POST_CAR_REAR_TYRE_STIFFNESS = 23,
+  STRIBECK_FOUR_POST_CAR_REAR_TYRE_STIFFNESS = 1566799339,
   /** fixed [N.s/m]: Damping of the tyre. (>= 0, default 95.8) */
-  STRIBECK_FOUR_POST_CAR_REAR_TYRE_DAMPING = 24,
+  STRIBECK_FOUR_POST_CAR_REAR_TYRE_DAMPING = 2124865380,
   /** in [m]: Height of the post under the wheel. (default 0) */
-  STRIBECK_FOUR_POST_CAR_FL_POST_HEIGHT = 25,
+  STRIBECK_FOUR_POST_CAR_FL_POST_HEIGHT = 274384917,
   /** in [m/s]: Rate of the post's height. (default 0) */
-  STRIBECK_FOUR_POST_CAR_FL_POST_VELOCITY = 26,
+  STRIBECK_FOUR_POST_CAR_FL_POST_VELOCITY = 1961452845,
   /** in [N]: Force of the strut; positive pushes its eyes apart. (default 1325.2555) */
-  STRIBECK_FOUR_POST_CAR_FL_STRUT_FORCE = 27,
+  STRIBECK_FOUR_POST_CAR_FL_STRUT_FORCE = 1950174495,
   /** state, out [m]: Height of the wheel above its height at rest. (default 0) */
-  STRIBECK_FOUR_POST_CAR_FL_WHEEL_HEIGHT = 28,
+  STRIBECK_FOUR_POST_CAR_FL_WHEEL_HEIGHT = 284839816,
   /** state, out [m/s]: Vertical velocity of the wheel. (default 0) */
-  STRIBECK_FOUR_POST_CAR_FL_WHEEL_VELOCITY = 29,
+  STRIBECK_FOUR_POST_CAR_FL_WHEEL_VELOCITY = 748140304,
   /** out [m]: Length of the strut, eye to eye. */
-  STRIBECK_FOUR_POST_CAR_FL_LENGTH = 30,
+  STRIBECK_FOUR_POST_CAR_FL_LENGTH = 425976571,
   /** out [m/s]: Rate of the strut's length; positive as it extends. */
-  STRIBECK_FOUR_POST_CAR_FL_VELOCITY = 31,
+  STRIBECK_FOUR_POST_CAR_FL_VELOCITY = 2042775332,
   /** out [N]: Vertical force of the tyre on the ground; 0 while the wheel is off the ground. */
-  STRIBECK_FOUR_POST_CAR_FL_TYRE_LOAD = 32,
+  STRIBECK_FOUR_POST_CAR_FL_TYRE_LOAD = 609020926,
   /** in [m]: Height of the post under the wheel. (default 0) */
-  STRIBECK_FOUR_POST_CAR_FR_POST_HEIGHT = 33,
+  STRIBECK_FOUR_POST_CAR_FR_POST_HEIGHT = 661303035,
   /** in [m/s]: Rate of the post's height. (default 0) */
-  STRIBECK_FOUR_POST_CAR_FR_POST_VELOCITY = 34,
+  STRIBECK_FOUR_POST_CAR_FR_POST_VELOCITY = 1779794707,
   /** in [N]: Force of the strut; positive pushes its eyes apart. (default 1325.2555) */
-  STRIBECK_FOUR_POST_CAR_FR_STRUT_FORCE = 35,
+  STRIBECK_FOUR_POST_CAR_FR_STRUT_FORCE = 1145036745,
   /** state, out [m]: Height of the wheel above its height at rest. (default 0) */
-  STRIBECK_FOUR_POST_CAR_FR_WHEEL_HEIGHT = 36,
+  STRIBECK_FOUR_POST_CAR_FR_WHEEL_HEIGHT = 1227595862,
   /** state, out [m/s]: Vertical velocity of the wheel. (default 0) */
-  STRIBECK_FOUR_POST_CAR_FR_WHEEL_VELOCITY = 37,
+  STRIBECK_FOUR_POST_CAR_FR_WHEEL_VELOCITY = 4000102,
   /** out [m]: Length of the strut, eye to eye. */
-  STRIBECK_FOUR_POST_CAR_FR_LENGTH = 38,
+  STRIBECK_FOUR_POST_CAR_FR_LENGTH = 1768599053,
   /** out [m/s]: Rate of the strut's length; positive as it extends. */
-  STRIBECK_FOUR_POST_CAR_FR_VELOCITY = 39,
+  STRIBECK_FOUR_POST_CAR_FR_VELOCITY = 1784115738,
   /** out [N]: Vertical force of the tyre on the ground; 0 while the wheel is off the ground. */
-  STRIBECK_FOUR_POST_CAR_FR_TYRE_LOAD = 40,
+  STRIBECK_FOUR_POST_CAR_FR_TYRE_LOAD = 986607920,
   /** in [m]: Height of the post under the wheel. (default 0) */
-  STRIBECK_FOUR_POST_CAR_RL_POST_HEIGHT = 41,
+  STRIBECK_FOUR_POST_CAR_RL_POST_HEIGHT = 1381987769,
   /** in [m/s]: Rate of the post's height. (default 0) */
-  STRIBECK_FOUR_POST_CAR_RL_POST_VELOCITY = 42,
+  STRIBECK_FOUR_POST_CAR_RL_POST_VELOCITY = 1752006529,
   /** in [N]: Force of the strut; positive pushes its eyes apart. (default 1100.2555) */
-  STRIBECK_FOUR_POST_CAR_RL_STRUT_FORCE = 43,
+  STRIBECK_FOUR_POST_CAR_RL_STRUT_FORCE = 1332492523,
   /** state, out [m]: Height of the wheel above its height at rest. (default 0) */
-  STRIBECK_FOUR_POST_CAR_RL_WHEEL_HEIGHT = 44,
+  STRIBECK_FOUR_POST_CAR_RL_WHEEL_HEIGHT = 1012696308,
   /** state, out [m/s]: Vertical velocity of the wheel. (default 0) */
-  STRIBECK_FOUR_POST_CAR_RL_WHEEL_VELOCITY = 45,
+  STRIBECK_FOUR_POST_CAR_RL_WHEEL_VELOCITY = 657365324,
   /** out [m]: Length of the strut, eye to eye. */
-  STRIBECK_FOUR_POST_CAR_RL_LENGTH = 46,
+  STRIBECK_FOUR_POST_CAR_RL_LENGTH = 945561919,
   /** out [m/s]: Rate of the strut's length; positive as it extends. */
-  STRIBECK_FOUR_POST_CAR_RL_VELOCITY = 47,
+  STRIBECK_FOUR_POST_CAR_RL_VELOCITY = 281724872,
   /** out [N]: Vertical force of the tyre on the ground; 0 while the wheel is off the ground. */
-  STRIBECK_FOUR_POST_CAR_RL_TYRE_LOAD = 48,
+  STRIBECK_FOUR_POST_CAR_RL_TYRE_LOAD = 455694498,
   /** in [m]: Height of the post under the wheel. (default 0) */
-  STRIBECK_FOUR_POST_CAR_RR_POST_HEIGHT = 49,
+  STRIBECK_FOUR_POST_CAR_RR_POST_HEIGHT = 148837671,
   /** in [m/s]: Rate of the post's height. (default 0) */
-  STRIBECK_FOUR_POST_CAR_RR_POST_VELOCITY = 50,
+  STRIBECK_FOUR_POST_CAR_RR_POST_VELOCITY = 1657025935,
   /** in [N]: Force of the strut; positive pushes its eyes apart. (default 1100.2555) */
-  STRIBECK_FOUR_POST_CAR_RR_STRUT_FORCE = 51,
+  STRIBECK_FOUR_POST_CAR_RR_STRUT_FORCE = 1214313901,
   /** state, out [m]: Height of the wheel above its height at rest. (default 0) */
-  STRIBECK_FOUR_POST_CAR_RR_WHEEL_HEIGHT = 52,
+  STRIBECK_FOUR_POST_CAR_RR_WHEEL_HEIGHT = 293458890,
   /** state, out [m/s]: Vertical velocity of the wheel. (default 0) */
-  STRIBECK_FOUR_POST_CAR_RR_WHEEL_VELOCITY = 53,
+  STRIBECK_FOUR_POST_CAR_RR_WHEEL_VELOCITY = 887969770,
   /** out [m]: Length of the strut, eye to eye. */
-  STRIBECK_FOUR_POST_CAR_RR_LENGTH = 54,
+  STRIBECK_FOUR_POST_CAR_RR_LENGTH = 1385823017,
   /** out [m/s]: Rate of the strut's length; positive as it extends. */
-  STRIBECK_FOUR_POST_CAR_RR_VELOCITY = 55,
+  STRIBECK_FOUR_POST_CAR_RR_VELOCITY = 1387345990,
   /** out [N]: Vertical force of the tyre on the ground; 0 while the wheel is off the ground. */
-  STRIBECK_FOUR_POST_CAR_RR_TYRE_LOAD = 56,
+  STRIBECK_FOUR_POST_CAR_RR_TYRE_LOAD = 1131435484,
 } stribeck_four_post_car_variable;
 
 /** Guid of DoubleTrackCar for fmi2Instantiate. */
 #define STRIBECK_DOUBLE_TRACK_CAR_GUID "{f2f80c84-2a09-d80f-5af4-53182eb5c19a}"
 
-/** DoubleTrackCar: Double-track car steered at constant speed, with Magic Formula tyres. Columns of "DoubleTrackCar". */
+/** DoubleTrackCar: Double-track car steered at constant speed, with Magic Formula tyres. Variables of "DoubleTrackCar". */
 typedef enum stribeck_double_track_car_variable {
   /** in [rad]: Steering angle of the front wheels; positive to the left. (default 0) */
-  STRIBECK_DOUBLE_TRACK_CAR_STEERING_ANGLE = 0,
+  STRIBECK_DOUBLE_TRACK_CAR_STEERING_ANGLE = 1595403926,
   /** fixed [kg]: Mass of the body, without the wheels. (> 0, default 223.2) */
-  STRIBECK_DOUBLE_TRACK_CAR_BODY_MASS = 1,
+  STRIBECK_DOUBLE_TRACK_CAR_BODY_MASS = 978845638,
   /** fixed [kg.m2]: Moment of inertia of the body about its lateral axis. (> 0, default 126.29) */
-  STRIBECK_DOUBLE_TRACK_CAR_PITCH_INERTIA = 2,
+  STRIBECK_DOUBLE_TRACK_CAR_PITCH_INERTIA = 1899038564,
   /** fixed [kg.m2]: Moment of inertia of the body about its longitudinal axis. (> 0, default 26.46) */
-  STRIBECK_DOUBLE_TRACK_CAR_ROLL_INERTIA = 3,
+  STRIBECK_DOUBLE_TRACK_CAR_ROLL_INERTIA = 1281002275,
   /** fixed [m]: Distance between the axles. (> 0, default 1.528) */
-  STRIBECK_DOUBLE_TRACK_CAR_WHEELBASE = 4,
+  STRIBECK_DOUBLE_TRACK_CAR_WHEELBASE = 1240602281,
   /** fixed [m]: Distance of the front axle ahead of the body's centre of gravity. (>= 0, default 0.8035) */
-  STRIBECK_DOUBLE_TRACK_CAR_CG_TO_FRONT = 5,
+  STRIBECK_DOUBLE_TRACK_CAR_CG_TO_FRONT = 1103134773,
   /** state, out [m]: Height of the centre of gravity above its height at rest. (default 0) */
-  STRIBECK_DOUBLE_TRACK_CAR_HEAVE = 6,
+  STRIBECK_DOUBLE_TRACK_CAR_HEAVE = 765446484,
   /** state, out [m/s]: Vertical velocity of the centre of gravity. (default 0) */
-  STRIBECK_DOUBLE_TRACK_CAR_HEAVE_RATE = 7,
+  STRIBECK_DOUBLE_TRACK_CAR_HEAVE_RATE = 1033019235,
   /** state, out [rad]: Pitch angle; positive nose down. (default 0) */
-  STRIBECK_DOUBLE_TRACK_CAR_PITCH = 8,
+  STRIBECK_DOUBLE_TRACK_CAR_PITCH = 1026706097,
   /** state, out [rad/s]: Rate of the pitch angle. (default 0) */
-  STRIBECK_DOUBLE_TRACK_CAR_PITCH_RATE = 9,
+  STRIBECK_DOUBLE_TRACK_CAR_PITCH_RATE = 362334040,
   /** state, out [rad]: Roll angle; positive lowers the right side. (default 0) */
-  STRIBECK_DOUBLE_TRACK_CAR_ROLL = 10,
+  STRIBECK_DOUBLE_TRACK_CAR_ROLL = 385826078,
   /** state, out [rad/s]: Rate of the roll angle. (default 0) */
-  STRIBECK_DOUBLE_TRACK_CAR_ROLL_RATE = 11,
+  STRIBECK_DOUBLE_TRACK_CAR_ROLL_RATE = 809575385,
   /** fixed [m/s]: Forward speed. (> 0, default 20) */
-  STRIBECK_DOUBLE_TRACK_CAR_SPEED = 12,
+  STRIBECK_DOUBLE_TRACK_CAR_SPEED = 2072037248,
   /** fixed [kg.m2]: Moment of inertia of the car about its vertical axis. (> 0, default 142.92) */
-  STRIBECK_DOUBLE_TRACK_CAR_YAW_INERTIA = 13,
+  STRIBECK_DOUBLE_TRACK_CAR_YAW_INERTIA = 33944097,
   /** fixed [m]: Height of the body's centre of gravity above the ground. (>= 0, default 0.3203) */
-  STRIBECK_DOUBLE_TRACK_CAR_CG_HEIGHT = 14,
+  STRIBECK_DOUBLE_TRACK_CAR_CG_HEIGHT = 651276491,
   /** fixed [m]: Height of the wheels' centres of gravity above the ground (default chosen). (>= 0, default 0.2) */
-  STRIBECK_DOUBLE_TRACK_CAR_WHEEL_CENTRE_HEIGHT = 15,
+  STRIBECK_DOUBLE_TRACK_CAR_WHEEL_CENTRE_HEIGHT = 620499472,
   /** fixed [m]: Relaxation length: rolling distance after which the side slip has reached 63 % (default chosen).
    *  (> 0, default 0.2) */
-  STRIBECK_DOUBLE_TRACK_CAR_RELAXATION_LENGTH = 16,
+  STRIBECK_DOUBLE_TRACK_CAR_RELAXATION_LENGTH = 1815633595,
   /** fixed [N]: Nominal load F_z0 of the set. (> 0, default 3000) */
-  STRIBECK_DOUBLE_TRACK_CAR_TYRE_FNOMIN = 17,
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_FNOMIN = 2111094212,
   /** fixed [m]: Unloaded radius R_0 of the tyre (default chosen). (> 0, default 0.2) */
-  STRIBECK_DOUBLE_TRACK_CAR_TYRE_UNLOADED_RADIUS = 18,
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_UNLOADED_RADIUS = 1815672700,
   /** fixed [m/s]: Reference speed V_0 of the rolling resistance (default chosen). (> 0, default 16.7) */
-  STRIBECK_DOUBLE_TRACK_CAR_TYRE_LONGVL = 19,
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_LONGVL = 1681973579,
   /** fixed [1]: Scale factor of the nominal load; 700 N here, for Formula Student.
    *  (> 0, default 0.23333333333333334) */
-  STRIBECK_DOUBLE_TRACK_CAR_TYRE_LFZO = 20,
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_LFZO = 1173129670,
   /** fixed [1]: Scale factor of the shape of F_x. (default 1) */
-  STRIBECK_DOUBLE_TRACK_CAR_TYRE_LCX = 21,
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_LCX = 493565594,
   /** fixed [1]: Scale factor of the longitudinal friction; 0.97 in the source. (> 0, default 1) */
-  STRIBECK_DOUBLE_TRACK_CAR_TYRE_LMUX = 22,
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_LMUX = 1978365441,
   /** fixed [1]: Scale factor of the curvature of F_x. (default 1) */
-  STRIBECK_DOUBLE_TRACK_CAR_TYRE_LEX = 23,
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_LEX = 426749308,
   /** fixed [1]: Scale factor of the slip stiffness. (default 1) */
-  STRIBECK_DOUBLE_TRACK_CAR_TYRE_LKX = 24,
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_LKX = 494845522,
   /** fixed [1]: Scale factor of the horizontal shift of F_x; 1 in the source. (default 0) */
-  STRIBECK_DOUBLE_TRACK_CAR_TYRE_LHX = 25,
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_LHX = 394032713,
   /** fixed [1]: Scale factor of the vertical shift of F_x; 1 in the source. (default 0) */
-  STRIBECK_DOUBLE_TRACK_CAR_TYRE_LVX = 26,
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_LVX = 463408855,
   /** fixed [1]: Scale factor of the camber in F_x. (default 1) */
-  STRIBECK_DOUBLE_TRACK_CAR_TYRE_LGAX = 27,
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_LGAX = 1684445795,
   /** fixed [1]: Scale factor of the shape of F_y. (default 1) */
-  STRIBECK_DOUBLE_TRACK_CAR_TYRE_LCY = 28,
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_LCY = 510343213,
   /** fixed [1]: Scale factor of the lateral friction; 0.97 in the source. (> 0, default 1) */
-  STRIBECK_DOUBLE_TRACK_CAR_TYRE_LMUY = 29,
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_LMUY = 1961587822,
   /** fixed [1]: Scale factor of the curvature of F_y. (default 1) */
-  STRIBECK_DOUBLE_TRACK_CAR_TYRE_LEY = 30,
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_LEY = 443526927,
   /** fixed [1]: Scale factor of the cornering stiffness. (default 1) */
-  STRIBECK_DOUBLE_TRACK_CAR_TYRE_LKY = 31,
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_LKY = 511623141,
   /** fixed [1]: Scale factor of the horizontal shift of F_y; 1 in the source. (default 0) */
-  STRIBECK_DOUBLE_TRACK_CAR_TYRE_LHY = 32,
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_LHY = 377255094,
   /** fixed [1]: Scale factor of the vertical shift of F_y; 1 in the source. (default 0) */
-  STRIBECK_DOUBLE_TRACK_CAR_TYRE_LVY = 33,
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_LVY = 446631236,
   /** fixed [1]: Scale factor of the camber in F_y. (default 1) */
-  STRIBECK_DOUBLE_TRACK_CAR_TYRE_LGAY = 34,
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_LGAY = 1667668176,
   /** fixed [1]: Scale factor of the pneumatic trail. (default 1) */
-  STRIBECK_DOUBLE_TRACK_CAR_TYRE_LTR = 35,
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_LTR = 630890855,
   /** fixed [1]: Scale factor of the residual torque. (default 1) */
-  STRIBECK_DOUBLE_TRACK_CAR_TYRE_LRES = 36,
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_LRES = 1830992725,
   /** fixed [1]: Scale factor of the camber in M_z. (default 1) */
-  STRIBECK_DOUBLE_TRACK_CAR_TYRE_LGAZ = 37,
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_LGAZ = 1718001033,
   /** fixed [1]: Scale factor of the influence of the side slip on F_x. (default 1) */
-  STRIBECK_DOUBLE_TRACK_CAR_TYRE_LXAL = 38,
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_LXAL = 1839454118,
   /** fixed [1]: Scale factor of the influence of the longitudinal slip on F_y. (default 1) */
-  STRIBECK_DOUBLE_TRACK_CAR_TYRE_LYKA = 39,
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_LYKA = 565450120,
   /** fixed [1]: Scale factor of the side force that longitudinal slip induces. (default 1) */
-  STRIBECK_DOUBLE_TRACK_CAR_TYRE_LVYKA = 40,
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_LVYKA = 1793209748,
   /** fixed [1]: Scale factor of the moment arm of F_x. (default 1) */
-  STRIBECK_DOUBLE_TRACK_CAR_TYRE_LS = 41,
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_LS = 37949558,
   /** fixed [1]: Scale factor of the overturning couple. (default 1) */
-  STRIBECK_DOUBLE_TRACK_CAR_TYRE_LMX = 42,
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_LMX = 428132404,
   /** fixed [1]: Scale factor of the vertical shift of the overturning couple. (default 1) */
-  STRIBECK_DOUBLE_TRACK_CAR_TYRE_LVMX = 43,
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_LVMX = 478141936,
   /** fixed [1]: Scale factor of the rolling resistance. (default 1) */
-  STRIBECK_DOUBLE_TRACK_CAR_TYRE_LMY = 44,
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_LMY = 444910023,
   /** fixed [1]: Shape factor of F_x. (default 1.6) */
-  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PCX1 = 45,
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PCX1 = 2017462589,
   /** fixed [1]: Longitudinal friction at the nominal load. (default 1.5) */
-  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PDX1 = 46,
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PDX1 = 991947616,
   /** fixed [1]: Change of the longitudinal friction with load. (default -0.04) */
-  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PDX2 = 47,
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PDX2 = 1042280473,
   /** fixed [1]: Change of the longitudinal friction with the square of camber. (default 0.1) */
-  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PDX3 = 48,
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PDX3 = 1025502854,
   /** fixed [1]: Curvature of F_x at the nominal load. (default 0.7) */
-  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PEX1 = 49,
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PEX1 = 1586019003,
   /** fixed [1]: Change of the curvature of F_x with load. (default -0.17) */
-  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PEX2 = 50,
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PEX2 = 1602796622,
   /** fixed [1]: Change of the curvature of F_x with the square of load. (default 0.023) */
-  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PEX3 = 51,
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PEX3 = 1619574241,
   /** fixed [1]: Change of the curvature of F_x with the sign of slip. (default -0.14) */
-  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PEX4 = 52,
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PEX4 = 1636351860,
   /** fixed [1]: Slip stiffness per load at the nominal load. (default 30.7) */
-  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PKX1 = 53,
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PKX1 = 1325314021,
   /** fixed [1]: Change of the slip stiffness with load. (default 0.27) */
-  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PKX2 = 54,
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PKX2 = 1274981164,
   /** fixed [1]: Exponent of the slip stiffness with load. (default 0.13) */
-  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PKX3 = 55,
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PKX3 = 1291758783,
   /** fixed [1]: Horizontal shift of F_x at the nominal load. (default 0) */
-  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PHX1 = 56,
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PHX1 = 1854834788,
   /** fixed [1]: Change of the horizontal shift of F_x with load. (default 0) */
-  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PHX2 = 57,
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PHX2 = 1905167645,
   /** fixed [1]: Vertical shift of F_x per load at the nominal load. (default 0) */
-  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PVX1 = 58,
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PVX1 = 1746834710,
   /** fixed [1]: Change of the vertical shift of F_x with load. (default 0) */
-  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PVX2 = 59,
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PVX2 = 1730057091,
   /** fixed [1]: Stiffness of the reduction of F_x by side slip. (default 17.4) */
-  STRIBECK_DOUBLE_TRACK_CAR_TYRE_RBX1 = 60,
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_RBX1 = 1177084756,
   /** fixed [1]: Change of the stiffness of the reduction of F_x with longitudinal slip. (default 12.9) */
-  STRIBECK_DOUBLE_TRACK_CAR_TYRE_RBX2 = 61,
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_RBX2 = 1227417613,
   /** fixed [1]: Shape factor of the reduction of F_x. (default 1.1) */
-  STRIBECK_DOUBLE_TRACK_CAR_TYRE_RCX1 = 62,
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_RCX1 = 1192695631,
   /** fixed [1]: Curvature of the reduction of F_x. (default 0) */
-  STRIBECK_DOUBLE_TRACK_CAR_TYRE_REX1 = 63,
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_REX1 = 1779455561,
   /** fixed [1]: Change of the curvature of the reduction of F_x with load. (default 0) */
-  STRIBECK_DOUBLE_TRACK_CAR_TYRE_REX2 = 64,
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_REX2 = 1729122704,
   /** fixed [1]: Shift of the reduction of F_x. (default 0.001) */
-  STRIBECK_DOUBLE_TRACK_CAR_TYRE_RHX1 = 65,
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_RHX1 = 745641170,
   /** fixed [1]: Shape factor of F_y. (default 1.5) */
-  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PCY1 = 66,
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PCY1 = 1547836352,
   /** fixed [1]: Lateral friction at the nominal load. (default 1.2) */
-  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PDY1 = 67,
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PDY1 = 1461522269,
   /** fixed [1]: Change of the lateral friction with load. (default -0.09) */
-  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PDY2 = 68,
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PDY2 = 1411189412,
   /** fixed [1]: Change of the lateral friction with the square of camber. (default 0.1) */
-  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PDY3 = 69,
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PDY3 = 1427967031,
   /** fixed [1]: Curvature of F_y at the nominal load. (default 0.1) */
-  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PEY1 = 70,
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PEY1 = 1653276574,
   /** fixed [1]: Change of the curvature of F_y with load. (default -1.2) */
-  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PEY2 = 71,
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PEY2 = 1636498955,
   /** fixed [1]: Change of the curvature of F_y with the sign of side slip. (default 0.05) */
-  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PEY3 = 72,
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PEY3 = 1619721336,
   /** fixed [1]: Change of the curvature of F_y with camber and the sign of side slip. (default -8.1) */
-  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PEY4 = 73,
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PEY4 = 1737164669,
   /** fixed [1]: Largest cornering stiffness per nominal load; negative for these axes. (default -75.5) */
-  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PKY1 = 74,
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PKY1 = 1392571592,
   /** fixed [1]: Load of the largest cornering stiffness per nominal load; not 0. (default 4.65) */
-  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PKY2 = 75,
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PKY2 = 1442904449,
   /** fixed [1]: Change of the cornering stiffness with camber. (default -0.6) */
-  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PKY3 = 76,
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PKY3 = 1426126830,
   /** fixed [1]: Horizontal shift of F_y at the nominal load. (default 0.003) */
-  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PHY1 = 77,
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PHY1 = 1787577217,
   /** fixed [1]: Change of the horizontal shift of F_y with load. (default -0.0006) */
-  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PHY2 = 78,
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PHY2 = 1737244360,
   /** fixed [1]: Change of the horizontal shift of F_y with camber. (default 0.004) */
-  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PHY3 = 79,
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PHY3 = 1754021979,
   /** fixed [1]: Vertical shift of F_y per load at the nominal load. (default 0.04) */
-  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PVY1 = 80,
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PVY1 = 1679577139,
   /** fixed [1]: Change of the vertical shift of F_y with load. (default -0.02) */
-  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PVY2 = 81,
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PVY2 = 1696354758,
   /** fixed [1]: Change of the vertical shift of F_y with camber. (default -0.97) */
-  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PVY3 = 82,
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PVY3 = 1713132377,
   /** fixed [1]: Change of the vertical shift of F_y with camber and load. (default -0.41) */
-  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PVY4 = 83,
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_PVY4 = 1729909996,
   /** fixed [1]: Stiffness of the reduction of F_y by longitudinal slip. (default 20.6) */
-  STRIBECK_DOUBLE_TRACK_CAR_TYRE_RBY1 = 84,
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_RBY1 = 1109827185,
   /** fixed [1]: Change of the stiffness of the reduction of F_y with side slip. (default -23.5) */
-  STRIBECK_DOUBLE_TRACK_CAR_TYRE_RBY2 = 85,
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_RBY2 = 1059494328,
   /** fixed [1]: Side slip at which that stiffness is largest. (default 0.001) */
-  STRIBECK_DOUBLE_TRACK_CAR_TYRE_RBY3 = 86,
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_RBY3 = 1076271947,
   /** fixed [1]: Shape factor of the reduction of F_y. (default 1) */
-  STRIBECK_DOUBLE_TRACK_CAR_TYRE_RCY1 = 87,
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_RCY1 = 1259953202,
   /** fixed [1]: Curvature of the reduction of F_y. (default 0) */
-  STRIBECK_DOUBLE_TRACK_CAR_TYRE_REY1 = 88,
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_REY1 = 1846713132,
   /** fixed [1]: Change of the curvature of the reduction of F_y with load. (default 0) */
-  STRIBECK_DOUBLE_TRACK_CAR_TYRE_REY2 = 89,
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_REY2 = 1897045989,
   /** fixed [1]: Shift of the reduction of F_y. (default -0.02) */
-  STRIBECK_DOUBLE_TRACK_CAR_TYRE_RHY1 = 90,
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_RHY1 = 678383599,
   /** fixed [1]: Change of the shift of the reduction of F_y with load. (default 0) */
-  STRIBECK_DOUBLE_TRACK_CAR_TYRE_RHY2 = 91,
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_RHY2 = 695161218,
   /** fixed [1]: Side force induced by longitudinal slip, at the nominal load. (default 0.16) */
-  STRIBECK_DOUBLE_TRACK_CAR_TYRE_RVY1 = 92,
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_RVY1 = 939036997,
   /** fixed [1]: Change of the induced side force with load. (default 0.03) */
-  STRIBECK_DOUBLE_TRACK_CAR_TYRE_RVY2 = 93,
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_RVY2 = 888704140,
   /** fixed [1]: Change of the induced side force with camber. (default 27.5) */
-  STRIBECK_DOUBLE_TRACK_CAR_TYRE_RVY3 = 94,
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_RVY3 = 905481759,
   /** fixed [1]: Change of the induced side force with side slip. (default -29.7) */
-  STRIBECK_DOUBLE_TRACK_CAR_TYRE_RVY4 = 95,
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_RVY4 = 855148902,
   /** fixed [1]: Shape factor of the induced side force. (default 0.03) */
-  STRIBECK_DOUBLE_TRACK_CAR_TYRE_RVY5 = 96,
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_RVY5 = 871926521,
   /** fixed [1]: Stiffness of the induced side force. (default 0) */
-  STRIBECK_DOUBLE_TRACK_CAR_TYRE_RVY6 = 97,
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_RVY6 = 821593664,
   /** fixed [1]: Stiffness of the trail at the nominal load. (default 0) */
-  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QBZ1 = 98,
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QBZ1 = 1237265885,
   /** fixed [1]: Change of the stiffness of the trail with load. (default 0) */
-  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QBZ2 = 99,
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QBZ2 = 1186933028,
   /** fixed [1]: Change of the stiffness of the trail with the square of load. (default 0) */
-  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QBZ3 = 100,
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QBZ3 = 1203710647,
   /** fixed [1]: Change of the stiffness of the trail with camber. (default 0) */
-  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QBZ4 = 101,
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QBZ4 = 1153377790,
   /** fixed [1]: Change of the stiffness of the trail with the size of camber. (default 0) */
-  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QBZ5 = 102,
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QBZ5 = 1170155409,
   /** fixed [1]: Stiffness of the residual torque. (default 0) */
-  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QBZ9 = 103,
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QBZ9 = 1103044933,
   /** fixed [1]: Stiffness of the residual torque per that of F_y. (default 0) */
-  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QBZ10 = 104,
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QBZ10 = 83184663,
   /** fixed [1]: Shape factor of the trail. (default 0) */
-  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QCZ1 = 105,
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QCZ1 = 776775486,
   /** fixed [1]: Largest trail per radius at the nominal load; 0: no trail in the source. (default 0) */
-  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QDZ1 = 106,
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QDZ1 = 1265458235,
   /** fixed [1]: Change of the largest trail with load. (default 0) */
-  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QDZ2 = 107,
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QDZ2 = 1282235854,
   /** fixed [1]: Change of the largest trail with camber. (default 0) */
-  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QDZ3 = 108,
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QDZ3 = 1299013473,
   /** fixed [1]: Change of the largest trail with the square of camber. (default 0) */
-  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QDZ4 = 109,
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QDZ4 = 1315791092,
   /** fixed [1]: Largest residual torque per radius and load. (default 0) */
-  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QDZ6 = 110,
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QDZ6 = 1349346330,
   /** fixed [1]: Change of the residual torque with load. (default 0) */
-  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QDZ7 = 111,
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QDZ7 = 1366123949,
   /** fixed [1]: Change of the residual torque with camber. (default 0) */
-  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QDZ8 = 112,
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QDZ8 = 1114459664,
   /** fixed [1]: Change of the residual torque with camber and load. (default 0) */
-  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QDZ9 = 113,
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QDZ9 = 1131237283,
   /** fixed [1]: Curvature of the trail at the nominal load. (default 0) */
-  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QEZ1 = 114,
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QEZ1 = 1074689668,
   /** fixed [1]: Change of the curvature of the trail with load. (default 0) */
-  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QEZ2 = 115,
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QEZ2 = 1125022525,
   /** fixed [1]: Change of the curvature of the trail with the square of load. (default 0) */
-  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QEZ3 = 116,
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QEZ3 = 1108244906,
   /** fixed [1]: Change of the curvature of the trail with side slip. (default 0) */
-  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QEZ4 = 117,
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QEZ4 = 1024356811,
   /** fixed [1]: Change of the curvature of the trail with side slip and camber. (default 0) */
-  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QEZ5 = 118,
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QEZ5 = 1007579192,
   /** fixed [1]: Horizontal shift of the trail at the nominal load. (default 0) */
-  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QHZ1 = 119,
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QHZ1 = 94549815,
   /** fixed [1]: Change of the horizontal shift of the trail with load. (default 0) */
-  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QHZ2 = 120,
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QHZ2 = 111327434,
   /** fixed [1]: Change of the horizontal shift of the trail with camber. (default 0) */
-  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QHZ3 = 121,
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QHZ3 = 128105053,
   /** fixed [1]: Change of the horizontal shift of the trail with camber and load. (default 0) */
-  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QHZ4 = 122,
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QHZ4 = 10661720,
   /** fixed [1]: Moment arm of F_x per radius. (default 0) */
-  STRIBECK_DOUBLE_TRACK_CAR_TYRE_SSZ1 = 123,
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_SSZ1 = 1780996876,
   /** fixed [1]: Change of the moment arm with F_y. (default 0) */
-  STRIBECK_DOUBLE_TRACK_CAR_TYRE_SSZ2 = 124,
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_SSZ2 = 1831329733,
   /** fixed [1]: Change of the moment arm with camber. (default 0) */
-  STRIBECK_DOUBLE_TRACK_CAR_TYRE_SSZ3 = 125,
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_SSZ3 = 1814552114,
   /** fixed [1]: Change of the moment arm with camber and load. (default 0) */
-  STRIBECK_DOUBLE_TRACK_CAR_TYRE_SSZ4 = 126,
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_SSZ4 = 1730664019,
   /** fixed [1]: Overturning couple per radius and load. (default 0) */
-  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QSX1 = 127,
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QSX1 = 1288982208,
   /** fixed [1]: Change of the overturning couple with camber. (default 0) */
-  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QSX2 = 128,
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QSX2 = 1339315065,
   /** fixed [1]: Change of the overturning couple with F_y. (default 0) */
-  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QSX3 = 129,
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QSX3 = 1322537446,
   /** fixed [1]: Rolling resistance per radius and load. (default 0) */
-  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QSY1 = 130,
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QSY1 = 1758608445,
   /** fixed [1]: Change of the rolling resistance with F_x. (default 0) */
-  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QSY2 = 131,
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QSY2 = 1708275588,
   /** fixed [1]: Change of the rolling resistance with speed. (default 0) */
-  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QSY3 = 132,
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QSY3 = 1725053207,
   /** fixed [1]: Change of the rolling resistance with the fourth power of speed. (default 0) */
-  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QSY4 = 133,
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_QSY4 = 1674720350,
   /** fixed [stribeck_side]: Side that the set was measured for; tyres on the other side are mirrored. (default Left) */
-  STRIBECK_DOUBLE_TRACK_CAR_TYRE_SIDE = 134,
+  STRIBECK_DOUBLE_TRACK_CAR_TYRE_SIDE = 110564140,
   /** state, out [m]: Position of the car's centre of gravity along the road. (default 0) */
-  STRIBECK_DOUBLE_TRACK_CAR_POSITION_X = 135,
+  STRIBECK_DOUBLE_TRACK_CAR_POSITION_X = 1501920533,
   /** state, out [m]: Lateral position of the car's centre of gravity; positive to the left. (default 0) */
-  STRIBECK_DOUBLE_TRACK_CAR_POSITION_Y = 136,
+  STRIBECK_DOUBLE_TRACK_CAR_POSITION_Y = 1485142914,
   /** state, out [rad]: Yaw angle; positive to the left. (default 0) */
-  STRIBECK_DOUBLE_TRACK_CAR_YAW_ANGLE = 137,
+  STRIBECK_DOUBLE_TRACK_CAR_YAW_ANGLE = 427621832,
   /** state, out [m/s]: Lateral velocity of the car's centre of gravity; positive to the left. (default 0) */
-  STRIBECK_DOUBLE_TRACK_CAR_LATERAL_VELOCITY = 138,
+  STRIBECK_DOUBLE_TRACK_CAR_LATERAL_VELOCITY = 1614058446,
   /** state, out [rad/s]: Yaw rate; positive to the left. (default 0) */
-  STRIBECK_DOUBLE_TRACK_CAR_YAW_RATE = 139,
+  STRIBECK_DOUBLE_TRACK_CAR_YAW_RATE = 1529646967,
   /** out [m/s2]: Lateral acceleration of the car's centre of gravity; positive to the left. */
-  STRIBECK_DOUBLE_TRACK_CAR_LATERAL_ACCELERATION = 140,
+  STRIBECK_DOUBLE_TRACK_CAR_LATERAL_ACCELERATION = 810413313,
   /** fixed [m]: Height of the roll centre above the ground. (default 0.035) */
-  STRIBECK_DOUBLE_TRACK_CAR_FRONT_ROLL_CENTRE_HEIGHT = 141,
+  STRIBECK_DOUBLE_TRACK_CAR_FRONT_ROLL_CENTRE_HEIGHT = 75337661,
   /** fixed [m]: Distance between the wheels of the axle. (> 0, default 1.22) */
-  STRIBECK_DOUBLE_TRACK_CAR_FRONT_TRACK = 142,
+  STRIBECK_DOUBLE_TRACK_CAR_FRONT_TRACK = 1374883633,
   /** fixed [1]: Damper travel per wheel travel. (> 0, default 1.011) */
-  STRIBECK_DOUBLE_TRACK_CAR_FRONT_MOTION_RATIO = 143,
+  STRIBECK_DOUBLE_TRACK_CAR_FRONT_MOTION_RATIO = 136683956,
   /** fixed [m]: Length of the strut at rest, eye to eye. (> 0, default 0.1775) */
-  STRIBECK_DOUBLE_TRACK_CAR_FRONT_STATIC_LENGTH = 144,
+  STRIBECK_DOUBLE_TRACK_CAR_FRONT_STATIC_LENGTH = 521595661,
   /** fixed [N]: Force of the strut at rest; its spring seat is assumed to be set so that this force balances the weight.
    *  (default 1325.2555) */
-  STRIBECK_DOUBLE_TRACK_CAR_FRONT_STATIC_FORCE = 145,
+  STRIBECK_DOUBLE_TRACK_CAR_FRONT_STATIC_FORCE = 1579506636,
   /** fixed [kg]: Unsprung mass of the corner. (> 0, default 16.36) */
-  STRIBECK_DOUBLE_TRACK_CAR_FRONT_WHEEL_MASS = 146,
+  STRIBECK_DOUBLE_TRACK_CAR_FRONT_WHEEL_MASS = 2014428290,
   /** fixed [N/m]: Stiffness of the tyre. (>= 0, default 87563.5) */
-  STRIBECK_DOUBLE_TRACK_CAR_FRONT_TYRE_STIFFNESS = 147,
+  STRIBECK_DOUBLE_TRACK_CAR_FRONT_TYRE_STIFFNESS = 1243508938,
   /** fixed [N.s/m]: Damping of the tyre. (>= 0, default 95.8) */
-  STRIBECK_DOUBLE_TRACK_CAR_FRONT_TYRE_DAMPING = 148,
+  STRIBECK_DOUBLE_TRACK_CAR_FRONT_TYRE_DAMPING = 1057394425,
   /** fixed [m]: Height of the roll centre above the ground. (default 0.05) */
-  STRIBECK_DOUBLE_TRACK_CAR_REAR_ROLL_CENTRE_HEIGHT = 149,
+  STRIBECK_DOUBLE_TRACK_CAR_REAR_ROLL_CENTRE_HEIGHT = 1384047556,
   /** fixed [m]: Distance between the wheels of the axle. (> 0, default 1.2) */
-  STRIBECK_DOUBLE_TRACK_CAR_REAR_TRACK = 150,
+  STRIBECK_DOUBLE_TRACK_CAR_REAR_TRACK = 109134438,
   /** fixed [1]: Damper travel per wheel travel. (> 0, default 1.004) */
-  STRIBECK_DOUBLE_TRACK_CAR_REAR_MOTION_RATIO = 151,
+  STRIBECK_DOUBLE_TRACK_CAR_REAR_MOTION_RATIO = 1310894605,
   /** fixed [m]: Length of the strut at rest, eye to eye. (> 0, default 0.1775) */
-  STRIBECK_DOUBLE_TRACK_CAR_REAR_STATIC_LENGTH = 152,
+  STRIBECK_DOUBLE_TRACK_CAR_REAR_STATIC_LENGTH = 274478290,
   /** fixed [N]: Force of the strut at rest; its spring seat is assumed to be set so that this force balances the weight.
    *  (default 1100.2555) */
-  STRIBECK_DOUBLE_TRACK_CAR_REAR_STATIC_FORCE = 153,
+  STRIBECK_DOUBLE_TRACK_CAR_REAR_STATIC_FORCE = 2035376845,
   /** fixed [kg]: Unsprung mass of the corner. (> 0, default 16.36) */
-  STRIBECK_DOUBLE_TRACK_CAR_REAR_WHEEL_MASS = 154,
+  STRIBECK_DOUBLE_TRACK_CAR_REAR_WHEEL_MASS = 453317695,
   /** fixed [N/m]: Stiffness of the tyre. (>= 0, default 87563.5) */
-  STRIBECK_DOUBLE_TRACK_CAR_REAR_TYRE_STIFFNESS = 155,
+  STRIBECK_DOUBLE_TRACK_CAR_REAR_TYRE_STIFFNESS = 1566799339,
   /** fixed [N.s/m]: Damping of the tyre. (>= 0, default 95.8) */
-  STRIBECK_DOUBLE_TRACK_CAR_REAR_TYRE_DAMPING = 156,
+  STRIBECK_DOUBLE_TRACK_CAR_REAR_TYRE_DAMPING = 2124865380,
   /** in [m]: Height of the road under the wheel. (default 0) */
-  STRIBECK_DOUBLE_TRACK_CAR_FL_ROAD_HEIGHT = 157,
+  STRIBECK_DOUBLE_TRACK_CAR_FL_ROAD_HEIGHT = 230411849,
   /** in [m/s]: Rate of the road's height. (default 0) */
-  STRIBECK_DOUBLE_TRACK_CAR_FL_ROAD_VELOCITY = 158,
+  STRIBECK_DOUBLE_TRACK_CAR_FL_ROAD_VELOCITY = 1537419281,
   /** in [N]: Force of the strut; positive pushes its eyes apart. (default 1325.2555) */
-  STRIBECK_DOUBLE_TRACK_CAR_FL_STRUT_FORCE = 159,
+  STRIBECK_DOUBLE_TRACK_CAR_FL_STRUT_FORCE = 1950174495,
   /** state, out [m]: Height of the wheel above its height at rest. (default 0) */
-  STRIBECK_DOUBLE_TRACK_CAR_FL_WHEEL_HEIGHT = 160,
+  STRIBECK_DOUBLE_TRACK_CAR_FL_WHEEL_HEIGHT = 284839816,
   /** state, out [m/s]: Vertical velocity of the wheel. (default 0) */
-  STRIBECK_DOUBLE_TRACK_CAR_FL_WHEEL_VELOCITY = 161,
+  STRIBECK_DOUBLE_TRACK_CAR_FL_WHEEL_VELOCITY = 748140304,
   /** out [m]: Length of the strut, eye to eye. */
-  STRIBECK_DOUBLE_TRACK_CAR_FL_LENGTH = 162,
+  STRIBECK_DOUBLE_TRACK_CAR_FL_LENGTH = 425976571,
   /** out [m/s]: Rate of the strut's length; positive as it extends. */
-  STRIBECK_DOUBLE_TRACK_CAR_FL_VELOCITY = 163,
+  STRIBECK_DOUBLE_TRACK_CAR_FL_VELOCITY = 2042775332,
   /** out [N]: Vertical force of the tyre on the ground; 0 while the wheel is off the ground. */
-  STRIBECK_DOUBLE_TRACK_CAR_FL_TYRE_LOAD = 164,
+  STRIBECK_DOUBLE_TRACK_CAR_FL_TYRE_LOAD = 609020926,
   /** state, out [rad]: Side slip of the tyre; positive when the wheel slips to the left. (default 0) */
-  STRIBECK_DOUBLE_TRACK_CAR_FL_SIDE_SLIP = 165,
+  STRIBECK_DOUBLE_TRACK_CAR_FL_SIDE_SLIP = 722613819,
   /** out [N]: Lateral force of the road on the tyre; positive to the left. */
-  STRIBECK_DOUBLE_TRACK_CAR_FL_LATERAL_FORCE = 166,
+  STRIBECK_DOUBLE_TRACK_CAR_FL_LATERAL_FORCE = 988510250,
   /** in [m]: Height of the road under the wheel. (default 0) */
-  STRIBECK_DOUBLE_TRACK_CAR_FR_ROAD_HEIGHT = 167,
+  STRIBECK_DOUBLE_TRACK_CAR_FR_ROAD_HEIGHT = 1016625143,
   /** in [m/s]: Rate of the road's height. (default 0) */
-  STRIBECK_DOUBLE_TRACK_CAR_FR_ROAD_VELOCITY = 168,
+  STRIBECK_DOUBLE_TRACK_CAR_FR_ROAD_VELOCITY = 250906847,
   /** in [N]: Force of the strut; positive pushes its eyes apart. (default 1325.2555) */
-  STRIBECK_DOUBLE_TRACK_CAR_FR_STRUT_FORCE = 169,
+  STRIBECK_DOUBLE_TRACK_CAR_FR_STRUT_FORCE = 1145036745,
   /** state, out [m]: Height of the wheel above its height at rest. (default 0) */
-  STRIBECK_DOUBLE_TRACK_CAR_FR_WHEEL_HEIGHT = 170,
+  STRIBECK_DOUBLE_TRACK_CAR_FR_WHEEL_HEIGHT = 1227595862,
   /** state, out [m/s]: Vertical velocity of the wheel. (default 0) */
-  STRIBECK_DOUBLE_TRACK_CAR_FR_WHEEL_VELOCITY = 171,
+  STRIBECK_DOUBLE_TRACK_CAR_FR_WHEEL_VELOCITY = 4000102,
   /** out [m]: Length of the strut, eye to eye. */
-  STRIBECK_DOUBLE_TRACK_CAR_FR_LENGTH = 172,
+  STRIBECK_DOUBLE_TRACK_CAR_FR_LENGTH = 1768599053,
   /** out [m/s]: Rate of the strut's length; positive as it extends. */
-  STRIBECK_DOUBLE_TRACK_CAR_FR_VELOCITY = 173,
+  STRIBECK_DOUBLE_TRACK_CAR_FR_VELOCITY = 1784115738,
   /** out [N]: Vertical force of the tyre on the ground; 0 while the wheel is off the ground. */
-  STRIBECK_DOUBLE_TRACK_CAR_FR_TYRE_LOAD = 174,
+  STRIBECK_DOUBLE_TRACK_CAR_FR_TYRE_LOAD = 986607920,
   /** state, out [rad]: Side slip of the tyre; positive when the wheel slips to the left. (default 0) */
-  STRIBECK_DOUBLE_TRACK_CAR_FR_SIDE_SLIP = 175,
+  STRIBECK_DOUBLE_TRACK_CAR_FR_SIDE_SLIP = 39731741,
   /** out [N]: Lateral force of the road on the tyre; positive to the left. */
-  STRIBECK_DOUBLE_TRACK_CAR_FR_LATERAL_FORCE = 176,
+  STRIBECK_DOUBLE_TRACK_CAR_FR_LATERAL_FORCE = 683113520,
   /** in [m]: Height of the road under the wheel. (default 0) */
-  STRIBECK_DOUBLE_TRACK_CAR_RL_ROAD_HEIGHT = 177,
+  STRIBECK_DOUBLE_TRACK_CAR_RL_ROAD_HEIGHT = 531434269,
   /** in [m/s]: Rate of the road's height. (default 0) */
-  STRIBECK_DOUBLE_TRACK_CAR_RL_ROAD_VELOCITY = 178,
+  STRIBECK_DOUBLE_TRACK_CAR_RL_ROAD_VELOCITY = 480403749,
   /** in [N]: Force of the strut; positive pushes its eyes apart. (default 1100.2555) */
-  STRIBECK_DOUBLE_TRACK_CAR_RL_STRUT_FORCE = 179,
+  STRIBECK_DOUBLE_TRACK_CAR_RL_STRUT_FORCE = 1332492523,
   /** state, out [m]: Height of the wheel above its height at rest. (default 0) */
-  STRIBECK_DOUBLE_TRACK_CAR_RL_WHEEL_HEIGHT = 180,
+  STRIBECK_DOUBLE_TRACK_CAR_RL_WHEEL_HEIGHT = 1012696308,
   /** state, out [m/s]: Vertical velocity of the wheel. (default 0) */
-  STRIBECK_DOUBLE_TRACK_CAR_RL_WHEEL_VELOCITY = 181,
+  STRIBECK_DOUBLE_TRACK_CAR_RL_WHEEL_VELOCITY = 657365324,
   /** out [m]: Length of the strut, eye to eye. */
-  STRIBECK_DOUBLE_TRACK_CAR_RL_LENGTH = 182,
+  STRIBECK_DOUBLE_TRACK_CAR_RL_LENGTH = 945561919,
   /** out [m/s]: Rate of the strut's length; positive as it extends. */
-  STRIBECK_DOUBLE_TRACK_CAR_RL_VELOCITY = 183,
+  STRIBECK_DOUBLE_TRACK_CAR_RL_VELOCITY = 281724872,
   /** out [N]: Vertical force of the tyre on the ground; 0 while the wheel is off the ground. */
-  STRIBECK_DOUBLE_TRACK_CAR_RL_TYRE_LOAD = 184,
+  STRIBECK_DOUBLE_TRACK_CAR_RL_TYRE_LOAD = 455694498,
   /** state, out [rad]: Side slip of the tyre; positive when the wheel slips to the left. (default 0) */
-  STRIBECK_DOUBLE_TRACK_CAR_RL_SIDE_SLIP = 185,
+  STRIBECK_DOUBLE_TRACK_CAR_RL_SIDE_SLIP = 1421136959,
   /** out [N]: Lateral force of the road on the tyre; positive to the left. */
-  STRIBECK_DOUBLE_TRACK_CAR_RL_LATERAL_FORCE = 186,
+  STRIBECK_DOUBLE_TRACK_CAR_RL_LATERAL_FORCE = 1844363550,
   /** in [m]: Height of the road under the wheel. (default 0) */
-  STRIBECK_DOUBLE_TRACK_CAR_RR_ROAD_HEIGHT = 187,
+  STRIBECK_DOUBLE_TRACK_CAR_RR_ROAD_HEIGHT = 529359059,
   /** in [m/s]: Rate of the road's height. (default 0) */
-  STRIBECK_DOUBLE_TRACK_CAR_RR_ROAD_VELOCITY = 188,
+  STRIBECK_DOUBLE_TRACK_CAR_RR_ROAD_VELOCITY = 1818239387,
   /** in [N]: Force of the strut; positive pushes its eyes apart. (default 1100.2555) */
-  STRIBECK_DOUBLE_TRACK_CAR_RR_STRUT_FORCE = 189,
+  STRIBECK_DOUBLE_TRACK_CAR_RR_STRUT_FORCE = 1214313901,
   /** state, out [m]: Height of the wheel above its height at rest. (default 0) */
-  STRIBECK_DOUBLE_TRACK_CAR_RR_WHEEL_HEIGHT = 190,
+  STRIBECK_DOUBLE_TRACK_CAR_RR_WHEEL_HEIGHT = 293458890,
   /** state, out [m/s]: Vertical velocity of the wheel. (default 0) */
-  STRIBECK_DOUBLE_TRACK_CAR_RR_WHEEL_VELOCITY = 191,
+  STRIBECK_DOUBLE_TRACK_CAR_RR_WHEEL_VELOCITY = 887969770,
   /** out [m]: Length of the strut, eye to eye. */
-  STRIBECK_DOUBLE_TRACK_CAR_RR_LENGTH = 192,
+  STRIBECK_DOUBLE_TRACK_CAR_RR_LENGTH = 1385823017,
   /** out [m/s]: Rate of the strut's length; positive as it extends. */
-  STRIBECK_DOUBLE_TRACK_CAR_RR_VELOCITY = 193,
+  STRIBECK_DOUBLE_TRACK_CAR_RR_VELOCITY = 1387345990,
   /** out [N]: Vertical force of the tyre on the ground; 0 while the wheel is off the ground. */
-  STRIBECK_DOUBLE_TRACK_CAR_RR_TYRE_LOAD = 194,
+  STRIBECK_DOUBLE_TRACK_CAR_RR_TYRE_LOAD = 1131435484,
   /** state, out [rad]: Side slip of the tyre; positive when the wheel slips to the left. (default 0) */
-  STRIBECK_DOUBLE_TRACK_CAR_RR_SIDE_SLIP = 195,
+  STRIBECK_DOUBLE_TRACK_CAR_RR_SIDE_SLIP = 201694665,
   /** out [N]: Lateral force of the road on the tyre; positive to the left. */
-  STRIBECK_DOUBLE_TRACK_CAR_RR_LATERAL_FORCE = 196,
+  STRIBECK_DOUBLE_TRACK_CAR_RR_LATERAL_FORCE = 1961338476,
 } stribeck_double_track_car_variable;
 
 /** Guid of Posts for fmi2Instantiate. */
 #define STRIBECK_POSTS_GUID "{9cf74dd5-8d05-60ef-a610-a20f57e55eed}"
 
-/** Posts: Four-post rig. Columns of "Posts". */
+/** Posts: Four-post rig. Variables of "Posts". */
 typedef enum stribeck_posts_variable {
   /** out [m]: Height of the post under the wheel. */
-  STRIBECK_POSTS_FL_POST_HEIGHT = 0,
+  STRIBECK_POSTS_FL_POST_HEIGHT = 274384917,
   /** out [m/s]: Rate of the post's height. */
-  STRIBECK_POSTS_FL_POST_VELOCITY = 1,
+  STRIBECK_POSTS_FL_POST_VELOCITY = 1961452845,
   /** fixed [m]: Travel of the post, lowest to highest. (>= 0, default 0.04) */
-  STRIBECK_POSTS_FL_TRAVEL = 2,
+  STRIBECK_POSTS_FL_TRAVEL = 1955381207,
   /** fixed [rad]: Phase lag of the post; it rests until then. (>= 0, default 0) */
-  STRIBECK_POSTS_FL_PHASE = 3,
+  STRIBECK_POSTS_FL_PHASE = 733071070,
   /** out [m]: Height of the post under the wheel. */
-  STRIBECK_POSTS_FR_POST_HEIGHT = 4,
+  STRIBECK_POSTS_FR_POST_HEIGHT = 661303035,
   /** out [m/s]: Rate of the post's height. */
-  STRIBECK_POSTS_FR_POST_VELOCITY = 5,
+  STRIBECK_POSTS_FR_POST_VELOCITY = 1779794707,
   /** fixed [m]: Travel of the post, lowest to highest. (>= 0, default 0.04) */
-  STRIBECK_POSTS_FR_TRAVEL = 6,
+  STRIBECK_POSTS_FR_TRAVEL = 808556209,
   /** fixed [rad]: Phase lag of the post; it rests until then. (>= 0, default 0) */
-  STRIBECK_POSTS_FR_PHASE = 7,
+  STRIBECK_POSTS_FR_PHASE = 934055616,
   /** out [m]: Height of the post under the wheel. */
-  STRIBECK_POSTS_RL_POST_HEIGHT = 8,
+  STRIBECK_POSTS_RL_POST_HEIGHT = 1381987769,
   /** out [m/s]: Rate of the post's height. */
-  STRIBECK_POSTS_RL_POST_VELOCITY = 9,
+  STRIBECK_POSTS_RL_POST_VELOCITY = 1752006529,
   /** fixed [m]: Travel of the post, lowest to highest. (>= 0, default 0.04) */
-  STRIBECK_POSTS_RL_TRAVEL = 10,
+  STRIBECK_POSTS_RL_TRAVEL = 28366115,
   /** fixed [rad]: Phase lag of the post; it rests until then. (>= 0, default 1.5707963267948966) */
-  STRIBECK_POSTS_RL_PHASE = 11,
+  STRIBECK_POSTS_RL_PHASE = 184083626,
   /** out [m]: Height of the post under the wheel. */
-  STRIBECK_POSTS_RR_POST_HEIGHT = 12,
+  STRIBECK_POSTS_RR_POST_HEIGHT = 148837671,
   /** out [m/s]: Rate of the post's height. */
-  STRIBECK_POSTS_RR_POST_VELOCITY = 13,
+  STRIBECK_POSTS_RR_POST_VELOCITY = 1657025935,
   /** fixed [m]: Travel of the post, lowest to highest. (>= 0, default 0.04) */
-  STRIBECK_POSTS_RR_TRAVEL = 14,
+  STRIBECK_POSTS_RR_TRAVEL = 1105902741,
   /** fixed [rad]: Phase lag of the post; it rests until then. (>= 0, default 1.5707963267948966) */
-  STRIBECK_POSTS_RR_PHASE = 15,
+  STRIBECK_POSTS_RR_PHASE = 1639110436,
   /** tunable [Hz]: Frequency of the strokes. (>= 0, default 2) */
-  STRIBECK_POSTS_FREQUENCY = 16,
+  STRIBECK_POSTS_FREQUENCY = 800267265,
   /** state [rad]: Angle of the drive. (default 0) */
-  STRIBECK_POSTS_ANGLE = 17,
+  STRIBECK_POSTS_ANGLE = 760497176,
 } stribeck_posts_variable;
 
 #endif /* STRIBECK_H */

@@ -24,6 +24,7 @@ mod panics;
 #[cfg(test)]
 mod probe;
 mod ramp;
+pub mod reference;
 mod serial;
 pub mod shock_absorber;
 pub mod unit;

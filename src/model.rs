@@ -1,7 +1,7 @@
 //! A model is one row of `f64` with a declared table: the [`model!`](crate::model!) block writes both.
 //!
-//! The column number of a variable is its FMI value reference. Get, set, reset, save and restore work on rows and need
-//! not know the model; a model cannot have a state that its table does not list.
+//! Get, set, reset, save and restore work on rows and need not know the model; a model cannot have a state that its table
+//! does not list. FMI and C identify a variable by a number that follows from its name: see [`reference`].
 
 use std::ffi::CStr;
 use std::fmt;
@@ -9,6 +9,7 @@ use std::fmt;
 use crate::guid::{self, GuidText};
 use crate::memory::{self, OutOfMemory};
 use crate::number::Dual;
+use crate::reference::{self, Place, Reference, References};
 use crate::unit::{self, Unit};
 
 /// Who writes a column, and when.
@@ -277,12 +278,23 @@ pub struct Column {
     jumps: bool,
     reinit: bool,
     has_derivatives: bool,
+    is_hidden: bool,
 }
 
 impl Column {
     const fn new(kind: Kind, start: f64, bound: Bound) -> Column {
         let jumps = !matches!(kind, Kind::Real(_));
-        Column { kind, start, bound, nominal: 1.0, display: None, jumps, reinit: false, has_derivatives: true }
+        Column {
+            kind,
+            start,
+            bound,
+            nominal: 1.0,
+            display: None,
+            jumps,
+            reinit: false,
+            has_derivatives: true,
+            is_hidden: false,
+        }
     }
 
     /// Admits only values > 0, from [`Bound::SMALLEST_POSITIVE`] on.
@@ -333,6 +345,13 @@ impl Column {
         self
     }
 
+    /// A state that no importer needs by name. It is saved and restored like the others, but it is not a variable of the
+    /// interfaces: what a model remembers may change without them.
+    pub const fn hidden(mut self) -> Column {
+        self.is_hidden = true;
+        self
+    }
+
     /// The finished variable. A start value outside its own bound does not compile.
     pub const fn named(self, path: Path, role: Role, help: &'static str) -> Variable {
         assert!(self.bound.admits(self.start), "the start value is outside its bound");
@@ -347,6 +366,7 @@ impl Column {
             jumps: self.jumps,
             reinit: self.reinit,
             has_derivatives: self.has_derivatives,
+            is_hidden: self.is_hidden,
             help: help.trim_ascii(),
         }
     }
@@ -375,7 +395,7 @@ pub const fn choice(items: &'static Enumeration, start: i32) -> Column {
     Column::new(Kind::Enumeration(items), start as f64, bound)
 }
 
-/// One column of a model's table. Its position in the table is its FMI value reference.
+/// One column of a model's table.
 #[derive(Clone, Copy, Debug)]
 pub struct Variable {
     /// Name.
@@ -398,6 +418,8 @@ pub struct Variable {
     pub reinit: bool,
     /// Whether it can be differentiated, if it is a result.
     pub has_derivatives: bool,
+    /// Whether it is missing in the interfaces: see [`Column::hidden`].
+    pub is_hidden: bool,
     /// Description: one line of ASCII text.
     pub help: &'static str,
 }
@@ -528,6 +550,8 @@ pub unsafe trait Described: Columns {
     const DOCUMENTATION: &'static str;
     /// The facts about the columns that get and set need on every step.
     const PORTS: &'static [Port];
+    /// The numbers by which FMI and C know the columns.
+    const REFERENCES: References;
     /// The same model in dual numbers, for exact derivatives.
     type Dual: Law<Number = Dual>;
 }
@@ -706,6 +730,7 @@ pub struct ModelType {
     pub table: &'static [Variable],
     /// The facts about the columns that get and set need on every step.
     pub ports: &'static [Port],
+    references: References,
     /// Its named parameter sets.
     pub presets: &'static [Preset],
     /// Whether it supports Model Exchange.
@@ -739,6 +764,7 @@ impl ModelType {
             summary: M::SUMMARY,
             table: M::TABLE,
             ports: M::PORTS,
+            references: M::REFERENCES,
             presets: M::PRESETS,
             model_exchange: M::MODEL_EXCHANGE,
             event_indicators: M::EVENT_INDICATORS,
@@ -794,11 +820,33 @@ impl ModelType {
         self.guid
     }
 
-    /// The column of this name.
+    /// What a value reference stands for.
+    #[inline(always)]
+    pub fn place(&self, reference: Reference) -> Option<Place> {
+        self.references.find(reference, self.table.len())
+    }
+
+    /// The value reference of a column.
+    pub fn reference(&self, column: usize) -> Reference {
+        reference::of(&self.table[column].path)
+    }
+
+    /// The value references of the time derivatives of the continuous states.
+    pub fn derivative_references(&self) -> impl Iterator<Item = Reference> {
+        self.continuous_states().map(|state| reference::of_derivative(&self.table[state].path))
+    }
+
+    /// The variables that the interfaces show, with their columns.
+    pub fn variables(&self) -> impl Iterator<Item = (usize, &'static Variable)> {
+        self.table.iter().enumerate().filter(|(_, variable)| !variable.is_hidden)
+    }
+
+    /// The column of the variable of this name.
     pub fn find(&self, name: &str) -> Option<usize> {
         // Full names are built only if they begin alike: a table can have hundreds of rows.
         let alike = |variable: &Variable| name.starts_with(variable.path.segments()[0].name);
-        self.table.iter().position(|variable| alike(variable) && variable.path.is_spelled(name))
+        let mut variables = self.variables();
+        variables.find(|(_, variable)| alike(variable) && variable.path.is_spelled(name)).map(|(column, _)| column)
     }
 
     /// Refuses parameters that are admitted one by one but not together.
@@ -1425,6 +1473,11 @@ macro_rules! model {
             const PORTS: &'static [$crate::model::Port] =
                 &$crate::model::ports::<{ <$Name as $crate::model::Width>::WIDTH }>(
                     <$Name as $crate::model::Columns>::TABLE);
+            const REFERENCES: $crate::reference::References = $crate::reference::References::new(
+                &$crate::reference::slots::<{
+                    $crate::reference::slot_count(<$Name as $crate::model::Columns>::TABLE)
+                }>(<$Name as $crate::model::Columns>::TABLE),
+            );
             type Dual = $Name<$crate::number::Dual>;
         }
 

@@ -174,14 +174,14 @@ impl Slave {
             ]
         };
         assert_eq!(statuses, [fmi2Status::fmi2OK; 3], "{}", model.name);
-        let reals = || model.table.iter().zip(0..).filter(|(variable, _)| matches!(variable.kind, Kind::Real(_)));
-        let inputs = || reals().filter(|(variable, _)| variable.role == Role::Input);
+        let reals = || model.variables().filter(|(_, variable)| matches!(variable.kind, Kind::Real(_)));
+        let inputs = || reals().filter(|(_, variable)| variable.role == Role::Input);
         Slave {
             component,
-            start: inputs().next().map_or(0.0, |(variable, _)| variable.start),
-            inputs: inputs().map(|(_, reference)| reference).collect(),
-            given: inputs().map(|(variable, _)| variable.start).collect(),
-            reals: reals().map(|(_, reference)| reference).collect(),
+            start: inputs().next().map_or(0.0, |(_, variable)| variable.start),
+            inputs: inputs().map(|(column, _)| model.reference(column)).collect(),
+            given: inputs().map(|(_, variable)| variable.start).collect(),
+            reals: reals().map(|(column, _)| model.reference(column)).collect(),
         }
     }
 
@@ -388,7 +388,7 @@ fn a_rejected_parameter_without_memory_for_the_reason_is_an_error() {
             let Some(column) = model.find(name) else { continue };
             let component = instantiate(&guid(model), fmi2CoSimulation);
             assert!(!component.is_null());
-            let reference = column as fmi2ValueReference;
+            let reference = model.reference(column);
             // SAFETY: a live component, freed once, and arrays of one element.
             let status = unsafe {
                 assert_eq!(fmi2SetupExperiment(component, fmi2False, 0.0, 0.0, fmi2False, 0.0), fmi2Status::fmi2OK);

@@ -21,7 +21,16 @@ use stribeck::fmi2::step::*;
 use stribeck::fmi2::types::fmi2Status::*;
 use stribeck::fmi2::types::*;
 use stribeck::fmi2::values::*;
-use stribeck::model::{Kind, Role, Variable};
+use stribeck::model::{Kind, ModelType, Role, Variable};
+use stribeck::reference::{self, Place};
+
+/// The variable of a value reference.
+fn variable_of(model: &ModelType, reference: fmi2ValueReference) -> Option<&'static Variable> {
+    match model.place(reference) {
+        Some(Place::Column(column)) => Some(&model.table[column]),
+        _ => None,
+    }
+}
 
 /// Makes the call with valid arguments, if there are any in this state.
 fn call(importer: &Importer, purpose: Purpose, call: Call) -> fmi2Status {
@@ -34,7 +43,7 @@ fn call(importer: &Importer, purpose: Purpose, call: Call) -> fmi2Status {
     let (inputs, outputs, switches) = (input.iter().len(), output.iter().len(), switch.iter().len());
     let (input, output, switch) = (input.unwrap_or_default(), output.unwrap_or_default(), switch.unwrap_or_default());
     let model = catalogue::by_name(importer.model).expect("a model");
-    let start = model.table[input as usize].start;
+    let start = variable_of(model, input).map_or(0.0, |variable| variable.start);
     let (mut value, mut size, mut status, mut flag, mut text) = (0.0, 0, fmi2OK, 0, null());
     let mut state: fmi2FMUstate = null_mut();
     let mut event = NO_EVENT;
@@ -119,7 +128,7 @@ impl Importer {
     /// The first variable of this kind.
     fn first(&self, is_wanted: impl Fn(&Variable) -> bool) -> Option<fmi2ValueReference> {
         let model = catalogue::by_name(self.model)?;
-        model.table.iter().position(is_wanted).map(|column| column as fmi2ValueReference)
+        model.variables().find(|(_, variable)| is_wanted(variable)).map(|(column, _)| model.reference(column))
     }
 
     /// The continuous states, of an instance for Model Exchange.
@@ -465,27 +474,31 @@ fn wrong_references_pointers_and_types_are_errors() {
         check("unknown reference, get", &|i| fmi2GetReal(i.c, &too_far, 1, &mut 0.0));
         check("unknown reference, set", &|i| fmi2SetReal(i.c, &too_far, 1, &0.0));
         check("vr NULL", &|i| fmi2GetReal(i.c, null(), 1, &mut 0.0));
-        check("value NULL", &|i| fmi2GetReal(i.c, &0, 1, null_mut()));
+        check("value NULL", &|i| fmi2GetReal(i.c, &i.vr("velocity"), 1, null_mut()));
         check("vr NULL, set", &|i| fmi2SetReal(i.c, null(), 1, &0.0));
-        check("value NULL, set", &|i| fmi2SetReal(i.c, &0, 1, null()));
+        check("value NULL, set", &|i| fmi2SetReal(i.c, &i.vr("velocity"), 1, null()));
         check("Boolean vr NULL", &|i| fmi2GetBoolean(i.c, null(), 1, &mut 0));
         check("Boolean value NULL", &|i| fmi2GetBoolean(i.c, &i.vr("sticking"), 1, null_mut()));
-        check("Integer value NULL", &|i| fmi2GetInteger(i.c, &0, 1, null_mut()));
-        check("String", &|i| fmi2GetString(i.c, &0, 1, &mut null()));
-        check("set String", &|i| fmi2SetString(i.c, &0, 1, &null()));
-        check("Real as Integer", &|i| fmi2SetInteger(i.c, &0, 1, &0));
+        check("Integer value NULL", &|i| fmi2GetInteger(i.c, &i.vr("velocity"), 1, null_mut()));
+        check("String", &|i| fmi2GetString(i.c, &i.vr("velocity"), 1, &mut null()));
+        check("set String", &|i| fmi2SetString(i.c, &i.vr("velocity"), 1, &null()));
+        check("Real as Integer", &|i| fmi2SetInteger(i.c, &i.vr("velocity"), 1, &0));
         check("Boolean as Real", &|i| fmi2GetReal(i.c, &i.vr("sticking"), 1, &mut 0.0));
         check("set an output", &|i| i.set("friction_force", 1.0));
         check("set a state while stepping", &|i| i.set("bristle_deflection", 0.0));
         check("category NULL", &|i| fmi2SetDebugLogging(i.c, fmi2True, 1, &null()));
         check("unknown category", &|i| fmi2SetDebugLogging(i.c, fmi2True, 1, &c"logNothing".as_ptr()));
         check("derivative of a parameter", &|i| fmi2SetRealInputDerivatives(i.c, &i.vr("mu_k"), 1, &1, &0.0));
-        check("derivative of order 2", &|i| fmi2SetRealInputDerivatives(i.c, &0, 1, &2, &0.0));
-        check("output derivative of an input", &|i| fmi2GetRealOutputDerivatives(i.c, &0, 1, &1, &mut 0.0));
+        check("derivative of order 2", &|i| fmi2SetRealInputDerivatives(i.c, &i.vr("velocity"), 1, &2, &0.0));
+        check("output derivative of an input", &|i| {
+            fmi2GetRealOutputDerivatives(i.c, &i.vr("velocity"), 1, &1, &mut 0.0)
+        });
         check("output derivative of order 0", &|i| {
             fmi2GetRealOutputDerivatives(i.c, &i.vr("friction_force"), 1, &0, &mut 0.0)
         });
-        check("unknown that is an input", &|i| fmi2GetDirectionalDerivative(i.c, &0, 1, &1, 1, &1.0, &mut 0.0));
+        check("unknown that is an input", &|i| {
+            fmi2GetDirectionalDerivative(i.c, &i.vr("velocity"), 1, &i.vr("normal_force"), 1, &1.0, &mut 0.0)
+        });
         check("status value NULL", &|i| fmi2GetRealStatus(i.c, fmi2LastSuccessfulTime, null_mut()));
         check("FMUstate NULL", &|i| fmi2GetFMUstate(i.c, null_mut()));
         check("set FMUstate NULL", &|i| fmi2SetFMUstate(i.c, null_mut()));
@@ -517,7 +530,7 @@ fn wrong_references_pointers_and_types_are_errors() {
         assert_eq!(fmi2SetBoolean(importer.c, null(), 0, null()), fmi2OK);
         assert_eq!(fmi2FreeFMUstate(importer.c, null_mut()), fmi2OK);
         assert_eq!(fmi2FreeFMUstate(importer.c, &mut null_mut()), fmi2OK);
-        let time = catalogue::by_name("LuGre").expect("LuGre").table.len() as fmi2ValueReference;
+        let time = reference::TIME;
         let mut value = f64::NAN;
         assert_eq!(importer.step(0.0, 0.25), fmi2OK);
         assert_eq!(fmi2GetReal(importer.c, &time, 1, &mut value), fmi2OK);
@@ -534,7 +547,7 @@ fn wrong_references_pointers_and_types_are_errors() {
 fn values_outside_their_bounds_are_discarded_by_name() {
     for model in catalogue::models() {
         let importer = Importer::in_state(model.name, State::Initialization);
-        for (column, variable) in model.table.iter().enumerate() {
+        for (column, variable) in model.variables() {
             if variable.role == Role::Output || !matches!(variable.kind, Kind::Real(_)) {
                 continue;
             }
@@ -552,7 +565,7 @@ fn values_outside_their_bounds_are_discarded_by_name() {
                 }
                 let name = variable.path.to_string();
                 let before = importer.get(&name);
-                let (references, values) = ([column as u32, column as u32], [before, value]);
+                let (references, values) = ([model.reference(column); 2], [before, value]);
                 // SAFETY: two references, two values.
                 let status = unsafe { fmi2SetReal(importer.c, references.as_ptr(), 2, values.as_ptr()) };
                 assert_eq!(status, fmi2Discard, "{} {name} = {value}", model.name);
@@ -764,7 +777,7 @@ fn drive(importer: &Importer, steps: Range<i32>, h: f64, time: impl Fn(i32) -> f
         let table = model.table.iter().enumerate();
         table.filter(move |(_, variable)| role(variable.role) && matches!(variable.kind, Kind::Real(_)))
     };
-    let outputs: Vec<u32> = reals(Role::is_output).map(|(column, _)| column as u32).collect();
+    let outputs: Vec<u32> = reals(Role::is_output).map(|(column, _)| model.reference(column)).collect();
     let mut values = vec![f64::NAN; outputs.len()];
     let mut bits = Vec::new();
     for k in steps {
@@ -772,7 +785,7 @@ fn drive(importer: &Importer, steps: Range<i32>, h: f64, time: impl Fn(i32) -> f
             let swing = if variable.bound.admits(-1.0) { f64::from(k).sin() } else { 1.0 };
             let value = variable.start + 0.01 * swing;
             // SAFETY: one reference, one value.
-            assert_eq!(unsafe { fmi2SetReal(importer.c, &(column as u32), 1, &value) }, fmi2OK);
+            assert_eq!(unsafe { fmi2SetReal(importer.c, &model.reference(column), 1, &value) }, fmi2OK);
         }
         assert_eq!(importer.step(time(k), h), fmi2OK, "{} in step {k}", importer.model);
         // SAFETY: as many references as values.
@@ -1021,8 +1034,7 @@ fn directional_derivatives_of_time_derivatives() {
     let model = catalogue::by_name("Dahl").expect("a law");
     let velocity = importer.vr("velocity");
     assert_eq!(importer.set("velocity", 2e-3), fmi2OK);
-    for (place, _) in model.continuous_states().enumerate() {
-        let rate = (model.table.len() + 1 + place) as fmi2ValueReference;
+    for rate in model.derivative_references() {
         let at = |value: f64| {
             assert_eq!(importer.set("velocity", value), fmi2OK);
             let mut found = f64::NAN;
@@ -1125,7 +1137,7 @@ fn features_of_steps_only_are_rejected_by_name() {
     // SAFETY: one reference, one value; instances of this test.
     unsafe {
         assert_eq!(fmi2ExitInitializationMode(coulomb.c), fmi2Error);
-        assert_eq!(fmi2SetInteger(strut.c, &(column as u32), 1, &bristle), fmi2OK);
+        assert_eq!(fmi2SetInteger(strut.c, &model.reference(column), 1, &bristle), fmi2OK);
         assert_eq!(fmi2ExitInitializationMode(strut.c), fmi2Error);
     }
     assert!(coulomb.one_message().2.contains("mass = 1: must be 0 in Model Exchange"));
@@ -1170,12 +1182,12 @@ fn derivatives_are_the_changes_over_short_steps() {
             if variable.role == Role::Input && matches!(variable.kind, Kind::Real(_)) {
                 row[column] += if variable.bound.admits(-1.0) { 1.3e-3 } else { 0.02 };
                 // SAFETY: one reference, one value.
-                assert_eq!(unsafe { fmi2SetReal(integrating.c, &(column as u32), 1, &row[column]) }, fmi2OK);
+                assert_eq!(unsafe { fmi2SetReal(integrating.c, &model.reference(column), 1, &row[column]) }, fmi2OK);
             }
         }
         let (c, n) = (integrating.c, states.len());
         let (mut rates, mut variables, mut event) = (x.clone(), x.clone(), NO_EVENT);
-        let references: Vec<u32> = (0..n).map(|place| (model.table.len() + 1 + place) as u32).collect();
+        let references: Vec<u32> = model.derivative_references().collect();
         // SAFETY: arrays of the number of states.
         unsafe {
             assert_eq!(fmi2NewDiscreteStates(c, &mut event), fmi2OK);
@@ -1235,8 +1247,7 @@ fn derivatives_outside_the_domain_are_discarded_and_the_run_continues() {
     let solver = integrated("ShockAbsorber");
     let model = catalogue::by_name("ShockAbsorber").expect("a model");
     let (force, length) = (solver.vr("force"), solver.vr("length"));
-    let rates: Vec<u32> =
-        (0..model.continuous_states().count()).map(|place| (model.table.len() + 1 + place) as u32).collect();
+    let rates: Vec<u32> = model.derivative_references().collect();
     let both: Vec<u32> = [force].into_iter().chain(rates.iter().copied()).collect();
     let mut found = vec![f64::NAN; both.len()];
     let mut derive = |unknowns: &[u32]| {
@@ -1326,13 +1337,13 @@ fn discontinuous_results_change_only_at_events() {
         let sticks = || {
             let mut flag = -1;
             // SAFETY: one reference, one value.
-            assert_eq!(unsafe { fmi2GetBoolean(integrating.c, &(sticking as u32), 1, &mut flag) }, fmi2OK);
+            assert_eq!(unsafe { fmi2GetBoolean(integrating.c, &model.reference(sticking), 1, &mut flag) }, fmi2OK);
             flag
         };
         assert_eq!(sticks(), fmi2True, "{} at rest", model.name);
         // SAFETY: one reference, one value; flags of this test; a state of this instance, freed once.
         unsafe {
-            assert_eq!(fmi2SetReal(integrating.c, &(velocity as u32), 1, &0.3), fmi2OK);
+            assert_eq!(fmi2SetReal(integrating.c, &model.reference(velocity), 1, &0.3), fmi2OK);
             assert_eq!(sticks(), fmi2True, "{} between events", model.name);
             let mut saved = integrating.save();
             assert_eq!(fmi2SetFMUstate(integrating.c, saved), fmi2OK);

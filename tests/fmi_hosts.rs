@@ -18,7 +18,8 @@ use stribeck::fmi2::setup::*;
 use stribeck::fmi2::types::fmi2Status::*;
 use stribeck::fmi2::types::*;
 use stribeck::fmi2::values::*;
-use stribeck::model::{Kind, ModelType, Role};
+use stribeck::model::{self, Kind, ModelType, Role};
+use stribeck::reference;
 
 /// A variable as modelDescription.xml declares it.
 struct Declared {
@@ -124,11 +125,12 @@ fn every_described_bound_is_accepted_and_nothing_beyond_it() {
         let mut handle = std::ptr::null_mut();
         // SAFETY: a text of the library, and a handle that is freed below.
         unsafe { assert_eq!(stribeck_create(model.c_name.as_ptr(), &mut handle), STRIBECK_OK) };
-        for column in 0..model.table.len() as u32 {
+        for (column, variable) in model.variables() {
+            let reference = model.reference(column);
             let mut about = std::mem::MaybeUninit::uninit();
             // SAFETY: written on success.
             let about = unsafe {
-                assert_eq!(stribeck_describe(handle, column, about.as_mut_ptr()), STRIBECK_OK);
+                assert_eq!(stribeck_describe(handle, reference, about.as_mut_ptr()), STRIBECK_OK);
                 about.assume_init()
             };
             if about.role == stribeck_role::STRIBECK_OUTPUT {
@@ -146,8 +148,8 @@ fn every_described_bound_is_accepted_and_nothing_beyond_it() {
             ];
             for (value, status) in wanted {
                 // SAFETY: a live handle.
-                let found = unsafe { stribeck_set(handle, column, value) };
-                assert_eq!(found, status, "{}.{} = {value}", model.name, model.table[column as usize].path);
+                let found = unsafe { stribeck_set(handle, reference, value) };
+                assert_eq!(found, status, "{}.{} = {value}", model.name, variable.path);
             }
         }
         // SAFETY: freed once.
@@ -156,9 +158,9 @@ fn every_described_bound_is_accepted_and_nothing_beyond_it() {
 }
 
 fn real_columns(model: &ModelType, is_wanted: fn(Role) -> bool) -> Vec<fmi2ValueReference> {
-    let table = model.table.iter().enumerate();
-    let wanted = table.filter(|(_, variable)| is_wanted(variable.role) && matches!(variable.kind, Kind::Real(_)));
-    wanted.map(|(column, _)| column as fmi2ValueReference).collect()
+    let wanted =
+        model.variables().filter(|(_, variable)| is_wanted(variable.role) && matches!(variable.kind, Kind::Real(_)));
+    wanted.map(|(column, _)| model.reference(column)).collect()
 }
 
 /// Sets every Real input to 0; returns the error message, if there is one.
@@ -354,13 +356,15 @@ fn reasons_are_logged_even_with_logging_off() {
     // SAFETY: instances of this test, each freed once.
     unsafe {
         let c = instance(fmi2CoSimulation, fmi2False);
-        assert_eq!(fmi2SetReal(c, &0, 1, &f64::NAN), fmi2Discard);
+        let velocity = reference::of(&model::Path::root("velocity"));
+        assert_eq!(fmi2SetReal(c, &velocity, 1, &f64::NAN), fmi2Discard);
         assert_eq!(count(), 1, "a value");
         assert_eq!(fmi2Terminate(c), fmi2Error);
         assert_eq!(count(), 1, "a call");
         assert_eq!(fmi2SetDebugLogging(c, fmi2False, 1, &c"logStatusDiscard".as_ptr()), fmi2OK);
         assert_eq!(fmi2Reset(c), fmi2OK);
-        assert_eq!(fmi2SetReal(c, &0, 1, &f64::NAN), fmi2Discard);
+        let velocity = reference::of(&model::Path::root("velocity"));
+        assert_eq!(fmi2SetReal(c, &velocity, 1, &f64::NAN), fmi2Discard);
         assert_eq!(count(), 0, "switched off");
         assert_eq!(fmi2Terminate(c), fmi2Error);
         assert_eq!(count(), 1, "another category");
@@ -375,7 +379,8 @@ fn reasons_are_logged_even_with_logging_off() {
             assert_eq!(fmi2ExitInitializationMode(c), fmi2OK);
             assert_eq!(fmi2NewDiscreteStates(c, &mut { NO_EVENT }), fmi2OK);
             assert_eq!(fmi2EnterContinuousTimeMode(c), fmi2OK);
-            assert_eq!(fmi2SetReal(c, &0, 1, &1e308), fmi2OK);
+            let velocity = reference::of(&model::Path::root("velocity"));
+            assert_eq!(fmi2SetReal(c, &velocity, 1, &1e308), fmi2OK);
             assert_eq!(fmi2GetDerivatives(c, [0.0; 2].as_mut_ptr(), 2), fmi2Discard);
             assert_eq!(count(), debug as usize, "a trial");
             fmi2FreeInstance(c);

@@ -23,8 +23,11 @@ use stribeck::model::{Kind, ModelType, Role, Variable};
 /// Value references of the selected Real variables.
 fn reals(model: &ModelType, is_wanted: impl Fn(&Variable) -> bool) -> Vec<fmi2ValueReference> {
     let is_real = |variable: &Variable| matches!(variable.kind, Kind::Real(_));
-    let table = model.table.iter().enumerate();
-    table.filter(|(_, variable)| is_real(variable) && is_wanted(variable)).map(|(column, _)| column as u32).collect()
+    model
+        .variables()
+        .filter(|(_, variable)| is_real(variable) && is_wanted(variable))
+        .map(|(column, _)| model.reference(column))
+        .collect()
 }
 
 /// Whether it is an output that may be differentiated. The others are advice.
@@ -38,8 +41,10 @@ fn is_output(variable: &Variable) -> bool {
 /// The instance must be freed.
 unsafe fn begin(model: &ModelType, kind: fmi2Type) -> fmi2Component {
     let guid = CString::new(model.guid()).expect("no zero byte");
-    let inputs = reals(model, |variable| variable.role == Role::Input);
-    let starts: Vec<f64> = inputs.iter().map(|column| model.table[*column as usize].start).collect();
+    let is_input = |variable: &Variable| variable.role == Role::Input;
+    let inputs = reals(model, is_input);
+    let is_real = |variable: &&Variable| is_input(variable) && matches!(variable.kind, Kind::Real(_));
+    let starts: Vec<f64> = model.table.iter().filter(is_real).map(|variable| variable.start).collect();
     // SAFETY: valid texts, callbacks and arrays.
     unsafe {
         let name = c"life".as_ptr();
@@ -148,7 +153,8 @@ fn handles_of_the_c_interface() {
         unsafe {
             assert_eq!(stribeck_create(name.as_ptr(), &mut handle), STRIBECK_OK);
             let mut variable = std::mem::zeroed();
-            let (last, mut found, mut value) = (stribeck_column_count(handle) - 1, u32::MAX, f64::NAN);
+            let (mut last, mut found, mut value) = (u32::MAX, u32::MAX, f64::NAN);
+            assert_eq!(stribeck_reference(handle, stribeck_variable_count(handle) - 1, &mut last), STRIBECK_OK);
             assert_eq!(stribeck_describe(handle, last, &mut variable), STRIBECK_OK);
             assert_eq!(stribeck_find(handle, variable.name, &mut found), STRIBECK_OK);
             assert_eq!((found, stribeck_get(handle, found, &mut value)), (last, STRIBECK_OK));

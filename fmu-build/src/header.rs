@@ -112,7 +112,7 @@ fn with_short_comments(header: &str) -> String {
     text
 }
 
-/// The columns of every model and the numbers of every choice.
+/// The variables of every model and the numbers of every choice.
 fn tables(root: &Path) -> Result<String> {
     let mut text = String::new();
     for choices in enumerations().values() {
@@ -150,11 +150,11 @@ fn write_model(text: &mut String, model: &ModelType, name: &str) -> Result<()> {
     let upper = name.to_uppercase();
     writeln!(text, "/** Guid of {} for fmi2Instantiate. */", model.name)?;
     writeln!(text, "#define STRIBECK_{upper}_GUID \"{}\"\n", model.guid())?;
-    writeln!(text, "/** {}: {}. Columns of \"{}\". */", model.name, model.summary, model.name)?;
+    writeln!(text, "/** {}: {}. Variables of \"{}\". */", model.name, model.summary, model.name)?;
     writeln!(text, "typedef enum stribeck_{name}_variable {{")?;
-    for (column, variable) in model.table.iter().enumerate() {
+    for (column, variable) in model.variables() {
         writeln!(text, "{}", comment(variable))?;
-        writeln!(text, "  STRIBECK_{upper}_{} = {column},", constant(variable))?;
+        writeln!(text, "  STRIBECK_{upper}_{} = {},", constant(variable), model.reference(column))?;
     }
     writeln!(text, "}} stribeck_{name}_variable;\n")?;
     Ok(())

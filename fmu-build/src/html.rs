@@ -84,10 +84,10 @@ fn table<R: AsRef<[String]>>(page: &mut String, head: &[&str], rows: impl Iterat
 fn variables(page: &mut String, model: &ModelType) {
     push(page, format_args!("<h2>Variables</h2>\n<p>{ROLES}</p>\n"));
     let head = ["Variable", "Unit", "Start", "Bound", "Meaning", "Role", "Type", "Value reference"];
-    table(page, &head, model.table.iter().enumerate().map(variable));
+    table(page, &head, model.variables().map(|(column, shown)| variable(model.reference(column), shown)));
 }
 
-fn variable((column, variable): (usize, &Variable)) -> [String; 8] {
+fn variable(reference: u32, variable: &Variable) -> [String; 8] {
     let start = if variable.role.is_computed() { String::new() } else { text::start(variable) };
     [
         format!("<code>{}</code>", variable.path),
@@ -97,7 +97,7 @@ fn variable((column, variable): (usize, &Variable)) -> [String; 8] {
         escape(variable.help),
         text::role(variable.role).to_owned(),
         text::kind(variable).to_owned(),
-        column.to_string(),
+        reference.to_string(),
     ]
 }
 
@@ -237,7 +237,7 @@ mod tests {
             let xml = as_xml(&page);
             let document = roxmltree::Document::parse(&xml).unwrap_or_else(|error| panic!("{}: {error}", model.name));
             let cells: Vec<_> = document.descendants().filter_map(|node| node.text()).collect();
-            for variable in model.table {
+            for (_, variable) in model.variables() {
                 assert!(cells.contains(&variable.path.to_string().as_str()), "{}", variable.path);
             }
         }

@@ -56,12 +56,6 @@ impl Row {
     fn new(owner: &str, item: &str, name: &str, value: &str) -> Row {
         Row { owner: owner.into(), item: item.into(), name: name.into(), value: value.into(), ..Row::default() }
     }
-
-    /// Whether it is a variable after the columns of a model: time, or the derivative of a state. Its reference grows
-    /// with the number of columns, and importers read it from the description.
-    pub fn follows_the_columns(&self) -> bool {
-        self.causality == "independent" || self.name.starts_with("der(")
-    }
 }
 
 impl Interface {
@@ -165,9 +159,9 @@ pub mod tests {
         for model in catalogue::models() {
             let of_model = |row: &&Row| row.owner == model.name && row.item == "variable";
             let rows: Vec<_> = NOW.rows.iter().filter(of_model).collect();
-            for row in rows.iter().filter(|row| !row.follows_the_columns()) {
-                let column: usize = row.value.parse().unwrap();
-                assert_eq!(model.find(&row.name), Some(column), "{row:?}");
+            let columns = || rows.iter().filter_map(|row| Some((row, model.find(&row.name)?)));
+            for (row, column) in columns() {
+                assert_eq!(row.value, model.reference(column).to_string(), "{row:?}");
                 match model.table[column].kind {
                     Kind::Real(unit) => assert_eq!((row.kind.as_str(), row.unit.as_str()), ("Real", unit.name)),
                     Kind::Integer => assert_eq!(row.kind, "Integer"),
@@ -175,8 +169,8 @@ pub mod tests {
                     Kind::Enumeration(choices) => assert_eq!(row.kind, choices.name),
                 }
             }
-            let columns = rows.iter().filter(|row| !row.follows_the_columns()).count();
-            assert_eq!(columns, model.table.len(), "{}", model.name);
+            let columns = columns().count();
+            assert_eq!(columns, model.variables().count(), "{}", model.name);
             assert_eq!(
                 rows.len(),
                 columns + 1 + if model.model_exchange { model.continuous_states().count() } else { 0 }
@@ -185,7 +179,7 @@ pub mod tests {
     }
 
     #[test]
-    fn columns_of_the_header_are_the_value_references() {
+    fn constants_of_the_header_are_the_value_references() {
         let value = |name: &str| {
             let row = NOW.rows.iter().find(|row| row.owner == HEADER && row.item == "constant" && row.name == name);
             row.unwrap_or_else(|| panic!("no constant {name}")).value.clone()

@@ -12,12 +12,12 @@
  *             tangential forces on body 1 or, if body 2 accelerates too, the effective mass times the relative
  *             acceleration that they cause. A contact that sticks carries friction_force = external_force. SI units
  *             throughout.
- * Columns     A model is a row of numbers. Every variable has a column, which is also its FMI value reference; the
- *             enums at the end of this file name the columns of each model, with role, unit, meaning, bound and
- *             default: in = set by the caller before each step or evaluation; fixed = parameter that stays constant
- *             during a run; tunable = parameter that may change between steps or at events; state = advanced by steps
- *             or, in Model Exchange, by the caller's solver and by events; out = result. Booleans are 0 or 1,
- *             enumerations are numbers from 1.
+ * Variables   A model is a row of numbers. Every variable has a number, its reference, which is also its FMI value
+ *             reference. It follows from the name of the variable and never changes; the enums at the end of this file
+ *             list the references of each model, with role, unit, meaning, bound and default: in = set by the caller
+ *             before each step or evaluation; fixed = parameter that stays constant during a run; tunable = parameter
+ *             that may change between steps or at events; state = advanced by steps or, in Model Exchange, by the
+ *             caller's solver and by events; out = result. Booleans are 0 or 1, enumerations are numbers from 1.
  * Ownership   An instance made by stribeck_create or fmi2Instantiate is freed exactly once, with stribeck_free or
  *             fmi2FreeInstance. Texts that the library returns belong to the library. Every pointer you pass stays
  *             yours and is not kept after the call, except the logger of fmi2Instantiate and its environment. A program

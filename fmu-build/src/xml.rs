@@ -10,6 +10,7 @@ use quick_xml::events::{BytesDecl, Event};
 use quick_xml::writer::{ElementWriter, Writer};
 use stribeck::fmi2::log::CATEGORIES;
 use stribeck::model::{Enumeration, Kind, ModelType, Role, Variable};
+use stribeck::reference::{self, Reference};
 use stribeck::unit::{UNITS, Unit};
 
 use crate::dependencies;
@@ -226,40 +227,40 @@ fn default_experiment(xml: &mut Xml) -> io::Result<()> {
 
 fn model_variables(xml: &mut Xml, model: &ModelType, choices: Choices) -> io::Result<()> {
     parent(xml, "ModelVariables", vec![], |xml| {
-        for (column, variable) in model.table.iter().enumerate() {
+        for (column, variable) in model.variables() {
             let name = variable.path.to_string();
-            let attributes = scalar_attributes(name, column, variable.help, causality(variable));
+            let attributes = scalar_attributes(name, model.reference(column), variable.help, causality(variable));
             parent(xml, "ScalarVariable", attributes, |xml| declaration(xml, model, variable, choices))?;
         }
         let independent = ["independent", "continuous", ""];
-        let attributes = scalar_attributes("time".into(), model.table.len(), "Time.", independent);
+        let attributes = scalar_attributes("time".into(), reference::TIME, "Time.", independent);
         parent(xml, "ScalarVariable", attributes, |xml| leaf(xml, "Real", real_type(second())))?;
-        integrated(model).into_iter().enumerate().try_for_each(|(place, state)| derivative(xml, model, place, state))
+        integrated(model).into_iter().try_for_each(|state| derivative(xml, model, state))
     })
 }
 
-/// The variable after the independent one that is the time derivative of a state.
-fn derivative(xml: &mut Xml, model: &ModelType, place: usize, state: usize) -> io::Result<()> {
+/// The variable behind the independent one that is the time derivative of a state.
+fn derivative(xml: &mut Xml, model: &ModelType, state: usize) -> io::Result<()> {
     let variable = &model.table[state];
     let (name, help) = (format!("der({})", variable.path), format!("Time derivative of {}.", variable.path));
-    let reference = model.table.len() + 1 + place;
+    let reference = reference::of_derivative(&variable.path);
     let attributes = scalar_attributes(name, reference, &help, ["local", "continuous", "calculated"]);
     parent(xml, "ScalarVariable", attributes, |xml| {
         let mut attributes = unit_of_rate(variable).map(real_type).unwrap_or_default();
-        attributes.push(("derivative", (state + 1).to_string()));
+        attributes.push(("derivative", index(model, state).to_string()));
         leaf(xml, "Real", attributes)
     })
 }
 
 fn scalar_attributes(
     name: String,
-    column: usize,
+    reference: Reference,
     help: &str,
     [causality, variability, initial]: [&str; 3],
 ) -> Attributes {
     let mut attributes = vec![
         ("name", name),
-        ("valueReference", column.to_string()),
+        ("valueReference", reference.to_string()),
         ("description", help.to_owned()),
         ("causality", causality.to_owned()),
         ("variability", variability.to_owned()),
@@ -337,20 +338,20 @@ fn model_structure(xml: &mut Xml, model: &ModelType) -> io::Result<()> {
                     || !model.table[output].role.is_state() && has_elements
                     || dependencies[output].contains(state)
             });
-            unknown(xml, output, Some(&inputs.chain(of_states).copied().collect()))
+            unknown(xml, model, output, Some(&inputs.chain(of_states).copied().collect()))
         })?;
         let derivatives: Vec<usize> = (0..states.len()).map(|place| columns + 1 + place).collect();
         let of_derivative = |unknown: usize| &dependencies[columns + states[unknown - columns - 1]];
         let is_known = |column: &&usize| is_input(**column) || states.contains(column);
         list(xml, "Derivatives", &derivatives, |xml, derivative| {
             let known = of_derivative(derivative).iter().filter(is_known).copied().collect();
-            unknown(xml, derivative, (!has_elements).then_some(&known))
+            unknown(xml, model, derivative, (!has_elements).then_some(&known))
         })?;
         let calculated = outputs.iter().filter(|output| model.table[**output].role.is_computed());
         let initial: Vec<usize> = calculated.chain(&derivatives).copied().collect();
         list(xml, "InitialUnknowns", &initial, |xml, column| {
             let known = if column < columns { &dependencies[column] } else { of_derivative(column) };
-            unknown(xml, column, (!has_elements).then_some(known))
+            unknown(xml, model, column, (!has_elements).then_some(known))
         })
     })
 }
@@ -368,10 +369,16 @@ fn list(
     parent(xml, name, vec![], |xml| entries.iter().try_for_each(|column| entry(xml, *column)))
 }
 
-/// An entry of the model structure. Its indices count the variables from 1.
-fn unknown(xml: &mut Xml, column: usize, dependencies: Option<&BTreeSet<usize>>) -> io::Result<()> {
-    let index = |column: &usize| (column + 1).to_string();
-    let mut attributes = vec![("index", index(&column))];
+/// Index of a variable in the model structure, from 1: columns that are shown, time, derivatives of the states.
+fn index(model: &ModelType, place: usize) -> usize {
+    let hidden = model.table.iter().take(place).filter(|variable| variable.is_hidden);
+    place + 1 - hidden.count()
+}
+
+/// An entry of the model structure.
+fn unknown(xml: &mut Xml, model: &ModelType, place: usize, dependencies: Option<&BTreeSet<usize>>) -> io::Result<()> {
+    let index = |place: &usize| index(model, *place).to_string();
+    let mut attributes = vec![("index", index(&place))];
     if let Some(dependencies) = dependencies {
         let indices: Vec<String> = dependencies.iter().map(index).collect();
         attributes.push(("dependencies", indices.join(" ")));
@@ -485,20 +492,20 @@ mod tests {
     }
 
     #[test]
-    fn names_and_value_references_are_unique_and_follow_the_columns() {
+    fn names_and_value_references_are_unique_and_in_the_order_of_the_columns() {
         on_every_description(|model, document| {
             let variables = variables(document);
             let types = all(document, "SimpleType");
             assert_unique(
                 variables.iter().map(|(node, _)| *node).chain(types).map(|node| text(node, "name").to_owned()),
             );
-            let columns = model.table.iter().map(|variable| variable.path.to_string());
+            let columns = model.variables().map(|(_, variable)| variable.path.to_string());
             let states = model.continuous_states().filter(|_| model.model_exchange);
             let derivatives = states.map(|state| format!("der({})", model.table[state].path));
             let names: Vec<String> = columns.chain(["time".to_owned()]).chain(derivatives).collect();
             assert_eq!(variables.len(), names.len());
-            for (column, ((node, _), name)) in variables.iter().zip(names).enumerate() {
-                assert_eq!(text(*node, "valueReference"), column.to_string());
+            assert_unique(variables.iter().map(|(node, _)| text(*node, "valueReference").to_owned()));
+            for ((node, _), name) in variables.iter().zip(names) {
                 assert_eq!(text(*node, "name"), name);
             }
         });

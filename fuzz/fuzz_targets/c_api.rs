@@ -6,7 +6,7 @@ use std::mem::MaybeUninit;
 use std::ptr::{null, null_mut};
 
 use arbitrary::Arbitrary;
-use fuzz::argument::{Column, Number, Step, model};
+use fuzz::argument::{Column, Number, Step, column, model, variable};
 use fuzz::saved;
 use libfuzzer_sys::fuzz_target;
 use stribeck::c_api::stribeck_status::*;
@@ -58,7 +58,7 @@ enum Name {
 impl Name {
     fn of(&self, model: &ModelType) -> CString {
         let text = match self {
-            Name::Of(column) => model.table.get(column.of(model) as usize).map(|variable| variable.path.to_string()),
+            Name::Of(column) => variable(model, column.of(model)).map(|variable| variable.path.to_string()),
             Name::Preset(which) => model.presets.get(usize::from(*which) % 4).map(|preset| preset.name.to_owned()),
             Name::Text(_) => None,
         };
@@ -162,12 +162,12 @@ impl World {
     fn act(&mut self, who: usize, action: &Action) {
         let Handle { pointer, model } = self.handles[who];
         match action {
-            Action::Set(column, number) => {
-                let column = column.of(model);
-                let value = model.table.get(column as usize).map_or(0.0, |variable| number.of(variable));
+            Action::Set(of, number) => {
+                let reference = of.of(model);
+                let value = variable(model, reference).map_or(0.0, |variable| number.of(variable));
                 // SAFETY: a live handle.
-                let status = unsafe { stribeck_set(pointer, column, value) };
-                self.check_set(who, status, Some(column as usize), value);
+                let status = unsafe { stribeck_set(pointer, reference, value) };
+                self.check_set(who, status, column(model, reference), value);
             }
             Action::SetByName(name, number) => {
                 let (name, value) = (name.of(model), number.alone());
@@ -187,10 +187,10 @@ impl World {
                 self.made(who, status, true);
             }
             Action::Find(name) => {
-                let (name, mut column) = (name.of(model), u32::MAX);
+                let (name, mut reference) = (name.of(model), u32::MAX);
                 // SAFETY: a live handle, a terminated text and a place for the number.
-                let status = unsafe { stribeck_find(pointer, name.as_ptr(), &mut column) };
-                let named = model.table.get(column as usize).map(|variable| variable.path.to_string());
+                let status = unsafe { stribeck_find(pointer, name.as_ptr(), &mut reference) };
+                let named = variable(model, reference).map(|variable| variable.path.to_string());
                 assert_eq!(status == STRIBECK_OK, named.is_some());
                 assert!(named.is_none_or(|named| named.as_bytes() == name.to_bytes()));
                 self.made(who, status, true);
@@ -250,17 +250,18 @@ impl World {
         }
     }
 
-    fn describe(&mut self, who: usize, column: u32) {
+    fn describe(&mut self, who: usize, reference: u32) {
         let mut description = MaybeUninit::uninit();
         let model = self.handles[who].model;
         // SAFETY: a live handle and a place for the description, which is read only if it was written; its texts
         // live as long as the handle.
         unsafe {
-            let status = stribeck_describe(self.handles[who].pointer, column, description.as_mut_ptr());
-            assert_eq!(status == STRIBECK_OK, (column as usize) < model.table.len());
-            if status == STRIBECK_OK {
+            let status = stribeck_describe(self.handles[who].pointer, reference, description.as_mut_ptr());
+            let described = variable(model, reference);
+            assert_eq!(status == STRIBECK_OK, described.is_some());
+            if let Some(described) = described {
                 let description = description.assume_init();
-                assert_eq!(text(description.name), model.table[column as usize].path.to_string());
+                assert_eq!(text(description.name), described.path.to_string());
                 assert!(description.min <= description.start && description.start <= description.max);
                 assert!(!text(description.help).is_empty());
                 text(description.unit);
@@ -382,7 +383,7 @@ fn future(handle: &Handle, steps: u8, length: f64) -> Vec<u8> {
         // SAFETY: a live handle.
         let status = unsafe { stribeck_step(handle.pointer, length) };
         trace.push(status as u8);
-        for column in 0..handle.model.table.len() as u32 {
+        for column in (0..handle.model.table.len()).map(|column| handle.model.reference(column)) {
             let (status, value) = handle.get(column);
             trace.push(status as u8);
             trace.extend(value.to_le_bytes());

@@ -5,7 +5,7 @@ use std::ffi::{CStr, CString};
 use std::ptr::{null, null_mut};
 
 use arbitrary::Arbitrary;
-use fuzz::argument::{Column, Number, Step, model};
+use fuzz::argument::{Column, Number, Step, column, model, variable};
 use fuzz::fmi::{Slave, state};
 use fuzz::saved::{self, ROW, TIME};
 use libfuzzer_sys::fuzz_target;
@@ -248,7 +248,7 @@ impl World {
     }
 
     fn number(&self, who: usize, reference: u32, number: Number) -> f64 {
-        let variable = self.slaves[who].model.table.get(reference as usize);
+        let variable = variable(self.slaves[who].model, reference);
         variable.map_or_else(|| number.alone(), |variable| number.of(variable))
     }
 
@@ -374,7 +374,8 @@ impl World {
         self.made(who, call, status, Reads);
         if status == fmi2OK {
             for (reference, value) in references.iter().zip(values) {
-                assert_eq!(f64::from(value), self.seen[who][ROW + *reference as usize]);
+                let column = column(self.slaves[who].model, *reference).expect("a column that was read");
+                assert_eq!(f64::from(value), self.seen[who][ROW + column]);
             }
         }
     }
@@ -423,11 +424,12 @@ impl World {
 
     /// Accepted values are within their bounds, and the last value of each column is stored.
     fn check_set(&self, who: usize, references: &[u32], values: &[f64]) {
-        let table = self.slaves[who].model.table;
+        let model = self.slaves[who].model;
         for (place, (reference, value)) in references.iter().zip(values).enumerate() {
-            assert!(table[*reference as usize].admits(*value), "{reference} = {value}");
+            let column = column(model, *reference).expect("a column that was set");
+            assert!(model.table[column].admits(*value), "{reference} = {value}");
             if !references[place + 1..].contains(reference) {
-                assert_eq!(self.seen[who][ROW + *reference as usize].to_bits(), value.to_bits());
+                assert_eq!(self.seen[who][ROW + column].to_bits(), value.to_bits());
             }
         }
     }
@@ -759,7 +761,7 @@ fn instantiate(kind: fmi2Type, guid: Option<u8>, name: u8, callbacks: bool) {
 /// Results of an instance in some steps, bit by bit.
 fn future(slave: &Slave, steps: u8, length: f64) -> Vec<u8> {
     let reals = slave.model.table.iter().enumerate().filter(|(_, variable)| matches!(variable.kind, Kind::Real(_)));
-    let references: Vec<u32> = reals.map(|(column, _)| column as u32).collect();
+    let references: Vec<u32> = reals.map(|(column, _)| slave.model.reference(column)).collect();
     let mut values = vec![0.0; references.len()];
     let mut trace = Vec::new();
     for _ in 0..steps {

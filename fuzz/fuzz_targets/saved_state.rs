@@ -4,7 +4,7 @@
 use std::ptr::null_mut;
 
 use arbitrary::Arbitrary;
-use fuzz::argument::{Column, Number, Step, model};
+use fuzz::argument::{Column, Number, Step, column, model};
 use fuzz::fmi::{Slave, state};
 use fuzz::saved::{self, CHECKSUM, HEAD};
 use libfuzzer_sys::fuzz_target;
@@ -65,10 +65,11 @@ impl Input {
     fn bytes(&self, model: &'static ModelType) -> Vec<u8> {
         let slave = Slave::new(model, false);
         let mut bytes = slave.bytes();
-        for (column, number) in &self.values {
-            let column = column.of(model) as usize;
-            if let Some(variable) = model.table.get(column).filter(|variable| variable.admits(number.of(variable))) {
-                put(&mut bytes, saved::ROW + column, number.of(variable));
+        for (wanted, number) in &self.values {
+            let Some(column) = column(model, wanted.of(model)) else { continue };
+            let (variable, place) = (&model.table[column], saved::ROW + column);
+            if variable.admits(number.of(variable)) {
+                put(&mut bytes, place, number.of(variable));
             }
         }
         put(&mut bytes, saved::STATE, f64::from(self.lifecycle % 8));
@@ -172,7 +173,7 @@ fn read_by_fmi(slave: &Slave, bytes: &[u8], length: f64) -> bool {
 /// Reads everything and makes a step, if the instance is in a state for that.
 fn go_on(slave: &Slave, length: f64) {
     let reals = slave.model.table.iter().enumerate().filter(|(_, variable)| matches!(variable.kind, Kind::Real(_)));
-    let references: Vec<u32> = reals.map(|(column, _)| column as u32).collect();
+    let references: Vec<u32> = reals.map(|(column, _)| slave.model.reference(column)).collect();
     let mut values = vec![0.0; references.len()];
     // SAFETY: a live instance, and arrays of that length.
     unsafe {

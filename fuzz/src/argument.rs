@@ -3,6 +3,7 @@
 use arbitrary::Arbitrary;
 use stribeck::catalogue;
 use stribeck::model::{ModelType, Role, Variable};
+use stribeck::reference::{self, Place};
 
 /// Numbers at the limits of plausible arguments.
 const ODD: [f64; 16] = [
@@ -150,16 +151,33 @@ impl Wanted {
     }
 }
 
+/// The variable of a value reference, if there is one.
+pub fn variable(model: &ModelType, reference: u32) -> Option<&'static Variable> {
+    column(model, reference).map(|column| &model.table[column])
+}
+
+/// The column of a value reference, if there is one.
+pub fn column(model: &ModelType, reference: u32) -> Option<usize> {
+    match model.place(reference) {
+        Some(Place::Column(column)) => Some(column),
+        _ => None,
+    }
+}
+
 impl Column {
-    /// Its number.
+    /// Its value reference.
     pub fn of(self, model: &ModelType) -> u32 {
-        let behind = 2 + model.continuous_states().count();
         match self {
-            Column::Near(number) => u32::from(number) % (model.table.len() + behind) as u32,
+            Column::Near(number) => {
+                let others = || model.derivative_references().chain([reference::TIME, 0]);
+                let number = usize::from(number) % (model.table.len() + others().count());
+                let behind = number.checked_sub(model.table.len());
+                behind.map_or_else(|| model.reference(number), |at| others().nth(at).unwrap_or_default())
+            }
             Column::With(wanted, which) => {
                 let columns: Vec<usize> =
                     (0..model.table.len()).filter(|column| wanted.is(model.table[*column].role)).collect();
-                columns.get(usize::from(which) % columns.len().max(1)).map_or(0, |column| *column as u32)
+                columns.get(usize::from(which) % columns.len().max(1)).map_or(0, |column| model.reference(*column))
             }
             Column::Any(number) => number,
         }

@@ -22,6 +22,7 @@ use crate::float_mode::DefaultMode;
 use crate::instance::Instance;
 use crate::memory::{self, OUT_OF_MEMORY, OutOfMemory};
 use crate::model::{Fault, Kind, ModelType, Role};
+use crate::reference::{Place, Reference};
 use crate::serial;
 
 mod warning;
@@ -37,8 +38,8 @@ pub enum stribeck_status {
     STRIBECK_NULL = 1,
     /// The model or preset does not exist.
     STRIBECK_UNKNOWN_MODEL = 2,
-    /// The variable or column does not exist in this model, or the requested derivative is not that of a result with
-    /// respect to something that can be set.
+    /// The variable does not exist in this model, or the requested derivative is not that of a result with respect to
+    /// something that can be set.
     STRIBECK_UNKNOWN_VARIABLE = 3,
     /// The value is outside the bounds of its variable, or the parameters do not fit together.
     STRIBECK_REFUSED_VALUE = 4,
@@ -195,7 +196,7 @@ impl stribeck_model {
     }
 
     fn set(&mut self, column: usize, value: f64) -> Outcome {
-        let variable = self.known(column)?;
+        let variable = &self.instance.model().table[column];
         if variable.role == Role::Output {
             return refuse(STRIBECK_NOT_SETTABLE, format_args!("{} is computed and cannot be set", variable.path));
         }
@@ -205,21 +206,21 @@ impl stribeck_model {
     }
 
     fn get(&mut self, column: usize) -> Result<f64, Refusal> {
-        self.known(column)?;
         self.instance.refresh().map_err(fault(STRIBECK_NOT_FINITE))?;
         Ok(self.instance.row()[column])
     }
 
-    fn known(&self, column: usize) -> Result<&'static crate::model::Variable, Refusal> {
+    /// The column of a value reference.
+    #[inline]
+    fn known(&self, reference: Reference) -> Result<usize, Refusal> {
         let model = self.instance.model();
-        let count = model.table.len();
-        let unknown = || {
-            Refusal::of(
-                STRIBECK_UNKNOWN_VARIABLE,
-                format_args!("{} has {count} columns, no column {column}", model.name),
-            )
-        };
-        self.instance.variable(column).ok_or_else(unknown)
+        match model.place(reference) {
+            Some(Place::Column(column)) => Ok(column),
+            _ => {
+                let text = format_args!("{} has no variable with the reference {reference}", model.name);
+                refuse(STRIBECK_UNKNOWN_VARIABLE, text)
+            }
+        }
     }
 }
 
@@ -339,17 +340,43 @@ pub unsafe extern "C" fn stribeck_reset(model: *mut stribeck_model) -> stribeck_
     unsafe { enter(model, body) }
 }
 
-/// Number of columns, that is, of variables; 0 for NULL.
+/// Number of variables; 0 for NULL.
 ///
 /// # Safety
 /// As the module says of handles.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn stribeck_column_count(model: *const stribeck_model) -> u32 {
+pub unsafe extern "C" fn stribeck_variable_count(model: *const stribeck_model) -> u32 {
     // SAFETY: the caller's promise.
-    unsafe { model.as_ref() }.map_or(0, |model| model.instance.model().table.len() as u32)
+    unsafe { model.as_ref() }.map_or(0, |model| model.instance.model().variables().count() as u32)
 }
 
-/// Column of the variable with this name. The enums of this header hold the same numbers.
+/// Reference of the variable with that index, from 0, in the order of the enums of this header.
+///
+/// # Safety
+/// As the module says of handles and pointers.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stribeck_reference(
+    model: *mut stribeck_model,
+    index: u32,
+    reference: *mut u32,
+) -> stribeck_status {
+    let body = |model: &mut stribeck_model| {
+        // SAFETY: the caller's promise.
+        let place = unsafe { place(reference, "reference") }?;
+        let model = model.instance.model();
+        let Some((column, _)) = model.variables().nth(index as usize) else {
+            let count = model.variables().count();
+            let text = format_args!("{} has {count} variables, none with the index {index}", model.name);
+            return refuse(STRIBECK_UNKNOWN_VARIABLE, text);
+        };
+        *place = model.reference(column);
+        Ok(())
+    };
+    // SAFETY: the caller's promise.
+    unsafe { enter(model, body) }
+}
+
+/// Reference of the variable with this name. The enums of this header hold the same numbers.
 ///
 /// # Safety
 /// As the module says of handles and pointers.
@@ -357,36 +384,37 @@ pub unsafe extern "C" fn stribeck_column_count(model: *const stribeck_model) -> 
 pub unsafe extern "C" fn stribeck_find(
     model: *mut stribeck_model,
     variable: *const c_char,
-    column: *mut u32,
+    reference: *mut u32,
 ) -> stribeck_status {
     let body = |model: &mut stribeck_model| {
         // SAFETY: the caller's promises.
-        let (name, place) = unsafe { (text(variable, "variable")?, place(column, "column")?) };
-        *place = model.column(name)? as u32;
+        let (name, place) = unsafe { (text(variable, "variable")?, place(reference, "reference")?) };
+        *place = model.instance.model().reference(model.column(name)?);
         Ok(())
     };
     // SAFETY: the caller's promise.
     unsafe { enter(model, body) }
 }
 
-/// Describes a column: name, unit, help text, role, kind, start value and bounds.
+/// Describes a variable: name, unit, help text, role, kind, start value and bounds.
 ///
 /// # Safety
 /// As the module says of handles and pointers.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stribeck_describe(
     model: *mut stribeck_model,
-    column: u32,
+    reference: u32,
     variable: *mut stribeck_variable,
 ) -> stribeck_status {
     let body = |model: &mut stribeck_model| {
-        let known = model.known(column as usize)?;
+        let column = model.known(reference)?;
+        let known = &model.instance.model().table[column];
         // Without events no other value is accepted: see `check_for_steps`.
         let (min, max) = match known.is_settled_by_events() {
             true => (known.start, known.start),
             false => (known.bound.min(), known.bound.max()),
         };
-        let [name, unit, help] = model.texts[column as usize].each_ref().map(|text| text.as_ptr());
+        let [name, unit, help] = model.texts[column].each_ref().map(|text| text.as_ptr());
         // SAFETY: the caller's promise.
         *unsafe { place(variable, "variable") }? = stribeck_variable {
             name,
@@ -487,9 +515,9 @@ pub unsafe extern "C" fn stribeck_apply_preset(model: *mut stribeck_model, prese
 /// # Safety
 /// As the module says of handles.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn stribeck_set(model: *mut stribeck_model, column: u32, value: f64) -> stribeck_status {
+pub unsafe extern "C" fn stribeck_set(model: *mut stribeck_model, reference: u32, value: f64) -> stribeck_status {
     // SAFETY: the caller's promise.
-    unsafe { enter(model, |model| model.set(column as usize, value)) }
+    unsafe { enter(model, |model| model.set(model.known(reference)?, value)) }
 }
 
 /// Reads a variable; results are computed first if anything has been set since.
@@ -497,18 +525,18 @@ pub unsafe extern "C" fn stribeck_set(model: *mut stribeck_model, column: u32, v
 /// # Safety
 /// As the module says of handles and pointers.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn stribeck_get(model: *mut stribeck_model, column: u32, value: *mut f64) -> stribeck_status {
+pub unsafe extern "C" fn stribeck_get(model: *mut stribeck_model, reference: u32, value: *mut f64) -> stribeck_status {
     let body = |model: &mut stribeck_model| {
         // SAFETY: the caller's promise.
         let place = unsafe { place(value, "value") }?;
-        *place = model.get(column as usize)?;
+        *place = model.get(model.known(reference)?)?;
         Ok(())
     };
     // SAFETY: the caller's promise.
     unsafe { enter(model, body) }
 }
 
-/// As stribeck_set, by name. Slower: look the column up once with stribeck_find if it is set often.
+/// As stribeck_set, by name. Slower: look the reference up once with stribeck_find if it is set often.
 ///
 /// # Safety
 /// As the module says of handles and pointers.
@@ -602,7 +630,9 @@ pub unsafe extern "C" fn stribeck_derivative(
     value: *mut f64,
 ) -> stribeck_status {
     let body = |model: &mut stribeck_model| {
-        let (result, varied) = (model.known(output as usize)?, model.known(input as usize)?);
+        let (output, input) = (model.known(output)?, model.known(input)?);
+        let table = model.instance.model().table;
+        let (result, varied) = (&table[output], &table[input]);
         if !result.role.is_output() || varied.role == Role::Output {
             let text = format_args!("{} cannot be differentiated with respect to {}", result.path, varied.path);
             return refuse(STRIBECK_UNKNOWN_VARIABLE, text);
@@ -612,7 +642,7 @@ pub unsafe extern "C" fn stribeck_derivative(
         }
         // SAFETY: the caller's promise.
         let place = unsafe { place(value, "value") }?;
-        let slope = model.instance.derivative([(input as usize, 1.0)].into_iter())[output as usize].slope;
+        let slope = model.instance.derivative([(input, 1.0)].into_iter())[output].slope;
         if !slope.is_finite() {
             return refuse(STRIBECK_NOT_FINITE, format_args!("the derivative of {} is not finite", result.path));
         }

@@ -41,7 +41,8 @@ fn probe_with(callbacks: &fmi2CallbackFunctions, debug: fmi2Boolean) -> fmi2Comp
 }
 
 fn column(name: &str) -> fmi2ValueReference {
-    catalogue::by_name("Probe").and_then(|model| model.find(name)).expect(name) as fmi2ValueReference
+    let probe = catalogue::by_name("Probe").expect("a model");
+    probe.reference(probe.find(name).expect(name))
 }
 
 fn set_integer(c: fmi2Component, name: &str, value: fmi2Integer) -> fmi2Status {

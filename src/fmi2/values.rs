@@ -1,4 +1,4 @@
-//! Getting and setting variables. The value reference is the column of the row.
+//! Getting and setting variables.
 
 use std::slice::{from_raw_parts, from_raw_parts_mut};
 
@@ -7,6 +7,7 @@ use super::lifecycle::{Call, Purpose, State};
 use super::types::fmi2Status::fmi2OK;
 use super::types::*;
 use crate::model::{BaseType, Fault, Role, Variable};
+use crate::reference::Place;
 
 /// View of a column as one of FMI's base types.
 trait Base {
@@ -56,29 +57,36 @@ impl Base for Boolean {
 }
 
 impl Slave {
-    /// Whether this is the value reference of the independent variable `time`, the one after the last column.
-    fn is_time<B: Base>(&self, reference: fmi2ValueReference) -> bool {
-        reference as usize == self.instance.row().len() && B::TYPE == BaseType::Real
+    /// What a value reference stands for; derivatives are those of the states that a solver integrates.
+    #[inline]
+    fn place(&self, reference: fmi2ValueReference) -> Option<Place> {
+        let is_known = |place: &Place| match place {
+            Place::Derivative(state) => self.instance.continuous_states().contains(state),
+            Place::Column(_) | Place::Time => true,
+        };
+        self.instance.model().place(reference).filter(is_known)
     }
 
-    /// The column of the state whose derivative has this value reference; the derivatives follow `time`, in the order
-    /// of the states.
-    fn derivative_of<B: Base>(&self, reference: fmi2ValueReference) -> Option<usize> {
-        let place = (reference as usize).checked_sub(self.instance.row().len() + 1)?;
-        self.instance.continuous_states().get(place).copied().filter(|_| B::TYPE == BaseType::Real)
+    /// The column of a value reference; an error if it is of another type, or if there is none.
+    fn column<B: Base>(&self, reference: fmi2ValueReference) -> Result<usize, Refusal> {
+        match self.place(reference) {
+            Some(Place::Column(column)) if self.variable(column).kind.base_type() == B::TYPE => Ok(column),
+            _ => Err(wrong_reference(self, reference, B::TYPE)),
+        }
+    }
+
+    fn variable(&self, column: usize) -> &'static Variable {
+        &self.instance.model().table[column]
     }
 
     /// Whether it is a result, which may lag behind the other columns.
     fn is_computed(&self, reference: fmi2ValueReference) -> bool {
-        self.instance.variable(reference as usize).is_some_and(|variable| variable.role.is_computed())
+        matches!(self.place(reference), Some(Place::Column(column)) if self.variable(column).role.is_computed())
     }
 
-    /// The variable with this value reference; an error if it is of another type or does not exist.
-    fn variable<B: Base>(&self, reference: fmi2ValueReference) -> Result<&'static Variable, Refusal> {
-        match self.instance.variable(reference as usize) {
-            Some(variable) if variable.kind.base_type() == B::TYPE => Ok(variable),
-            _ => Err(wrong_reference(self, reference, B::TYPE)),
-        }
+    /// Whether it is the time derivative of a state.
+    fn is_derivative(&self, reference: fmi2ValueReference) -> bool {
+        matches!(self.place(reference), Some(Place::Derivative(_)))
     }
 }
 
@@ -97,10 +105,15 @@ fn may_set(state: State, variable: &Variable) -> bool {
 }
 
 fn wrong_reference(slave: &Slave, reference: fmi2ValueReference, wanted: BaseType) -> Refusal {
-    match slave.instance.variable(reference as usize) {
-        None => Refusal::error(format_args!("value reference {reference} does not belong to any {wanted:?} variable")),
-        Some(variable) => {
-            Refusal::error(format_args!("{} (value reference {reference}) is not of type {wanted:?}", variable.path))
+    match slave.place(reference) {
+        None => Refusal::error(format_args!("value reference {reference} does not belong to any variable")),
+        Some(Place::Column(column)) => {
+            let name = &slave.variable(column).path;
+            Refusal::error(format_args!("{name} (value reference {reference}) is not of type {wanted:?}"))
+        }
+        Some(Place::Time | Place::Derivative(_)) => {
+            let text = "is time or a derivative, which this call does not take";
+            Refusal::error(format_args!("value reference {reference} {text}"))
         }
     }
 }
@@ -136,22 +149,25 @@ unsafe fn get<B: Base>(
         // SAFETY: the importer promises `n` value references and room for `n` values.
         let (references, values) = unsafe { (array(vr, n, "vr")?, array_mut(value, n, "value")?) };
         for reference in references {
-            if !slave.is_time::<B>(*reference) && slave.derivative_of::<B>(*reference).is_none() {
-                slave.variable::<B>(*reference)?;
+            match slave.place(*reference) {
+                Some(Place::Time | Place::Derivative(_)) if B::TYPE == BaseType::Real => {}
+                _ => drop(slave.column::<B>(*reference)?),
             }
         }
         // After an error the last results are read, for debugging.
         if slave.state != State::Error && references.iter().any(|reference| slave.is_computed(*reference)) {
             slave.instance.refresh().map_err(|fault| slave.out_of_domain(fault))?;
         }
-        if references.iter().any(|reference| slave.derivative_of::<B>(*reference).is_some()) {
+        if references.iter().any(|reference| slave.is_derivative(*reference)) {
             slave.instance.compute_rates().map_err(|fault| slave.out_of_domain(fault))?;
         }
         let (row, rates) = (slave.instance.row(), slave.instance.rates());
         for (reference, value) in references.iter().zip(values) {
-            let rate = || slave.derivative_of::<B>(*reference).map(|column| rates[column]);
-            let found = row.get(*reference as usize).copied().or_else(rate);
-            *value = B::from_number(found.unwrap_or(slave.instance.time()));
+            *value = B::from_number(match slave.place(*reference) {
+                Some(Place::Column(column)) => row[column],
+                Some(Place::Derivative(state)) => rates[state],
+                Some(Place::Time) | None => slave.instance.time(),
+            });
         }
         Ok(())
     };
@@ -173,13 +189,16 @@ unsafe fn set<B: Base>(
         let (references, values) = unsafe { (array(vr, n, "vr")?, array(value, n, "value")?) };
         let mut parameters = false;
         for (reference, value) in references.iter().zip(values) {
-            let variable = slave.variable::<B>(*reference)?;
+            let variable = slave.variable(slave.column::<B>(*reference)?);
             check_value(slave, variable, B::to_number(*value))?;
             parameters |= variable.role.is_parameter();
         }
+        let model = slave.instance.model();
         let row = slave.instance.row_to_set(parameters);
         for (reference, value) in references.iter().zip(values) {
-            row[*reference as usize] = B::to_number(*value);
+            if let Some(Place::Column(column)) = model.place(*reference) {
+                row[column] = B::to_number(*value);
+            }
         }
         Ok(())
     };
@@ -199,9 +218,10 @@ unsafe fn read_at_once(slave: &Slave, vr: *const fmi2ValueReference, n: usize, v
     }
     // SAFETY: not NULL, and the caller promises `n` elements.
     let (references, values) = unsafe { (from_raw_parts(vr, n), from_raw_parts_mut(value, n)) };
-    let (row, ports) = (slave.instance.row(), slave.instance.model().ports);
+    let (row, model) = (slave.instance.row(), slave.instance.model());
     for (reference, value) in references.iter().zip(values) {
-        match (row.get(*reference as usize), ports.get(*reference as usize)) {
+        let Some(Place::Column(column)) = model.place(*reference) else { return false };
+        match (row.get(column), model.ports.get(column)) {
             (Some(found), Some(port)) if port.base_type == BaseType::Real => *value = *found,
             _ => return false,
         }
@@ -221,15 +241,18 @@ unsafe fn write_at_once(slave: &mut Slave, vr: *const fmi2ValueReference, n: usi
     }
     // SAFETY: not NULL, and the caller promises `n` elements.
     let (references, values) = unsafe { (from_raw_parts(vr, n), from_raw_parts(value, n)) };
-    let ports = slave.instance.model().ports;
+    let model = slave.instance.model();
     for (reference, value) in references.iter().zip(values) {
-        if !ports.get(*reference as usize).is_some_and(|port| port.takes(*value)) {
+        let Some(Place::Column(column)) = model.place(*reference) else { return false };
+        if !model.ports.get(column).is_some_and(|port| port.takes(*value)) {
             return false;
         }
     }
     let row = slave.instance.row_to_set(false);
     for (reference, value) in references.iter().zip(values) {
-        if let Some(place) = row.get_mut(*reference as usize) {
+        if let Some(Place::Column(column)) = model.place(*reference)
+            && let Some(place) = row.get_mut(column)
+        {
             *place = *value;
         }
     }
@@ -395,7 +418,7 @@ pub unsafe extern "C-unwind" fn fmi2SetRealInputDerivatives(
         let (references, orders, values) =
             unsafe { (array(vr, nvr, "vr")?, array(order, nvr, "order")?, array(value, nvr, "value")?) };
         for ((reference, order), value) in references.iter().zip(orders).zip(values) {
-            let variable = slave.variable::<Real>(*reference)?;
+            let variable = slave.variable(slave.column::<Real>(*reference)?);
             if variable.role != Role::Input {
                 return refuse(format_args!("{} is not an input", variable.path));
             }
@@ -410,7 +433,8 @@ pub unsafe extern "C-unwind" fn fmi2SetRealInputDerivatives(
             }
         }
         for (reference, value) in references.iter().zip(values) {
-            slave.instance.put_slope(*reference as usize, *value);
+            let column = slave.column::<Real>(*reference)?;
+            slave.instance.put_slope(column, *value);
         }
         Ok(())
     };
@@ -435,7 +459,7 @@ pub unsafe extern "C-unwind" fn fmi2GetRealOutputDerivatives(
         let (references, orders, values) =
             unsafe { (array(vr, nvr, "vr")?, array(order, nvr, "order")?, array_mut(value, nvr, "value")?) };
         for (reference, order) in references.iter().zip(orders) {
-            let variable = slave.variable::<Real>(*reference)?;
+            let variable = slave.variable(slave.column::<Real>(*reference)?);
             if !variable.role.is_output() {
                 return refuse(format_args!("{} is not an output", variable.path));
             }
@@ -445,13 +469,15 @@ pub unsafe extern "C-unwind" fn fmi2GetRealOutputDerivatives(
             }
         }
         slave.instance.refresh()?;
+        let model = slave.instance.model();
         let derivative = slave.instance.time_derivative();
-        let first = |reference: &fmi2ValueReference| derivative[*reference as usize].slope;
-        if let Some(reference) = references.iter().find(|reference| !first(reference).is_finite()) {
-            return refuse(format_args!("the derivative of value reference {reference} is not finite"));
-        }
         for ((reference, order), value) in references.iter().zip(orders).zip(values) {
-            *value = if *order == 1 { first(reference) } else { 0.0 };
+            let Some(Place::Column(column)) = model.place(*reference) else { continue };
+            let first = derivative[column].slope;
+            if !first.is_finite() {
+                return refuse(format_args!("the derivative of {} is not finite", model.table[column].path));
+            }
+            *value = if *order == 1 { first } else { 0.0 };
         }
         Ok(())
     };
@@ -485,15 +511,15 @@ pub unsafe extern "C-unwind" fn fmi2GetDirectionalDerivative(
                 array_mut(dvUnknown, nUnknown, "dvUnknown")?,
             )
         };
-        for reference in unknowns.iter().filter(|reference| slave.derivative_of::<Real>(**reference).is_none()) {
-            let variable = slave.variable::<Real>(*reference)?;
+        for reference in unknowns.iter().filter(|reference| !slave.is_derivative(**reference)) {
+            let variable = slave.variable(slave.column::<Real>(*reference)?);
             if !variable.role.is_output() {
                 return refuse(format_args!("{} is neither an output nor a derivative", variable.path));
             }
             variable.check_derivatives().map_err(|fault| Refusal::Discard(fault.0))?;
         }
         for reference in knowns {
-            let variable = slave.variable::<Real>(*reference)?;
+            let variable = slave.variable(slave.column::<Real>(*reference)?);
             if variable.role == Role::Output {
                 return refuse(format_args!(
                     "{} is computed: nothing can be differentiated with respect to it",
@@ -504,23 +530,29 @@ pub unsafe extern "C-unwind" fn fmi2GetDirectionalDerivative(
         if unknowns.iter().any(|reference| slave.is_computed(*reference)) {
             slave.instance.refresh().map_err(|fault| slave.out_of_domain(fault))?;
         }
-        let seeds = || knowns.iter().map(|reference| *reference as usize).zip(seed.iter().copied());
-        if unknowns.iter().any(|reference| slave.derivative_of::<Real>(*reference).is_some()) {
+        let model = slave.instance.model();
+        let column = |reference: &fmi2ValueReference| match model.place(*reference) {
+            Some(Place::Column(column)) => Some(column),
+            _ => None,
+        };
+        let seeds = || knowns.iter().filter_map(column).zip(seed.iter().copied());
+        if unknowns.iter().any(|reference| slave.is_derivative(*reference)) {
             slave.instance.compute_rates().map_err(|fault| slave.out_of_domain(fault))?;
             slave.instance.rate_derivative(seeds());
         }
         slave.instance.derivative(seeds());
         let (outputs, rates) = slave.instance.last_derivatives();
-        let slope = |reference: fmi2ValueReference| {
-            let rate = slave.derivative_of::<Real>(reference).map(|column| rates[column]);
-            rate.unwrap_or_else(|| outputs[reference as usize]).slope
+        let slope = |reference: &fmi2ValueReference| match model.place(*reference) {
+            Some(Place::Derivative(state)) => rates[state].slope,
+            Some(Place::Column(column)) => outputs[column].slope,
+            Some(Place::Time) | None => 0.0,
         };
-        if let Some(reference) = unknowns.iter().find(|unknown| !slope(**unknown).is_finite()) {
+        if let Some(reference) = unknowns.iter().find(|unknown| !slope(unknown).is_finite()) {
             let text = format_args!("the derivative of value reference {reference} is not finite");
             return Err(slave.out_of_domain(Fault::new(text)));
         }
         for (reference, value) in unknowns.iter().zip(result) {
-            *value = slope(*reference);
+            *value = slope(reference);
         }
         Ok(())
     };

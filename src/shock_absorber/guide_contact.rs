@@ -341,12 +341,12 @@ crate::model! {
     /// + `friction.asymmetry` for v < 0; at rest the larger of the two applies.
     ///
     /// # Step
-    /// As that of the chosen law. Its states are `memory[1]`, `memory[2]`, ... in the order of the law; for a law that
-    /// supports Model Exchange, discrete states follow from `memory[3]` on. It starts at rest. If the load falls,
-    /// whatever carries more than f_s slips until it carries f_s: bristles; elements, in proportion, so that the forces
-    /// between them stay possible too; the force of a law with a low-pass filter, apart from its viscous part and 1 %
-    /// for the overshoot of its curve. If an importer integrates the states, the force is that after the slip at once,
-    /// and the states follow with a time constant of 1 ms.
+    /// As that of the chosen law. If the law supports Model Exchange, its continuous states are `memory[1]` and
+    /// `memory[2]`, in its order; whatever else it remembers is not a variable, but part of a saved state. It starts at
+    /// rest. If the load falls, whatever carries more than f_s slips until it carries f_s: bristles; elements, in
+    /// proportion, so that the forces between them stay possible too; the force of a law with a low-pass filter, apart
+    /// from its viscous part and 1 % for the overshoot of its curve. If an importer integrates the states, the force is
+    /// that after the slip at once, and the states follow with a time constant of 1 ms.
     ///
     /// The parameters have the names and the start values of the laws. Laws with the same start value share a
     /// parameter; a law with another start value has its own, such as `friction.Gonthier.transition_velocity`, and does
@@ -395,10 +395,10 @@ crate::model! {
         levels: Levels,
         /// Friction law.
         friction: FrictionLaw,
-        /// States of the friction law, in SI units and in the order of the law, discrete ones last.
+        /// States of the friction law, in SI units: its continuous states in their order.
         memory: [state; MEMORY] = blank_memory(1.0),
         /// Has the run begun?
-        started: state = boolean(false),
+        started: state = boolean(false).hidden(),
         /// Energy taken out of the motion since the start.
         dissipated_energy: state_output = real("J", 0.0),
         /// Axial friction force; has the sign of the velocity when sliding.

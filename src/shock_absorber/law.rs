@@ -655,9 +655,10 @@ pub(crate) const MOST_EVENTS: usize = {
     most
 };
 
-/// Columns of a memory; `nominal` is the typical size of its continuous states.
+/// Columns of a memory; `nominal` is the typical size of its continuous states. Only these are variables: a law that
+/// remembers more changes no interface.
 pub(crate) const fn blank_memory(nominal: f64) -> [Column; MEMORY] {
-    let mut memory = [real("1", 0.0).discrete(); MEMORY];
+    let mut memory = [real("1", 0.0).discrete().hidden(); MEMORY];
     let mut at = 0;
     while at < MOVING {
         memory[at] = real("1", 0.0).nominal(nominal).reinit();

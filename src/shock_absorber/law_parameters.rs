@@ -1,7 +1,7 @@
 //! Parameters of all friction laws, as offered by a contact.
 
 use crate::model::{Columns, ModelType, Path, Segment, Variable, Width};
-use crate::shock_absorber::law::{COUNT, LAWS, given, position};
+use crate::shock_absorber::law::{LAWS, given, position};
 use crate::unit::same;
 
 /// Largest number of Maxwell-slip elements of a law here.
@@ -13,10 +13,10 @@ const fn is_offered(variable: &Variable) -> bool {
 }
 
 /// Start value of the shared parameter of that name: that of LuGre, otherwise of the first law that has it.
-const fn shared_start(path: &Path) -> Option<f64> {
+const fn shared_start(laws: &[&ModelType], path: &Path) -> Option<f64> {
     let mut at = 0;
-    while at <= COUNT {
-        let table = if at == 0 { LAWS[position("LuGre")].table } else { LAWS[at - 1].table };
+    while at <= laws.len() {
+        let table = if at == 0 { laws[position("LuGre")].table } else { laws[at - 1].table };
         let mut column = 0;
         while column < table.len() {
             if table[column].path.is(path) && is_offered(&table[column]) {
@@ -31,8 +31,8 @@ const fn shared_start(path: &Path) -> Option<f64> {
 
 /// Whether the law needs its own parameter of that name, because its default differs from the shared one. Variants of
 /// different laws are different choices under one name.
-const fn is_own(variable: &Variable) -> bool {
-    let differs = match shared_start(&variable.path) {
+const fn is_own(laws: &[&ModelType], variable: &Variable) -> bool {
+    let differs = match shared_start(laws, &variable.path) {
         Some(start) => start != variable.start,
         None => false,
     };
@@ -40,12 +40,12 @@ const fn is_own(variable: &Variable) -> bool {
 }
 
 /// Parameter of a law as offered here; `None` if it is not offered.
-const fn offered(law: &ModelType, variable: &Variable) -> Option<Variable> {
+const fn offered(laws: &[&ModelType], law: &ModelType, variable: &Variable) -> Option<Variable> {
     if !is_offered(variable) {
         return None;
     }
     let mut offered = *variable;
-    if is_own(variable) {
+    if is_own(laws, variable) {
         offered.path = variable.path.within(Segment { name: law.name, index: 0 });
     }
     if same(variable.path.segments()[0].name, "element_count") {
@@ -56,22 +56,27 @@ const fn offered(law: &ModelType, variable: &Variable) -> Option<Variable> {
 
 /// The parameters of all laws: one for all laws with the same default, and one of its own for each law with another
 /// default, so that a law starts here as it does alone.
-const fn merge() -> ([Variable; MOST_PARAMETERS], usize) {
+const fn merge(laws: &[&ModelType]) -> ([Variable; MOST_PARAMETERS], usize) {
     let mut merged = [crate::model::BLANK; MOST_PARAMETERS];
-    let mut count = add_parameters(&mut merged, 0, LAWS[position("LuGre")]);
+    let mut count = add_parameters(&mut merged, 0, laws, laws[position("LuGre")]);
     let mut at = 0;
-    while at < COUNT {
-        count = add_parameters(&mut merged, count, LAWS[at]);
+    while at < laws.len() {
+        count = add_parameters(&mut merged, count, laws, laws[at]);
         at += 1;
     }
     (merged, count)
 }
 
 /// Adds the parameters of a law to the first `count` ones.
-const fn add_parameters(merged: &mut [Variable; MOST_PARAMETERS], mut count: usize, law: &ModelType) -> usize {
+const fn add_parameters(
+    merged: &mut [Variable; MOST_PARAMETERS],
+    mut count: usize,
+    laws: &[&ModelType],
+    law: &ModelType,
+) -> usize {
     let mut at = 0;
     while at < law.table.len() {
-        if let Some(offered) = offered(law, &law.table[at]) {
+        if let Some(offered) = offered(laws, law, &law.table[at]) {
             let place = find(merged, count, &offered.path);
             if place < count {
                 merged[place].bound = merged[place].bound.or(offered.bound);
@@ -97,7 +102,7 @@ const fn find(variables: &[Variable; MOST_PARAMETERS], count: usize, path: &Path
 /// Capacity for the parameters of all laws while they are merged; too small a value does not compile.
 const MOST_PARAMETERS: usize = 128;
 
-const MERGED: ([Variable; MOST_PARAMETERS], usize) = merge();
+const MERGED: ([Variable; MOST_PARAMETERS], usize) = merge(&LAWS);
 
 /// Number of parameters of all laws together.
 const PARAMETERS: usize = MERGED.1;
@@ -136,8 +141,103 @@ unsafe impl Columns for LawParameters {
 
 /// Place of a law's parameter among those of all laws; `None` if it is not offered.
 pub(super) const fn place_of(law: &ModelType, variable: &Variable) -> Option<u16> {
-    match offered(law, variable) {
+    match offered(&LAWS, law, variable) {
         Some(offered) => Some(find(&MERGED.0, PARAMETERS, &offered.path) as u16),
         None => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::catalogue;
+    use crate::model::{Law, Model, real};
+    use crate::reference::{self, Place, References};
+
+    crate::model! {
+        /// A law that no one has thought of, behind all others.
+        Newcomer: "Law of a later version" {
+            /// Velocity.
+            velocity: input = real("m/s", 0.0),
+            /// Stiffness, with a start value of its own.
+            sigma_0: tunable = real("N/m", 7.0),
+            /// Parameter that no law has.
+            novelty: tunable = real("1", 0.5),
+            /// More numbers than any law remembers.
+            past: [state; 200] = [real("N", 0.0).discrete(); 200],
+            /// Dissipated energy.
+            dissipated_energy: state_output = real("J", 0.0),
+            /// Friction force.
+            friction_force: output = real("N", 0.0),
+            /// Is the contact sticking?
+            sticking: output = crate::model::boolean(false),
+        }
+    }
+
+    impl Law for Newcomer {
+        fn output(&mut self) {}
+    }
+
+    impl crate::model::Law for Newcomer<crate::number::Dual> {
+        fn output(&mut self) {}
+    }
+
+    impl Model for Newcomer {
+        fn step(&mut self, _dt: f64) {}
+    }
+
+    static NEWCOMER: ModelType = ModelType::of::<Newcomer>();
+
+    /// The table of a host of laws, in a library that has one law more, and remembers more.
+    fn table_with_newcomer(host: &ModelType) -> Vec<Variable> {
+        let laws: Vec<&ModelType> = LAWS.into_iter().chain([&NEWCOMER]).collect();
+        let (merged, count) = merge(&laws);
+        let own =
+            |variable: &Variable| LawParameters::TABLE.iter().any(|of_law| is_inside(&variable.path, &of_law.path));
+        let first = host.table.iter().position(own).expect("parameters of laws");
+        let mut table = host.table[..first].to_vec();
+        let place = host.table[first].path.segments()[0];
+        table
+            .extend(merged[..count].iter().map(|variable| Variable { path: variable.path.within(place), ..*variable }));
+        for variable in &host.table[first + PARAMETERS..] {
+            table.push(*variable);
+            if variable.is_hidden {
+                table.extend([*variable; 3]);
+            }
+        }
+        table
+    }
+
+    fn is_inside(path: &Path, name: &Path) -> bool {
+        path.segments().len() > 1 && path.is(&name.within(path.segments()[0]))
+    }
+
+    /// A law with a parameter that no law has, and with a longer memory, adds variables and changes none.
+    #[test]
+    fn a_new_law_changes_no_variable_of_its_hosts() {
+        for host in ["GuideContact", "ShockAbsorber"].map(|name| catalogue::by_name(name).expect("a model")) {
+            let table = table_with_newcomer(host);
+            assert!(table.len() > host.table.len());
+            let slots: &'static [_] = Box::leak(Box::new(reference::slots::<8192>(&table)));
+            let references = References::new(slots);
+            for (column, variable) in host.variables() {
+                let reference = host.reference(column);
+                let Some(Place::Column(found)) = references.find(reference, table.len()) else {
+                    panic!("{}: {} is gone", host.name, variable.path)
+                };
+                let found = &table[found];
+                assert!(found.path.is(&variable.path) && found.role == variable.role && found.kind == variable.kind);
+                assert_eq!(found.start, variable.start, "{}", variable.path);
+            }
+            let names: Vec<String> = table.iter().map(|variable| variable.path.to_string()).collect();
+            let added: Vec<&String> = names.iter().filter(|name| host.find(name).is_none()).collect();
+            let shown = added
+                .iter()
+                .filter(|name| !name.starts_with("memory") && !["started", "step_size"].contains(&name.as_str()));
+            assert_eq!(
+                shown.map(|name| name.as_str()).collect::<Vec<_>>(),
+                ["friction.Newcomer.sigma_0", "friction.novelty"]
+            );
+        }
     }
 }

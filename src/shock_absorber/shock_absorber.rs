@@ -153,9 +153,9 @@ crate::model! {
         /// Velocity of the damper's piston behind its series stiffness; that of the strut without a series stiffness.
         piston_velocity: state = real("m/s", 0.0),
         /// Has the run begun?
-        started: state = boolean(false),
+        started: state = boolean(false).hidden(),
         /// Last communication step; 0 before the first.
-        step_size: state = real("s", 0.0).at_least(0.0).shown_in("ms").discrete(),
+        step_size: state = real("s", 0.0).at_least(0.0).shown_in("ms").discrete().hidden(),
         /// Temperature of the damper.
         temperature: state_output = real("K", 293.15).positive().nominal(300.0).shown_in("degC"),
         /// Energy taken out of the motion by friction and damper since the start.

@@ -14,7 +14,7 @@ static stribeck_model *create(const char *name) {
     return model;
 }
 
-static uint32_t column(stribeck_model *model, const char *variable) {
+static uint32_t reference(stribeck_model *model, const char *variable) {
     uint32_t found = UINT32_MAX;
     CHECK(stribeck_find(model, variable, &found) == STRIBECK_OK);
     return found;
@@ -122,7 +122,8 @@ static void null_handles_are_answered(void) {
     unsigned char buffer[8] = {7};
     stribeck_variable described = {0};
     CHECK(stribeck_reset(NULL) == STRIBECK_NULL);
-    CHECK(stribeck_column_count(NULL) == 0);
+    CHECK(stribeck_variable_count(NULL) == 0);
+    CHECK(stribeck_reference(NULL, 0, &found) == STRIBECK_NULL);
     CHECK(stribeck_find(NULL, "velocity", &found) == STRIBECK_NULL);
     CHECK(stribeck_describe(NULL, 0, &described) == STRIBECK_NULL);
     CHECK(stribeck_set(NULL, 0, 0.0) == STRIBECK_NULL);
@@ -150,15 +151,16 @@ static void null_pointers_are_answered(void) {
     CHECK(stribeck_find(model, NULL, &found) == STRIBECK_NULL);
     CHECK(says(model, "variable", "NULL"));
     CHECK(stribeck_find(model, "velocity", NULL) == STRIBECK_NULL);
-    CHECK(says(model, "column", "NULL"));
+    CHECK(says(model, "reference", "NULL"));
+    CHECK(stribeck_reference(model, 0, NULL) == STRIBECK_NULL);
     CHECK(stribeck_find(model, NULL, NULL) == STRIBECK_NULL);
-    CHECK(stribeck_describe(model, 0, NULL) == STRIBECK_NULL);
-    CHECK(stribeck_get(model, 0, NULL) == STRIBECK_NULL);
+    CHECK(stribeck_describe(model, reference(model, "velocity"), NULL) == STRIBECK_NULL);
+    CHECK(stribeck_get(model, reference(model, "velocity"), NULL) == STRIBECK_NULL);
     CHECK(says(model, "value", "NULL"));
     CHECK(stribeck_set_by_name(model, NULL, 0.0) == STRIBECK_NULL);
     CHECK(stribeck_get_by_name(model, NULL, &value) == STRIBECK_NULL);
     CHECK(stribeck_get_by_name(model, "velocity", NULL) == STRIBECK_NULL);
-    CHECK(stribeck_derivative(model, column(model, "friction_force"), column(model, "velocity"), NULL) ==
+    CHECK(stribeck_derivative(model, reference(model, "friction_force"), reference(model, "velocity"), NULL) ==
           STRIBECK_NULL);
     CHECK(stribeck_save(model, NULL, before.size) == STRIBECK_NULL);
     CHECK(stribeck_restore(model, NULL, before.size) == STRIBECK_NULL);
@@ -182,14 +184,14 @@ static void describes_itself(stribeck_model *model, uint32_t at) {
     CHECK(variable.role >= STRIBECK_INPUT && variable.role <= STRIBECK_OUTPUT);
     CHECK(variable.kind >= STRIBECK_REAL && variable.kind <= STRIBECK_ENUMERATION);
     CHECK(variable.min <= variable.start && variable.start <= variable.max);
-    CHECK(column(model, variable.name) == at);
-    double by_column = NAN;
-    CHECK(stribeck_get(model, at, &by_column) == STRIBECK_OK);
-    CHECK(by_column == get(model, variable.name));
-    CHECK(variable.role == STRIBECK_OUTPUT || by_column == variable.start);
+    CHECK(reference(model, variable.name) == at);
+    double by_reference = NAN;
+    CHECK(stribeck_get(model, at, &by_reference) == STRIBECK_OK);
+    CHECK(by_reference == get(model, variable.name));
+    CHECK(variable.role == STRIBECK_OUTPUT || by_reference == variable.start);
 }
 
-/* A column admits exactly the values of its description; a refused value leaves everything as it was. */
+/* A variable admits what its description says; a refused value leaves everything as it was. */
 static void keeps_its_bounds(stribeck_model *model, uint32_t at) {
     stribeck_variable variable;
     memset(&variable, 0, sizeof variable);
@@ -230,17 +232,20 @@ static void keeps_its_bounds(stribeck_model *model, uint32_t at) {
 }
 
 static void unknown_variables_are_refused(stribeck_model *model) {
-    uint32_t count = stribeck_column_count(model);
+    uint32_t count = stribeck_variable_count(model);
+    uint32_t last = 0, past = 7;
+    CHECK(stribeck_reference(model, count - 1, &last) == STRIBECK_OK);
+    CHECK(stribeck_reference(model, count, &past) == STRIBECK_UNKNOWN_VARIABLE && past == 7);
     state before = save(model);
-    const uint32_t outside[] = {count, count + 1, UINT32_MAX};
+    const uint32_t outside[] = {0, count, UINT32_MAX};
     for (size_t i = 0; i < sizeof outside / sizeof outside[0]; i++) {
         stribeck_variable described = {0};
         double value = 7.0;
         CHECK(stribeck_set(model, outside[i], 0.0) == STRIBECK_UNKNOWN_VARIABLE);
         CHECK(stribeck_get(model, outside[i], &value) == STRIBECK_UNKNOWN_VARIABLE);
         CHECK(stribeck_describe(model, outside[i], &described) == STRIBECK_UNKNOWN_VARIABLE);
-        CHECK(stribeck_derivative(model, outside[i], 0, &value) == STRIBECK_UNKNOWN_VARIABLE);
-        CHECK(stribeck_derivative(model, count - 1, outside[i], &value) == STRIBECK_UNKNOWN_VARIABLE);
+        CHECK(stribeck_derivative(model, outside[i], last, &value) == STRIBECK_UNKNOWN_VARIABLE);
+        CHECK(stribeck_derivative(model, last, outside[i], &value) == STRIBECK_UNKNOWN_VARIABLE);
         CHECK(value == 7.0 && described.name == NULL);
     }
     uint32_t found = 7;
@@ -259,8 +264,10 @@ static void unknown_variables_are_refused(stribeck_model *model) {
 static void every_model_keeps_its_table(void) {
     for (size_t i = 0; i < stribeck_model_count(); i++) {
         stribeck_model *model = create(stribeck_model_name(i));
-        REQUIRE(stribeck_column_count(model) > 0);
-        for (uint32_t at = 0; at < stribeck_column_count(model); at++) {
+        REQUIRE(stribeck_variable_count(model) > 0);
+        for (uint32_t index = 0; index < stribeck_variable_count(model); index++) {
+            uint32_t at = 0;
+            REQUIRE(stribeck_reference(model, index, &at) == STRIBECK_OK);
             describes_itself(model, at);
             keeps_its_bounds(model, at);
         }
@@ -270,16 +277,16 @@ static void every_model_keeps_its_table(void) {
 }
 
 /* The enums of the header and the library agree. */
-static void columns_of_the_header_are_those_of_the_library(void) {
+static void constants_of_the_header_are_the_references_of_the_library(void) {
     stribeck_model *lugre = create("LuGre");
-    CHECK(column(lugre, "velocity") == STRIBECK_LUGRE_VELOCITY);
-    CHECK(column(lugre, "sigma_0") == STRIBECK_LUGRE_SIGMA_0);
-    CHECK(column(lugre, "friction_force") == STRIBECK_LUGRE_FRICTION_FORCE);
-    CHECK(column(lugre, "sticking") == STRIBECK_LUGRE_STICKING);
+    CHECK(reference(lugre, "velocity") == STRIBECK_LUGRE_VELOCITY);
+    CHECK(reference(lugre, "sigma_0") == STRIBECK_LUGRE_SIGMA_0);
+    CHECK(reference(lugre, "friction_force") == STRIBECK_LUGRE_FRICTION_FORCE);
+    CHECK(reference(lugre, "sticking") == STRIBECK_LUGRE_STICKING);
     stribeck_free(lugre);
     stribeck_model *rig = create("BeltRig");
-    CHECK(column(rig, "friction_force") == STRIBECK_BELT_RIG_FRICTION_FORCE);
-    CHECK(column(rig, "external_force") == STRIBECK_BELT_RIG_EXTERNAL_FORCE);
+    CHECK(reference(rig, "friction_force") == STRIBECK_BELT_RIG_FRICTION_FORCE);
+    CHECK(reference(rig, "external_force") == STRIBECK_BELT_RIG_EXTERNAL_FORCE);
     stribeck_free(rig);
 }
 
@@ -377,8 +384,8 @@ static void outputs_follow_inputs(void) {
 /* Against a central difference, at points left and right of the peak. */
 static void derivative_is_that_of_the_force(void) {
     stribeck_model *model = create("BrownMcPhee");
-    uint32_t force = column(model, "friction_force");
-    uint32_t velocity = column(model, "velocity");
+    uint32_t force = reference(model, "friction_force");
+    uint32_t velocity = reference(model, "velocity");
     const double at[] = {-3e-3, -1e-3, 0.0, 2e-4, 0.5};
     for (size_t i = 0; i < sizeof at / sizeof at[0]; i++) {
         const double d = 1e-8;
@@ -412,10 +419,11 @@ static void derivative_is_that_of_the_force(void) {
 static void excite(stribeck_model *model, int i) {
     stribeck_variable variable;
     memset(&variable, 0, sizeof variable);
+    variable.role = STRIBECK_OUTPUT;
     uint32_t at = 0;
-    CHECK(stribeck_describe(model, at, &variable) == STRIBECK_OK);
-    while (variable.role != STRIBECK_INPUT && at + 1 < stribeck_column_count(model)) {
-        REQUIRE(stribeck_describe(model, ++at, &variable) == STRIBECK_OK);
+    for (uint32_t index = 0; variable.role != STRIBECK_INPUT && index < stribeck_variable_count(model); index++) {
+        REQUIRE(stribeck_reference(model, index, &at) == STRIBECK_OK);
+        REQUIRE(stribeck_describe(model, at, &variable) == STRIBECK_OK);
     }
     if (variable.role == STRIBECK_INPUT) {
         CHECK(stribeck_set(model, at, variable.start + 2e-3 * sin(0.1 * i)) == STRIBECK_OK);
@@ -587,7 +595,7 @@ int main(void) {
     null_handles_are_answered();
     null_pointers_are_answered();
     every_model_keeps_its_table();
-    columns_of_the_header_are_those_of_the_library();
+    constants_of_the_header_are_the_references_of_the_library();
     every_model_steps_and_resets();
     parameters_must_fit_together();
     overflow_is_refused();

@@ -35,22 +35,26 @@ static double input(const stribeck_variable *variable, int at, uint32_t column) 
 }
 
 static void move_inputs(stribeck_model *model, const char *name, int at) {
-    for (uint32_t column = 0; column < stribeck_column_count(model); column++) {
+    for (uint32_t index = 0; index < stribeck_variable_count(model); index++) {
         stribeck_variable variable;
-        check(stribeck_describe(model, column, &variable), model, name);
+        uint32_t reference = 0;
+        check(stribeck_reference(model, index, &reference), model, name);
+        check(stribeck_describe(model, reference, &variable), model, name);
         if (variable.role == STRIBECK_INPUT) {
-            check(stribeck_set(model, column, input(&variable, at, column)), model, name);
+            check(stribeck_set(model, reference, input(&variable, at, index)), model, name);
         }
     }
 }
 
 static void print_results(stribeck_model *model, const char *name) {
-    for (uint32_t column = 0; column < stribeck_column_count(model); column++) {
+    for (uint32_t index = 0; index < stribeck_variable_count(model); index++) {
         stribeck_variable variable;
-        check(stribeck_describe(model, column, &variable), model, name);
+        uint32_t reference = 0;
+        check(stribeck_reference(model, index, &reference), model, name);
+        check(stribeck_describe(model, reference, &variable), model, name);
         if (variable.role == STRIBECK_OUTPUT || variable.role == STRIBECK_STATE_OUTPUT) {
             double value = 0.0;
-            check(stribeck_get(model, column, &value), model, name);
+            check(stribeck_get(model, reference, &value), model, name);
             printf("%s %s %.17g\n", name, variable.name, value);
         }
     }

@@ -31,6 +31,7 @@ typedef struct {
     stribeck_variable *variables;
     fmi2ValueReference *reals; /* value references of all Real variables */
     size_t columns;
+    fmi2ValueReference *references;
     size_t real_count;
 } model;
 
@@ -49,13 +50,15 @@ static void read_model(model *one, const char *argument) {
     memcpy(one->name, argument, (size_t)(equals - argument));
     one->guid = equals + 1;
     REQUIRE(stribeck_create(one->name, &one->described) == STRIBECK_OK);
-    one->columns = stribeck_column_count(one->described);
+    one->columns = stribeck_variable_count(one->described);
     one->variables = memory(one->columns * sizeof *one->variables);
+    one->references = memory(one->columns * sizeof *one->references);
     one->reals = memory(one->columns * sizeof *one->reals);
     for (uint32_t i = 0; i < one->columns; i++) {
-        REQUIRE(stribeck_describe(one->described, i, &one->variables[i]) == STRIBECK_OK);
+        REQUIRE(stribeck_reference(one->described, i, &one->references[i]) == STRIBECK_OK);
+        REQUIRE(stribeck_describe(one->described, one->references[i], &one->variables[i]) == STRIBECK_OK);
         if (one->variables[i].kind == STRIBECK_REAL) {
-            one->reals[one->real_count++] = i;
+            one->reals[one->real_count++] = one->references[i];
         }
     }
 }
@@ -72,6 +75,7 @@ static void free_models(void) {
     for (size_t i = 0; i < model_count; i++) {
         stribeck_free(models[i].described);
         free(models[i].variables);
+        free(models[i].references);
         free(models[i].reals);
     }
     free(models);
@@ -112,7 +116,7 @@ static void set_inputs(const model *of, fmi2Component slave, int k) {
             fesetround(FE_TONEAREST);
             double value = everyday_value(&of->variables[i], k + (int)i);
             fesetround(mode);
-            CHECK(fmi2SetReal(slave, &i, 1, &value) == fmi2OK);
+            CHECK(fmi2SetReal(slave, &of->references[i], 1, &value) == fmi2OK);
         }
     }
 }
@@ -121,7 +125,7 @@ static void set_slopes(const model *of, fmi2Component slave, double slope) {
     const fmi2Integer order = 1;
     for (uint32_t i = 0; i < of->columns; i++) {
         if (is_real(of, i, STRIBECK_INPUT)) {
-            CHECK(fmi2SetRealInputDerivatives(slave, &i, 1, &order, &slope) != fmi2Fatal);
+            CHECK(fmi2SetRealInputDerivatives(slave, &of->references[i], 1, &order, &slope) != fmi2Fatal);
         }
     }
 }
@@ -160,7 +164,7 @@ typedef struct {
 
 static void choose(const trial *one, fmi2Component slave) {
     if (one->choice != 0) {
-        CHECK(fmi2SetInteger(slave, &one->column, 1, &one->choice) == fmi2OK);
+        CHECK(fmi2SetInteger(slave, &one->of->references[one->column], 1, &one->choice) == fmi2OK);
     }
 }
 
@@ -183,18 +187,32 @@ static void differentiate(const model *of, fmi2Component slave) {
         output++;
     }
     const uint32_t known = first_free_number(of);
-    CHECK(fmi2GetRealOutputDerivatives(slave, &output, 1, &order, &slope) == fmi2OK);
-    CHECK(fmi2GetDirectionalDerivative(slave, &output, 1, &known, 1, &seed, &slope) == fmi2OK);
+    const fmi2ValueReference *result = &of->references[output], *varied = &of->references[known];
+    CHECK(fmi2GetRealOutputDerivatives(slave, result, 1, &order, &slope) == fmi2OK);
+    CHECK(fmi2GetDirectionalDerivative(slave, result, 1, varied, 1, &seed, &slope) == fmi2OK);
 }
 
-/* The same of the time derivatives of the states, whose references follow behind that of the time. */
-static void differentiate_rates(const model *of, fmi2Component slave, size_t states) {
+/* The value reference of a time derivative: the fingerprint of der(name), FNV-1a of 32 bits without the highest. */
+static fmi2ValueReference derivative_of(const char *state) {
+    char name[96];
+    snprintf(name, sizeof name, "der(%s)", state);
+    uint32_t hash = 0x811c9dc5;
+    for (const char *at = name; *at != 0; at++) {
+        hash = (hash ^ (unsigned char)*at) * 0x01000193;
+    }
+    return hash & 0x7fffffff;
+}
+
+/* The same of the rate of the dissipated energy, a state of all models of friction. */
+static void differentiate_rate(const model *of, fmi2Component slave) {
     const double seed = 1.0;
-    const uint32_t known = first_free_number(of);
-    for (size_t state = 0; state < states; state++) {
-        const uint32_t unknown = (uint32_t)(of->columns + 1 + state);
-        double slope;
-        CHECK(fmi2GetDirectionalDerivative(slave, &unknown, 1, &known, 1, &seed, &slope) == fmi2OK);
+    const fmi2ValueReference *varied = &of->references[first_free_number(of)];
+    for (uint32_t i = 0; i < of->columns; i++) {
+        if (strcmp(of->variables[i].name, "dissipated_energy") == 0) {
+            const fmi2ValueReference rate = derivative_of("dissipated_energy");
+            double slope;
+            CHECK(fmi2GetDirectionalDerivative(slave, &rate, 1, varied, 1, &seed, &slope) == fmi2OK);
+        }
     }
 }
 
@@ -224,7 +242,7 @@ static void be_integrated(const trial *one) {
         CHECK(fmi2GetContinuousStates(slave, values, states) == fmi2OK);
         CHECK(fmi2SetContinuousStates(slave, values, states) == fmi2OK);
         CHECK(fmi2GetDerivatives(slave, values, states) == fmi2OK);
-        differentiate_rates(one->of, slave, states);
+        differentiate_rate(one->of, slave);
         CHECK(fmi2CompletedIntegratorStep(slave, fmi2True, &event, &end) == fmi2OK);
         CHECK(fmi2EnterEventMode(slave) == fmi2OK && fmi2NewDiscreteStates(slave, &info) == fmi2OK);
     }
@@ -392,8 +410,8 @@ static void try_step(const model *of, fmi2Component slave, double h, double slop
         for (uint32_t i = 0; i < of->columns; i++) {
             double value = 0.0;
             if (is_real(of, i, STRIBECK_OUTPUT)) {
-                sound =
-                    sound && (fmi2GetRealOutputDerivatives(slave, &i, 1, &order, &value) != fmi2OK || isfinite(value));
+                fmi2Status found = fmi2GetRealOutputDerivatives(slave, &of->references[i], 1, &order, &value);
+                sound = sound && (found != fmi2OK || isfinite(value));
                 break;
             }
         }
@@ -415,16 +433,16 @@ static int try_set(const model *of, fmi2Component slave, uint32_t column, double
     fmi2Status status = fmi2OK;
     switch (of->variables[column].kind) {
     case STRIBECK_REAL:
-        status = fmi2SetReal(slave, &column, 1, &value);
+        status = fmi2SetReal(slave, &of->references[column], 1, &value);
         break;
     case STRIBECK_BOOLEAN: {
         fmi2Boolean flag = value != 0.0;
-        status = fmi2SetBoolean(slave, &column, 1, &flag);
+        status = fmi2SetBoolean(slave, &of->references[column], 1, &flag);
         break;
     }
     default: {
         fmi2Integer number = fabs(value) < 1e9 ? (fmi2Integer)value : 0;
-        status = fmi2SetInteger(slave, &column, 1, &number);
+        status = fmi2SetInteger(slave, &of->references[column], 1, &number);
     }
     }
     if (of->variables[column].kind == STRIBECK_REAL && !isfinite(value)) {

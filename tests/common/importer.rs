@@ -132,7 +132,8 @@ impl Importer {
     }
 
     pub fn vr(&self, name: &str) -> fmi2ValueReference {
-        catalogue::by_name(self.model).and_then(|model| model.find(name)).expect(name) as fmi2ValueReference
+        let model = catalogue::by_name(self.model).expect("a model");
+        model.reference(model.find(name).expect(name))
     }
 
     pub fn set(&self, name: &str, value: f64) -> fmi2Status {

@@ -191,7 +191,7 @@ fn advice_has_no_derivatives() {
         .collect();
     assert_eq!(without, ["dforce_dlength", "dforce_dvelocity", "step_limit"]);
     let [limit, force, length] =
-        ["step_limit", "force", "length"].map(|name| model.find(name).unwrap() as fmi2ValueReference);
+        ["step_limit", "force", "length"].map(|name| model.reference(model.find(name).unwrap()));
     let mut handle = null_mut();
     // SAFETY: a handle of this test, freed once.
     unsafe {

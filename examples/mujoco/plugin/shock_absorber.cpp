@@ -47,9 +47,11 @@ class ShockAbsorber {
 
     std::vector<std::string> parameters() const {
         std::vector<std::string> names;
-        for (std::uint32_t at = 0; at < stribeck_column_count(handle.get()); ++at) {
+        for (std::uint32_t index = 0; index < stribeck_variable_count(handle.get()); ++index) {
+            std::uint32_t reference = 0;
             stribeck_variable variable{};
-            check(stribeck_describe(handle.get(), at, &variable));
+            check(stribeck_reference(handle.get(), index, &reference));
+            check(stribeck_describe(handle.get(), reference, &variable));
             if (variable.role == STRIBECK_FIXED || variable.role == STRIBECK_TUNABLE) {
                 names.emplace_back(variable.name);
             }

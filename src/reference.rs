@@ -1,0 +1,205 @@
+//! Value references: the numbers by which FMI and C know variables.
+//!
+//! A reference is a fingerprint of the variable's name. It stays the same wherever the variable stands in its table, and
+//! whatever is added before or behind it: an interface can grow anywhere.
+
+use crate::model::{Path, Segment, Variable};
+
+/// Number of a variable in FMI and C.
+pub type Reference = u32;
+
+/// What a reference stands for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Place {
+    /// A column of the row.
+    Column(usize),
+    /// The independent variable of FMI.
+    Time,
+    /// The time derivative of the continuous state in this column.
+    Derivative(usize),
+}
+
+/// Reference of the independent variable.
+pub const TIME: Reference = Fnv::START.text("time").reference();
+
+/// Reference of the variable of that name.
+pub const fn of(path: &Path) -> Reference {
+    Fnv::START.path(path).reference()
+}
+
+/// Reference of the time derivative of a state, FMI's `der(name)`.
+pub const fn of_derivative(state: &Path) -> Reference {
+    Fnv::START.text("der(").path(state).text(")").reference()
+}
+
+/// FNV-1a of 32 bits (G. Fowler, L. C. Noll, K.-P. Vo; RFC 9923): offset basis and prime are those of its authors.
+#[derive(Clone, Copy)]
+struct Fnv(u32);
+
+impl Fnv {
+    const START: Fnv = Fnv(0x811c_9dc5);
+    const PRIME: u32 = 0x0100_0193;
+
+    const fn text(mut self, text: &str) -> Fnv {
+        let bytes = text.as_bytes();
+        let mut at = 0;
+        while at < bytes.len() {
+            self = Fnv((self.0 ^ bytes[at] as u32).wrapping_mul(Fnv::PRIME));
+            at += 1;
+        }
+        self
+    }
+
+    const fn number(self, number: u16) -> Fnv {
+        const DIGITS: [&str; 10] = ["0", "1", "2", "3", "4", "5", "6", "7", "8", "9"];
+        let before = if number < 10 { self } else { self.number(number / 10) };
+        before.text(DIGITS[(number % 10) as usize])
+    }
+
+    /// The name as it is displayed, such as `front.element[3].stiffness`.
+    const fn path(mut self, path: &Path) -> Fnv {
+        let segments = path.segments();
+        let mut at = 0;
+        while at < segments.len() {
+            let Segment { name, index } = segments[at];
+            self = (if at > 0 { self.text(".") } else { self }).text(name);
+            if index > 0 {
+                self = self.text("[").number(index).text("]");
+            }
+            at += 1;
+        }
+        self
+    }
+
+    /// Without the highest bit: C's enumerators are of type `int`.
+    const fn reference(self) -> Reference {
+        self.0 & 0x7fff_ffff
+    }
+}
+
+/// The references of a table, and the way back.
+#[derive(Clone, Copy)]
+pub struct References {
+    /// Slots of a hash table with open addressing; at least half of them are empty, so every search ends.
+    slots: &'static [Slot],
+}
+
+/// A reference with its place in the order columns, time, derivatives of the columns.
+#[derive(Clone, Copy)]
+pub struct Slot {
+    reference: Reference,
+    place: u32,
+}
+
+/// No place.
+const EMPTY: u32 = u32::MAX;
+
+impl References {
+    /// For the slots that [`slots`] has filled.
+    pub const fn new(slots: &'static [Slot]) -> References {
+        References { slots }
+    }
+
+    /// What a reference stands for in a table with so many columns.
+    #[inline(always)]
+    pub fn find(&self, reference: Reference, columns: usize) -> Option<Place> {
+        let place = self.place(reference)?;
+        Some(if place < columns {
+            Place::Column(place)
+        } else if place == columns {
+            Place::Time
+        } else {
+            Place::Derivative(place - columns - 1)
+        })
+    }
+
+    /// Place of a reference in the order of [`Slot`].
+    #[inline(always)]
+    pub fn place(&self, reference: Reference) -> Option<usize> {
+        let mut at = reference as usize;
+        loop {
+            let slot = self.slots.get(at & (self.slots.len() - 1))?;
+            if slot.place == EMPTY {
+                return None;
+            }
+            if slot.reference == reference {
+                return Some(slot.place as usize);
+            }
+            at += 1;
+        }
+    }
+}
+
+/// Number of slots for a table: a power of two, and at least twice the number of its references.
+pub const fn slot_count(table: &[Variable]) -> usize {
+    let (mut count, mut column) = (1, 0);
+    while column < table.len() {
+        count += 1 + table[column].is_continuous_state() as usize;
+        column += 1;
+    }
+    (2 * count).next_power_of_two()
+}
+
+/// The filled slots of a table. Two variables with one reference do not compile.
+pub const fn slots<const COUNT: usize>(table: &[Variable]) -> [Slot; COUNT] {
+    let mut slots = [Slot { reference: 0, place: EMPTY }; COUNT];
+    insert(&mut slots, TIME, table.len());
+    let mut column = 0;
+    while column < table.len() {
+        let variable = &table[column];
+        if !variable.is_hidden {
+            insert(&mut slots, of(&variable.path), column);
+        }
+        if variable.is_continuous_state() {
+            assert!(!variable.is_hidden, "an importer that integrates needs the state");
+            insert(&mut slots, of_derivative(&variable.path), table.len() + 1 + column);
+        }
+        column += 1;
+    }
+    slots
+}
+
+const fn insert(slots: &mut [Slot], reference: Reference, place: usize) {
+    let mut at = reference as usize & (slots.len() - 1);
+    while slots[at].place != EMPTY {
+        assert!(slots[at].reference != reference, "two variables have the same value reference: rename one of them");
+        at = (at + 1) & (slots.len() - 1);
+    }
+    slots[at] = Slot { reference, place: place as u32 };
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::catalogue;
+
+    /// The published check values of FNV-1a 32, and the names as they are displayed.
+    #[test]
+    fn references_are_fingerprints_of_the_names() {
+        assert_eq!(Fnv::START.text("").0, 0x811c_9dc5);
+        assert_eq!(Fnv::START.text("foobar").0, 0xbf9c_f968);
+        for model in catalogue::models() {
+            for variable in model.table {
+                let name = variable.path.to_string();
+                assert_eq!(of(&variable.path), Fnv::START.text(&name).reference(), "{name}");
+                let derivative = Fnv::START.text(&format!("der({name})")).reference();
+                assert_eq!(of_derivative(&variable.path), derivative, "{name}");
+            }
+        }
+    }
+
+    #[test]
+    fn every_reference_leads_back_to_its_variable() {
+        for model in catalogue::models() {
+            assert_eq!(model.place(TIME), Some(Place::Time));
+            for (column, variable) in model.table.iter().enumerate() {
+                let shown = (!variable.is_hidden).then_some(Place::Column(column));
+                assert_eq!(model.place(of(&variable.path)), shown);
+                let derivative = variable.is_continuous_state().then_some(Place::Derivative(column));
+                assert_eq!(model.place(of_derivative(&variable.path)), derivative, "{}", variable.path);
+            }
+            assert_eq!(model.place(of(&Path::root("no such variable"))), None);
+            assert_eq!(model.place(u32::MAX), None);
+        }
+    }
+}
