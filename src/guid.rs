@@ -2,7 +2,7 @@
 //!
 //! An FMU's XML carries the guid of the table it was written from; a library built from another table refuses it.
 
-use crate::model::{Kind, Role, Segment, Variable};
+use crate::table::{Kind, Role, Segment, Variable};
 
 /// A guid in the registry form `{xxxxxxxx-xxxx-xxxx-xxxx-xxxxxxxxxxxx}`, as ASCII.
 pub type GuidText = [u8; 38];
@@ -115,7 +115,7 @@ const fn spell(hash: u128) -> GuidText {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::{Path, real};
+    use crate::table::{Path, real};
 
     /// The published check value of FNV-1a 128 for the text "foobar".
     #[test]

@@ -27,4 +27,5 @@ mod ramp;
 pub mod reference;
 mod serial;
 pub mod shock_absorber;
+pub mod table;
 pub mod unit;

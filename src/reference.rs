@@ -3,7 +3,7 @@
 //! A reference is a fingerprint of the variable's name. It stays the same wherever the variable stands in its table, and
 //! whatever is added before or behind it: an interface can grow anywhere.
 
-use crate::model::{Path, Segment, Variable};
+use crate::table::{Path, Segment, Variable};
 
 /// Number of a variable in FMI and C.
 pub type Reference = u32;

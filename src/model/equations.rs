@@ -1,0 +1,191 @@
+//! Traits of a model: its row, its equations, how it moves in time.
+
+use std::ffi::CStr;
+
+use crate::number::Dual;
+use crate::reference::References;
+use crate::table::{Fault, Port, Variable};
+
+/// Number of columns of a field in a `model!` block: one for a number, those of its table for a part.
+pub trait Width {
+    /// Number of columns.
+    const WIDTH: usize;
+}
+
+impl Width for f64 {
+    const WIDTH: usize = 1;
+}
+
+impl<P: Width, const N: usize> Width for [P; N] {
+    const WIDTH: usize = N * P::WIDTH;
+}
+
+/// A struct of columns: a model, or a part that models contain. Implemented by [`model!`](crate::model!) and
+/// [`part!`](crate::part!).
+///
+/// # Safety
+/// The type must be `#[repr(C)]` and consist of exactly `TABLE.len()` numbers, because rows are viewed as this type.
+pub unsafe trait Columns: Copy + Width {
+    /// The table: one entry per number, in the order of the fields.
+    const TABLE: &'static [Variable];
+}
+
+/// A struct of numbers of one type: a model or a part in that number type. Implemented by [`part!`](crate::part!).
+///
+/// # Safety
+/// The type must be `#[repr(C)]` and consist only of `Number`s, because numbers are viewed as this type.
+pub unsafe trait Numbers: Copy {
+    /// Type of the numbers.
+    type Number: Copy;
+}
+
+/// The text of a model: the part of its doc comments that `model!` uses.
+///
+/// # Safety
+/// `Dual` must be the same struct in dual numbers: `#[repr(C)]`, with a [`Dual`] for each f64.
+pub unsafe trait Described: Columns {
+    /// Name, also FMI's modelIdentifier.
+    const NAME: &'static str;
+    /// The name, for C.
+    const C_NAME: &'static CStr;
+    /// One line.
+    const SUMMARY: &'static str;
+    /// The documentation page, in Markdown.
+    const DOCUMENTATION: &'static str;
+    /// The facts about the columns that get and set need on every step.
+    const PORTS: &'static [Port];
+    /// The numbers by which FMI and C know the columns.
+    const REFERENCES: References;
+    /// The same model in dual numbers, for exact derivatives.
+    type Dual: Law<Number = Dual>;
+}
+
+/// The equations of a model, written once for every number type.
+pub trait Law: Numbers {
+    /// Computes the [`Role::Output`] columns from the others.
+    fn output(&mut self);
+
+    /// Number of values of its [`Model::MEMORY`] that the model uses with its present parameters.
+    #[inline(always)]
+    fn memory_in_use(&self) -> usize {
+        0
+    }
+
+    /// [`Law::output`] of a model with memory; like the other functions with memory, it gets the part in use.
+    #[inline(always)]
+    fn output_with(&mut self, _memory: &[Self::Number]) {
+        self.output();
+    }
+
+    /// Writes the time derivatives of the continuous states into their columns of `rate`.
+    fn derivatives(&self, _rate: &mut Self) {}
+}
+
+/// A named set of parameter values with its source.
+#[derive(Debug, PartialEq)]
+pub struct Preset {
+    /// Name, in lower case with underscores.
+    pub name: &'static str,
+    /// One line: the source of the values. A set without a source begins with "Example".
+    pub source: &'static str,
+    /// Variables and their values; the other parameters get their start values.
+    pub values: &'static [(&'static str, f64)],
+}
+
+/// The part of a model beside its table: how it moves in time.
+pub trait Model: Described + Law<Number = f64> {
+    /// Whether an importer may integrate the continuous states itself (FMI Model Exchange). Then they move only by
+    /// [`Law::derivatives`], and the rest of the state either has no effect or changes only in [`Model::at_event`].
+    const MODEL_EXCHANGE: bool = false;
+
+    /// Number of event indicators.
+    const EVENT_INDICATORS: usize = 0;
+
+    /// Are the rates linear in the states, each in its own, and the power in all of them? Ramps need fewer of them then.
+    const LINEAR: bool = false;
+
+    /// Named parameter sets.
+    const PRESETS: &'static [Preset] = &[];
+
+    /// Values that an instance keeps beside the row: the part of the state that is too long for a table, such as the
+    /// elements of a law that can have a thousand. They have no variables. They are 0 at the start, and saved and
+    /// restored with the row.
+    const MEMORY: usize = 0;
+
+    /// Rejects parameters that are admitted one by one but not together.
+    fn check(&self) -> Result<(), Fault> {
+        Ok(())
+    }
+
+    /// Warning about values that are accepted although they make no sense here, such as an unconnected input at 0. The
+    /// log of an FMU reports each text once; `stribeck_warning` returns it as long as it holds.
+    fn warning(&self) -> Option<Fault> {
+        None
+    }
+
+    /// Rejects inputs for which the equations give no number; called if a result is not finite, to name the limit.
+    fn check_motion(&self) -> Result<(), Fault> {
+        Ok(())
+    }
+
+    /// Rejects parameters with which the model is for co-simulation only.
+    fn check_exchange(&self) -> Result<(), Fault> {
+        Ok(())
+    }
+
+    /// Writes functions that change sign where derivatives or outputs jump, so that an importer finds the instant. A
+    /// model need not have one for every jump or kink of its curves: solvers cross those with smaller steps.
+    fn event_indicators(&self, _indicators: &mut [f64]) {}
+
+    /// Changes whatever changes at events only; the run begins with one. Model Exchange only.
+    fn at_event(&mut self) {}
+
+    /// Advances the states by `dt` > 0 while the inputs are held.
+    fn step(&mut self, dt: f64);
+
+    /// [`Model::step`], and the outputs after it. To be overridden if both need the same costly term.
+    #[inline(always)]
+    fn step_and_output(&mut self, dt: f64) {
+        self.step(dt);
+        self.output();
+    }
+
+    /// [`Model::step_and_output`] of a model with memory.
+    #[inline(always)]
+    fn step_and_output_with(&mut self, _memory: &mut [f64], dt: f64) {
+        self.step_and_output(dt);
+    }
+
+    /// Advances the states by `dt` while each input moves with the slope in its column of `slope`, and leaves the
+    /// inputs at their final values. By default it uses the rates of the continuous states, with error control.
+    fn step_ramp(&mut self, slope: &Self, dt: f64) {
+        crate::ramp::advance(self, slope, dt);
+    }
+
+    /// [`Model::step_ramp`] of a model with memory.
+    fn step_ramp_with(&mut self, _memory: &mut [f64], slope: &Self, dt: f64) {
+        self.step_ramp(slope, dt);
+    }
+
+    /// Speeds at which the law has a jump or kink in `velocity`; 0 for none. No piece of a ramp extends across them.
+    fn kinks(&self) -> [f64; 2] {
+        [0.0; 2]
+    }
+
+    /// Active branches of the equations of a model with rates, one bit each, such as a tyre on the ground. Its steps
+    /// are divided where this changes.
+    fn branches(&self) -> u32 {
+        0
+    }
+
+    /// [`Law::derivatives`]; to be overridden by a model that has them only as plain numbers.
+    #[inline(always)]
+    fn rate(&self, rate: &mut Self) {
+        self.derivatives(rate);
+    }
+
+    /// [`Model::rate`] of a model with memory, which moves as well.
+    fn rate_with(&self, _memory: &[f64], rate: &mut Self, _memory_rate: &mut [f64]) {
+        self.rate(rate);
+    }
+}

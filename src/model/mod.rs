@@ -1,0 +1,17 @@
+//! A model is one row of `f64` with a declared table: the [`model!`](crate::model!) block writes both.
+//!
+//! Get, set, reset, save and restore work on rows and need not know the model; a model cannot have a state that its table
+//! does not list. FMI and C identify a variable by a number that follows from its name: see [`reference`](crate::reference).
+
+mod declare;
+mod equations;
+mod model_type;
+mod row;
+
+pub(crate) use crate::table::Brief;
+pub use crate::table::*;
+pub use declare::{list, start};
+pub use equations::{Columns, Described, Law, Model, Numbers, Preset, Width};
+pub use model_type::ModelType;
+pub(crate) use row::{parts, parts_mut};
+pub use row::{row_of, row_of_mut};

@@ -1,0 +1,286 @@
+//! The record of a model, without its type.
+
+use std::ffi::CStr;
+use std::fmt;
+
+use super::row::{Room, commit, view, view_mut};
+use super::{Law, Model, Preset};
+use crate::guid::{self, GuidText};
+use crate::number::Dual;
+use crate::reference::{self, Place, Reference, References};
+use crate::table::{Fault, Port, Role, Variable};
+
+/// Arguments: row, memory, workspace for a copy, slopes and time.
+type AdvanceRamp = fn(&mut [f64], &mut [f64], Room, &[f64], f64) -> bool;
+
+/// Arguments: row, memory, and the rates of row and memory.
+type Rate = fn(&[f64], &[f64], &mut [f64], &mut [f64]);
+
+/// Everything the library knows about a model, in one record of plain data and functions.
+pub struct ModelType {
+    /// Name, also FMI's modelIdentifier.
+    pub name: &'static str,
+    /// The name, for C.
+    pub c_name: &'static CStr,
+    /// One-line description.
+    pub summary: &'static str,
+    /// Its columns.
+    pub table: &'static [Variable],
+    /// The facts about the columns that get and set need on every step.
+    pub ports: &'static [Port],
+    references: References,
+    /// Its named parameter sets.
+    pub presets: &'static [Preset],
+    /// Whether it supports Model Exchange.
+    pub model_exchange: bool,
+    /// Number of its event indicators.
+    pub event_indicators: usize,
+    /// Number of values that an instance keeps beside the row: [`Model::MEMORY`].
+    pub memory: usize,
+    guid: GuidText,
+    check: fn(&[f64]) -> Result<(), Fault>,
+    check_motion: fn(&[f64]) -> Result<(), Fault>,
+    warning: fn(&[f64]) -> Option<Fault>,
+    memory_in_use: fn(&[f64]) -> usize,
+    advance: fn(&mut [f64], &mut [f64], Room, f64) -> bool,
+    advance_ramp: AdvanceRamp,
+    output: fn(&mut [f64], &mut [f64], Room) -> bool,
+    output_dual: fn(&mut [Dual], &[Dual]),
+    rate: Rate,
+    rate_dual: fn(&[Dual], &mut [Dual]),
+    check_exchange: fn(&[f64]) -> Result<(), Fault>,
+    indicate: fn(&[f64], &mut [f64]),
+    at_event: fn(&mut [f64], &mut [f64], Room) -> bool,
+}
+
+impl ModelType {
+    /// The record of a model.
+    pub const fn of<M: Model>() -> ModelType {
+        ModelType {
+            name: M::NAME,
+            c_name: M::C_NAME,
+            summary: M::SUMMARY,
+            table: M::TABLE,
+            ports: M::PORTS,
+            references: M::REFERENCES,
+            presets: M::PRESETS,
+            model_exchange: M::MODEL_EXCHANGE,
+            event_indicators: M::EVENT_INDICATORS,
+            memory: M::MEMORY,
+            guid: guid::fingerprint(
+                M::NAME,
+                M::TABLE,
+                if M::MODEL_EXCHANGE { Some(M::EVENT_INDICATORS) } else { None },
+            ),
+            check: |row| view::<M, f64>(row).check(),
+            check_motion: |row| view::<M, f64>(row).check_motion(),
+            warning: |row| view::<M, f64>(row).warning(),
+            memory_in_use: |row| view::<M, f64>(row).memory_in_use(),
+            advance: |row, memory, room, dt| {
+                let advance = |model: &mut M, memory: &mut [f64]| model.step_and_output_with(memory, dt);
+                commit::<M>(row, memory, room, first_result(M::TABLE), advance)
+            },
+            advance_ramp: |row, memory, room, slope, dt| {
+                let slope = view::<M, f64>(slope);
+                let advance = |model: &mut M, memory: &mut [f64]| {
+                    model.step_ramp_with(memory, slope, dt);
+                    model.output_with(memory);
+                };
+                // The inputs have moved as well.
+                commit::<M>(row, memory, room, 0, advance)
+            },
+            output: |row, memory, room| {
+                commit::<M>(row, memory, room, first_result(M::TABLE), |model, memory| model.output_with(memory))
+            },
+            output_dual: |row, memory| view_mut::<M::Dual, Dual>(row).output_with(memory),
+            rate: |row, memory, rate, memory_rate| {
+                rate.fill(0.0);
+                view::<M, f64>(row).rate_with(memory, view_mut(rate), memory_rate);
+            },
+            rate_dual: |row, rate| {
+                rate.fill(Dual::default());
+                view::<M::Dual, Dual>(row).derivatives(view_mut(rate));
+            },
+            check_exchange: |row| view::<M, f64>(row).check_exchange(),
+            indicate: |row, indicators| view::<M, f64>(row).event_indicators(indicators),
+            at_event: |row, memory, room| commit::<M>(row, memory, room, 0, |model, _| model.at_event()),
+        }
+    }
+
+    /// The guid that ties modelDescription.xml to this library.
+    pub fn guid(&self) -> &str {
+        // The fingerprint is spelled with ASCII digits only.
+        std::str::from_utf8(&self.guid).unwrap_or_default()
+    }
+
+    /// The guid, for data that must not hold the address of the model.
+    pub(crate) fn guid_text(&self) -> GuidText {
+        self.guid
+    }
+
+    /// What a value reference stands for.
+    #[inline(always)]
+    pub fn place(&self, reference: Reference) -> Option<Place> {
+        self.references.find(reference, self.table.len())
+    }
+
+    /// The value reference of a column.
+    pub fn reference(&self, column: usize) -> Reference {
+        reference::of(&self.table[column].path)
+    }
+
+    /// The value references of the time derivatives of the continuous states.
+    pub fn derivative_references(&self) -> impl Iterator<Item = Reference> {
+        self.continuous_states().map(|state| reference::of_derivative(&self.table[state].path))
+    }
+
+    /// The variables that the interfaces show, with their columns.
+    pub fn variables(&self) -> impl Iterator<Item = (usize, &'static Variable)> {
+        self.table.iter().enumerate().filter(|(_, variable)| !variable.is_hidden)
+    }
+
+    /// The column of the variable of this name.
+    pub fn find(&self, name: &str) -> Option<usize> {
+        // Full names are built only if they begin alike: a table can have hundreds of rows.
+        let alike = |variable: &Variable| name.starts_with(variable.path.segments()[0].name);
+        let mut variables = self.variables();
+        variables.find(|(_, variable)| alike(variable) && variable.path.is_spelled(name)).map(|(column, _)| column)
+    }
+
+    /// Refuses parameters that are admitted one by one but not together.
+    pub fn check(&self, row: &[f64]) -> Result<(), Fault> {
+        (self.check)(row)
+    }
+
+    /// Warning about values that are accepted although they make no sense here.
+    pub fn warning(&self, row: &[f64]) -> Option<Fault> {
+        (self.warning)(row)
+    }
+
+    /// Names the limit of an input for which a result is not finite.
+    pub(crate) fn check_motion(&self, row: &[f64]) -> Result<(), Fault> {
+        (self.check_motion)(row)
+    }
+
+    /// Number of values of the memory beside the row that the parameters ask for. The functions that work on a row
+    /// alone are for rows that need none.
+    #[inline]
+    pub fn memory_in_use(&self, row: &[f64]) -> usize {
+        (self.memory_in_use)(row)
+    }
+
+    /// Advances by `dt` with held inputs and computes the outputs. False if a result is not finite; the row must not be
+    /// used then.
+    #[inline]
+    pub fn advance(&self, row: &mut [f64], dt: f64) -> bool {
+        (self.advance)(row, &mut [], &mut [], dt)
+    }
+
+    /// As [`ModelType::advance`], but row and memory are as they were if a result is not finite, or if the model
+    /// panics.
+    #[inline(always)]
+    pub(crate) fn try_advance(&self, row: &mut [f64], memory: &mut [f64], room: Room, dt: f64) -> bool {
+        (self.advance)(row, memory, room, dt)
+    }
+
+    /// As [`ModelType::advance`], with inputs that move linearly.
+    pub fn advance_ramp(&self, row: &mut [f64], slope: &[f64], dt: f64) -> bool {
+        (self.advance_ramp)(row, &mut [], &mut [], slope, dt)
+    }
+
+    /// As [`ModelType::try_advance`], with inputs that move linearly.
+    pub(crate) fn try_advance_ramp(
+        &self,
+        row: &mut [f64],
+        memory: &mut [f64],
+        room: Room,
+        slope: &[f64],
+        dt: f64,
+    ) -> bool {
+        (self.advance_ramp)(row, memory, room, slope, dt)
+    }
+
+    /// Computes the outputs. False if one is not finite; the row must not be used then.
+    #[inline]
+    pub fn output(&self, row: &mut [f64]) -> bool {
+        (self.output)(row, &mut [], &mut [])
+    }
+
+    /// As [`ModelType::output`], but the row is as it was if a result is not finite, or if the model panics.
+    #[inline(always)]
+    pub(crate) fn try_output(&self, row: &mut [f64], memory: &mut [f64], room: Room) -> bool {
+        (self.output)(row, memory, room)
+    }
+
+    /// Computes the outputs with their derivatives in the direction that the other columns carry.
+    pub fn output_dual(&self, row: &mut [Dual]) {
+        self.output_dual_with(row, &[]);
+    }
+
+    /// As [`ModelType::output_dual`], with the part of the memory that is in use.
+    pub(crate) fn output_dual_with(&self, row: &mut [Dual], memory: &[Dual]) {
+        (self.output_dual)(row, memory);
+    }
+
+    /// Time derivatives of the states, in the columns of the states; 0 elsewhere.
+    pub fn rate(&self, row: &[f64], rate: &mut [f64]) {
+        self.rate_with(row, &[], rate, &mut []);
+    }
+
+    /// As [`ModelType::rate`], with the part of the memory that is in use.
+    pub(crate) fn rate_with(&self, row: &[f64], memory: &[f64], rate: &mut [f64], memory_rate: &mut [f64]) {
+        (self.rate)(row, memory, rate, memory_rate);
+    }
+
+    /// The same with their derivatives in the direction that the columns of `row` carry; for Model Exchange.
+    pub fn rate_dual(&self, row: &[Dual], rate: &mut [Dual]) {
+        (self.rate_dual)(row, rate);
+    }
+
+    /// The columns of the states that move with time.
+    pub fn continuous_states(&self) -> impl Iterator<Item = usize> {
+        let table = self.table;
+        (0..table.len()).filter(|column| table[*column].is_continuous_state())
+    }
+
+    /// Refuses parameters with which the model is for co-simulation only.
+    pub fn check_exchange(&self, row: &[f64]) -> Result<(), Fault> {
+        (self.check_exchange)(row)
+    }
+
+    /// Writes the event indicators.
+    pub fn indicate(&self, row: &[f64], indicators: &mut [f64]) {
+        (self.indicate)(row, indicators);
+    }
+
+    /// Changes whatever changes at events only. False if a result is not finite; the row must not be used then.
+    pub fn at_event(&self, row: &mut [f64]) -> bool {
+        (self.at_event)(row, &mut [], &mut [])
+    }
+
+    /// As [`ModelType::at_event`], but the row is as it was if a result is not finite, or if the model panics.
+    pub(crate) fn try_at_event(&self, row: &mut [f64], memory: &mut [f64], room: Room) -> bool {
+        (self.at_event)(row, memory, room)
+    }
+}
+
+impl PartialEq for ModelType {
+    fn eq(&self, other: &ModelType) -> bool {
+        self.guid == other.guid
+    }
+}
+
+impl fmt::Debug for ModelType {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        write!(f, "{} {}", self.name, self.guid())
+    }
+}
+
+/// The first column that a step or the outputs may change: those before it are inputs and parameters.
+const fn first_result(table: &[Variable]) -> usize {
+    let mut first = 0;
+    while first < table.len() && (table[first].role.is_parameter() || matches!(table[first].role, Role::Input)) {
+        first += 1;
+    }
+    first
+}

@@ -1,0 +1,16 @@
+//! The table of a model: its variables, and how they are put together from parts.
+
+mod assemble;
+mod bound;
+mod fault;
+mod path;
+mod port;
+mod variable;
+
+pub use assemble::{BLANK, Starts, graft, graft_all, graft_one_with, graft_with, inline, place, place_all};
+pub use bound::Bound;
+pub(crate) use bound::Brief;
+pub use fault::Fault;
+pub use path::{Path, Segment};
+pub use port::{Port, ports};
+pub use variable::{BaseType, Column, Enumeration, Item, Kind, Role, Variable, boolean, choice, integer, real};

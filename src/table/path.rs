@@ -1,0 +1,87 @@
+//! Names of columns, in parts and with indices.
+
+use std::fmt;
+
+use crate::unit;
+
+/// One step of a variable's name: `element[3]` has the name `element` and the index 3; index 0 means "no index".
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Segment {
+    /// Name.
+    pub name: &'static str,
+    /// Index from 1, or 0 for none.
+    pub index: u16,
+}
+
+/// The name of a variable, such as `velocity` or `element[3].stiffness` (FMI's structured naming).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Path {
+    pub(super) segments: [Segment; Path::DEPTH],
+    pub(super) depth: usize,
+}
+
+impl Path {
+    /// Maximum depth of nested parts.
+    pub(super) const DEPTH: usize = 4;
+
+    /// The name of a column outside any part.
+    pub const fn root(name: &'static str) -> Path {
+        Path { segments: [Segment { name, index: 0 }; Path::DEPTH], depth: 1 }
+    }
+
+    /// Its steps, outermost first.
+    pub const fn segments(&self) -> &[Segment] {
+        self.segments.split_at(self.depth).0
+    }
+
+    /// Whether both are the same name.
+    pub(crate) const fn is(&self, other: &Path) -> bool {
+        let mut at = 0;
+        while at < self.depth && at < other.depth {
+            let (a, b) = (self.segments[at], other.segments[at]);
+            if a.index != b.index || !unit::same(a.name, b.name) {
+                return false;
+            }
+            at += 1;
+        }
+        self.depth == other.depth
+    }
+
+    /// Whether this is the name, as spelled by [`Path`]'s `Display`.
+    pub(crate) fn is_spelled(&self, name: &str) -> bool {
+        struct Rest<'a>(&'a str);
+        impl fmt::Write for Rest<'_> {
+            fn write_str(&mut self, text: &str) -> fmt::Result {
+                self.0 = self.0.strip_prefix(text).ok_or(fmt::Error)?;
+                Ok(())
+            }
+        }
+        let mut rest = Rest(name);
+        fmt::write(&mut rest, format_args!("{self}")).is_ok() && rest.0.is_empty()
+    }
+
+    /// This name inside a part.
+    pub(crate) const fn within(&self, part: Segment) -> Path {
+        assert!(self.depth < Path::DEPTH, "parts are nested too deeply");
+        let mut path = Path { segments: [part; Path::DEPTH], depth: self.depth + 1 };
+        let mut at = 0;
+        while at < self.depth {
+            path.segments[at + 1] = self.segments[at];
+            at += 1;
+        }
+        path
+    }
+}
+
+impl fmt::Display for Path {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        for (at, Segment { name, index }) in self.segments().iter().enumerate() {
+            let dot = if at == 0 { "" } else { "." };
+            match index {
+                0 => write!(f, "{dot}{name}")?,
+                _ => write!(f, "{dot}{name}[{index}]")?,
+            }
+        }
+        Ok(())
+    }
+}

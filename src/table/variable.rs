@@ -1,0 +1,309 @@
+//! Columns of a model and their properties: role, kind, start value, bound.
+
+use super::{Bound, Brief, Fault, Path};
+use crate::unit::{self, Unit};
+
+/// Who writes a column, and when.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Role {
+    /// Set by the caller before each step.
+    Input,
+    /// Parameter, constant once the run has started.
+    Fixed,
+    /// Parameter that may be changed between steps.
+    Tunable,
+    /// State, advanced by `step`; its start value may be set before the run.
+    State,
+    /// State that is also a result, such as a position.
+    StateOutput,
+    /// Result, computed by `output` from the other columns.
+    Output,
+}
+
+impl Role {
+    /// Whether the column is a result that `output` computes.
+    pub const fn is_computed(self) -> bool {
+        matches!(self, Role::Output)
+    }
+
+    /// Whether the column is part of the state.
+    pub const fn is_state(self) -> bool {
+        matches!(self, Role::State | Role::StateOutput)
+    }
+
+    /// Whether the column is available to other models (FMI causality `output`).
+    pub const fn is_output(self) -> bool {
+        matches!(self, Role::Output | Role::StateOutput)
+    }
+
+    /// Whether the column is a parameter.
+    pub const fn is_parameter(self) -> bool {
+        matches!(self, Role::Fixed | Role::Tunable)
+    }
+}
+
+/// Meaning of the number in a column.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Kind {
+    /// A physical quantity with its unit.
+    Real(&'static Unit),
+    /// A whole number.
+    Integer,
+    /// 0 (false) or 1 (true).
+    Boolean,
+    /// One of several named choices, numbered from 1.
+    Enumeration(&'static Enumeration),
+}
+
+/// The types that FMI distinguishes; enumerations are integers there.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum BaseType {
+    /// Floating-point number.
+    Real,
+    /// Whole number or choice.
+    Integer,
+    /// True or false.
+    Boolean,
+}
+
+impl Kind {
+    /// The FMI type.
+    #[inline(always)]
+    pub const fn base_type(self) -> BaseType {
+        match self {
+            Kind::Real(_) => BaseType::Real,
+            Kind::Integer | Kind::Enumeration(_) => BaseType::Integer,
+            Kind::Boolean => BaseType::Boolean,
+        }
+    }
+}
+
+/// The choices of an enumeration column.
+#[derive(Debug, PartialEq)]
+pub struct Enumeration {
+    /// Name of the type.
+    pub name: &'static str,
+    /// Choices in order; the first has the number 1.
+    pub items: &'static [Item],
+}
+
+/// One choice of an enumeration.
+#[derive(Debug, PartialEq)]
+pub struct Item {
+    /// Name of the choice.
+    pub name: &'static str,
+    /// One line with its meaning.
+    pub help: &'static str,
+}
+
+/// The right-hand side of a line in a `model!` block, without name and role.
+///
+/// Made by [`real`], [`integer`], [`boolean`] and [`choice`], restricted by the methods.
+#[derive(Clone, Copy, Debug)]
+pub struct Column {
+    kind: Kind,
+    start: f64,
+    bound: Bound,
+    nominal: f64,
+    display: Option<&'static str>,
+    jumps: bool,
+    reinit: bool,
+    has_derivatives: bool,
+    is_hidden: bool,
+}
+
+impl Column {
+    const fn new(kind: Kind, start: f64, bound: Bound) -> Column {
+        let jumps = !matches!(kind, Kind::Real(_));
+        Column {
+            kind,
+            start,
+            bound,
+            nominal: 1.0,
+            display: None,
+            jumps,
+            reinit: false,
+            has_derivatives: true,
+            is_hidden: false,
+        }
+    }
+
+    /// Admits only values > 0, from [`Bound::SMALLEST_POSITIVE`] on.
+    pub const fn positive(mut self) -> Column {
+        self.bound.low = Bound::SMALLEST_POSITIVE;
+        self
+    }
+
+    /// Admits only values >= `min`.
+    pub const fn at_least(mut self, min: f64) -> Column {
+        self.bound.low = min;
+        self
+    }
+
+    /// Admits only values <= `max`.
+    pub const fn at_most(mut self, max: f64) -> Column {
+        self.bound.high = max;
+        self
+    }
+
+    /// The usual magnitude of the value, for error control and for importers; 1 by default.
+    pub const fn nominal(mut self, nominal: f64) -> Column {
+        self.nominal = nominal;
+        self
+    }
+
+    /// The display unit that an importer should show first; it must be one of the display units of the unit.
+    pub const fn shown_in(mut self, display: &'static str) -> Column {
+        self.display = Some(display);
+        self
+    }
+
+    /// A state that changes only from step to step, not with time.
+    pub const fn discrete(mut self) -> Column {
+        self.jumps = true;
+        self
+    }
+
+    /// A continuous state that [`Model::at_event`] may change.
+    pub const fn reinit(mut self) -> Column {
+        self.reinit = true;
+        self
+    }
+
+    /// A result that is advice, computed by differences; it cannot be differentiated itself.
+    pub const fn without_derivatives(mut self) -> Column {
+        self.has_derivatives = false;
+        self
+    }
+
+    /// A state that no importer needs by name. It is saved and restored like the others, but it is not a variable of the
+    /// interfaces: what a model remembers may change without them.
+    pub const fn hidden(mut self) -> Column {
+        self.is_hidden = true;
+        self
+    }
+
+    /// The finished variable. A start value outside its own bound does not compile.
+    pub const fn named(self, path: Path, role: Role, help: &'static str) -> Variable {
+        assert!(self.bound.admits(self.start), "the start value is outside its bound");
+        Variable {
+            path,
+            role,
+            kind: self.kind,
+            start: self.start,
+            bound: self.bound,
+            nominal: self.nominal,
+            display: self.display,
+            jumps: self.jumps,
+            reinit: self.reinit,
+            has_derivatives: self.has_derivatives,
+            is_hidden: self.is_hidden,
+            help: help.trim_ascii(),
+        }
+    }
+}
+
+/// A physical quantity: unit (one of [`crate::unit::UNITS`]) and start value.
+pub const fn real(unit: &str, start: f64) -> Column {
+    Column::new(Kind::Real(unit::named(unit)), start, Bound::ANY)
+}
+
+/// A whole number within the range of FMI's 32-bit integers.
+pub const fn integer(start: i32) -> Column {
+    let bound = Bound { low: i32::MIN as f64, high: i32::MAX as f64 };
+    Column::new(Kind::Integer, start as f64, bound)
+}
+
+/// True or false.
+pub const fn boolean(start: bool) -> Column {
+    let bound = Bound { low: 0.0, high: 1.0 };
+    Column::new(Kind::Boolean, start as u8 as f64, bound)
+}
+
+/// One of the choices of an enumeration made with [`choices!`](crate::choices!), by its number.
+pub const fn choice(items: &'static Enumeration, start: i32) -> Column {
+    let bound = Bound { low: 1.0, high: items.items.len() as f64 };
+    Column::new(Kind::Enumeration(items), start as f64, bound)
+}
+
+/// One column of a model's table.
+#[derive(Clone, Copy, Debug)]
+pub struct Variable {
+    /// Name.
+    pub path: Path,
+    /// Who writes it, and when.
+    pub role: Role,
+    /// Meaning of the number.
+    pub kind: Kind,
+    /// Start value.
+    pub start: f64,
+    /// Values it admits.
+    pub bound: Bound,
+    /// Usual magnitude of the value.
+    pub nominal: f64,
+    /// Preferred display unit.
+    pub display: Option<&'static str>,
+    /// Whether it is piecewise constant (FMI variability `discrete`); always true for non-real kinds.
+    pub jumps: bool,
+    /// Whether it is a continuous state that an event of Model Exchange may change.
+    pub reinit: bool,
+    /// Whether it can be differentiated, if it is a result.
+    pub has_derivatives: bool,
+    /// Whether it is missing in the interfaces: see [`Column::hidden`].
+    pub is_hidden: bool,
+    /// Description: one line of ASCII text.
+    pub help: &'static str,
+}
+
+impl Variable {
+    /// Whether the column admits `value`. Integer columns admit integers only.
+    #[inline]
+    pub fn admits(&self, value: f64) -> bool {
+        self.bound.admits(value) && (matches!(self.kind, Kind::Real(_)) || value.fract() == 0.0)
+    }
+
+    /// Whether it is a state that moves with time, as given by [`Law::derivatives`].
+    pub const fn is_continuous_state(&self) -> bool {
+        self.role.is_state() && !self.jumps
+    }
+
+    /// Whether only an event of Model Exchange sets it, as is the case for every choice that is a state. Steps have no
+    /// events, so it keeps its start value there.
+    pub const fn is_settled_by_events(&self) -> bool {
+        self.role.is_state() && matches!(self.kind, Kind::Enumeration(_))
+    }
+
+    /// Rejects values that steps do not admit, with the message for the user.
+    pub(crate) fn check_for_steps(&self, value: f64) -> Result<(), Fault> {
+        if self.admits(value) { self.check_without_events(value) } else { Err(self.fault(value)) }
+    }
+
+    /// Rejects a value that only an event can produce.
+    pub(crate) fn check_without_events(&self, value: f64) -> Result<(), Fault> {
+        if self.is_settled_by_events() && value != self.start {
+            let text = "without events, which only Model Exchange has";
+            return Err(Fault::new(format_args!("{} = {}: must be {} {text}", self.path, Brief(value), self.start)));
+        }
+        Ok(())
+    }
+
+    /// Rejects differentiating a result that is advice.
+    pub(crate) fn check_derivatives(&self) -> Result<(), Fault> {
+        if self.has_derivatives { Ok(()) } else { Err(Fault::new(format_args!("{} has no derivatives", self.path))) }
+    }
+
+    /// Rejects `value`, with the message for the user.
+    pub fn fault(&self, value: f64) -> Fault {
+        let (path, shown, bound) = (self.path, Brief(value), self.bound);
+        match self.kind {
+            Kind::Boolean => Fault::new(format_args!("{path} = {shown}: must be 0 or 1")),
+            Kind::Integer | Kind::Enumeration(_) if bound.admits(value) => {
+                Fault::new(format_args!("{path} = {shown}: must be a whole number"))
+            }
+            _ if bound.is_positive() && value > 0.0 && value < bound.min() => {
+                Fault::new(format_args!("{path} = {shown}: must be >= {}", Brief(bound.min())))
+            }
+            _ => Fault::new(format_args!("{path} = {shown}: must be {bound}")),
+        }
+    }
+}
