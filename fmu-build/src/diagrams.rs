@@ -4,8 +4,9 @@ use anyhow::{Context, Result};
 use stribeck::catalogue::Family;
 use stribeck::model::{ModelType, Preset, Variable};
 
-use crate::curve::{self, Curve, Law, Motion, Steady};
+use crate::curve::{self, Curve, Law, Steady};
 use crate::figure::{self, Axis, Figure, Line, Style};
+use crate::motion::{self, Motion};
 use crate::sweep::{self, Sweep};
 use crate::text;
 
@@ -160,7 +161,7 @@ fn of_part(model: &'static ModelType) -> Result<Vec<Figure>> {
 }
 
 fn of_host(model: &'static ModelType) -> Result<Vec<Figure>> {
-    let Motion { with, states, times, values } = curve::motion(model)?;
+    let Motion { with, states, times, values } = motion::motion(model)?;
     let states = states.map(|column| &model.table[column]);
     let over_time = |index: usize| {
         let points = times.iter().zip(&values).map(|(time, value)| [*time, value[index]]).collect();

@@ -8,7 +8,8 @@ use stribeck::catalogue::Family;
 use stribeck::model::ModelType;
 use tiny_skia::{Color, FillRule, LineCap, LineJoin, Paint, PathBuilder, Pixmap, Stroke, Transform};
 
-use crate::curve::{self, Curve, Law};
+use crate::curve::{Curve, Law};
+use crate::motion;
 use crate::sweep;
 
 /// Width and height in pixels.
@@ -26,7 +27,7 @@ pub fn png(model: &'static ModelType, family: Family) -> Result<Vec<u8>> {
     let curve = match family {
         Family::Friction => force_over_velocity(model),
         Family::ShockAbsorber => sweep::of(model).map(|sweep| sweep.curve),
-        Family::Host => curve::motion(model).map(|motion| motion.values),
+        Family::Host => motion::motion(model).map(|motion| motion.values),
     };
     curve.and_then(|curve| draw(&curve)).with_context(|| format!("cannot draw the icon of {}", model.name))
 }

@@ -20,6 +20,7 @@ mod interface;
 mod library;
 mod licenses;
 mod mathematics;
+mod motion;
 mod package;
 mod platform;
 mod project;
