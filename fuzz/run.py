@@ -20,6 +20,7 @@ import re
 import shutil
 import subprocess
 import sys
+import zipfile
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
@@ -101,13 +102,29 @@ def fuzz(programs, target, *options):
     return status == 0
 
 
+def unpack(target):
+    """The folder with the committed inputs of a target, one file each."""
+    folder = OUT / "corpus" / target
+    shutil.rmtree(folder, ignore_errors=True)
+    with zipfile.ZipFile(CORPUS / f"{target}.zip") as archive:
+        archive.extractall(folder)
+    return folder
+
+
+def pack(target, folder):
+    """Replaces the committed inputs. The same inputs give the same bytes: they are sorted, and have no date."""
+    with zipfile.ZipFile(CORPUS / f"{target}.zip", "w") as archive:
+        for file in sorted(folder.iterdir()):
+            archive.writestr(zipfile.ZipInfo(file.name), file.read_bytes(), zipfile.ZIP_DEFLATED)
+
+
 def short(programs, target):
     """The corpus, then new inputs, their number fixed."""
     work = OUT / "short" / target
     shutil.rmtree(work, ignore_errors=True)
     work.mkdir(parents=True)
     # Sorted by name: the order of a folder differs from disk to disk, and with it the new inputs.
-    corpus = sorted((CORPUS / target).iterdir())
+    corpus = sorted(unpack(target).iterdir())
     seeds = work.with_suffix(".txt")
     seeds.write_text(",".join(map(str, corpus)), encoding="utf-8")
     count = TARGETS[target][0] + len(corpus)
@@ -118,7 +135,7 @@ def long(programs, target, seconds):
     """New inputs for some time. Findings go to the folder of long runs, from which the next one continues."""
     work = OUT / "long" / target
     work.mkdir(parents=True, exist_ok=True)
-    return fuzz(programs, target, f"-max_total_time={seconds}", work, CORPUS / target)
+    return fuzz(programs, target, f"-max_total_time={seconds}", work, unpack(target))
 
 
 def keep(programs, target):
@@ -126,12 +143,11 @@ def keep(programs, target):
     fresh = OUT / "kept" / target
     shutil.rmtree(fresh, ignore_errors=True)
     fresh.mkdir(parents=True)
-    sources = [folder for folder in (OUT / "long" / target, CORPUS / target) if folder.is_dir()]
+    sources = [folder for folder in (OUT / "long" / target, unpack(target)) if folder.is_dir()]
     options = ["-set_cover_merge=1", "-use_counters=0", fresh, *sources]
     if not fuzz(programs, target, *options):
         return False
-    shutil.rmtree(CORPUS / target, ignore_errors=True)
-    shutil.copytree(fresh, CORPUS / target)
+    pack(target, fresh)
     return True
 
 
