@@ -872,7 +872,7 @@ typedef enum stribeck_coulomb_variable {
   STRIBECK_COULOMB_EXTERNAL_FORCE = 1336490458,
   /** tunable [1]: Kinetic coefficient of friction. (>= 0, default 0.1) */
   STRIBECK_COULOMB_MU_K = 1281456745,
-  /** tunable [kg]: Effective mass of the body, to hold it at rest in co-simulation; too small is safer than too large; 0 = law as printed.
+  /** tunable [kg]: Effective mass of the body to be held at rest, better too small than too large; 0 = law as printed.
    *  (>= 0, default 0) */
   STRIBECK_COULOMB_MASS = 1601648849,
   /** fixed [stribeck_exchange]: Order in which the master exchanges values; used with mass > 0. (default Sequential) */
@@ -925,7 +925,7 @@ typedef enum stribeck_coulomb_stiction_variable {
   /** state [Boolean]: Is the contact stuck since the last step? Only with mass > 0; in Model Exchange see phase.
    *  (default false) */
   STRIBECK_COULOMB_STICTION_STUCK = 1549186443,
-  /** tunable [kg]: Effective mass of the body, to hold it at rest in co-simulation; too small is safer than too large; 0 = law as printed.
+  /** tunable [kg]: Effective mass of the body to be held at rest, better too small than too large; 0 = law as printed.
    *  (>= 0, default 0) */
   STRIBECK_COULOMB_STICTION_MASS = 1601648849,
   /** fixed [stribeck_exchange]: Order in which the master exchanges values; used with mass > 0. (default Sequential) */
@@ -979,7 +979,7 @@ typedef enum stribeck_coulomb_viscous_variable {
   STRIBECK_COULOMB_VISCOUS_VISCOUS_COEFFICIENT = 97539077,
   /** tunable [1]: Exponent of the viscous part. (> 0, default 1) */
   STRIBECK_COULOMB_VISCOUS_VISCOUS_EXPONENT = 884504011,
-  /** tunable [kg]: Effective mass of the body, to hold it at rest in co-simulation; too small is safer than too large; 0 = law as printed.
+  /** tunable [kg]: Effective mass of the body to be held at rest, better too small than too large; 0 = law as printed.
    *  (>= 0, default 0) */
   STRIBECK_COULOMB_VISCOUS_MASS = 1601648849,
   /** fixed [stribeck_exchange]: Order in which the master exchanges values; used with mass > 0. (default Sequential) */
@@ -1040,7 +1040,7 @@ typedef enum stribeck_stribeck_variable {
   STRIBECK_STRIBECK_VISCOUS_COEFFICIENT = 97539077,
   /** tunable [N.s2/m2]: Quadratic friction coefficient; used by PoppStelter. (>= 0, default 0) */
   STRIBECK_STRIBECK_QUADRATIC_COEFFICIENT = 1815977239,
-  /** tunable [kg]: Effective mass of the body, to hold it at rest in co-simulation; too small is safer than too large; 0 = law as printed.
+  /** tunable [kg]: Effective mass of the body to be held at rest, better too small than too large; 0 = law as printed.
    *  (>= 0, default 0) */
   STRIBECK_STRIBECK_MASS = 1601648849,
   /** fixed [stribeck_exchange]: Order in which the master exchanges values; used with mass > 0. (default Sequential) */
@@ -1078,6 +1078,9 @@ typedef enum stribeck_stribeck_variable {
 /** Guid of Bernard for fmi2Instantiate. */
 #define STRIBECK_BERNARD_GUID "{6c351125-3a0f-4eff-7385-830ef8bb9be8}"
 
+/** Preset of Bernard: Novais (2024), Tables 6.1 and 6.2 (the start values). */
+#define STRIBECK_BERNARD_PRESET_THESIS "thesis"
+
 /** Bernard: Coulomb friction with a linear transition, by its slope (Bernard). Variables of "Bernard". */
 typedef enum stribeck_bernard_variable {
   /** in [m/s]: Sliding velocity of body 1 relative to body 2. (default 0) */
@@ -1090,7 +1093,7 @@ typedef enum stribeck_bernard_variable {
   STRIBECK_BERNARD_MU_K = 1281456745,
   /** tunable [s/m]: Slope of the force at rest, relative to the level there. (> 0, default 2000) */
   STRIBECK_BERNARD_TRANSITION_SLOPE = 573976870,
-  /** tunable [kg]: Effective mass of the body, to hold it at rest in co-simulation; too small is safer than too large; 0 = law as printed.
+  /** tunable [kg]: Effective mass of the body to be held at rest, better too small than too large; 0 = law as printed.
    *  (>= 0, default 0) */
   STRIBECK_BERNARD_MASS = 1601648849,
   /** fixed [stribeck_exchange]: Order in which the master exchanges values; used with mass > 0. (default Sequential) */
@@ -1128,6 +1131,9 @@ typedef enum stribeck_bernard_variable {
 /** Guid of Threlfall for fmi2Instantiate. */
 #define STRIBECK_THRELFALL_GUID "{3e1459a0-12dc-ed88-4efa-d8479f088699}"
 
+/** Preset of Threlfall: Novais (2024), Tables 6.1 and 6.2 (the start values). */
+#define STRIBECK_THRELFALL_PRESET_THESIS "thesis"
+
 /** Threlfall: Coulomb friction with an exponential transition (Threlfall). Variables of "Threlfall". */
 typedef enum stribeck_threlfall_variable {
   /** in [m/s]: Sliding velocity of body 1 relative to body 2. (default 0) */
@@ -1142,7 +1148,7 @@ typedef enum stribeck_threlfall_variable {
   STRIBECK_THRELFALL_VARIANT = 1125473670,
   /** tunable [m/s]: Velocity that sets the width of the regularised band around rest. (> 0, default 0.001) */
   STRIBECK_THRELFALL_TRANSITION_VELOCITY = 1009615136,
-  /** tunable [kg]: Effective mass of the body, to hold it at rest in co-simulation; too small is safer than too large; 0 = law as printed.
+  /** tunable [kg]: Effective mass of the body to be held at rest, better too small than too large; 0 = law as printed.
    *  (>= 0, default 0) */
   STRIBECK_THRELFALL_MASS = 1601648849,
   /** fixed [stribeck_exchange]: Order in which the master exchanges values; used with mass > 0. (default Sequential) */
@@ -1180,6 +1186,9 @@ typedef enum stribeck_threlfall_variable {
 /** Guid of ThrelfallModified for fmi2Instantiate. */
 #define STRIBECK_THRELFALL_MODIFIED_GUID "{51d4042e-608e-5600-eead-99a5a0eae44a}"
 
+/** Preset of ThrelfallModified: Novais (2024), Tables 6.1 and 6.2 (the start values). */
+#define STRIBECK_THRELFALL_MODIFIED_PRESET_THESIS "thesis"
+
 /** ThrelfallModified: Coulomb friction with an exponential transition up to the Coulomb level (modified Threlfall). Variables of "ThrelfallModified". */
 typedef enum stribeck_threlfall_modified_variable {
   /** in [m/s]: Sliding velocity of body 1 relative to body 2. (default 0) */
@@ -1192,7 +1201,7 @@ typedef enum stribeck_threlfall_modified_variable {
   STRIBECK_THRELFALL_MODIFIED_MU_K = 1281456745,
   /** tunable [m/s]: Velocity that sets the width of the regularised band around rest. (> 0, default 0.001) */
   STRIBECK_THRELFALL_MODIFIED_TRANSITION_VELOCITY = 1009615136,
-  /** tunable [kg]: Effective mass of the body, to hold it at rest in co-simulation; too small is safer than too large; 0 = law as printed.
+  /** tunable [kg]: Effective mass of the body to be held at rest, better too small than too large; 0 = law as printed.
    *  (>= 0, default 0) */
   STRIBECK_THRELFALL_MODIFIED_MASS = 1601648849,
   /** fixed [stribeck_exchange]: Order in which the master exchanges values; used with mass > 0. (default Sequential) */
@@ -1230,6 +1239,9 @@ typedef enum stribeck_threlfall_modified_variable {
 /** Guid of RooneyDeravi for fmi2Instantiate. */
 #define STRIBECK_ROONEY_DERAVI_GUID "{b4dda239-e67f-2c81-3c15-83dea4130273}"
 
+/** Preset of RooneyDeravi: Novais (2024), Tables 6.1 and 6.2 (the start values), in the form of (6.5). */
+#define STRIBECK_ROONEY_DERAVI_PRESET_THESIS "thesis"
+
 /** RooneyDeravi: Coulomb friction with a transition band (Rooney and Deravi). Variables of "RooneyDeravi". */
 typedef enum stribeck_rooney_deravi_variable {
   /** in [m/s]: Sliding velocity of body 1 relative to body 2. (default 0) */
@@ -1244,7 +1256,7 @@ typedef enum stribeck_rooney_deravi_variable {
   STRIBECK_ROONEY_DERAVI_VARIANT = 1125473670,
   /** tunable [m/s]: Velocity that sets the width of the regularised band around rest. (> 0, default 0.001) */
   STRIBECK_ROONEY_DERAVI_TRANSITION_VELOCITY = 1009615136,
-  /** tunable [kg]: Effective mass of the body, to hold it at rest in co-simulation; too small is safer than too large; 0 = law as printed.
+  /** tunable [kg]: Effective mass of the body to be held at rest, better too small than too large; 0 = law as printed.
    *  (>= 0, default 0) */
   STRIBECK_ROONEY_DERAVI_MASS = 1601648849,
   /** fixed [stribeck_exchange]: Order in which the master exchanges values; used with mass > 0. (default Sequential) */
@@ -1282,6 +1294,9 @@ typedef enum stribeck_rooney_deravi_variable {
 /** Guid of Ambrosio for fmi2Instantiate. */
 #define STRIBECK_AMBROSIO_GUID "{4ed7c963-b21e-ea39-2768-a00ac6df0ac9}"
 
+/** Preset of Ambrosio: Novais (2024), Tables 6.1 and 6.2 (the start values). */
+#define STRIBECK_AMBROSIO_PRESET_THESIS "thesis"
+
 /** Ambrosio: Coulomb friction that is ramped up with speed (Ambrosio). Variables of "Ambrosio". */
 typedef enum stribeck_ambrosio_variable {
   /** in [m/s]: Sliding velocity of body 1 relative to body 2. (default 0) */
@@ -1296,7 +1311,7 @@ typedef enum stribeck_ambrosio_variable {
   STRIBECK_AMBROSIO_TRANSITION_VELOCITY = 1009615136,
   /** tunable [m/s]: Velocity at which the kinetic level is reached. (> 0, default 0.001) */
   STRIBECK_AMBROSIO_SLIDING_VELOCITY = 868290001,
-  /** tunable [kg]: Effective mass of the body, to hold it at rest in co-simulation; too small is safer than too large; 0 = law as printed.
+  /** tunable [kg]: Effective mass of the body to be held at rest, better too small than too large; 0 = law as printed.
    *  (>= 0, default 0) */
   STRIBECK_AMBROSIO_MASS = 1601648849,
   /** fixed [stribeck_exchange]: Order in which the master exchanges values; used with mass > 0. (default Sequential) */
@@ -1351,7 +1366,7 @@ typedef enum stribeck_karnopp_variable {
   /** state [Boolean]: Is the contact stuck since the last step? Only with mass > 0; in Model Exchange see phase.
    *  (default false) */
   STRIBECK_KARNOPP_STUCK = 1549186443,
-  /** tunable [kg]: Effective mass of the body, to hold it at rest in co-simulation; too small is safer than too large; 0 = law as printed.
+  /** tunable [kg]: Effective mass of the body to be held at rest, better too small than too large; 0 = law as printed.
    *  (>= 0, default 0) */
   STRIBECK_KARNOPP_MASS = 1601648849,
   /** fixed [stribeck_exchange]: Order in which the master exchanges values; used with mass > 0. (default Sequential) */
@@ -1389,6 +1404,9 @@ typedef enum stribeck_karnopp_variable {
 /** Guid of BengisuAkay for fmi2Instantiate. */
 #define STRIBECK_BENGISU_AKAY_GUID "{b8b3d50e-4a59-d749-82cc-1a3ad906e311}"
 
+/** Preset of BengisuAkay: Form of Marques et al. (2016), with a chosen decay: 1/e in 1 mm/s. */
+#define STRIBECK_BENGISU_AKAY_PRESET_MARQUES_2016 "marques_2016"
+
 /** BengisuAkay: Continuous friction law with a stiction peak (Bengisu and Akay). Variables of "BengisuAkay". */
 typedef enum stribeck_bengisu_akay_variable {
   /** in [m/s]: Sliding velocity of body 1 relative to body 2. (default 0) */
@@ -1410,7 +1428,7 @@ typedef enum stribeck_bengisu_akay_variable {
   STRIBECK_BENGISU_AKAY_STICTION_DECAY = 1861695917,
   /** tunable [m/s]: Velocity that sets the width of the regularised band around rest. (> 0, default 0.001) */
   STRIBECK_BENGISU_AKAY_TRANSITION_VELOCITY = 1009615136,
-  /** tunable [kg]: Effective mass of the body, to hold it at rest in co-simulation; too small is safer than too large; 0 = law as printed.
+  /** tunable [kg]: Effective mass of the body to be held at rest, better too small than too large; 0 = law as printed.
    *  (>= 0, default 0) */
   STRIBECK_BENGISU_AKAY_MASS = 1601648849,
   /** fixed [stribeck_exchange]: Order in which the master exchanges values; used with mass > 0. (default Sequential) */
@@ -1448,6 +1466,9 @@ typedef enum stribeck_bengisu_akay_variable {
 /** Guid of Hollars for fmi2Instantiate. */
 #define STRIBECK_HOLLARS_GUID "{897d132a-40f5-2444-8136-bac64cc732a1}"
 
+/** Preset of Hollars: Default transition velocity of Simbody. */
+#define STRIBECK_HOLLARS_PRESET_SIMBODY "simbody"
+
 /** Hollars: Continuous friction law with a stiction peak, without exponentials (Hollars). Variables of "Hollars". */
 typedef enum stribeck_hollars_variable {
   /** in [m/s]: Sliding velocity of body 1 relative to body 2. (default 0) */
@@ -1464,7 +1485,7 @@ typedef enum stribeck_hollars_variable {
   STRIBECK_HOLLARS_TRANSITION_VELOCITY = 1009615136,
   /** tunable [s/m]: Viscous coefficient of friction, per normal force. (>= 0, default 0) */
   STRIBECK_HOLLARS_MU_V = 1197568650,
-  /** tunable [kg]: Effective mass of the body, to hold it at rest in co-simulation; too small is safer than too large; 0 = law as printed.
+  /** tunable [kg]: Effective mass of the body to be held at rest, better too small than too large; 0 = law as printed.
    *  (>= 0, default 0) */
   STRIBECK_HOLLARS_MASS = 1601648849,
   /** fixed [stribeck_exchange]: Order in which the master exchanges values; used with mass > 0. (default Sequential) */
@@ -1502,6 +1523,9 @@ typedef enum stribeck_hollars_variable {
 /** Guid of Andersson for fmi2Instantiate. */
 #define STRIBECK_ANDERSSON_GUID "{13e325ea-4f80-0388-d174-e5dcb57a7e33}"
 
+/** Preset of Andersson: Conveyor-belt example of Nikravesh, Planar Multibody Dynamics. */
+#define STRIBECK_ANDERSSON_PRESET_CONVEYOR_BELT "conveyor_belt"
+
 /** Andersson: Smooth friction law with the Stribeck curve (Andersson). Variables of "Andersson". */
 typedef enum stribeck_andersson_variable {
   /** in [m/s]: Sliding velocity of body 1 relative to body 2. (default 0) */
@@ -1523,7 +1547,7 @@ typedef enum stribeck_andersson_variable {
   STRIBECK_ANDERSSON_TRANSITION_SLOPE = 573976870,
   /** tunable [N.s/m]: Viscous friction coefficient. (>= 0, default 0) */
   STRIBECK_ANDERSSON_VISCOUS_COEFFICIENT = 97539077,
-  /** tunable [kg]: Effective mass of the body, to hold it at rest in co-simulation; too small is safer than too large; 0 = law as printed.
+  /** tunable [kg]: Effective mass of the body to be held at rest, better too small than too large; 0 = law as printed.
    *  (>= 0, default 0) */
   STRIBECK_ANDERSSON_MASS = 1601648849,
   /** fixed [stribeck_exchange]: Order in which the master exchanges values; used with mass > 0. (default Sequential) */
@@ -1578,7 +1602,7 @@ typedef enum stribeck_awrejcewicz_variable {
   /** tunable [s/m]: Rate at which the excess of static over kinetic friction decays with speed (default chosen).
    *  (> 0, default 1000) */
   STRIBECK_AWREJCEWICZ_STICTION_DECAY = 1861695917,
-  /** tunable [kg]: Effective mass of the body, to hold it at rest in co-simulation; too small is safer than too large; 0 = law as printed.
+  /** tunable [kg]: Effective mass of the body to be held at rest, better too small than too large; 0 = law as printed.
    *  (>= 0, default 0) */
   STRIBECK_AWREJCEWICZ_MASS = 1601648849,
   /** fixed [stribeck_exchange]: Order in which the master exchanges values; used with mass > 0. (default Sequential) */
@@ -1616,6 +1640,9 @@ typedef enum stribeck_awrejcewicz_variable {
 /** Guid of Specker for fmi2Instantiate. */
 #define STRIBECK_SPECKER_GUID "{a3c0daa8-503e-4b13-b11b-c16e4b8b6f14}"
 
+/** Preset of Specker: Ratio of the two velocities in Translational Friction of Simscape, v_0 = v_p / 10, at v_p = 0.5 mm/s. */
+#define STRIBECK_SPECKER_PRESET_SIMSCAPE "simscape"
+
 /** Specker: Smooth friction law that passes through the static level (Specker). Variables of "Specker". */
 typedef enum stribeck_specker_variable {
   /** in [m/s]: Sliding velocity of body 1 relative to body 2. (default 0) */
@@ -1634,7 +1661,7 @@ typedef enum stribeck_specker_variable {
   STRIBECK_SPECKER_PEAK_VELOCITY = 593654064,
   /** tunable [N.s/m]: Viscous friction coefficient. (>= 0, default 0) */
   STRIBECK_SPECKER_VISCOUS_COEFFICIENT = 97539077,
-  /** tunable [kg]: Effective mass of the body, to hold it at rest in co-simulation; too small is safer than too large; 0 = law as printed.
+  /** tunable [kg]: Effective mass of the body to be held at rest, better too small than too large; 0 = law as printed.
    *  (>= 0, default 0) */
   STRIBECK_SPECKER_MASS = 1601648849,
   /** fixed [stribeck_exchange]: Order in which the master exchanges values; used with mass > 0. (default Sequential) */
@@ -1688,7 +1715,7 @@ typedef enum stribeck_linear_stiction_variable {
   STRIBECK_LINEAR_STICTION_TRANSITION_VELOCITY = 1009615136,
   /** tunable [m/s]: Velocity at which the kinetic level is reached. (> 0, default 0.0015) */
   STRIBECK_LINEAR_STICTION_SLIDING_VELOCITY = 868290001,
-  /** tunable [kg]: Effective mass of the body, to hold it at rest in co-simulation; too small is safer than too large; 0 = law as printed.
+  /** tunable [kg]: Effective mass of the body to be held at rest, better too small than too large; 0 = law as printed.
    *  (>= 0, default 0) */
   STRIBECK_LINEAR_STICTION_MASS = 1601648849,
   /** fixed [stribeck_exchange]: Order in which the master exchanges values; used with mass > 0. (default Sequential) */
@@ -1744,7 +1771,7 @@ typedef enum stribeck_brown_mcphee_variable {
   STRIBECK_BROWN_MCPHEE_VISCOUS_COEFFICIENT = 97539077,
   /** tunable [N]: Normal force at which the viscous part is fully active (default chosen). (> 0, default 1) */
   STRIBECK_BROWN_MCPHEE_TRANSITION_NORMAL_FORCE = 341816060,
-  /** tunable [kg]: Effective mass of the body, to hold it at rest in co-simulation; too small is safer than too large; 0 = law as printed.
+  /** tunable [kg]: Effective mass of the body to be held at rest, better too small than too large; 0 = law as printed.
    *  (>= 0, default 0) */
   STRIBECK_BROWN_MCPHEE_MASS = 1601648849,
   /** fixed [stribeck_exchange]: Order in which the master exchanges values; used with mass > 0. (default Sequential) */
@@ -1782,6 +1809,12 @@ typedef enum stribeck_brown_mcphee_variable {
 /** Guid of Dahl for fmi2Instantiate. */
 #define STRIBECK_DAHL_GUID "{81261687-8d7f-44de-0214-fbf63612f2b5}"
 
+/** Preset of Dahl: Novais (2024), Tables 6.1 and 7.1, in the form (7.5), alpha = 1 (the start values). */
+#define STRIBECK_DAHL_PRESET_THESIS "thesis"
+
+/** Preset of Dahl: Example of a suspension bushing: 60 N of hysteresis, reached over some 0.2 mm. */
+#define STRIBECK_DAHL_PRESET_BUSHING "bushing"
+
 /** Dahl: Pre-sliding displacement with hysteresis (Dahl). Variables of "Dahl". */
 typedef enum stribeck_dahl_variable {
   /** in [m/s]: Sliding velocity of body 1 relative to body 2. (default 0) */
@@ -1808,6 +1841,15 @@ typedef enum stribeck_dahl_variable {
 
 /** Guid of LuGre for fmi2Instantiate. */
 #define STRIBECK_LUGRE_GUID "{bdfcf639-f9dc-473e-ecbe-a3a094ef8c0d}"
+
+/** Preset of LuGre: Novais (2024), Tables 6.1 and 7.1 (the start values). */
+#define STRIBECK_LUGRE_PRESET_THESIS "thesis"
+
+/** Preset of LuGre: Canudas de Wit et al. (1995), Table I: F_C = 1 N, F_S = 1.5 N, here at a normal force of 1 N. */
+#define STRIBECK_LUGRE_PRESET_CANUDAS_1995 "canudas_1995"
+
+/** Preset of LuGre: Example of the rod seal of a damper: 30 N sliding, 45 N at breakaway, at a contact force of 300 N. */
+#define STRIBECK_LUGRE_PRESET_ROD_SEAL "rod_seal"
 
 /** LuGre: Bristle friction with Stribeck effect (LuGre). Variables of "LuGre". */
 typedef enum stribeck_lugre_variable {
@@ -1846,6 +1888,12 @@ typedef enum stribeck_lugre_variable {
 
 /** Guid of FrictionalLag for fmi2Instantiate. */
 #define STRIBECK_FRICTIONAL_LAG_GUID "{ebbe0a4c-aecb-84a6-d133-567793ad148d}"
+
+/** Preset of FrictionalLag: Example of a lubricated guide: lag and Stribeck velocity in the middle of the reported ranges. */
+#define STRIBECK_FRICTIONAL_LAG_PRESET_LUBRICATED_GUIDE "lubricated_guide"
+
+/** Preset of FrictionalLag: Example for a visible loop: drive it with (2 + 1.5 sin(2 pi t)) mm/s. */
+#define STRIBECK_FRICTIONAL_LAG_PRESET_SLOW_OSCILLATION "slow_oscillation"
 
 /** FrictionalLag: Stribeck friction that lags behind the velocity (Hess and Soom). Variables of "FrictionalLag". */
 typedef enum stribeck_frictional_lag_variable {
@@ -2269,6 +2317,12 @@ typedef enum stribeck_frictional_lag_variable {
 
 /** Guid of Armstrong for fmi2Instantiate. */
 #define STRIBECK_ARMSTRONG_GUID "{ea672f5d-c0f7-68db-9ad2-d2faba962336}"
+
+/** Preset of Armstrong: Example of a contact that has rested so long that its static friction has fully risen. */
+#define STRIBECK_ARMSTRONG_PRESET_LONG_REST "long_rest"
+
+/** Preset of Armstrong: Example of a lubricated servo axis, within the ranges of Armstrong-Helouvry et al. (1994). */
+#define STRIBECK_ARMSTRONG_PRESET_LUBRICATED_SERVO "lubricated_servo"
 
 /** Armstrong: Stick, slip, lag and rising static friction with seven parameters (Armstrong-Helouvry). Variables of "Armstrong". */
 typedef enum stribeck_armstrong_variable {
@@ -2700,6 +2754,12 @@ typedef enum stribeck_armstrong_variable {
 /** Guid of NonReversible for fmi2Instantiate. */
 #define STRIBECK_NON_REVERSIBLE_GUID "{b79145f5-aaf6-b9d9-9423-2c0345808397}"
 
+/** Preset of NonReversible: Example: the variant in the literature whose lower curve is the mirror image, f_l0 = 2 f_C - f_s. */
+#define STRIBECK_NON_REVERSIBLE_PRESET_MIRRORED "mirrored"
+
+/** Preset of NonReversible: Example: both curves equal, that is, the curve of Tustin with a Stribeck velocity of 2 mm/s. */
+#define STRIBECK_NON_REVERSIBLE_PRESET_REVERSIBLE "reversible"
+
 /** NonReversible: Different friction while speeding up and slowing down (reconstructed). Variables of "NonReversible". */
 typedef enum stribeck_non_reversible_variable {
   /** in [m/s]: Sliding velocity of body 1 relative to body 2. (default 0) */
@@ -2733,6 +2793,9 @@ typedef enum stribeck_non_reversible_variable {
 
 /** Guid of Wojewoda for fmi2Instantiate. */
 #define STRIBECK_WOJEWODA_GUID "{1d2ec7b4-a425-5b16-68c9-aeb950488dd2}"
+
+/** Preset of Wojewoda: Example of a soft pad with a wide hysteresis. */
+#define STRIBECK_WOJEWODA_PRESET_RUBBER_PAD "rubber_pad"
 
 /** Wojewoda: Hysteretic friction: stuck spring, two branches of sliding (reconstructed after Wojewoda). Variables of "Wojewoda". */
 typedef enum stribeck_wojewoda_variable {
@@ -2768,6 +2831,12 @@ typedef enum stribeck_wojewoda_variable {
 
 /** Guid of BlimanSorine for fmi2Instantiate. */
 #define STRIBECK_BLIMAN_SORINE_GUID "{a4b1ca64-2232-a844-5ba0-2d47690d27a9}"
+
+/** Preset of BlimanSorine: Novais (2024), (7.14), Tables 6.1 and 7.1: first order; eps_f = f_C / sigma_0 is derived. */
+#define STRIBECK_BLIMAN_SORINE_PRESET_THESIS "thesis"
+
+/** Preset of BlimanSorine: Example: second order with eta = 0.1, the same peak of 1.4715 N and stiffness of 1e5 N/m. */
+#define STRIBECK_BLIMAN_SORINE_PRESET_SHARP_PEAK "sharp_peak"
 
 /** BlimanSorine: Pre-sliding displacement and breakaway peak in the sliding distance (Bliman-Sorine). Variables of "BlimanSorine". */
 typedef enum stribeck_bliman_sorine_variable {
@@ -2805,6 +2874,15 @@ typedef enum stribeck_bliman_sorine_variable {
 /** Guid of ResetIntegrator for fmi2Instantiate. */
 #define STRIBECK_RESET_INTEGRATOR_GUID "{53556615-5df0-cdd0-3b63-a07e8c5e5848}"
 
+/** Preset of ResetIntegrator: Novais (2024), Tables 6.1 and 7.1 with a = f_s / f_C - 1 = 0.5: the start values. */
+#define STRIBECK_RESET_INTEGRATOR_PRESET_THESIS "thesis"
+
+/** Preset of ResetIntegrator: Novais (2024), Table 7.1 as printed: a = 0.52, so that breakaway is at 1.49112 N. */
+#define STRIBECK_RESET_INTEGRATOR_PRESET_THESIS_PRINTED "thesis_printed"
+
+/** Preset of ResetIntegrator: Example: sigma_1 = 1.414 sqrt((1 + a) sigma_0 m) damps a stuck mass of 1 kg by 0.707. */
+#define STRIBECK_RESET_INTEGRATOR_PRESET_DAMPED_BOND "damped_bond"
+
 /** ResetIntegrator: Bond that breaks at the static level (reset integrator). Variables of "ResetIntegrator". */
 typedef enum stribeck_reset_integrator_variable {
   /** in [m/s]: Sliding velocity of body 1 relative to body 2. (default 0) */
@@ -2836,6 +2914,9 @@ typedef enum stribeck_reset_integrator_variable {
 /** Guid of Dankowicz for fmi2Instantiate. */
 #define STRIBECK_DANKOWICZ_GUID "{28f989d4-5f89-d379-8a3d-488097594365}"
 
+/** Preset of Dankowicz: Novais (2024), Tables 6.1 and 7.1; delta_t = f_C / sigma_0 is derived (the start values). */
+#define STRIBECK_DANKOWICZ_PRESET_THESIS "thesis"
+
 /** Dankowicz: Pre-sliding displacement of sheared asperities (Dankowicz, reconstructed). Variables of "Dankowicz". */
 typedef enum stribeck_dankowicz_variable {
   /** in [m/s]: Sliding velocity of body 1 relative to body 2. (default 0) */
@@ -2861,6 +2942,12 @@ typedef enum stribeck_dankowicz_variable {
 
 /** Guid of ElastoPlastic for fmi2Instantiate. */
 #define STRIBECK_ELASTO_PLASTIC_GUID "{333ed675-96b8-6542-43ed-0bb0a226d423}"
+
+/** Preset of ElastoPlastic: Novais (2024), Tables 6.1 and 7.1, and kappa = 0.7 from its text (the start values). */
+#define STRIBECK_ELASTO_PLASTIC_PRESET_THESIS "thesis"
+
+/** Preset of ElastoPlastic: Example: the thesis's values with a bristle damping that fades at 1 mm/s, for sampled velocities. */
+#define STRIBECK_ELASTO_PLASTIC_PRESET_SAMPLED "sampled"
 
 /** ElastoPlastic: Bristle friction without drift below breakaway (elasto-plastic). Variables of "ElastoPlastic". */
 typedef enum stribeck_elasto_plastic_variable {
@@ -2904,6 +2991,12 @@ typedef enum stribeck_elasto_plastic_variable {
 
 /** Guid of Bristle for fmi2Instantiate. */
 #define STRIBECK_BRISTLE_GUID "{aca1929e-345e-f19d-f265-d4d06626ce0b}"
+
+/** Preset of Bristle: Novais (2024), Tables 6.1 and 7.1 for levels and stiffness; 25 bristles chosen (the start values). */
+#define STRIBECK_BRISTLE_PRESET_THESIS "thesis"
+
+/** Preset of Bristle: Example: the start values without the first peak, in which all bristles snap together. */
+#define STRIBECK_BRISTLE_PRESET_HAESSIG_FRIEDLAND_STATIONARY "haessig_friedland_stationary"
 
 /** Bristle: Bonds that snap and form again at random (bristle model). Variables of "Bristle". */
 typedef enum stribeck_bristle_variable {
@@ -3192,6 +3285,9 @@ typedef enum stribeck_bristle_variable {
 /** Guid of SpeckerDynamic for fmi2Instantiate. */
 #define STRIBECK_SPECKER_DYNAMIC_GUID "{86b330c2-8260-a4e9-0f47-98493ba7f49a}"
 
+/** Preset of SpeckerDynamic: Guidance (6.28) of Novais (2024) for v_S = 1 mm/s, which is chosen, as is T_slip (the start values). */
+#define STRIBECK_SPECKER_DYNAMIC_PRESET_GUIDANCE "guidance"
+
 /** SpeckerDynamic: Smooth friction law with a velocity-dependent lag (Specker, reconstructed). Variables of "SpeckerDynamic". */
 typedef enum stribeck_specker_dynamic_variable {
   /** in [m/s]: Sliding velocity of body 1 relative to body 2. (default 0) */
@@ -3226,6 +3322,15 @@ typedef enum stribeck_specker_dynamic_variable {
 
 /** Guid of MaxwellSlip for fmi2Instantiate. */
 #define STRIBECK_MAXWELL_SLIP_GUID "{148e43d1-2241-4114-8fef-1877e0c68caa}"
+
+/** Preset of MaxwellSlip: Example: levels and stiffness of Novais (2024), Tables 6.1, 7.1; rest chosen (the start values). */
+#define STRIBECK_MAXWELL_SLIP_PRESET_FOUR_ELEMENTS "four_elements"
+
+/** Preset of MaxwellSlip: Example: damping and viscous coefficient of other bristle models in Novais (2024), Table 7.1. */
+#define STRIBECK_MAXWELL_SLIP_PRESET_DAMPED "damped"
+
+/** Preset of MaxwellSlip: Example of a smooth virgin curve: 1000 elements with evenly spaced slip displacements. */
+#define STRIBECK_MAXWELL_SLIP_PRESET_SMOOTH "smooth"
 
 /** MaxwellSlip: Elements that stick or slip, with hysteresis of pre-sliding (generalised Maxwell-slip, GMS). Variables of "MaxwellSlip". */
 typedef enum stribeck_maxwell_slip_variable {
@@ -3780,6 +3885,12 @@ typedef enum stribeck_maxwell_slip_variable {
 /** Guid of Leuven for fmi2Instantiate. */
 #define STRIBECK_LEUVEN_GUID "{5eb02a12-d916-797f-9640-ff7071270152}"
 
+/** Preset of Leuven: Example: levels and stiffness of Novais (2024), Tables 6.1, 7.1; rest chosen (the start values). */
+#define STRIBECK_LEUVEN_PRESET_FOUR_ELEMENTS "four_elements"
+
+/** Preset of Leuven: Example of a smooth virgin curve: 64 elements with evenly spaced slip displacements. */
+#define STRIBECK_LEUVEN_PRESET_SMOOTH "smooth"
+
 /** Leuven: Bristle friction with hysteresis of pre-sliding (Leuven, in the form of Lampaert). Variables of "Leuven". */
 typedef enum stribeck_leuven_variable {
   /** in [m/s]: Sliding velocity of body 1 relative to body 2. (default 0) */
@@ -4209,6 +4320,9 @@ typedef enum stribeck_leuven_variable {
 /** Guid of Gonthier for fmi2Instantiate. */
 #define STRIBECK_GONTHIER_GUID "{42fa2fc2-775c-cded-96c6-6470d75d4139}"
 
+/** Preset of Gonthier: Novais (2024), Tables 6.1 and 7.1, v_0 = v_S / 100 of its text (the start values). */
+#define STRIBECK_GONTHIER_PRESET_THESIS "thesis"
+
 /** Gonthier: Bristle friction with dwell time (Gonthier). Variables of "Gonthier". */
 typedef enum stribeck_gonthier_variable {
   /** in [m/s]: Sliding velocity of body 1 relative to body 2. (default 0) */
@@ -4248,6 +4362,12 @@ typedef enum stribeck_gonthier_variable {
 
 /** Guid of Liang for fmi2Instantiate. */
 #define STRIBECK_LIANG_GUID "{a8a88c6c-69e0-5d83-f43c-264b3bc7ce95}"
+
+/** Preset of Liang: Novais (2024), Tables 6.1 and 7.1 (the start values). */
+#define STRIBECK_LIANG_PRESET_THESIS "thesis"
+
+/** Preset of Liang: Novais (2024), Tables 6.1 and 7.1, with the limit rule of (7.49) as printed. */
+#define STRIBECK_LIANG_PRESET_PRINTED "printed"
 
 /** Liang: Bristle friction in space (Liang). Variables of "Liang". */
 typedef enum stribeck_liang_variable {
@@ -4300,6 +4420,9 @@ typedef enum stribeck_liang_variable {
 /** Guid of LuGrePlanar for fmi2Instantiate. */
 #define STRIBECK_LUGRE_PLANAR_GUID "{665ef91d-b628-8f64-4c98-d8d6b5ac8ad4}"
 
+/** Preset of LuGrePlanar: The law along a line in Novais (2024), Tables 6.1 and 7.1 (the start values). */
+#define STRIBECK_LUGRE_PLANAR_PRESET_THESIS "thesis"
+
 /** LuGrePlanar: Bristle friction with Stribeck effect in a plane (LuGre). Variables of "LuGrePlanar". */
 typedef enum stribeck_lugre_planar_variable {
   /** in [m/s]: Velocity of body 1 relative to body 2, component x. (default 0) */
@@ -4343,6 +4466,9 @@ typedef enum stribeck_lugre_planar_variable {
 
 /** Guid of ElastoPlasticPlanar for fmi2Instantiate. */
 #define STRIBECK_ELASTO_PLASTIC_PLANAR_GUID "{e9f5ed33-430e-0fb4-5efd-07a8506903de}"
+
+/** Preset of ElastoPlasticPlanar: The law along a line in Novais (2024), Tables 6.1 and 7.1, and kappa = 0.7 (the start values). */
+#define STRIBECK_ELASTO_PLASTIC_PLANAR_PRESET_THESIS "thesis"
 
 /** ElastoPlasticPlanar: Bristle friction without drift below breakaway, in a plane (elasto-plastic). Variables of "ElastoPlasticPlanar". */
 typedef enum stribeck_elasto_plastic_planar_variable {
@@ -4390,6 +4516,63 @@ typedef enum stribeck_elasto_plastic_planar_variable {
 
 /** Guid of ShockAbsorber for fmi2Instantiate. */
 #define STRIBECK_SHOCK_ABSORBER_GUID "{b8b67bdc-0cb7-0992-180b-49e1f88da5c0}"
+
+/** Preset of ShockAbsorber: Formula Student, front axle: the start values. */
+#define STRIBECK_SHOCK_ABSORBER_PRESET_FRONT "front"
+
+/** Preset of ShockAbsorber: Formula Student, rear axle: spring of Zips Racing ZR26 (MIT licence), otherwise as front. */
+#define STRIBECK_SHOCK_ABSORBER_PRESET_REAR "rear"
+
+/** Preset of ShockAbsorber: Example of a digressive damper: the table of the start values. */
+#define STRIBECK_SHOCK_ABSORBER_PRESET_DAMPER_TABLE "damper_table"
+
+/** Preset of ShockAbsorber: Example without friction: the start values otherwise. */
+#define STRIBECK_SHOCK_ABSORBER_PRESET_FRICTIONLESS "frictionless"
+
+/** Preset of ShockAbsorber: Example for a host with its own spring and stops; the guidance is derived from length and stroke. */
+#define STRIBECK_SHOCK_ABSORBER_PRESET_DAMPER_AND_FRICTION "damper_and_friction"
+
+/** Preset of ShockAbsorber: Koelsch 1994: 25 N (Novais 2024, Table 2.1). */
+#define STRIBECK_SHOCK_ABSORBER_PRESET_KOELSCH_1994 "koelsch_1994"
+
+/** Preset of ShockAbsorber: Manger 1995: lower end of 30 N to 45 N (Novais 2024, Table 2.1). */
+#define STRIBECK_SHOCK_ABSORBER_PRESET_MANGER_1995_LOW "manger_1995_low"
+
+/** Preset of ShockAbsorber: Manger 1995: upper end of 30 N to 45 N (Novais 2024, Table 2.1). */
+#define STRIBECK_SHOCK_ABSORBER_PRESET_MANGER_1995_HIGH "manger_1995_high"
+
+/** Preset of ShockAbsorber: Lizarraga 2008, measured: 22 N in compression, 15 N in extension (Novais 2024, Table 2.1). */
+#define STRIBECK_SHOCK_ABSORBER_PRESET_LIZARRAGA_2008_MEASURED "lizarraga_2008_measured"
+
+/** Preset of ShockAbsorber: Lizarraga 2008, simulated: 32 N in compression, 23 N in extension (Novais 2024, Table 2.1). */
+#define STRIBECK_SHOCK_ABSORBER_PRESET_LIZARRAGA_2008_SIMULATED "lizarraga_2008_simulated"
+
+/** Preset of ShockAbsorber: Fujimoto 2018: lower end of 20 N to 150 N (Novais 2024, Table 2.1). */
+#define STRIBECK_SHOCK_ABSORBER_PRESET_FUJIMOTO_2018_LOW "fujimoto_2018_low"
+
+/** Preset of ShockAbsorber: Fujimoto 2018: upper end of 20 N to 150 N (Novais 2024, Table 2.1). */
+#define STRIBECK_SHOCK_ABSORBER_PRESET_FUJIMOTO_2018_HIGH "fujimoto_2018_high"
+
+/** Preset of ShockAbsorber: Wegener 2020: half of the lower end of 75 N to 350 N per axle (Novais 2024, Table 2.1). */
+#define STRIBECK_SHOCK_ABSORBER_PRESET_WEGENER_2020_LOW "wegener_2020_low"
+
+/** Preset of ShockAbsorber: Wegener 2020: half of the upper end of 75 N to 350 N per axle (Novais 2024, Table 2.1). */
+#define STRIBECK_SHOCK_ABSORBER_PRESET_WEGENER_2020_HIGH "wegener_2020_high"
+
+/** Preset of ShockAbsorber: Koerner and Mayer 2020: lower end of 20 N to 70 N in compression and 10 N to 40 N in extension (Novais 2024, Table 2.1). */
+#define STRIBECK_SHOCK_ABSORBER_PRESET_KOERNER_MAYER_2020_LOW "koerner_mayer_2020_low"
+
+/** Preset of ShockAbsorber: Koerner and Mayer 2020: upper end of 20 N to 70 N in compression and 10 N to 40 N in extension (Novais 2024, Table 2.1). */
+#define STRIBECK_SHOCK_ABSORBER_PRESET_KOERNER_MAYER_2020_HIGH "koerner_mayer_2020_high"
+
+/** Preset of ShockAbsorber: Herzog and Augsburg 2021: 35 N in compression, 30 N in extension (Novais 2024, Table 2.1; doi:10.3390/vehicles3020014). */
+#define STRIBECK_SHOCK_ABSORBER_PRESET_HERZOG_AUGSBURG_2021 "herzog_augsburg_2021"
+
+/** Preset of ShockAbsorber: Deubel and Prokop 2024, with side load: lower end of 62 N to 134 N (Novais 2024, Table 2.1; doi:10.1177/09544070231201688). */
+#define STRIBECK_SHOCK_ABSORBER_PRESET_DEUBEL_PROKOP_2024_LOW "deubel_prokop_2024_low"
+
+/** Preset of ShockAbsorber: Deubel and Prokop 2024, with side load: upper end of 62 N to 134 N (Novais 2024, Table 2.1; doi:10.1177/09544070231201688). */
+#define STRIBECK_SHOCK_ABSORBER_PRESET_DEUBEL_PROKOP_2024_HIGH "deubel_prokop_2024_high"
 
 /** ShockAbsorber: Telescopic shock absorber with friction from its side load. Variables of "ShockAbsorber". */
 typedef enum stribeck_shock_absorber_variable {
@@ -4988,6 +5171,9 @@ typedef enum stribeck_shock_absorber_variable {
 /** Guid of TelescopicJoint for fmi2Instantiate. */
 #define STRIBECK_TELESCOPIC_JOINT_GUID "{2f8d9de5-6e9b-7810-ca8e-d72e365f8a12}"
 
+/** Preset of TelescopicJoint: Example of a side load of 100 N at the eye of the tube. */
+#define STRIBECK_TELESCOPIC_JOINT_PRESET_SIDE_FORCE "side_force"
+
 /** TelescopicJoint: Contact forces of a telescopic joint, from its side load. Variables of "TelescopicJoint". */
 typedef enum stribeck_telescopic_joint_variable {
   /** in [m]: Distance of the eyes. (default 0.1775) */
@@ -5562,6 +5748,9 @@ typedef enum stribeck_hydraulic_damper_variable {
 
 /** Guid of DamperTemperature for fmi2Instantiate. */
 #define STRIBECK_DAMPER_TEMPERATURE_GUID "{0f9cde77-96a0-c294-c83c-91ac86f9f893}"
+
+/** Preset of DamperTemperature: Example with 50 W, heating switched on. */
+#define STRIBECK_DAMPER_TEMPERATURE_PRESET_HEATING "heating"
 
 /** DamperTemperature: Temperature of a damper and its effect on the force. Variables of "DamperTemperature". */
 typedef enum stribeck_damper_temperature_variable {

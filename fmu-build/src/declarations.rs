@@ -85,9 +85,9 @@ fn declare(declarations: &mut Vec<Declaration>, statement: &str) {
     let mut next = 0;
     for item in items.split(',').map(str::trim).filter(|item| !item.is_empty()) {
         let (name, value) = item.split_once(" = ").unwrap_or((item, ""));
-        let value = value.parse().unwrap_or(next);
+        let value: i32 = value.parse().unwrap_or(next);
         declarations.push(constant(name, &value.to_string()));
-        next = value + 1;
+        next = value.saturating_add(1);
     }
 }
 

@@ -6,10 +6,8 @@ use std::path::{Path, PathBuf};
 use anyhow::{Context, Result};
 use stribeck::catalogue;
 
-use crate::interface::{self, Interface};
+use crate::interface::{DESCRIPTIONS, HEADER_FILE, Interface};
 use crate::{defaults, header, project, readme, xml};
-
-const DESCRIPTIONS: &str = "modelDescription";
 
 /// A file with its expected contents.
 pub struct File {
@@ -53,14 +51,14 @@ pub struct Generated {
 pub fn of(root: &Path) -> Result<Generated> {
     let mut descriptions = Vec::new();
     for model in catalogue::models() {
-        descriptions.push((model, xml::model_description(model, project::release_date(), xml::Choices::Named)?));
+        let text = xml::model_description(model, project::release_date(), xml::Choices::Named)?;
+        descriptions.push((model.name.to_owned(), text));
     }
     let header = header::text(root)?;
     let interface = Interface::of(&descriptions, &header)?;
-    let described = descriptions.into_iter().map(|(model, text)| File::new(description(model.name), text));
+    let described = descriptions.into_iter().map(|(model, text)| File::new(description(&model), text));
     let mut stale: Vec<File> = described.collect();
-    stale.push(File::new("include/stribeck.h", header));
-    stale.push(File::new(interface::FILE, interface.text()?));
+    stale.push(File::new(HEADER_FILE, header));
     stale.push(File::new("README.md", readme::with_table(&read(root, "README.md")?, root)?));
     stale.push(File::new(defaults::PAGE, defaults::with_tables(&read(root, defaults::PAGE)?)?));
     stale.extend(left_over(root)?);

@@ -150,6 +150,10 @@ fn write_model(text: &mut String, model: &ModelType, name: &str) -> Result<()> {
     let upper = name.to_uppercase();
     writeln!(text, "/** Guid of {} for fmi2Instantiate. */", model.name)?;
     writeln!(text, "#define STRIBECK_{upper}_GUID \"{}\"\n", model.guid())?;
+    for preset in model.presets {
+        writeln!(text, "/** Preset of {}: {}. */", model.name, preset.source.trim_end_matches('.'))?;
+        writeln!(text, "#define STRIBECK_{upper}_PRESET_{} \"{}\"\n", preset.name.to_uppercase(), preset.name)?;
+    }
     writeln!(text, "/** {}: {}. Variables of \"{}\". */", model.name, model.summary, model.name)?;
     writeln!(text, "typedef enum stribeck_{name}_variable {{")?;
     for (column, variable) in model.variables() {

@@ -1,16 +1,19 @@
 //! The interface that hosts and programs rely on, as one list: the variables of every model as in its description, and
-//! the declarations of the header. The committed list makes every change visible in review.
+//! the declarations of the header. The committed descriptions and header are those of the last commit.
+
+use std::fs;
+use std::path::Path;
 
 use anyhow::{Context, Result};
 use roxmltree::{Document, Node};
-use serde::{Deserialize, Serialize};
-use stribeck::model::ModelType;
 
 use crate::declarations::{self, Declaration};
-use crate::project::VERSION;
 
-/// The committed list.
-pub const FILE: &str = "interface.csv";
+/// The committed header.
+pub const HEADER_FILE: &str = "include/stribeck.h";
+
+/// The folder of the committed descriptions.
+pub const DESCRIPTIONS: &str = "modelDescription";
 
 /// The owner of the header's declarations.
 pub const HEADER: &str = "stribeck.h";
@@ -19,19 +22,17 @@ pub const HEADER: &str = "stribeck.h";
 const ROOT_ATTRIBUTES: [&str; 3] = ["fmiVersion", "modelName", "variableNamingConvention"];
 
 /// One line of the list. Properties that an item does not have are empty.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Row {
     /// A model or the header.
     pub owner: String,
-    /// Kind of item: `variable`, `choice`, `preset`, `log category`, `attribute`, `function`, `type` or
-    /// `constant`.
+    /// Kind of item: `variable`, `choice`, `log category`, `attribute`, `function`, `type` or `constant`.
     pub item: String,
     /// Name of the item; for a choice, preceded by its type.
     pub name: String,
     /// Value reference of a variable, number of a choice, value of an attribute or a constant, text of a declaration.
     pub value: String,
     /// Type of a variable: that of FMI, or the name of an enumeration.
-    #[serde(rename = "type")]
     pub kind: String,
     /// Unit of a variable.
     pub unit: String,
@@ -43,7 +44,7 @@ pub struct Row {
     pub start: String,
 }
 
-/// A list, and the version of the library that it was written for.
+/// A list, and the version of the library that it belongs to.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Interface {
     /// Version.
@@ -59,36 +60,37 @@ impl Row {
 }
 
 impl Interface {
-    /// The interface of models with these descriptions, and of this header.
-    pub fn of(descriptions: &[(&ModelType, String)], header: &str) -> Result<Interface> {
+    /// The interface of models with these names and descriptions, and of this header.
+    pub fn of(descriptions: &[(String, String)], header: &str) -> Result<Interface> {
         let mut rows = Vec::new();
         for (model, description) in descriptions {
             rows.extend(of_model(model, description)?);
         }
-        rows.extend(declarations::of(header).iter().map(of_declaration));
-        Ok(Interface { version: VERSION.into(), rows })
-    }
-
-    /// Reads a list.
-    pub fn read(text: &str) -> Result<Interface> {
-        let version = text.lines().next().and_then(|line| line.strip_prefix("# "));
-        let version = version.with_context(|| format!("{FILE} does not begin with `# ` and a version"))?.to_owned();
-        let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).from_reader(text.as_bytes());
-        let rows = reader.deserialize().collect::<Result<_, _>>().with_context(|| format!("cannot read {FILE}"))?;
+        let declarations = declarations::of(header);
+        let version = declarations.iter().find(|declaration| declaration.name == "STRIBECK_VERSION");
+        let version = version.context("the header has no STRIBECK_VERSION")?.text.trim_matches('"').to_owned();
+        rows.extend(declarations.iter().map(of_declaration));
         Ok(Interface { version, rows })
     }
 
-    /// The text of the list.
-    pub fn text(&self) -> Result<String> {
-        let mut writer = csv::Writer::from_writer(Vec::new());
-        self.rows.iter().try_for_each(|row| writer.serialize(row))?;
-        Ok(format!("# {}\n{}", self.version, String::from_utf8(writer.into_inner()?)?))
+    /// The interface of the committed files of a project.
+    pub fn committed(root: &Path) -> Result<Interface> {
+        let read = |file: &Path| fs::read_to_string(file).with_context(|| format!("cannot read {}", file.display()));
+        let header = read(&root.join(HEADER_FILE))?;
+        let folder = root.join(DESCRIPTIONS);
+        let mut descriptions = Vec::new();
+        for entry in folder.read_dir().with_context(|| format!("cannot list {}", folder.display()))? {
+            let file = entry?.path();
+            let model = file.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+            descriptions.push((model, read(&file)?));
+        }
+        Interface::of(&descriptions, &header)
     }
 }
 
-fn of_model(model: &ModelType, description: &str) -> Result<Vec<Row>> {
-    let document = Document::parse(description)?;
-    let row = |item: &str, name: &str, value: &str| Row::new(model.name, item, name, value);
+fn of_model(model: &str, description: &str) -> Result<Vec<Row>> {
+    let document = Document::parse(description).with_context(|| format!("description of {model}"))?;
+    let row = |item: &str, name: &str, value: &str| Row::new(model, item, name, value);
     let all = |tag: &'static str| document.descendants().filter(move |node| node.has_tag_name(tag));
     let root = document.root_element();
     let mut rows: Vec<Row> = ROOT_ATTRIBUTES.iter().map(|name| row("attribute", name, attribute(root, name))).collect();
@@ -97,7 +99,6 @@ fn of_model(model: &ModelType, description: &str) -> Result<Vec<Row>> {
         rows.extend(interface.attributes().map(|found| row("attribute", &name(found.name()), found.value())));
     }
     rows.extend(all("Category").map(|category| row("log category", attribute(category, "name"), "")));
-    rows.extend(model.presets.iter().map(|preset| row("preset", preset.name, "")));
     for item in all("Item") {
         let of_type = item.ancestors().find(|node| node.has_tag_name("SimpleType")).context("an item has no type")?;
         let name = format!("{}.{}", attribute(of_type, "name"), attribute(item, "name"));
@@ -107,7 +108,7 @@ fn of_model(model: &ModelType, description: &str) -> Result<Vec<Row>> {
     Ok(rows)
 }
 
-fn of_variable(model: &ModelType, variable: Node) -> Row {
+fn of_variable(model: &str, variable: Node) -> Row {
     let of_type = variable.first_element_child().unwrap_or(variable);
     let kind = match of_type.tag_name().name() {
         "Enumeration" => attribute(of_type, "declaredType"),
@@ -119,7 +120,7 @@ fn of_variable(model: &ModelType, variable: Node) -> Row {
         causality: attribute(variable, "causality").into(),
         variability: attribute(variable, "variability").into(),
         start: attribute(of_type, "start").into(),
-        ..Row::new(model.name, "variable", attribute(variable, "name"), attribute(variable, "valueReference"))
+        ..Row::new(model, "variable", attribute(variable, "name"), attribute(variable, "valueReference"))
     }
 }
 
@@ -141,18 +142,12 @@ pub mod tests {
     use crate::project::{release_date, root};
     use crate::specimen::SPECIMEN;
     use crate::xml::{Choices, model_description};
-    use std::fs;
     use std::sync::LazyLock;
     use stribeck::catalogue;
     use stribeck::model::Kind;
 
     /// The interface of the committed descriptions and the committed header.
-    pub static NOW: LazyLock<Interface> = LazyLock::new(|| {
-        let read = |path: String| fs::read_to_string(root().join(path)).unwrap();
-        let descriptions: Vec<_> =
-            catalogue::models().map(|model| (model, read(format!("modelDescription/{}.xml", model.name)))).collect();
-        Interface::of(&descriptions, &read("include/stribeck.h".into())).unwrap()
-    });
+    pub static NOW: LazyLock<Interface> = LazyLock::new(|| Interface::committed(root()).unwrap());
 
     #[test]
     fn variables_are_those_of_the_tables() {
@@ -198,7 +193,8 @@ pub mod tests {
     #[test]
     fn choices_presets_and_attributes_are_listed() {
         let row = |item: &str, name: &str, value: &str| Row::new("Specimen", item, name, value);
-        let rows = of_model(&SPECIMEN, &model_description(&SPECIMEN, release_date(), Choices::Named).unwrap()).unwrap();
+        let rows =
+            of_model(SPECIMEN.name, &model_description(&SPECIMEN, release_date(), Choices::Named).unwrap()).unwrap();
         for expected in [
             row("choice", "Behaviour.Rest", "1"),
             row("choice", "Behaviour.Motion", "2"),
@@ -208,14 +204,14 @@ pub mod tests {
             assert!(rows.contains(&expected), "{expected:?}");
         }
         let presets: usize = catalogue::models().map(|model| model.presets.len()).sum();
-        assert_eq!(NOW.rows.iter().filter(|row| row.item == "preset").count(), presets);
+        let is_preset = |row: &&Row| row.item == "constant" && row.name.contains("_PRESET_");
+        assert_eq!(NOW.rows.iter().filter(is_preset).count(), presets);
     }
 
     #[test]
-    fn a_list_reads_back_as_it_was_written() {
-        assert_eq!(Interface::read(&NOW.text().unwrap()).unwrap(), *NOW);
-        assert!(Interface::read("owner,item\n").unwrap_err().to_string().contains("version"));
-        assert!(Interface::read("# 0.1.0\nowner,item\nLuGre\n").is_err());
+    fn the_version_is_that_of_the_header() {
+        assert_eq!(NOW.version, crate::project::VERSION);
+        assert!(Interface::of(&[], "int call(void);").unwrap_err().to_string().contains("STRIBECK_VERSION"));
     }
 
     #[test]

@@ -46,6 +46,7 @@ use anyhow::{Context, Result, bail, ensure};
 use clap::{Parser, Subcommand};
 
 use crate::generated::Generated;
+use crate::interface::Interface;
 use crate::library::Library;
 use crate::package::{Entry, Packing};
 use crate::platform::{Choice, Platform};
@@ -63,9 +64,13 @@ struct Arguments {
 
 #[derive(Subcommand)]
 enum Command {
-    /// Write modelDescription/*.xml, include/stribeck.h, interface.csv and the tables in README.md and docs. Reject
-    /// changes to the interface that break hosts, unless the version starts a new series.
-    Generate,
+    /// Write modelDescription/*.xml, include/stribeck.h and the tables in README.md and docs. Reject changes to the
+    /// interface that break hosts, unless the version starts a new series.
+    Generate {
+        /// Accept changes that break hosts, as before the first release of a series.
+        #[arg(long)]
+        breaking: bool,
+    },
     /// Write nothing; fail if one of these files is stale, a table breaks a rule, or a change breaks hosts.
     Check,
     /// Write only the documentation pages of the FMUs, for viewing.
@@ -130,7 +135,7 @@ fn root_of(given: Option<PathBuf>) -> Result<PathBuf> {
 
 fn obey(command: Command, root: &Path) -> Result<()> {
     match command {
-        Command::Generate => generate(root),
+        Command::Generate { breaking } => generate(root, breaking),
         Command::Check => check(root),
         Command::Pages { models, out } => pages(&models, &out),
         Command::Ssp { out } => ssp(root, &out),
@@ -139,11 +144,11 @@ fn obey(command: Command, root: &Path) -> Result<()> {
     }
 }
 
-fn generate(root: &Path) -> Result<()> {
+fn generate(root: &Path, may_break: bool) -> Result<()> {
     let Generated { stale, interface } = generated::of(root)?;
-    match root.join(interface::FILE).exists() {
-        true => compatibility::review(root, &interface)?,
-        false => println!("{} was missing, so the interface was not compared", interface::FILE),
+    let review = compatibility::review(&Interface::committed(root)?, &interface);
+    if !may_break {
+        review?;
     }
     for file in &stale {
         file.write(root)?;
@@ -157,7 +162,7 @@ fn generate(root: &Path) -> Result<()> {
 
 fn check(root: &Path) -> Result<()> {
     let Generated { stale, interface } = generated::of(root)?;
-    compatibility::review(root, &interface)?;
+    compatibility::review(&Interface::committed(root)?, &interface)?;
     let breaches = rules::breaches(root)?;
     for file in &stale {
         println!("stale: {}", file.path.display());
@@ -171,11 +176,8 @@ fn check(root: &Path) -> Result<()> {
     if !breaches.is_empty() {
         bail!("broken rules: {}", breaches.len());
     }
-    println!("figure: {} items of the interface agree with {}", interface.rows.len(), interface::FILE);
-    println!(
-        "generated files are up to date, the tables follow the rules, and the interface agrees with {}",
-        interface::FILE
-    );
+    println!("figure: {} items of the interface agree with the committed files", interface.rows.len());
+    println!("generated files are up to date, and the tables follow the rules");
     Ok(())
 }
 

@@ -337,8 +337,8 @@ crate::model! {
     ///
     /// # Sign
     /// `friction_force` has the sign of `velocity` when sliding, `friction_torque` that of `spin_rate`; the rod feels
-    /// their negatives. Both levels are multiplied by `friction.scale`, and by 1 - `friction.asymmetry` for v > 0, by 1
-    /// + `friction.asymmetry` for v < 0; at rest the larger of the two applies.
+    /// their negatives. Both levels are multiplied by `friction.scale`, and by 1 - `friction.asymmetry` for v > 0 or by
+    /// 1 + `friction.asymmetry` for v < 0; at rest the larger of the two applies.
     ///
     /// # Step
     /// As that of the chosen law. If the law supports Model Exchange, its continuous states are `memory[1]` and

@@ -174,9 +174,9 @@ crate::model! {
     ///
     /// # Sign
     /// `length` grows in extension, which shortens the overlap and raises the contact forces. With `convention` =
-    /// Lambda the inputs are the multipliers of the constraints m.d, n.d, m.a, n.a with the equations of motion M dv/dt
-    /// + D^T lambda = g: R = -(lambda_1 m + lambda_2 n), M = lambda_3 n - lambda_4 m. If a host has other rows or
-    /// signs, convert to R and M.
+    /// Lambda the inputs are the multipliers of the constraints m.d, n.d, m.a, n.a with the equations of motion
+    /// M dv/dt + D^T lambda = g: R = -(lambda_1 m + lambda_2 n), M = lambda_3 n - lambda_4 m. If a host has other rows
+    /// or signs, convert to R and M.
     ///
     /// # Step
     /// No memory: the outputs follow the inputs.

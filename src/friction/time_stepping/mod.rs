@@ -28,8 +28,7 @@ crate::choices! {
 crate::part! {
     /// Columns of a law that can hold a body of known mass.
     TimeStepping {
-        /// Effective mass of the body, to hold it at rest in co-simulation; too small is safer than too large; 0 = law
-        /// as printed.
+        /// Effective mass of the body to be held at rest, better too small than too large; 0 = law as printed.
         mass: tunable = real("kg", 0.0).at_least(0.0),
         /// Order in which the master exchanges values; used with mass > 0.
         exchange: fixed = Exchange::Sequential.start(),
