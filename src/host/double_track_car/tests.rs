@@ -145,14 +145,7 @@ fn steering_to_the_other_side_mirrors_the_run() {
         |right| {
             let left = path.next().unwrap();
             let odd = |car: &DoubleTrackCar| {
-                [
-                    car.position_y,
-                    car.yaw_angle,
-                    car.lateral_velocity,
-                    car.yaw_rate,
-                    car.body.roll,
-                    car.body.roll_rate,
-                ]
+                [car.position_y, car.yaw_angle, car.lateral_velocity, car.yaw_rate, car.body.roll, car.body.roll_rate]
             };
             odd(left).iter().zip(odd(right)).for_each(|(left, right)| assert!((left + right).abs() < 1e-9));
             let even = |car: &DoubleTrackCar| [car.position_x, car.body.heave, car.body.pitch];
