@@ -58,13 +58,13 @@ impl Slave {
     /// A model of Stribeck's release library.
     pub fn ours(library: &Path, model: &str) -> Slave {
         let model = catalogue::by_name(model).unwrap_or_else(|| panic!("no model {model}"));
-        let column = |name: &str| {
+        let reference = |name: &str| {
             // Laws in a plane and in space are moved along x.
             let found = model.find(name).or_else(|| model.find(&format!("{name}_x")));
-            found.unwrap_or_else(|| panic!("{} has no {name}", model.name)) as c_uint
+            model.reference(found.unwrap_or_else(|| panic!("{} has no {name}", model.name)))
         };
-        let inputs = ["velocity", "normal_force"].map(column);
-        let outputs = ["friction_force", "dissipated_power"].map(column);
+        let inputs = ["velocity", "normal_force"].map(reference);
+        let outputs = ["friction_force", "dissipated_power"].map(reference);
         Slave::load(library, model.guid(), inputs, outputs)
     }
 
