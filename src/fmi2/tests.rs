@@ -1,5 +1,5 @@
 //! Tests that need the probe: base types, enumerations, parts, panics. The rest is tested from outside in
-//! `tests/fmi.rs`.
+//! `tests/fmi`.
 
 use std::ffi::{CStr, CString, c_void};
 use std::process::Command;
