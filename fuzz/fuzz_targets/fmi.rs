@@ -1,12 +1,13 @@
 //! Sequences of calls of FMI 2.0 on two instances, for co-simulation and for Model Exchange, of any model.
 #![no_main]
 
-use std::ffi::{CStr, CString};
+use std::ffi::CStr;
 use std::ptr::{null, null_mut};
 
 use arbitrary::Arbitrary;
-use fuzz::argument::{Column, Number, Step, column, model, variable};
-use fuzz::fmi::{Slave, state};
+use fuzz::argument::{Column, Instant, Number, Step, column, model, variable};
+use fuzz::fmi::{Slave, all_finite, future, same_bits, state};
+use fuzz::misuse::{instantiate, with_null};
 use fuzz::saved::{self, ROW, TIME};
 use libfuzzer_sys::fuzz_target;
 use stribeck::fmi2::exchange::*;
@@ -17,7 +18,7 @@ use stribeck::fmi2::step::*;
 use stribeck::fmi2::types::fmi2Status::*;
 use stribeck::fmi2::types::*;
 use stribeck::fmi2::values::*;
-use stribeck::model::{Kind, ModelType};
+use stribeck::model::ModelType;
 
 fuzz_target!(|scenario: Scenario| World::new(&scenario).play(scenario.actions));
 
@@ -113,30 +114,6 @@ enum Action {
         length: Step,
         elsewhere: bool,
     },
-}
-
-/// A point in time.
-#[derive(Arbitrary, Clone, Copy, Debug)]
-enum Instant {
-    /// The present time of the instance.
-    Present,
-    /// Some units in the last place away.
-    Near(i8),
-    /// Some time away.
-    Later(Number),
-    /// Any.
-    At(Number),
-}
-
-impl Instant {
-    fn of(self, present: f64) -> f64 {
-        match self {
-            Instant::Present => present,
-            Instant::Near(units) => present + f64::from(units) * f64::EPSILON * present.abs(),
-            Instant::Later(by) => present + by.alone(),
-            Instant::At(number) => number.alone(),
-        }
-    }
 }
 
 /// A saved state and its contents.
@@ -667,43 +644,7 @@ impl World {
 
     /// A call with a NULL where there must be none.
     fn call_with_null(&mut self, who: usize, which: u8) {
-        let c = self.slaves[who].c;
-        let (one, mut value) = (1u32, 0.0);
-        let (none, no_value, no_flag) = (null::<u32>(), null_mut::<f64>(), null_mut::<i32>());
-        let any = &raw mut value;
-        let nobody = null_mut();
-        // SAFETY: these calls must reject NULL; the other arguments are valid.
-        let (call, status) = unsafe {
-            match which % 24 {
-                0 => (Call::DoStep, fmi2DoStep(nobody, 0.0, 1.0, fmi2True)),
-                1 => (Call::SetDebugLogging, fmi2SetDebugLogging(c, fmi2True, 1, null())),
-                2 => (Call::SetDebugLogging, fmi2SetDebugLogging(c, fmi2True, 1, &null())),
-                3 => (Call::GetReal, fmi2GetReal(c, none, 1, any)),
-                4 => (Call::GetReal, fmi2GetReal(c, &one, 1, no_value)),
-                5 => (Call::SetReal, fmi2SetReal(c, none, 1, any)),
-                6 => (Call::SetReal, fmi2SetReal(c, &one, 1, no_value)),
-                7 => (Call::GetInteger, fmi2GetInteger(c, &one, 1, no_flag)),
-                8 => (Call::SetInteger, fmi2SetInteger(c, none, 1, &1)),
-                9 => (Call::GetBoolean, fmi2GetBoolean(c, none, 1, &mut 1)),
-                10 => (Call::SetBoolean, fmi2SetBoolean(c, &one, 1, no_flag)),
-                11 => (Call::GetString, fmi2GetString(c, none, 1, null_mut())),
-                12 => (Call::SetRealInputDerivatives, fmi2SetRealInputDerivatives(c, &one, 1, null(), any)),
-                13 => (Call::GetRealOutputDerivatives, fmi2GetRealOutputDerivatives(c, &one, 1, null(), any)),
-                14 => (Call::GetDirectionalDerivative, fmi2GetDirectionalDerivative(c, none, 0, &one, 1, null(), any)),
-                15 => (Call::GetRealStatus, fmi2GetRealStatus(c, fmi2LastSuccessfulTime, no_value)),
-                16 => (Call::NewDiscreteStates, fmi2NewDiscreteStates(c, null_mut())),
-                17 => {
-                    let call = Call::CompletedIntegratorStep;
-                    (call, fmi2CompletedIntegratorStep(c, fmi2True, no_flag, no_flag))
-                }
-                18 => (Call::GetFMUstate, fmi2GetFMUstate(c, null_mut())),
-                19 => (Call::SetFMUstate, fmi2SetFMUstate(c, null_mut())),
-                20 => (Call::SerializedFMUstateSize, fmi2SerializedFMUstateSize(c, null_mut(), &mut 0)),
-                21 => (Call::SerializeFMUstate, fmi2SerializeFMUstate(c, null_mut(), null_mut(), 8)),
-                22 => (Call::DeSerializeFMUstate, fmi2DeSerializeFMUstate(c, null(), 8, &mut null_mut())),
-                _ => (Call::DeSerializeFMUstate, fmi2DeSerializeFMUstate(c, null(), 8, null_mut())),
-            }
-        };
+        let (call, status) = with_null(&self.slaves[who], which);
         assert_eq!(status, fmi2Error, "fmi2{call:?} with NULL, {which}");
         if !which.is_multiple_of(24) {
             self.made(who, call, status, Reads);
@@ -731,91 +672,7 @@ impl World {
     }
 }
 
-/// Makes an instance with arguments that may be wrong, and frees it.
-fn instantiate(kind: fmi2Type, guid: Option<u8>, name: u8, callbacks: bool) {
-    const NAMES: [Option<&CStr>; 4] = [Some(c"name"), Some(c" \t"), Some(c"\xff%s"), None];
-    const SILENT: fmi2CallbackFunctions = fmi2CallbackFunctions {
-        logger: None,
-        allocateMemory: None,
-        freeMemory: None,
-        stepFinished: None,
-        componentEnvironment: null_mut(),
-    };
-    let name = NAMES[usize::from(name) % NAMES.len()];
-    let model = guid.map(model);
-    let guid = model.map_or(c"{}".to_owned(), |model| CString::new(model.guid()).expect("no zero byte"));
-    let given: *const fmi2CallbackFunctions = if callbacks { &SILENT } else { null() };
-    let text = name.map_or(null(), CStr::as_ptr);
-    // SAFETY: terminated texts or NULL, a valid struct or NULL; what is made is freed once.
-    let is_made = unsafe {
-        let c = fmi2Instantiate(text, kind, guid.as_ptr(), null(), given, fmi2True, fmi2True);
-        fmi2FreeInstance(c);
-        !c.is_null()
-    };
-    let has_name = name.is_some_and(|name| !name.to_bytes().trim_ascii().is_empty());
-    let is_offered =
-        model.is_some_and(|model| kind == fmi2CoSimulation || (kind == fmi2ModelExchange && model.model_exchange));
-    assert_eq!(is_made, has_name && is_offered && callbacks);
-}
-
-/// Results of an instance in some steps, bit by bit.
-fn future(slave: &Slave, steps: u8, length: f64) -> Vec<u8> {
-    let reals = slave.model.table.iter().enumerate().filter(|(_, variable)| matches!(variable.kind, Kind::Real(_)));
-    let references: Vec<u32> = reals.map(|(column, _)| slave.model.reference(column)).collect();
-    let mut values = vec![0.0; references.len()];
-    let mut trace = Vec::new();
-    for _ in 0..steps {
-        let step = match slave.purpose {
-            Purpose::CoSimulation => step_of_co_simulation(slave, length),
-            Purpose::ModelExchange => step_of_model_exchange(slave, length),
-        };
-        trace.push(step as u8);
-        // SAFETY: a live instance, and arrays of that length.
-        let read = unsafe { fmi2GetReal(slave.c, references.as_ptr(), references.len(), values.as_mut_ptr()) };
-        trace.push(read as u8);
-        if step != fmi2OK || read != fmi2OK {
-            break;
-        }
-        assert!(all_finite(&values));
-        trace.extend(values.iter().flat_map(|value| value.to_le_bytes()));
-    }
-    trace.extend(slave.bytes());
-    trace
-}
-
-fn step_of_co_simulation(slave: &Slave, length: f64) -> fmi2Status {
-    let time = saved::numbers(&slave.bytes())[TIME];
-    // SAFETY: a live instance.
-    unsafe { fmi2DoStep(slave.c, time, length, fmi2True) }
-}
-
-/// Euler's step.
-fn step_of_model_exchange(slave: &Slave, length: f64) -> fmi2Status {
-    let count = slave.model.continuous_states().count();
-    let (mut states, mut rates) = (vec![0.0; count], vec![0.0; count]);
-    // SAFETY: a live instance, and arrays of that length.
-    unsafe {
-        assert_eq!(fmi2GetContinuousStates(slave.c, states.as_mut_ptr(), count), fmi2OK);
-        let status = fmi2GetDerivatives(slave.c, rates.as_mut_ptr(), count);
-        if status != fmi2OK {
-            return status;
-        }
-        for (state, rate) in states.iter_mut().zip(&rates) {
-            *state += length * rate;
-        }
-        fmi2SetContinuousStates(slave.c, states.as_ptr(), count)
-    }
-}
-
 /// A length, or one that differs from it.
 fn length(right: usize, more: i8) -> usize {
     right.saturating_add_signed(more.into())
-}
-
-fn all_finite(values: &[f64]) -> bool {
-    values.iter().all(|value| value.is_finite())
-}
-
-fn same_bits(a: &[f64], b: &[f64]) -> bool {
-    a.len() == b.len() && a.iter().zip(b).all(|(a, b)| a.to_bits() == b.to_bits())
 }

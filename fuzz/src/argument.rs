@@ -1,4 +1,4 @@
-//! Arguments: numbers, steps, columns.
+//! Arguments: numbers, steps, points in time, columns.
 
 use arbitrary::Arbitrary;
 use stribeck::catalogue;
@@ -112,6 +112,31 @@ impl Step {
             Step::Decades(by) => decades(by),
             Step::Odd(which) => odd(which),
             Step::Any(step) => step,
+        }
+    }
+}
+
+/// A point in time.
+#[derive(Arbitrary, Clone, Copy, Debug)]
+pub enum Instant {
+    /// The present time of the instance.
+    Present,
+    /// Some units in the last place away.
+    Near(i8),
+    /// Some time away.
+    Later(Number),
+    /// Any.
+    At(Number),
+}
+
+impl Instant {
+    /// The time, for an instance at the present one.
+    pub fn of(self, present: f64) -> f64 {
+        match self {
+            Instant::Present => present,
+            Instant::Near(units) => present + f64::from(units) * f64::EPSILON * present.abs(),
+            Instant::Later(by) => present + by.alone(),
+            Instant::At(number) => number.alone(),
         }
     }
 }

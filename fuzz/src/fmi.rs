@@ -1,17 +1,20 @@
-//! An instance as used by an importer, through the functions of FMI 2.0.
+//! An instance as used by an importer, through the functions of FMI 2.0, and its results in some steps.
 
 use std::cell::Cell;
 use std::ffi::{CStr, CString, c_void};
 use std::ptr::{null, null_mut};
 
+use stribeck::fmi2::exchange::*;
 use stribeck::fmi2::lifecycle::{Purpose, STATES, State};
 use stribeck::fmi2::setup::*;
 use stribeck::fmi2::snapshot::*;
+use stribeck::fmi2::step::*;
 use stribeck::fmi2::types::fmi2Status::{fmi2OK, fmi2Warning};
 use stribeck::fmi2::types::*;
-use stribeck::model::ModelType;
+use stribeck::fmi2::values::*;
+use stribeck::model::{Kind, ModelType};
 
-use crate::saved;
+use crate::saved::{self, TIME};
 
 /// An instance.
 pub struct Slave {
@@ -131,4 +134,63 @@ impl Slave {
 /// The lifecycle state in the numbers of a saved state.
 pub fn state(numbers: &[f64]) -> State {
     STATES[numbers[saved::STATE] as usize]
+}
+
+/// Results of an instance in some steps, bit by bit.
+pub fn future(slave: &Slave, steps: u8, length: f64) -> Vec<u8> {
+    let reals = slave.model.table.iter().enumerate().filter(|(_, variable)| matches!(variable.kind, Kind::Real(_)));
+    let references: Vec<u32> = reals.map(|(column, _)| slave.model.reference(column)).collect();
+    let mut values = vec![0.0; references.len()];
+    let mut trace = Vec::new();
+    for _ in 0..steps {
+        let step = match slave.purpose {
+            Purpose::CoSimulation => step_of_co_simulation(slave, length),
+            Purpose::ModelExchange => step_of_model_exchange(slave, length),
+        };
+        trace.push(step as u8);
+        // SAFETY: a live instance, and arrays of that length.
+        let read = unsafe { fmi2GetReal(slave.c, references.as_ptr(), references.len(), values.as_mut_ptr()) };
+        trace.push(read as u8);
+        if step != fmi2OK || read != fmi2OK {
+            break;
+        }
+        assert!(all_finite(&values));
+        trace.extend(values.iter().flat_map(|value| value.to_le_bytes()));
+    }
+    trace.extend(slave.bytes());
+    trace
+}
+
+fn step_of_co_simulation(slave: &Slave, length: f64) -> fmi2Status {
+    let time = saved::numbers(&slave.bytes())[TIME];
+    // SAFETY: a live instance.
+    unsafe { fmi2DoStep(slave.c, time, length, fmi2True) }
+}
+
+/// Euler's step.
+fn step_of_model_exchange(slave: &Slave, length: f64) -> fmi2Status {
+    let count = slave.model.continuous_states().count();
+    let (mut states, mut rates) = (vec![0.0; count], vec![0.0; count]);
+    // SAFETY: a live instance, and arrays of that length.
+    unsafe {
+        assert_eq!(fmi2GetContinuousStates(slave.c, states.as_mut_ptr(), count), fmi2OK);
+        let status = fmi2GetDerivatives(slave.c, rates.as_mut_ptr(), count);
+        if status != fmi2OK {
+            return status;
+        }
+        for (state, rate) in states.iter_mut().zip(&rates) {
+            *state += length * rate;
+        }
+        fmi2SetContinuousStates(slave.c, states.as_ptr(), count)
+    }
+}
+
+/// Whether none of the values is infinite or not a number.
+pub fn all_finite(values: &[f64]) -> bool {
+    values.iter().all(|value| value.is_finite())
+}
+
+/// Whether the numbers are the same, bit by bit.
+pub fn same_bits(a: &[f64], b: &[f64]) -> bool {
+    a.len() == b.len() && a.iter().zip(b).all(|(a, b)| a.to_bits() == b.to_bits())
 }

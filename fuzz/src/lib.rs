@@ -7,4 +7,5 @@
 
 pub mod argument;
 pub mod fmi;
+pub mod misuse;
 pub mod saved;
