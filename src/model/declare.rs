@@ -194,7 +194,7 @@ macro_rules! part {
 /// Declares a model: its struct, its table and its documentation, from one list.
 ///
 /// A line reads `name: role = column` where the role is `input`, `fixed`, `tunable`, `state`, `state_output` or
-/// `output`, and the column is made by [`real`], [`integer`], [`boolean`] or a choice; or it reads
+/// `output`, and the column is made by `real`, `integer`, `boolean` or a choice; or it reads
 /// `name: Part`, `name: [Part; count]` or `name: (Part)` for a [`part!`](crate::part!).
 ///
 /// ```

@@ -62,7 +62,7 @@ pub unsafe trait Described: Columns {
 
 /// The equations of a model, written once for every number type.
 pub trait Law: Numbers {
-    /// Computes the [`Role::Output`] columns from the others.
+    /// Computes the [`Role::Output`](crate::table::Role::Output) columns from the others.
     fn output(&mut self);
 
     /// Number of values of its [`Model::MEMORY`] that the model uses with its present parameters.

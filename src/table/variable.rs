@@ -164,7 +164,7 @@ impl Column {
         self
     }
 
-    /// A continuous state that [`Model::at_event`] may change.
+    /// A continuous state that [`Model::at_event`](crate::model::Model::at_event) may change.
     pub const fn reinit(mut self) -> Column {
         self.reinit = true;
         self
@@ -262,7 +262,7 @@ impl Variable {
         self.bound.admits(value) && (matches!(self.kind, Kind::Real(_)) || value.fract() == 0.0)
     }
 
-    /// Whether it is a state that moves with time, as given by [`Law::derivatives`].
+    /// Whether it is a state that moves with time, as given by [`Law::derivatives`](crate::model::Law::derivatives).
     pub const fn is_continuous_state(&self) -> bool {
         self.role.is_state() && !self.jumps
     }
