@@ -101,7 +101,7 @@ pub trait Model: Described + Law<Number = f64> {
     /// Number of event indicators.
     const EVENT_INDICATORS: usize = 0;
 
-    /// Are the rates linear in the states, each in its own, and the power in all of them? Ramps need fewer of them then.
+    /// Whether each rate is linear in its own state, and the power in all of them: ramps then need fewer of them.
     const LINEAR: bool = false;
 
     /// Named parameter sets.

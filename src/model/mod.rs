@@ -1,7 +1,8 @@
 //! A model is one row of `f64` with a declared table: the [`model!`](crate::model!) block writes both.
 //!
 //! Get, set, reset, save and restore work on rows and need not know the model; a model cannot have a state that its table
-//! does not list. FMI and C identify a variable by a number that follows from its name: see [`reference`](crate::reference).
+//! does not list. FMI and C identify a variable by a number that follows from its name: see
+//! [`reference`](crate::reference).
 
 mod declare;
 mod equations;

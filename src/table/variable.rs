@@ -176,8 +176,8 @@ impl Column {
         self
     }
 
-    /// A state that no importer needs by name. It is saved and restored like the others, but it is not a variable of the
-    /// interfaces: what a model remembers may change without them.
+    /// A state that no importer needs by name. It is saved and restored like the others, but it is not a variable of
+    /// the interfaces: the memory of a model may change without them.
     pub const fn hidden(mut self) -> Column {
         self.is_hidden = true;
         self
