@@ -108,7 +108,7 @@ void an_error_is_left_by_reset_and_by_a_saved_state() {
     CHECK(fmi2Reset(slave) == fmi2OK);
     initialise(slave);
     CHECK(fmi2DoStep(slave, 0.0, 1e-3, fmi2True) == fmi2OK);
-    throws(fmi2Error, "no String variable", [&] { fmi2SetString(slave, &LOAD, 1, nullptr); });
+    throws(fmi2Error, "any String variable", [&] { fmi2SetString(slave, &LOAD, 1, nullptr); });
     fmi2FreeInstance(slave);
 }
 
@@ -127,8 +127,8 @@ void every_kind_of_call_can_throw() {
     throws(fmi2Error, "state", [&] { fmi2NewDiscreteStates(slave, &info); });
     throws(fmi2Error, "state", [&] { fmi2CompletedIntegratorStep(slave, fmi2True, &flag, &flag); });
     throws(fmi2Error, "state", [&] { fmi2SetTime(slave, 0.0); });
-    throws(fmi2Error, "there are", [&] { fmi2GetDerivatives(slave, &value, 99); });
-    throws(fmi2Error, "there are", [&] { fmi2GetEventIndicators(slave, &value, 99); });
+    throws(fmi2Error, "99 derivatives: must be 2", [&] { fmi2GetDerivatives(slave, &value, 99); });
+    throws(fmi2Error, "99 event indicators: must be 1", [&] { fmi2GetEventIndicators(slave, &value, 99); });
     throws(fmi2Error, "state", [&] { fmi2SetContinuousStates(slave, &value, 1); });
     throws(fmi2Error, "state", [&] { fmi2Terminate(slave); });
     throws(fmi2Error, "state", [&] { fmi2ExitInitializationMode(slave); });
