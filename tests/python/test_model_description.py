@@ -142,7 +142,8 @@ MISTAKES = {
     "negative step": (edit("DefaultExperiment", stepSize="-0.1"), "stepSize <= 0"),
     "negative tolerance": (edit("DefaultExperiment", tolerance="-1"), "tolerance <= 0"),
     "no C identifier": (edit("CoSimulation", modelIdentifier="3-D"), "modelIdentifier 3-D"),
-    "reference twice": (edit(MASS, valueReference="2"), "valueReference 2 twice"),
+    # That of `time`.
+    "reference twice": (edit(MASS, valueReference="1564253156"), "valueReference 1564253156 twice"),
     "name twice": (edit(MASS, name="stiffness"), "name stiffness twice"),
     "unit twice": (lambda root: root.find("UnitDefinitions").append(root.find("UnitDefinitions/Unit")), "Unit name"),
     "unknown unit": (edit(f"{MASS}/Real", unit="stone"), "no unit stone"),
