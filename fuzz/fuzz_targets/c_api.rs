@@ -346,31 +346,32 @@ impl World {
 
     /// A call with a NULL where there must be none.
     fn call_with_null(&mut self, who: usize, which: u8) {
-        let pointer = self.handles[who].pointer;
-        let name = self.handles[who].model.table[0].path.to_string();
+        let Handle { pointer, model } = self.handles[who];
+        let (first, name) = (model.reference(0), model.table[0].path.to_string());
         let name = CString::new(name).expect("no zero byte");
         let (mut value, nobody, no_value) = (0.0, null_mut(), null_mut::<f64>());
         // SAFETY: these calls must reject NULL; the other arguments are valid.
         let status = unsafe {
-            match which % 14 {
+            match which % 15 {
                 0 => stribeck_create(null(), null_mut()),
                 1 => stribeck_create(null(), &mut null_mut()),
                 2 => stribeck_set(nobody, 0, 0.0),
                 3 => stribeck_step(nobody, 1.0),
-                4 => stribeck_get(pointer, 0, no_value),
+                4 => stribeck_get(pointer, first, no_value),
                 5 => stribeck_get_by_name(pointer, null(), &mut value),
                 6 => stribeck_get_by_name(pointer, name.as_ptr(), no_value),
                 7 => stribeck_set_by_name(pointer, null(), 0.0),
                 8 => stribeck_find(pointer, name.as_ptr(), null_mut()),
-                9 => stribeck_describe(pointer, 0, null_mut()),
+                9 => stribeck_describe(pointer, first, null_mut()),
                 10 => stribeck_apply_preset(pointer, null()),
                 11 => stribeck_save(pointer, null_mut(), usize::MAX),
                 12 => stribeck_restore(pointer, null(), 8),
+                13 => stribeck_reference(pointer, 0, null_mut()),
                 _ => stribeck_reset(nobody),
             }
         };
         assert_eq!(status, STRIBECK_NULL, "call {which} with NULL");
-        if (4..13).contains(&(which % 14)) {
+        if (4..14).contains(&(which % 15)) {
             self.made(who, status, true);
         }
     }
