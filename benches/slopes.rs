@@ -1,4 +1,4 @@
-//! What a step with moving inputs costs, in steps with held inputs of the same model from the same state.
+//! Cost of a step with moving inputs, in steps with held inputs of the same model from the same state.
 //!
 //! All models, each with slopes of the velocities alone, of all other inputs alone, and of all inputs, from a thousand
 //! random states. Absolute times on a shared machine wander; the two times of a state are taken right after each other.

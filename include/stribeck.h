@@ -221,7 +221,7 @@ typedef void *fmi2FMUstate;
 /** Byte of a serialised state. */
 typedef char fmi2Byte;
 
-/** Kinds of status for fmi2GetXXXStatus. */
+/** Kinds of status for fmi2GetStatus, fmi2GetRealStatus and the functions of the other types. */
 typedef int fmi2StatusKind;
 
 /** Integer, also used for enumerations. */
@@ -419,7 +419,7 @@ fmi2String fmi2GetVersion(void);
  * `fmuType` must be `fmi2CoSimulation` or, for models that support it, `fmi2ModelExchange`. `callbacks` is copied; its
  * function pointers may all be NULL. `fmuResourceLocation` and `visible` are not used. Returns NULL, and logs the
  * reason, if the guid does not belong to a model of this library, if the model does not support that type, if the name
- * is blank, or if memory runs out; silently if `callbacks` is NULL, as there is no logger.
+ * is blank, or if memory runs out. If `callbacks` is NULL it returns NULL without a message.
  */
 fmi2Component fmi2Instantiate(fmi2String instanceName,
                               fmi2Type fmuType,
@@ -511,19 +511,19 @@ fmi2Status fmi2DoStep(fmi2Component c,
 /** Always an error: steps are never pending. */
 fmi2Status fmi2CancelStep(fmi2Component c);
 
-/** Always fmi2Discard: there are no asynchronous steps. */
+/** Returns fmi2Discard: steps are never asynchronous. */
 fmi2Status fmi2GetStatus(fmi2Component c, fmi2StatusKind s, fmi2Status *value);
 
 /** `fmi2LastSuccessfulTime`: the end of the last completed step. fmi2Discard for other kinds. */
 fmi2Status fmi2GetRealStatus(fmi2Component c, fmi2StatusKind s, fmi2Real *value);
 
-/** Always fmi2Discard: there is no integer status. */
+/** Returns fmi2Discard: FMI 2.0 defines no integer status. */
 fmi2Status fmi2GetIntegerStatus(fmi2Component c, fmi2StatusKind s, fmi2Integer *value);
 
 /** `fmi2Terminated`: no model ends the simulation, so fmi2False. fmi2Discard for other kinds. */
 fmi2Status fmi2GetBooleanStatus(fmi2Component c, fmi2StatusKind s, fmi2Boolean *value);
 
-/** Always fmi2Discard: there is no asynchronous step to ask about. */
+/** Returns fmi2Discard: steps are never asynchronous. */
 fmi2Status fmi2GetStringStatus(fmi2Component c, fmi2StatusKind s, fmi2String *value);
 
 /** Reads Real variables. */
@@ -633,13 +633,13 @@ typedef enum stribeck_element_distribution {
   STRIBECK_ELEMENT_DISTRIBUTION_UNIFORM = 2,
 } stribeck_element_distribution;
 
-/** Choices of a variable of the type Exchange. */
-typedef enum stribeck_exchange {
+/** Choices of a variable of the type ExchangeOrder. */
+typedef enum stribeck_exchange_order {
   /** The friction model steps first, and the host uses the force of that step (Gauss-Seidel). */
-  STRIBECK_EXCHANGE_SEQUENTIAL = 1,
+  STRIBECK_EXCHANGE_ORDER_SEQUENTIAL = 1,
   /** All models step at once and exchange values afterwards, so the force acts one step later (Jacobi). */
-  STRIBECK_EXCHANGE_PARALLEL = 2,
-} stribeck_exchange;
+  STRIBECK_EXCHANGE_ORDER_PARALLEL = 2,
+} stribeck_exchange_order;
 
 /** Choices of a variable of the type FrictionModel. */
 typedef enum stribeck_friction_model {
@@ -860,7 +860,7 @@ typedef enum stribeck_threlfall_variant {
 } stribeck_threlfall_variant;
 
 /** Guid of Coulomb for fmi2Instantiate. */
-#define STRIBECK_COULOMB_GUID "{bbeced28-4358-a1f2-3f23-1a453d227502}"
+#define STRIBECK_COULOMB_GUID "{fb9a3d77-1dd8-e510-3e61-4e4926818cd2}"
 
 /** Coulomb: Coulomb friction. Variables of "Coulomb". */
 typedef enum stribeck_coulomb_variable {
@@ -875,7 +875,8 @@ typedef enum stribeck_coulomb_variable {
   /** tunable [kg]: Effective mass of the body to be held at rest, better too small than too large; 0 = law as printed.
    *  (>= 0, default 0) */
   STRIBECK_COULOMB_MASS = 1601648849,
-  /** fixed [stribeck_exchange]: Order in which the master exchanges values; used with mass > 0. (default Sequential) */
+  /** fixed [stribeck_exchange_order]: Order in which the master exchanges values; used with mass > 0.
+   *  (default Sequential) */
   STRIBECK_COULOMB_EXCHANGE = 1692658528,
   /** state [s]: Length of the last step; 0 before the first one. (>= 0, default 0) */
   STRIBECK_COULOMB_STEP_SIZE = 843244609,
@@ -908,7 +909,7 @@ typedef enum stribeck_coulomb_variable {
 } stribeck_coulomb_variable;
 
 /** Guid of CoulombStiction for fmi2Instantiate. */
-#define STRIBECK_COULOMB_STICTION_GUID "{ad4b3d5c-d393-488b-8284-a119076e3e83}"
+#define STRIBECK_COULOMB_STICTION_GUID "{61dc50b8-b11f-b3f7-ef1b-dd846f296a13}"
 
 /** CoulombStiction: Coulomb friction with stiction. Variables of "CoulombStiction". */
 typedef enum stribeck_coulomb_stiction_variable {
@@ -928,7 +929,8 @@ typedef enum stribeck_coulomb_stiction_variable {
   /** tunable [kg]: Effective mass of the body to be held at rest, better too small than too large; 0 = law as printed.
    *  (>= 0, default 0) */
   STRIBECK_COULOMB_STICTION_MASS = 1601648849,
-  /** fixed [stribeck_exchange]: Order in which the master exchanges values; used with mass > 0. (default Sequential) */
+  /** fixed [stribeck_exchange_order]: Order in which the master exchanges values; used with mass > 0.
+   *  (default Sequential) */
   STRIBECK_COULOMB_STICTION_EXCHANGE = 1692658528,
   /** state [s]: Length of the last step; 0 before the first one. (>= 0, default 0) */
   STRIBECK_COULOMB_STICTION_STEP_SIZE = 843244609,
@@ -961,7 +963,7 @@ typedef enum stribeck_coulomb_stiction_variable {
 } stribeck_coulomb_stiction_variable;
 
 /** Guid of CoulombViscous for fmi2Instantiate. */
-#define STRIBECK_COULOMB_VISCOUS_GUID "{61230f08-6eaa-471e-9f27-4eb4bf62e45f}"
+#define STRIBECK_COULOMB_VISCOUS_GUID "{588184f2-7da0-6b2c-e0a2-abf758f07895}"
 
 /** CoulombViscous: Coulomb friction with a viscous part. Variables of "CoulombViscous". */
 typedef enum stribeck_coulomb_viscous_variable {
@@ -982,7 +984,8 @@ typedef enum stribeck_coulomb_viscous_variable {
   /** tunable [kg]: Effective mass of the body to be held at rest, better too small than too large; 0 = law as printed.
    *  (>= 0, default 0) */
   STRIBECK_COULOMB_VISCOUS_MASS = 1601648849,
-  /** fixed [stribeck_exchange]: Order in which the master exchanges values; used with mass > 0. (default Sequential) */
+  /** fixed [stribeck_exchange_order]: Order in which the master exchanges values; used with mass > 0.
+   *  (default Sequential) */
   STRIBECK_COULOMB_VISCOUS_EXCHANGE = 1692658528,
   /** state [s]: Length of the last step; 0 before the first one. (>= 0, default 0) */
   STRIBECK_COULOMB_VISCOUS_STEP_SIZE = 843244609,
@@ -1015,7 +1018,7 @@ typedef enum stribeck_coulomb_viscous_variable {
 } stribeck_coulomb_viscous_variable;
 
 /** Guid of Stribeck for fmi2Instantiate. */
-#define STRIBECK_STRIBECK_GUID "{1338417f-b372-978d-fe96-9f97c79779d9}"
+#define STRIBECK_STRIBECK_GUID "{380a7ede-8754-8e45-72dd-110b503a7aaf}"
 
 /** Stribeck: Friction that falls with speed from the static to the kinetic level (Stribeck). Variables of "Stribeck". */
 typedef enum stribeck_stribeck_variable {
@@ -1043,7 +1046,8 @@ typedef enum stribeck_stribeck_variable {
   /** tunable [kg]: Effective mass of the body to be held at rest, better too small than too large; 0 = law as printed.
    *  (>= 0, default 0) */
   STRIBECK_STRIBECK_MASS = 1601648849,
-  /** fixed [stribeck_exchange]: Order in which the master exchanges values; used with mass > 0. (default Sequential) */
+  /** fixed [stribeck_exchange_order]: Order in which the master exchanges values; used with mass > 0.
+   *  (default Sequential) */
   STRIBECK_STRIBECK_EXCHANGE = 1692658528,
   /** state [s]: Length of the last step; 0 before the first one. (>= 0, default 0) */
   STRIBECK_STRIBECK_STEP_SIZE = 843244609,
@@ -1076,7 +1080,7 @@ typedef enum stribeck_stribeck_variable {
 } stribeck_stribeck_variable;
 
 /** Guid of Bernard for fmi2Instantiate. */
-#define STRIBECK_BERNARD_GUID "{6c351125-3a0f-4eff-7385-830ef8bb9be8}"
+#define STRIBECK_BERNARD_GUID "{66b45405-95ae-cdd3-fcb2-50ec04f626e8}"
 
 /** Preset of Bernard: Novais (2024), Tables 6.1 and 6.2 (the start values). */
 #define STRIBECK_BERNARD_PRESET_THESIS "thesis"
@@ -1096,7 +1100,8 @@ typedef enum stribeck_bernard_variable {
   /** tunable [kg]: Effective mass of the body to be held at rest, better too small than too large; 0 = law as printed.
    *  (>= 0, default 0) */
   STRIBECK_BERNARD_MASS = 1601648849,
-  /** fixed [stribeck_exchange]: Order in which the master exchanges values; used with mass > 0. (default Sequential) */
+  /** fixed [stribeck_exchange_order]: Order in which the master exchanges values; used with mass > 0.
+   *  (default Sequential) */
   STRIBECK_BERNARD_EXCHANGE = 1692658528,
   /** state [s]: Length of the last step; 0 before the first one. (>= 0, default 0) */
   STRIBECK_BERNARD_STEP_SIZE = 843244609,
@@ -1129,7 +1134,7 @@ typedef enum stribeck_bernard_variable {
 } stribeck_bernard_variable;
 
 /** Guid of Threlfall for fmi2Instantiate. */
-#define STRIBECK_THRELFALL_GUID "{3e1459a0-12dc-ed88-4efa-d8479f088699}"
+#define STRIBECK_THRELFALL_GUID "{8c86de35-30c5-83fe-0e6e-abd3c9c7946f}"
 
 /** Preset of Threlfall: Novais (2024), Tables 6.1 and 6.2 (the start values). */
 #define STRIBECK_THRELFALL_PRESET_THESIS "thesis"
@@ -1151,7 +1156,8 @@ typedef enum stribeck_threlfall_variable {
   /** tunable [kg]: Effective mass of the body to be held at rest, better too small than too large; 0 = law as printed.
    *  (>= 0, default 0) */
   STRIBECK_THRELFALL_MASS = 1601648849,
-  /** fixed [stribeck_exchange]: Order in which the master exchanges values; used with mass > 0. (default Sequential) */
+  /** fixed [stribeck_exchange_order]: Order in which the master exchanges values; used with mass > 0.
+   *  (default Sequential) */
   STRIBECK_THRELFALL_EXCHANGE = 1692658528,
   /** state [s]: Length of the last step; 0 before the first one. (>= 0, default 0) */
   STRIBECK_THRELFALL_STEP_SIZE = 843244609,
@@ -1184,7 +1190,7 @@ typedef enum stribeck_threlfall_variable {
 } stribeck_threlfall_variable;
 
 /** Guid of ThrelfallModified for fmi2Instantiate. */
-#define STRIBECK_THRELFALL_MODIFIED_GUID "{51d4042e-608e-5600-eead-99a5a0eae44a}"
+#define STRIBECK_THRELFALL_MODIFIED_GUID "{6845c27a-07a8-2915-c313-9649aa118b9a}"
 
 /** Preset of ThrelfallModified: Novais (2024), Tables 6.1 and 6.2 (the start values). */
 #define STRIBECK_THRELFALL_MODIFIED_PRESET_THESIS "thesis"
@@ -1204,7 +1210,8 @@ typedef enum stribeck_threlfall_modified_variable {
   /** tunable [kg]: Effective mass of the body to be held at rest, better too small than too large; 0 = law as printed.
    *  (>= 0, default 0) */
   STRIBECK_THRELFALL_MODIFIED_MASS = 1601648849,
-  /** fixed [stribeck_exchange]: Order in which the master exchanges values; used with mass > 0. (default Sequential) */
+  /** fixed [stribeck_exchange_order]: Order in which the master exchanges values; used with mass > 0.
+   *  (default Sequential) */
   STRIBECK_THRELFALL_MODIFIED_EXCHANGE = 1692658528,
   /** state [s]: Length of the last step; 0 before the first one. (>= 0, default 0) */
   STRIBECK_THRELFALL_MODIFIED_STEP_SIZE = 843244609,
@@ -1237,7 +1244,7 @@ typedef enum stribeck_threlfall_modified_variable {
 } stribeck_threlfall_modified_variable;
 
 /** Guid of RooneyDeravi for fmi2Instantiate. */
-#define STRIBECK_ROONEY_DERAVI_GUID "{b4dda239-e67f-2c81-3c15-83dea4130273}"
+#define STRIBECK_ROONEY_DERAVI_GUID "{0f480c2e-e0ef-6e75-f0fa-27bf9c4880a9}"
 
 /** Preset of RooneyDeravi: Novais (2024), Tables 6.1 and 6.2 (the start values), in the form of (6.5). */
 #define STRIBECK_ROONEY_DERAVI_PRESET_THESIS "thesis"
@@ -1259,7 +1266,8 @@ typedef enum stribeck_rooney_deravi_variable {
   /** tunable [kg]: Effective mass of the body to be held at rest, better too small than too large; 0 = law as printed.
    *  (>= 0, default 0) */
   STRIBECK_ROONEY_DERAVI_MASS = 1601648849,
-  /** fixed [stribeck_exchange]: Order in which the master exchanges values; used with mass > 0. (default Sequential) */
+  /** fixed [stribeck_exchange_order]: Order in which the master exchanges values; used with mass > 0.
+   *  (default Sequential) */
   STRIBECK_ROONEY_DERAVI_EXCHANGE = 1692658528,
   /** state [s]: Length of the last step; 0 before the first one. (>= 0, default 0) */
   STRIBECK_ROONEY_DERAVI_STEP_SIZE = 843244609,
@@ -1292,7 +1300,7 @@ typedef enum stribeck_rooney_deravi_variable {
 } stribeck_rooney_deravi_variable;
 
 /** Guid of Ambrosio for fmi2Instantiate. */
-#define STRIBECK_AMBROSIO_GUID "{4ed7c963-b21e-ea39-2768-a00ac6df0ac9}"
+#define STRIBECK_AMBROSIO_GUID "{f3bf559a-0312-68ef-9c89-426bb4f1643f}"
 
 /** Preset of Ambrosio: Novais (2024), Tables 6.1 and 6.2 (the start values). */
 #define STRIBECK_AMBROSIO_PRESET_THESIS "thesis"
@@ -1314,7 +1322,8 @@ typedef enum stribeck_ambrosio_variable {
   /** tunable [kg]: Effective mass of the body to be held at rest, better too small than too large; 0 = law as printed.
    *  (>= 0, default 0) */
   STRIBECK_AMBROSIO_MASS = 1601648849,
-  /** fixed [stribeck_exchange]: Order in which the master exchanges values; used with mass > 0. (default Sequential) */
+  /** fixed [stribeck_exchange_order]: Order in which the master exchanges values; used with mass > 0.
+   *  (default Sequential) */
   STRIBECK_AMBROSIO_EXCHANGE = 1692658528,
   /** state [s]: Length of the last step; 0 before the first one. (>= 0, default 0) */
   STRIBECK_AMBROSIO_STEP_SIZE = 843244609,
@@ -1347,7 +1356,7 @@ typedef enum stribeck_ambrosio_variable {
 } stribeck_ambrosio_variable;
 
 /** Guid of Karnopp for fmi2Instantiate. */
-#define STRIBECK_KARNOPP_GUID "{11c8c491-0b58-eb8e-8204-f008d65d00cc}"
+#define STRIBECK_KARNOPP_GUID "{d3159ed2-f53f-c2dd-5023-bfcfc382f1f6}"
 
 /** Karnopp: Coulomb friction with a band of stiction (Karnopp). Variables of "Karnopp". */
 typedef enum stribeck_karnopp_variable {
@@ -1369,7 +1378,8 @@ typedef enum stribeck_karnopp_variable {
   /** tunable [kg]: Effective mass of the body to be held at rest, better too small than too large; 0 = law as printed.
    *  (>= 0, default 0) */
   STRIBECK_KARNOPP_MASS = 1601648849,
-  /** fixed [stribeck_exchange]: Order in which the master exchanges values; used with mass > 0. (default Sequential) */
+  /** fixed [stribeck_exchange_order]: Order in which the master exchanges values; used with mass > 0.
+   *  (default Sequential) */
   STRIBECK_KARNOPP_EXCHANGE = 1692658528,
   /** state [s]: Length of the last step; 0 before the first one. (>= 0, default 0) */
   STRIBECK_KARNOPP_STEP_SIZE = 843244609,
@@ -1402,7 +1412,7 @@ typedef enum stribeck_karnopp_variable {
 } stribeck_karnopp_variable;
 
 /** Guid of BengisuAkay for fmi2Instantiate. */
-#define STRIBECK_BENGISU_AKAY_GUID "{b8b3d50e-4a59-d749-82cc-1a3ad906e311}"
+#define STRIBECK_BENGISU_AKAY_GUID "{4d98475b-6060-ae8d-af46-9b437f359427}"
 
 /** Preset of BengisuAkay: Form of Marques et al. (2016), with a chosen decay: 1/e in 1 mm/s. */
 #define STRIBECK_BENGISU_AKAY_PRESET_MARQUES_2016 "marques_2016"
@@ -1431,7 +1441,8 @@ typedef enum stribeck_bengisu_akay_variable {
   /** tunable [kg]: Effective mass of the body to be held at rest, better too small than too large; 0 = law as printed.
    *  (>= 0, default 0) */
   STRIBECK_BENGISU_AKAY_MASS = 1601648849,
-  /** fixed [stribeck_exchange]: Order in which the master exchanges values; used with mass > 0. (default Sequential) */
+  /** fixed [stribeck_exchange_order]: Order in which the master exchanges values; used with mass > 0.
+   *  (default Sequential) */
   STRIBECK_BENGISU_AKAY_EXCHANGE = 1692658528,
   /** state [s]: Length of the last step; 0 before the first one. (>= 0, default 0) */
   STRIBECK_BENGISU_AKAY_STEP_SIZE = 843244609,
@@ -1464,7 +1475,7 @@ typedef enum stribeck_bengisu_akay_variable {
 } stribeck_bengisu_akay_variable;
 
 /** Guid of Hollars for fmi2Instantiate. */
-#define STRIBECK_HOLLARS_GUID "{897d132a-40f5-2444-8136-bac64cc732a1}"
+#define STRIBECK_HOLLARS_GUID "{750f8ef7-ef41-2355-b37a-689070069bd7}"
 
 /** Preset of Hollars: Default transition velocity of Simbody. */
 #define STRIBECK_HOLLARS_PRESET_SIMBODY "simbody"
@@ -1488,7 +1499,8 @@ typedef enum stribeck_hollars_variable {
   /** tunable [kg]: Effective mass of the body to be held at rest, better too small than too large; 0 = law as printed.
    *  (>= 0, default 0) */
   STRIBECK_HOLLARS_MASS = 1601648849,
-  /** fixed [stribeck_exchange]: Order in which the master exchanges values; used with mass > 0. (default Sequential) */
+  /** fixed [stribeck_exchange_order]: Order in which the master exchanges values; used with mass > 0.
+   *  (default Sequential) */
   STRIBECK_HOLLARS_EXCHANGE = 1692658528,
   /** state [s]: Length of the last step; 0 before the first one. (>= 0, default 0) */
   STRIBECK_HOLLARS_STEP_SIZE = 843244609,
@@ -1521,7 +1533,7 @@ typedef enum stribeck_hollars_variable {
 } stribeck_hollars_variable;
 
 /** Guid of Andersson for fmi2Instantiate. */
-#define STRIBECK_ANDERSSON_GUID "{13e325ea-4f80-0388-d174-e5dcb57a7e33}"
+#define STRIBECK_ANDERSSON_GUID "{5559a5ef-e443-c8b7-3b54-512d213d7669}"
 
 /** Preset of Andersson: Conveyor-belt example of Nikravesh, Planar Multibody Dynamics. */
 #define STRIBECK_ANDERSSON_PRESET_CONVEYOR_BELT "conveyor_belt"
@@ -1550,7 +1562,8 @@ typedef enum stribeck_andersson_variable {
   /** tunable [kg]: Effective mass of the body to be held at rest, better too small than too large; 0 = law as printed.
    *  (>= 0, default 0) */
   STRIBECK_ANDERSSON_MASS = 1601648849,
-  /** fixed [stribeck_exchange]: Order in which the master exchanges values; used with mass > 0. (default Sequential) */
+  /** fixed [stribeck_exchange_order]: Order in which the master exchanges values; used with mass > 0.
+   *  (default Sequential) */
   STRIBECK_ANDERSSON_EXCHANGE = 1692658528,
   /** state [s]: Length of the last step; 0 before the first one. (>= 0, default 0) */
   STRIBECK_ANDERSSON_STEP_SIZE = 843244609,
@@ -1583,7 +1596,7 @@ typedef enum stribeck_andersson_variable {
 } stribeck_andersson_variable;
 
 /** Guid of Awrejcewicz for fmi2Instantiate. */
-#define STRIBECK_AWREJCEWICZ_GUID "{bfc4c633-ab3b-e0ee-d984-fba310e0f3cd}"
+#define STRIBECK_AWREJCEWICZ_GUID "{71ce3492-82a5-ed49-4da8-e07d6e390c23}"
 
 /** Awrejcewicz: Continuous friction law that holds a load at rest (Awrejcewicz, Grzelczyk and Pyryev). Variables of "Awrejcewicz". */
 typedef enum stribeck_awrejcewicz_variable {
@@ -1605,7 +1618,8 @@ typedef enum stribeck_awrejcewicz_variable {
   /** tunable [kg]: Effective mass of the body to be held at rest, better too small than too large; 0 = law as printed.
    *  (>= 0, default 0) */
   STRIBECK_AWREJCEWICZ_MASS = 1601648849,
-  /** fixed [stribeck_exchange]: Order in which the master exchanges values; used with mass > 0. (default Sequential) */
+  /** fixed [stribeck_exchange_order]: Order in which the master exchanges values; used with mass > 0.
+   *  (default Sequential) */
   STRIBECK_AWREJCEWICZ_EXCHANGE = 1692658528,
   /** state [s]: Length of the last step; 0 before the first one. (>= 0, default 0) */
   STRIBECK_AWREJCEWICZ_STEP_SIZE = 843244609,
@@ -1638,7 +1652,7 @@ typedef enum stribeck_awrejcewicz_variable {
 } stribeck_awrejcewicz_variable;
 
 /** Guid of Specker for fmi2Instantiate. */
-#define STRIBECK_SPECKER_GUID "{a3c0daa8-503e-4b13-b11b-c16e4b8b6f14}"
+#define STRIBECK_SPECKER_GUID "{f11f0235-b458-842c-ff2e-d36f90dc8934}"
 
 /** Preset of Specker: Ratio of the two velocities in Translational Friction of Simscape, v_0 = v_p / 10, at v_p = 0.5 mm/s. */
 #define STRIBECK_SPECKER_PRESET_SIMSCAPE "simscape"
@@ -1664,7 +1678,8 @@ typedef enum stribeck_specker_variable {
   /** tunable [kg]: Effective mass of the body to be held at rest, better too small than too large; 0 = law as printed.
    *  (>= 0, default 0) */
   STRIBECK_SPECKER_MASS = 1601648849,
-  /** fixed [stribeck_exchange]: Order in which the master exchanges values; used with mass > 0. (default Sequential) */
+  /** fixed [stribeck_exchange_order]: Order in which the master exchanges values; used with mass > 0.
+   *  (default Sequential) */
   STRIBECK_SPECKER_EXCHANGE = 1692658528,
   /** state [s]: Length of the last step; 0 before the first one. (>= 0, default 0) */
   STRIBECK_SPECKER_STEP_SIZE = 843244609,
@@ -1697,7 +1712,7 @@ typedef enum stribeck_specker_variable {
 } stribeck_specker_variable;
 
 /** Guid of LinearStiction for fmi2Instantiate. */
-#define STRIBECK_LINEAR_STICTION_GUID "{0ed89408-c6a5-10ba-55ad-87be8bebf93e}"
+#define STRIBECK_LINEAR_STICTION_GUID "{e43f8d13-c915-67c4-2579-aab87a25b98e}"
 
 /** LinearStiction: Friction law with stiction made of three straight lines. Variables of "LinearStiction". */
 typedef enum stribeck_linear_stiction_variable {
@@ -1718,7 +1733,8 @@ typedef enum stribeck_linear_stiction_variable {
   /** tunable [kg]: Effective mass of the body to be held at rest, better too small than too large; 0 = law as printed.
    *  (>= 0, default 0) */
   STRIBECK_LINEAR_STICTION_MASS = 1601648849,
-  /** fixed [stribeck_exchange]: Order in which the master exchanges values; used with mass > 0. (default Sequential) */
+  /** fixed [stribeck_exchange_order]: Order in which the master exchanges values; used with mass > 0.
+   *  (default Sequential) */
   STRIBECK_LINEAR_STICTION_EXCHANGE = 1692658528,
   /** state [s]: Length of the last step; 0 before the first one. (>= 0, default 0) */
   STRIBECK_LINEAR_STICTION_STEP_SIZE = 843244609,
@@ -1751,7 +1767,7 @@ typedef enum stribeck_linear_stiction_variable {
 } stribeck_linear_stiction_variable;
 
 /** Guid of BrownMcPhee for fmi2Instantiate. */
-#define STRIBECK_BROWN_MCPHEE_GUID "{e4242594-9d91-a529-753f-7d144a9382d9}"
+#define STRIBECK_BROWN_MCPHEE_GUID "{807a5181-8e45-b143-2042-6ea3ffd4ddaf}"
 
 /** BrownMcPhee: Smooth friction law with a stiction peak (Brown and McPhee). Variables of "BrownMcPhee". */
 typedef enum stribeck_brown_mcphee_variable {
@@ -1774,7 +1790,8 @@ typedef enum stribeck_brown_mcphee_variable {
   /** tunable [kg]: Effective mass of the body to be held at rest, better too small than too large; 0 = law as printed.
    *  (>= 0, default 0) */
   STRIBECK_BROWN_MCPHEE_MASS = 1601648849,
-  /** fixed [stribeck_exchange]: Order in which the master exchanges values; used with mass > 0. (default Sequential) */
+  /** fixed [stribeck_exchange_order]: Order in which the master exchanges values; used with mass > 0.
+   *  (default Sequential) */
   STRIBECK_BROWN_MCPHEE_EXCHANGE = 1692658528,
   /** state [s]: Length of the last step; 0 before the first one. (>= 0, default 0) */
   STRIBECK_BROWN_MCPHEE_STEP_SIZE = 843244609,
@@ -4515,7 +4532,7 @@ typedef enum stribeck_elasto_plastic_planar_variable {
 } stribeck_elasto_plastic_planar_variable;
 
 /** Guid of ShockAbsorber for fmi2Instantiate. */
-#define STRIBECK_SHOCK_ABSORBER_GUID "{b8b67bdc-0cb7-0992-180b-49e1f88da5c0}"
+#define STRIBECK_SHOCK_ABSORBER_GUID "{de7db34a-7a02-198f-0e4c-450fc9e1b930}"
 
 /** Preset of ShockAbsorber: Formula Student, front axle: the start values. */
 #define STRIBECK_SHOCK_ABSORBER_PRESET_FRONT "front"
@@ -4839,7 +4856,7 @@ typedef enum stribeck_shock_absorber_variable {
   STRIBECK_SHOCK_ABSORBER_FRICTION_SCALE = 956758479,
   /** tunable [kg]: Effective mass of the body, for laws that use it; 0 = law as printed. (>= 0, default 0) */
   STRIBECK_SHOCK_ABSORBER_FRICTION_MASS = 1642932867,
-  /** fixed [stribeck_exchange]: Order in which the master exchanges force and motion; used with mass > 0.
+  /** fixed [stribeck_exchange_order]: Order in which the master exchanges force and motion; used with mass > 0.
    *  (default Sequential) */
   STRIBECK_SHOCK_ABSORBER_FRICTION_EXCHANGE = 913732870,
   /** tunable [m/s]: Speed at which the excess of static over kinetic friction has fallen to 1/e, or to 1/2 where the curve is a fraction (Armstrong, HessSoom, PoppStelter).
@@ -5215,7 +5232,7 @@ typedef enum stribeck_telescopic_joint_variable {
 } stribeck_telescopic_joint_variable;
 
 /** Guid of GuideContact for fmi2Instantiate. */
-#define STRIBECK_GUIDE_CONTACT_GUID "{db48fccd-436f-c2ea-f8c2-6da3aa63e4a3}"
+#define STRIBECK_GUIDE_CONTACT_GUID "{7d5b737d-9769-a36b-5d5e-f4313e3ca2b3}"
 
 /** GuideContact: Friction of a rod in its guide, by any law of the catalogue. Variables of "GuideContact". */
 typedef enum stribeck_guide_contact_variable {
@@ -5251,7 +5268,7 @@ typedef enum stribeck_guide_contact_variable {
   STRIBECK_GUIDE_CONTACT_FRICTION_SCALE = 956758479,
   /** tunable [kg]: Effective mass of the body, for laws that use it; 0 = law as printed. (>= 0, default 0) */
   STRIBECK_GUIDE_CONTACT_FRICTION_MASS = 1642932867,
-  /** fixed [stribeck_exchange]: Order in which the master exchanges force and motion; used with mass > 0.
+  /** fixed [stribeck_exchange_order]: Order in which the master exchanges force and motion; used with mass > 0.
    *  (default Sequential) */
   STRIBECK_GUIDE_CONTACT_FRICTION_EXCHANGE = 913732870,
   /** tunable [m/s]: Speed at which the excess of static over kinetic friction has fallen to 1/e, or to 1/2 where the curve is a fraction (Armstrong, HessSoom, PoppStelter).

@@ -6,8 +6,8 @@
 
 use crate::model::{Fault, Kind, ModelType, Role};
 
-/// Steps from which on a motion in one direction counts (chosen): the velocity of some integrators rings from step to
-/// step, which is no such motion.
+/// Least number of steps that a motion in one direction takes to count (chosen). The velocity of some integrators
+/// oscillates from step to step; that does not count.
 const STEPS: u32 = 32;
 
 /// Distance travelled by the velocity from which on it is compared, relative to the largest length (chosen).

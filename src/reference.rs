@@ -8,7 +8,7 @@ use crate::table::{Path, Segment, Variable};
 /// Number of a variable in FMI and C.
 pub type Reference = u32;
 
-/// What a reference stands for.
+/// Quantity with a reference.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Place {
     /// A column of the row.
@@ -100,7 +100,7 @@ impl References {
         References { slots }
     }
 
-    /// What a reference stands for in a table with so many columns.
+    /// The quantity with this reference, in a table with so many columns.
     #[inline(always)]
     pub fn find(&self, reference: Reference, columns: usize) -> Option<Place> {
         let place = self.place(reference)?;

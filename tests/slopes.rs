@@ -18,7 +18,7 @@ fn choose(bench: &mut Bench, law: &str) {
     bench.instance.put(column, number as f64 + 1.0);
 }
 
-/// What a body feels besides friction: 15 N that swing by 5 N, twice a second. Breakaway is at 30 N.
+/// Force on a body besides friction: 15 N that swing by 5 N, twice a second. Breakaway is at 30 N.
 fn load(time: f64) -> f64 {
     15.0 + 5.0 * f64::sin(4.0 * std::f64::consts::PI * time)
 }
@@ -291,8 +291,8 @@ fn a_ramp_comes_to_the_limit_of_short_held_steps() {
         let what = format!("{}: {one:?} in one step, {eight:?} in eight", model.name);
         println!("{what}");
         assert!(one[2] < 0.05, "{what}");
-        // What a law is allowed to miss of a deflection of 10 um, on 1e5 N/m, is half a millinewton; on the mean over the
-        // sections it is a tenth of that, and 10 nJ.
+        // The error allowed in a deflection of 10 um, on 1e5 N/m, is half a millinewton; on average over the sections it
+        // is a tenth of that, and 10 nJ.
         for (k, allowed) in [(0, 3e-3), (1, 6e-7)] {
             assert!(eight[k] <= one[k] / 16.0 + allowed, "{what}");
         }

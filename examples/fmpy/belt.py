@@ -170,7 +170,7 @@ def limit_of_step(
     parameters: Mapping[str, object] | None = None,
     rig: Mapping[str, object] | None = None,
 ) -> float:
-    """Largest communication step at which a block at rest on the belt does not chatter; infinite if there is no limit.
+    """Largest communication step at which a block at rest on the belt does not chatter; infinite without such a limit.
 
     A law that knows the mass looks ahead to the end of the step. Otherwise a force exchanged once per step is stable
     below 2 m / (df/dv), with the slope of the law at rest.
@@ -255,7 +255,7 @@ def report(options: argparse.Namespace, run: BeltRun) -> None:
     finer = run_belt(options.fmus, run.model, half, options.time, options.exchange, parameters, rig, every=2)
     times = [compared_time(cycle_of(one), is_random(run.model, options.fmus)) for one in (run, finer)]
     if all(math.isnan(time) for time in times):
-        print("--step was not checked: there is no period in --time to compare with that at half the step")
+        print("--step was not checked: --time is too short for a period to compare with half the step")
     elif not abs(times[0] / times[1] - 1.0) <= AGREEMENT:  # also if one of the runs has no period
         print(f"--step is too long for this law: half of it gives {times[1]:.4f} s instead of {times[0]:.4f} s")
 

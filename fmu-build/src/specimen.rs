@@ -34,7 +34,7 @@ stribeck::model! {
         share: input = real("1", 0.5).at_least(0.0).at_most(1.0),
         /// Is it switched on?
         enabled: input = boolean(true),
-        /// What happens.
+        /// Behaviour of the specimen.
         behaviour: fixed = Behaviour::Motion.start(),
         /// A whole number.
         count: tunable = integer(3).at_least(0.0).at_most(9.0),

@@ -142,7 +142,7 @@ impl Setter {
             // The block has its own elements.
             Event::Start(Tag::CodeBlock(_)) if self.place.in_equations => Vec::new(),
             Event::End(TagEnd::CodeBlock) if was_equations => Vec::new(),
-            // A dash means that there is no symbol.
+            // A dash stands for a missing symbol.
             Event::Text(text) if self.place.is_symbol() && &*text != "-" => vec![self.symbol(&text)],
             Event::Text(text) if self.place.is_unit() => vec![Event::Text(text::typeset_unit(&text).into())],
             Event::Text(text) if self.place.is_prose() => self.prose(&text),

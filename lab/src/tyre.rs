@@ -16,7 +16,7 @@ pub struct Arguments {
     out: Option<PathBuf>,
 }
 
-/// Reason why there is no set.
+/// Reason why no set was written.
 #[derive(Debug, Error)]
 pub enum TyreError {
     /// The file cannot be read.

@@ -87,7 +87,7 @@ impl Slave {
         self.instance.check()?;
         match self.purpose {
             Purpose::CoSimulation => Ok(()),
-            Purpose::ModelExchange => self.instance.model().check_exchange(self.instance.row()),
+            Purpose::ModelExchange => self.instance.model().check_model_exchange(self.instance.row()),
         }
     }
 

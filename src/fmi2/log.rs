@@ -40,7 +40,7 @@ pub(super) struct Log {
     callbacks: fmi2CallbackFunctions,
     instance_name: CString,
     hears: Hears,
-    /// `None` if there was no memory for it.
+    /// `None` if memory ran out.
     message: Option<CString>,
     waiting: Option<Reason>,
     told: Told,

@@ -30,7 +30,7 @@ pub extern "C-unwind" fn fmi2GetVersion() -> fmi2String {
 /// `fmuType` must be `fmi2CoSimulation` or, for models that support it, `fmi2ModelExchange`. `callbacks` is copied; its
 /// function pointers may all be NULL. `fmuResourceLocation` and `visible` are not used. Returns NULL, and logs the
 /// reason, if the guid does not belong to a model of this library, if the model does not support that type, if the name
-/// is blank, or if memory runs out; silently if `callbacks` is NULL, as there is no logger.
+/// is blank, or if memory runs out. If `callbacks` is NULL it returns NULL without a message.
 ///
 /// # Safety
 /// Texts must be NULL or zero-terminated; `callbacks` must be NULL or point to a valid struct.

@@ -112,7 +112,7 @@ unsafe fn status<T>(
     unsafe { enter(c, call, body) }
 }
 
-/// Always fmi2Discard: there are no asynchronous steps.
+/// Returns fmi2Discard: steps are never asynchronous.
 ///
 /// # Safety
 /// `c` as for every call on an instance; `value` must be NULL or writable.
@@ -141,7 +141,7 @@ pub unsafe extern "C-unwind" fn fmi2GetRealStatus(
     unsafe { status(c, Call::GetRealStatus, s, value, time) }
 }
 
-/// Always fmi2Discard: there is no integer status.
+/// Returns fmi2Discard: FMI 2.0 defines no integer status.
 ///
 /// # Safety
 /// As for fmi2GetStatus.
@@ -169,7 +169,7 @@ pub unsafe extern "C-unwind" fn fmi2GetBooleanStatus(
     unsafe { status(c, Call::GetBooleanStatus, s, value, |_| (s == fmi2Terminated).then_some(fmi2False)) }
 }
 
-/// Always fmi2Discard: there is no asynchronous step to ask about.
+/// Returns fmi2Discard: steps are never asynchronous.
 ///
 /// # Safety
 /// As for fmi2GetStatus.

@@ -55,7 +55,7 @@ pub const fmi2ModelExchange: fmi2Type = 0;
 /// Co-simulation.
 pub const fmi2CoSimulation: fmi2Type = 1;
 
-/// Kinds of status for fmi2GetXXXStatus.
+/// Kinds of status for fmi2GetStatus, fmi2GetRealStatus and the functions of the other types.
 pub type fmi2StatusKind = c_int;
 /// Result of an asynchronous step.
 pub const fmi2DoStepStatus: fmi2StatusKind = 0;

@@ -6,7 +6,7 @@ use super::door::{self, Outcome, Refusal, Slave, array, array_mut, enter, refuse
 use super::lifecycle::{Call, Purpose, State};
 use super::types::fmi2Status::fmi2OK;
 use super::types::*;
-use crate::model::{BaseType, Fault, Role, Variable};
+use crate::model::{BaseType, Fault, ModelType, Role, Variable};
 use crate::reference::Place;
 
 /// View of a column as one of FMI's base types.
@@ -57,7 +57,7 @@ impl Base for Boolean {
 }
 
 impl Slave {
-    /// What a value reference stands for; derivatives are those of the states that a solver integrates.
+    /// The column or other quantity with this value reference; derivatives only of the states that a solver integrates.
     #[inline]
     fn place(&self, reference: fmi2ValueReference) -> Option<Place> {
         let is_known = |place: &Place| match place {
@@ -87,6 +87,15 @@ impl Slave {
     /// Whether it is the time derivative of a state.
     fn is_derivative(&self, reference: fmi2ValueReference) -> bool {
         matches!(self.place(reference), Some(Place::Derivative(_)))
+    }
+}
+
+/// The column with this value reference.
+#[inline(always)]
+fn column_of(model: &ModelType, reference: fmi2ValueReference) -> Option<usize> {
+    match model.place(reference) {
+        Some(Place::Column(column)) => Some(column),
+        _ => None,
     }
 }
 
@@ -151,7 +160,9 @@ unsafe fn get<B: Base>(
         for reference in references {
             match slave.place(*reference) {
                 Some(Place::Time | Place::Derivative(_)) if B::TYPE == BaseType::Real => {}
-                _ => drop(slave.column::<B>(*reference)?),
+                _ => {
+                    slave.column::<B>(*reference)?;
+                }
             }
         }
         // After an error the last results are read, for debugging.
@@ -196,7 +207,7 @@ unsafe fn set<B: Base>(
         let model = slave.instance.model();
         let row = slave.instance.row_to_set(parameters);
         for (reference, value) in references.iter().zip(values) {
-            if let Some(Place::Column(column)) = model.place(*reference) {
+            if let Some(column) = column_of(model, *reference) {
                 row[column] = B::to_number(*value);
             }
         }
@@ -220,7 +231,7 @@ unsafe fn read_at_once(slave: &Slave, vr: *const fmi2ValueReference, n: usize, v
     let (references, values) = unsafe { (from_raw_parts(vr, n), from_raw_parts_mut(value, n)) };
     let (row, model) = (slave.instance.row(), slave.instance.model());
     for (reference, value) in references.iter().zip(values) {
-        let Some(Place::Column(column)) = model.place(*reference) else { return false };
+        let Some(column) = column_of(model, *reference) else { return false };
         match (row.get(column), model.ports.get(column)) {
             (Some(found), Some(port)) if port.base_type == BaseType::Real => *value = *found,
             _ => return false,
@@ -243,14 +254,14 @@ unsafe fn write_at_once(slave: &mut Slave, vr: *const fmi2ValueReference, n: usi
     let (references, values) = unsafe { (from_raw_parts(vr, n), from_raw_parts(value, n)) };
     let model = slave.instance.model();
     for (reference, value) in references.iter().zip(values) {
-        let Some(Place::Column(column)) = model.place(*reference) else { return false };
+        let Some(column) = column_of(model, *reference) else { return false };
         if !model.ports.get(column).is_some_and(|port| port.takes(*value)) {
             return false;
         }
     }
     let row = slave.instance.row_to_set(false);
     for (reference, value) in references.iter().zip(values) {
-        if let Some(Place::Column(column)) = model.place(*reference)
+        if let Some(column) = column_of(model, *reference)
             && let Some(place) = row.get_mut(column)
         {
             *place = *value;
@@ -471,13 +482,12 @@ pub unsafe extern "C-unwind" fn fmi2GetRealOutputDerivatives(
         slave.instance.refresh()?;
         let model = slave.instance.model();
         let derivative = slave.instance.time_derivative();
-        for ((reference, order), value) in references.iter().zip(orders).zip(values) {
-            let Some(Place::Column(column)) = model.place(*reference) else { continue };
-            let first = derivative[column].slope;
-            if !first.is_finite() {
-                return refuse(format_args!("the derivative of {} is not finite", model.table[column].path));
-            }
-            *value = if *order == 1 { first } else { 0.0 };
+        let columns = || references.iter().filter_map(|reference| column_of(model, *reference));
+        if let Some(column) = columns().find(|column| !derivative[*column].slope.is_finite()) {
+            return refuse(format_args!("the derivative of {} is not finite", model.table[column].path));
+        }
+        for ((column, order), value) in columns().zip(orders).zip(values) {
+            *value = if *order == 1 { derivative[column].slope } else { 0.0 };
         }
         Ok(())
     };
@@ -531,11 +541,8 @@ pub unsafe extern "C-unwind" fn fmi2GetDirectionalDerivative(
             slave.instance.refresh().map_err(|fault| slave.out_of_domain(fault))?;
         }
         let model = slave.instance.model();
-        let column = |reference: &fmi2ValueReference| match model.place(*reference) {
-            Some(Place::Column(column)) => Some(column),
-            _ => None,
-        };
-        let seeds = || knowns.iter().filter_map(column).zip(seed.iter().copied());
+        let columns = || knowns.iter().filter_map(|reference| column_of(model, *reference));
+        let seeds = || columns().zip(seed.iter().copied());
         if unknowns.iter().any(|reference| slave.is_derivative(*reference)) {
             slave.instance.compute_rates().map_err(|fault| slave.out_of_domain(fault))?;
             slave.instance.rate_derivative(seeds());

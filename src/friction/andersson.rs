@@ -105,8 +105,8 @@ impl<T: Real> Curve<T> for Andersson<T> {
     /// The Stribeck level, regularised.
     #[inline]
     fn curve(&self, velocity: T) -> T {
-        let [coulomb, statical] = [self.mu_k * self.normal_force, self.level()];
-        let level = stribeck::level(velocity, coulomb, statical, self.stribeck_velocity, self.stribeck_exponent);
+        let [coulomb, breakaway] = [self.mu_k * self.normal_force, self.level()];
+        let level = stribeck::level(velocity, coulomb, breakaway, self.stribeck_velocity, self.stribeck_exponent);
         let viscous = viscous::force(velocity, self.viscous_coefficient, self.normal_force);
         level * (self.transition_slope * velocity).tanh() + viscous
     }

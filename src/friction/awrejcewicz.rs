@@ -105,20 +105,20 @@ impl<T: Real> Curve<T> for Awrejcewicz<T> {
     #[inline]
     fn curve(&self, velocity: T) -> T {
         let [one, two, three] = [1.0, 2.0, 3.0].map(T::from);
-        let [coulomb, statical, load] = [self.mu_k * self.normal_force, self.level(), self.external_force];
+        let [coulomb, breakaway, load] = [self.mu_k * self.normal_force, self.level(), self.external_force];
         let [speed, direction] = [velocity.abs(), velocity.sign()];
         if speed > self.transition_velocity {
             let decay = (-(self.stiction_decay * (speed - self.transition_velocity))).exp();
-            return (coulomb + (statical - coulomb) * decay) * direction;
+            return (coulomb + (breakaway - coulomb) * decay) * direction;
         }
         let u = speed / self.transition_velocity;
         let a = u * u * (three - two * u);
-        if load.abs() <= statical {
-            a * (statical * direction - load) + load
+        if load.abs() <= breakaway {
+            a * (breakaway * direction - load) + load
         } else if load.value() * velocity.value() < 0.0 {
-            (two * a - one) * statical * direction
+            (two * a - one) * breakaway * direction
         } else {
-            statical * load.sign()
+            breakaway * load.sign()
         }
     }
 

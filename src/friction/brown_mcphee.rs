@@ -105,10 +105,10 @@ impl<T: Real> Curve<T> for BrownMcPhee<T> {
     fn curve(&self, velocity: T) -> T {
         let [quarter, three_quarters, four] = [0.25, 0.75, 4.0].map(T::from);
         let coulomb = self.mu_k * self.normal_force;
-        let statical = self.mu_s * self.normal_force;
+        let breakaway = self.mu_s * self.normal_force;
         let u = velocity / self.transition_velocity;
         let base = quarter * u * u + three_quarters;
-        let sliding = coulomb * (four * u).tanh() + (statical - coulomb) * u / (base * base);
+        let sliding = coulomb * (four * u).tanh() + (breakaway - coulomb) * u / (base * base);
         // Usually absent, and a hyperbolic tangent costs more than everything else.
         if self.viscous_coefficient.is(0.0) {
             return sliding;

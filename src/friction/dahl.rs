@@ -151,7 +151,7 @@ impl Model for Dahl {
 
     released_without_load!(bristle_deflection);
 
-    fn check_exchange(&self) -> Result<(), Fault> {
+    fn check_model_exchange(&self) -> Result<(), Fault> {
         if self.alpha < 1.0 {
             return Err(Fault::new(format_args!("alpha = {}: must be >= 1 in Model Exchange", self.alpha)));
         }
@@ -220,7 +220,8 @@ mod tests {
 
     #[test]
     fn a_solver_is_not_given_an_infinite_slope() {
-        let refusal = |alpha| Dahl { alpha, ..Default::default() }.check_exchange().map_err(|fault| fault.to_string());
+        let refusal =
+            |alpha| Dahl { alpha, ..Default::default() }.check_model_exchange().map_err(|fault| fault.to_string());
         assert_eq!([1.0, 1.5].map(refusal), [Ok(()), Ok(())]);
         assert_eq!(refusal(0.5), Err("alpha = 0.5: must be >= 1 in Model Exchange".to_owned()));
     }

@@ -144,8 +144,8 @@ impl<T: Real> ElastoPlastic<T> {
     /// g(v).
     fn level(&self) -> T {
         let coulomb = self.mu_k * self.normal_force;
-        let statical = self.mu_s * self.normal_force;
-        stribeck::level(self.velocity, coulomb, statical, self.stribeck_velocity, self.stribeck_exponent)
+        let breakaway = self.mu_s * self.normal_force;
+        stribeck::level(self.velocity, coulomb, breakaway, self.stribeck_velocity, self.stribeck_exponent)
     }
 
     /// sigma_1(v).
@@ -233,7 +233,7 @@ impl Model for ElastoPlastic {
         crate::friction::static_not_below_kinetic(self.mu_s, self.mu_k)
     }
 
-    fn check_exchange(&self) -> Result<(), Fault> {
+    fn check_model_exchange(&self) -> Result<(), Fault> {
         crate::friction::kinetic_friction_for_exchange(self.mu_k)
     }
 

@@ -149,10 +149,10 @@ impl<T: Component> ElastoPlasticPlanar<T> {
     /// g(|v|); 0 if it has almost vanished, as it does at high speed for f_C = 0.
     fn level(&self) -> T {
         let coulomb = self.mu_k * self.normal_force;
-        let statical = self.mu_s * self.normal_force;
+        let breakaway = self.mu_s * self.normal_force;
         let speed = length(&self.velocity());
-        let level = stribeck::level(speed, coulomb, statical, self.stribeck_velocity, self.stribeck_exponent);
-        if level.value() > 1e-100 * statical.value() { level } else { T::from(0.0) }
+        let level = stribeck::level(speed, coulomb, breakaway, self.stribeck_velocity, self.stribeck_exponent);
+        if level.value() > 1e-100 * breakaway.value() { level } else { T::from(0.0) }
     }
 
     /// sigma_1(v).
@@ -218,7 +218,7 @@ impl Model for ElastoPlasticPlanar {
         crate::friction::static_not_below_kinetic(self.mu_s, self.mu_k)
     }
 
-    fn check_exchange(&self) -> Result<(), Fault> {
+    fn check_model_exchange(&self) -> Result<(), Fault> {
         crate::friction::kinetic_friction_for_exchange(self.mu_k)
     }
 

@@ -161,8 +161,8 @@ impl<T: Real> FrictionalLag<T> {
         if load.value() == 0.0 {
             return T::zero();
         }
-        let (coulomb, statical) = (self.mu_k * load, self.mu_s * load);
-        stribeck::level(w, coulomb, statical, self.stribeck_velocity, self.stribeck_exponent)
+        let (coulomb, breakaway) = (self.mu_k * load, self.mu_s * load);
+        stribeck::level(w, coulomb, breakaway, self.stribeck_velocity, self.stribeck_exponent)
             + self.viscous_coefficient * w.abs()
     }
 }

@@ -154,9 +154,9 @@ impl<T: Real> Leuven<T> {
     /// |s(v)|; 0 if it has all but vanished, as it does at high speed for f_C = 0.
     fn level(&self) -> T {
         let coulomb = self.mu_k * self.normal_force;
-        let statical = self.mu_s * self.normal_force;
-        let level = stribeck::level(self.velocity, coulomb, statical, self.stribeck_velocity, self.stribeck_exponent);
-        if level.value() > 1e-100 * statical.value() { level } else { T::zero() }
+        let breakaway = self.mu_s * self.normal_force;
+        let level = stribeck::level(self.velocity, coulomb, breakaway, self.stribeck_velocity, self.stribeck_exponent);
+        if level.value() > 1e-100 * breakaway.value() { level } else { T::zero() }
     }
 
     /// w f_s.

@@ -101,11 +101,11 @@ impl<T: Real> Curve<T> for LinearStiction<T> {
     #[inline]
     fn curve(&self, velocity: T) -> T {
         let [speed, from, to] = [velocity.abs(), self.transition_velocity, self.sliding_velocity];
-        let [coulomb, statical] = [self.mu_k * self.normal_force, self.level()];
+        let [coulomb, breakaway] = [self.mu_k * self.normal_force, self.level()];
         if speed <= from {
-            statical * velocity / from
+            breakaway * velocity / from
         } else if speed < to {
-            (statical - (statical - coulomb) * (speed - from) / (to - from)) * velocity.sign()
+            (breakaway - (breakaway - coulomb) * (speed - from) / (to - from)) * velocity.sign()
         } else {
             coulomb * velocity.sign()
         }

@@ -115,8 +115,8 @@ impl<T: Real> LuGre<T> {
     #[inline]
     fn level(&self) -> T {
         let coulomb = self.mu_k * self.normal_force;
-        let statical = self.mu_s * self.normal_force;
-        stribeck::level(self.velocity, coulomb, statical, self.stribeck_velocity, self.stribeck_exponent)
+        let breakaway = self.mu_s * self.normal_force;
+        stribeck::level(self.velocity, coulomb, breakaway, self.stribeck_velocity, self.stribeck_exponent)
     }
 
     /// sigma_1(v).

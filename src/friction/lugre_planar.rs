@@ -132,8 +132,8 @@ impl<T: Component> LuGrePlanar<T> {
     /// g(|v|).
     fn level(&self, speed: T) -> T {
         let coulomb = self.mu_k * self.normal_force;
-        let statical = self.mu_s * self.normal_force;
-        stribeck::level(speed, coulomb, statical, self.stribeck_velocity, self.stribeck_exponent)
+        let breakaway = self.mu_s * self.normal_force;
+        stribeck::level(speed, coulomb, breakaway, self.stribeck_velocity, self.stribeck_exponent)
     }
 
     /// sigma_1(v).
@@ -200,7 +200,7 @@ impl Model for LuGrePlanar {
         crate::friction::static_not_below_kinetic(self.mu_s, self.mu_k)
     }
 
-    fn check_exchange(&self) -> Result<(), Fault> {
+    fn check_model_exchange(&self) -> Result<(), Fault> {
         crate::friction::kinetic_friction_for_exchange(self.mu_k)
     }
 

@@ -181,8 +181,8 @@ impl<T: Real> MaxwellSlip<T> {
     /// s(v).
     fn level(&self) -> T {
         let coulomb = self.mu_k * self.normal_force;
-        let statical = self.mu_s * self.normal_force;
-        stribeck::level(self.velocity, coulomb, statical, self.stribeck_velocity, self.stribeck_exponent)
+        let breakaway = self.mu_s * self.normal_force;
+        stribeck::level(self.velocity, coulomb, breakaway, self.stribeck_velocity, self.stribeck_exponent)
     }
 
     fn count(&self) -> usize {

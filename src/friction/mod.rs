@@ -44,7 +44,7 @@ crate::catalogue::family! {
     elasto_plastic_planar::ElastoPlasticPlanar,
 }
 
-pub(crate) use time_stepping::Exchange;
+pub(crate) use time_stepping::ExchangeOrder;
 
 mod branching;
 mod delay_line;

@@ -112,7 +112,7 @@ impl<T: Real> Curve<T> for Specker<T> {
         }
         SpeckerCurve {
             coulomb: self.mu_k * self.normal_force,
-            statical: self.level(),
+            breakaway: self.level(),
             transition_velocity: self.transition_velocity,
             peak_velocity: self.peak_velocity,
             viscous_coefficient: self.viscous_coefficient,

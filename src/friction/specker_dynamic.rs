@@ -120,7 +120,7 @@ impl<T: Real> SpeckerDynamic<T> {
     fn curve(&self) -> SpeckerCurve<T> {
         SpeckerCurve {
             coulomb: self.mu_k * self.normal_force,
-            statical: self.mu_s * self.normal_force,
+            breakaway: self.mu_s * self.normal_force,
             transition_velocity: self.transition_velocity,
             peak_velocity: self.peak_velocity,
             viscous_coefficient: self.viscous_coefficient,
@@ -175,7 +175,7 @@ impl Model for SpeckerDynamic {
         crate::friction::static_not_below_kinetic(self.mu_s, self.mu_k)
     }
 
-    fn check_exchange(&self) -> Result<(), Fault> {
+    fn check_model_exchange(&self) -> Result<(), Fault> {
         if self.mu_s == 0.0 && self.viscous_coefficient == 0.0 {
             let why = "must be > 0 in Model Exchange unless viscous_coefficient is, for a time constant at rest";
             return Err(Fault::new(format_args!("mu_s = {}: {why}", self.mu_s)));

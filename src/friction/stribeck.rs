@@ -143,15 +143,15 @@ impl<T: Real> Stribeck<T> {
     #[inline]
     fn falling_level(&self, velocity: T) -> T {
         let coulomb = self.mu_k * self.normal_force;
-        let [statical, v_s] = [self.level(), self.stribeck_velocity];
-        let exponential = |exponent| stribeck::level(velocity, coulomb, statical, v_s, exponent);
+        let [breakaway, v_s] = [self.level(), self.stribeck_velocity];
+        let exponential = |exponent| stribeck::level(velocity, coulomb, breakaway, v_s, exponent);
         match StribeckCurve::of(self.curve.value()) {
             StribeckCurve::Tustin => exponential(T::from(1.0)),
             StribeckCurve::BoPavelescu => exponential(self.stribeck_exponent),
-            StribeckCurve::HessSoom => stribeck::lorentzian(velocity, coulomb, statical, v_s),
+            StribeckCurve::HessSoom => stribeck::lorentzian(velocity, coulomb, breakaway, v_s),
             StribeckCurve::PoppStelter => {
                 let quadratic = viscous::force(velocity * velocity, self.quadratic_coefficient, self.normal_force);
-                stribeck::hyperbolic(velocity, coulomb, statical, v_s) + quadratic
+                stribeck::hyperbolic(velocity, coulomb, breakaway, v_s) + quadratic
             }
             StribeckCurve::Gaussian => exponential(T::from(2.0)),
         }

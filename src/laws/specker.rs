@@ -8,7 +8,7 @@ pub struct SpeckerCurve<T> {
     /// f_C.
     pub coulomb: T,
     /// f_s.
-    pub statical: T,
+    pub breakaway: T,
     /// v_0.
     pub transition_velocity: T,
     /// v_Sp.
@@ -22,7 +22,7 @@ impl<T: Real> SpeckerCurve<T> {
     /// motion.
     fn excess(&self) -> T {
         let sliding = self.coulomb * (self.peak_velocity / self.transition_velocity).tanh();
-        let excess = self.statical - sliding - self.viscous_coefficient * self.peak_velocity;
+        let excess = self.breakaway - sliding - self.viscous_coefficient * self.peak_velocity;
         if excess > T::zero() { excess } else { T::zero() }
     }
 
@@ -56,7 +56,7 @@ mod tests {
 
     const DEFAULT: SpeckerCurve<f64> = SpeckerCurve {
         coulomb: 0.981,
-        statical: 1.4715,
+        breakaway: 1.4715,
         transition_velocity: 2.5e-4,
         peak_velocity: 5e-4,
         viscous_coefficient: 0.0,

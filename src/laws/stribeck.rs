@@ -2,7 +2,7 @@
 
 use crate::number::Real;
 
-/// The Stribeck function: the friction level falls from `statical` at rest to `coulomb` at speeds well above the
+/// The Stribeck function: the friction level falls from `breakaway` at rest to `coulomb` at speeds well above the
 /// Stribeck velocity.
 ///
 /// ```text
@@ -11,11 +11,11 @@ use crate::number::Real;
 ///
 /// Bo and Pavelescu (1982), doi:10.1016/0043-1648(82)90274-8, in the normalised form of Armstrong-Helouvry (1991).
 #[inline]
-pub fn level<T: Real>(velocity: T, coulomb: T, statical: T, stribeck_velocity: T, exponent: T) -> T {
+pub fn level<T: Real>(velocity: T, coulomb: T, breakaway: T, stribeck_velocity: T, exponent: T) -> T {
     let u = velocity.abs() / stribeck_velocity;
     // The exponent of nearly every published parameter set; a product is several times faster than a power.
     let power = if exponent.is(2.0) { u * u } else { u.powf(exponent) };
-    coulomb + (statical - coulomb) * (-power).exp()
+    coulomb + (breakaway - coulomb) * (-power).exp()
 }
 
 /// A level that falls as a Lorentzian: halfway at the Stribeck velocity.
@@ -26,9 +26,9 @@ pub fn level<T: Real>(velocity: T, coulomb: T, statical: T, stribeck_velocity: T
 ///
 /// Hess and Soom (1990), Journal of Tribology 112, 147-152.
 #[inline]
-pub fn lorentzian<T: Real>(velocity: T, coulomb: T, statical: T, stribeck_velocity: T) -> T {
+pub fn lorentzian<T: Real>(velocity: T, coulomb: T, breakaway: T, stribeck_velocity: T) -> T {
     let u = velocity / stribeck_velocity;
-    coulomb + (statical - coulomb) / (T::from(1.0) + u * u)
+    coulomb + (breakaway - coulomb) / (T::from(1.0) + u * u)
 }
 
 /// A level that falls as a hyperbola: halfway at the Stribeck velocity.
@@ -39,8 +39,8 @@ pub fn lorentzian<T: Real>(velocity: T, coulomb: T, statical: T, stribeck_veloci
 ///
 /// Popp and Stelter (1990).
 #[inline]
-pub fn hyperbolic<T: Real>(velocity: T, coulomb: T, statical: T, stribeck_velocity: T) -> T {
-    coulomb + (statical - coulomb) / (T::from(1.0) + velocity.abs() / stribeck_velocity)
+pub fn hyperbolic<T: Real>(velocity: T, coulomb: T, breakaway: T, stribeck_velocity: T) -> T {
+    coulomb + (breakaway - coulomb) / (T::from(1.0) + velocity.abs() / stribeck_velocity)
 }
 
 #[cfg(test)]

@@ -129,7 +129,7 @@ pub trait Model: Described + Law<Number = f64> {
     }
 
     /// Rejects parameters with which the model is for co-simulation only.
-    fn check_exchange(&self) -> Result<(), Fault> {
+    fn check_model_exchange(&self) -> Result<(), Fault> {
         Ok(())
     }
 

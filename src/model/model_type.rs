@@ -48,7 +48,7 @@ pub struct ModelType {
     output_dual: fn(&mut [Dual], &[Dual]),
     rate: Rate,
     rate_dual: fn(&[Dual], &mut [Dual]),
-    check_exchange: fn(&[f64]) -> Result<(), Fault>,
+    check_model_exchange: fn(&[f64]) -> Result<(), Fault>,
     indicate: fn(&[f64], &mut [f64]),
     at_event: fn(&mut [f64], &mut [f64], Room) -> bool,
 }
@@ -101,7 +101,7 @@ impl ModelType {
                 rate.fill(Dual::default());
                 view::<M::Dual, Dual>(row).derivatives(view_mut(rate));
             },
-            check_exchange: |row| view::<M, f64>(row).check_exchange(),
+            check_model_exchange: |row| view::<M, f64>(row).check_model_exchange(),
             indicate: |row, indicators| view::<M, f64>(row).event_indicators(indicators),
             at_event: |row, memory, room| commit::<M>(row, memory, room, 0, |model, _| model.at_event()),
         }
@@ -118,7 +118,7 @@ impl ModelType {
         self.guid
     }
 
-    /// What a value reference stands for.
+    /// The column or other quantity with this value reference.
     #[inline(always)]
     pub fn place(&self, reference: Reference) -> Option<Place> {
         self.references.find(reference, self.table.len())
@@ -244,8 +244,8 @@ impl ModelType {
     }
 
     /// Refuses parameters with which the model is for co-simulation only.
-    pub fn check_exchange(&self, row: &[f64]) -> Result<(), Fault> {
-        (self.check_exchange)(row)
+    pub fn check_model_exchange(&self, row: &[f64]) -> Result<(), Fault> {
+        (self.check_model_exchange)(row)
     }
 
     /// Writes the event indicators.

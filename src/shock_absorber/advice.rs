@@ -1,6 +1,6 @@
 //! Advice to the master: tangents, and the largest step that they allow.
 
-use crate::friction::Exchange;
+use crate::friction::ExchangeOrder;
 use crate::shock_absorber::ShockAbsorber;
 use crate::shock_absorber::coupling::{self, Series};
 use crate::shock_absorber::law::{Evaluate, MEMORY};
@@ -121,7 +121,7 @@ impl<T: Evaluate> ShockAbsorber<T> {
         let bristles = (tangents.velocity - tangents.held_velocity).max(0.0) / dt;
         let is_held = InputMode::of(setting.num.input_mode) == InputMode::Hold;
         let (stiffness, held) = if is_held { (-tangents.length, bristles) } else { (bristles - tangents.length, 0.0) };
-        let exchange = Exchange::of(setting.friction.exchange);
+        let exchange = ExchangeOrder::of(setting.friction.exchange);
         let mass = setting.num.mass_ref;
         let limit = if setting.damper.has_series() {
             let series = Series { damping: tangents.damper, stiffness: setting.damper.k_series, is_late: is_held };

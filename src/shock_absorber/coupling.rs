@@ -1,6 +1,6 @@
 //! The largest communication step at which a mass carried by a spring-damper stays stable.
 
-use crate::friction::Exchange;
+use crate::friction::ExchangeOrder;
 
 /// Value that stands for "no limit" (chosen), so that the output is finite.
 const NO_LIMIT: f64 = 1.0;
@@ -15,22 +15,22 @@ const NO_LIMIT: f64 = 1.0;
 ///
 /// *Parallel* (it is one step older): Jury's criterion gives a cubic, whose smallest root is close to
 /// `1 / (c / m + 3 k / 2 c)`: exact for k = 0 and for m k >> c^2, low by a fifth at most in between.
-pub(crate) fn step_limit(stiffness: f64, bristles: f64, damping: f64, mass: f64, exchange: Exchange) -> f64 {
+pub(crate) fn step_limit(stiffness: f64, bristles: f64, damping: f64, mass: f64, exchange: ExchangeOrder) -> f64 {
     let (k, c) = ((stiffness + weight(exchange) * bristles).max(0.0), damping.abs());
     if k == 0.0 && c == 0.0 {
         return NO_LIMIT;
     }
     let limit = match exchange {
-        Exchange::Sequential => (2.0 * mass / c).min(if k > 0.0 { 2.0 * c / k } else { f64::INFINITY }),
-        Exchange::Parallel if c == 0.0 => 0.0,
-        Exchange::Parallel => 1.0 / (c / mass + 1.5 * k / c),
+        ExchangeOrder::Sequential => (2.0 * mass / c).min(if k > 0.0 { 2.0 * c / k } else { f64::INFINITY }),
+        ExchangeOrder::Parallel if c == 0.0 => 0.0,
+        ExchangeOrder::Parallel => 1.0 / (c / mass + 1.5 * k / c),
     };
     limit.min(NO_LIMIT)
 }
 
 /// Weight of a stiffness whose deflection lags.
-fn weight(exchange: Exchange) -> f64 {
-    if exchange == Exchange::Parallel { 4.0 / 3.0 } else { 2.0 }
+fn weight(exchange: ExchangeOrder) -> f64 {
+    if exchange == ExchangeOrder::Parallel { 4.0 / 3.0 } else { 2.0 }
 }
 
 /// A damper that acts through a stiffness in series.
@@ -57,7 +57,7 @@ pub(crate) fn step_limit_in_series(
     damping: f64,
     series: &Series,
     mass: f64,
-    exchange: Exchange,
+    exchange: ExchangeOrder,
 ) -> f64 {
     if series.damping <= 0.0 {
         return step_limit(stiffness, bristles, damping, mass, exchange);
@@ -70,9 +70,9 @@ pub(crate) fn step_limit_in_series(
     let c = damping + series.damping / (1.0 + u);
     let fast = (series.damping / mass).min((series.stiffness / mass).sqrt());
     let (by_damping, by_series, by_stiffness) = match exchange {
-        Exchange::Sequential => (0.5, if series.is_late { 1.0 } else { 0.5 }, 0.5),
+        ExchangeOrder::Sequential => (0.5, if series.is_late { 1.0 } else { 0.5 }, 0.5),
         // A damper that is two steps late: a^2 + a < 1.
-        Exchange::Parallel => (1.0, if series.is_late { 1.62 } else { 1.0 }, 1.5),
+        ExchangeOrder::Parallel => (1.0, if series.is_late { 1.62 } else { 1.0 }, 1.5),
     };
     if c <= 0.0 {
         return 0.0;
@@ -100,7 +100,7 @@ mod tests {
     /// Whether the motion of a mass on a spring, a damper and a damper in series grows. The force is held over each
     /// step; the element in series moves exactly at a held velocity or at one that changes linearly to its value at the
     /// end.
-    fn grows_in_series(k: f64, c: f64, series: &Series, exchange: Exchange, h: f64) -> bool {
+    fn grows_in_series(k: f64, c: f64, series: &Series, exchange: ExchangeOrder, h: f64) -> bool {
         const MASS: f64 = 16.36;
         let (mut x, mut v, mut f, mut old) = (1e-3, 1e-3, 0.0, 0.0);
         let relaxation = h * series.stiffness / series.damping;
@@ -108,7 +108,7 @@ mod tests {
         let end = if series.is_late { 0.0 } else { 1.0 - (1.0 - kept) / relaxation };
         for _ in 0..20_000 {
             let now = -k * x - c * v - f;
-            let force = if exchange == Exchange::Parallel { old } else { now };
+            let force = if exchange == ExchangeOrder::Parallel { old } else { now };
             old = now;
             x += h * (v + h * force / (2.0 * MASS));
             let next = v + h * force / MASS;
@@ -133,10 +133,10 @@ mod tests {
         ] {
             for stiffness in [1e5, 1e6, 1e7, 1e9] {
                 for (exchange, is_late) in [
-                    (Exchange::Sequential, false),
-                    (Exchange::Sequential, true),
-                    (Exchange::Parallel, false),
-                    (Exchange::Parallel, true),
+                    (ExchangeOrder::Sequential, false),
+                    (ExchangeOrder::Sequential, true),
+                    (ExchangeOrder::Parallel, false),
+                    (ExchangeOrder::Parallel, true),
                 ] {
                     let series = Series { damping, stiffness, is_late };
                     let limit = step_limit_in_series(k, 0.0, c, &series, 16.36, exchange);
@@ -150,11 +150,11 @@ mod tests {
     }
 
     /// Whether the motion of a mass under a held force grows from a small displacement and velocity.
-    fn grows(k: f64, c: f64, m: f64, exchange: Exchange, h: f64) -> bool {
+    fn grows(k: f64, c: f64, m: f64, exchange: ExchangeOrder, h: f64) -> bool {
         let (mut x, mut v, mut old) = (1e-3, 1e-3, 0.0);
         for _ in 0..20_000 {
             let now = -k * x - c * v;
-            let force = if exchange == Exchange::Parallel { old } else { now };
+            let force = if exchange == ExchangeOrder::Parallel { old } else { now };
             old = now;
             x += h * (v + h * force / (2.0 * m));
             v += h * force / m;
@@ -169,7 +169,7 @@ mod tests {
     fn limit_separates_stable_from_unstable_steps() {
         for (k, c) in [(0.0, 1500.0), (4.5e4, 1500.0), (4.5e4, 5000.0), (1e5, 316.0), (1e5, 1816.0), (1.045e6, 1500.0)]
         {
-            for exchange in [Exchange::Sequential, Exchange::Parallel] {
+            for exchange in [ExchangeOrder::Sequential, ExchangeOrder::Parallel] {
                 let limit = step_limit(k, 0.0, c, 16.36, exchange);
                 assert!(!grows(k, c, 16.36, exchange, 0.97 * limit), "{k} {c} {exchange:?} {limit}");
                 assert!(grows(k, c, 16.36, exchange, 1.3 * limit), "{k} {c} {exchange:?} {limit}");
@@ -179,7 +179,7 @@ mod tests {
 
     #[test]
     fn advice_is_always_finite() {
-        for exchange in [Exchange::Sequential, Exchange::Parallel] {
+        for exchange in [ExchangeOrder::Sequential, ExchangeOrder::Parallel] {
             assert_eq!(step_limit(0.0, 0.0, 0.0, 1.0, exchange), 1.0);
             assert_eq!(step_limit(1e5, 0.0, 0.0, 1.0, exchange), 0.0);
             assert_eq!(step_limit(-5.0, 0.0, 1e-9, 1.0, exchange), 1.0);

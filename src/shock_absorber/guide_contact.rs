@@ -1,4 +1,4 @@
-use crate::friction::Exchange;
+use crate::friction::ExchangeOrder;
 use crate::model::{Fault, Law, Model, boolean, choice, real};
 use crate::number::Real;
 use crate::ramp;
@@ -34,7 +34,7 @@ crate::part! {
         /// Effective mass of the body, for laws that use it; 0 = law as printed.
         mass: tunable = real("kg", 0.0).at_least(0.0),
         /// Order in which the master exchanges force and motion; used with mass > 0.
-        exchange: fixed = Exchange::Sequential.start(),
+        exchange: fixed = ExchangeOrder::Sequential.start(),
         /// Parameters of the laws.
         law: (LawParameters),
     }
@@ -58,15 +58,15 @@ impl Levels {
     /// Refuses impossible levels.
     pub(crate) fn check(&self, part: &str) -> Result<(), Fault> {
         let pairs = [("mu", self.mu_s, self.mu_k), ("preload", self.preload_s, self.preload_k)];
-        for (name, statical, kinetic) in pairs {
-            if statical < kinetic {
+        for (name, breakaway, kinetic) in pairs {
+            if breakaway < kinetic {
                 return Err(Fault::new(format_args!(
-                    "{part}{name}_s = {statical}: must be >= {part}{name}_k = {kinetic}"
+                    "{part}{name}_s = {breakaway}: must be >= {part}{name}_k = {kinetic}"
                 )));
             }
-            if statical > 0.0 && kinetic == 0.0 {
+            if breakaway > 0.0 && kinetic == 0.0 {
                 return Err(Fault::new(format_args!(
-                    "{part}{name}_k = 0: must be > 0 because {part}{name}_s = {statical} is; \
+                    "{part}{name}_k = 0: must be > 0 because {part}{name}_s = {breakaway} is; \
                      otherwise friction would vanish in sliding"
                 )));
             }
@@ -131,9 +131,9 @@ impl<T: Real> FrictionLaw<T> {
     /// Kinetic and static level of a contact, regardless of the direction of motion.
     pub(crate) fn levels(&self, levels: &Levels<T>, normal_force: T) -> [T; 2] {
         let kinetic = self.scale * (levels.preload_k + levels.mu_k * normal_force);
-        let statical = self.scale * (levels.preload_s + levels.mu_s * normal_force);
+        let breakaway = self.scale * (levels.preload_s + levels.mu_s * normal_force);
         match self.switch() {
-            FrictionSwitch::On => [kinetic, statical],
+            FrictionSwitch::On => [kinetic, breakaway],
             FrictionSwitch::NoStiction => [kinetic, kinetic],
             FrictionSwitch::ViscousOnly | FrictionSwitch::Off => [T::zero(), T::zero()],
         }
@@ -154,20 +154,20 @@ impl<T: Real> FrictionLaw<T> {
     fn given(&self, levels: &Levels<T>, touch: &Touch<T>) -> Given<T> {
         let one = T::from(1.0);
         let side = self.side(touch.velocity);
-        let [kinetic, statical] = self.levels(levels, touch.normal_force);
+        let [kinetic, breakaway] = self.levels(levels, touch.normal_force);
         let mu_k = if levels.mu_k.value() > 0.0 { levels.mu_k } else { one };
         let normal_force = side * kinetic / mu_k;
-        let has_stiction = kinetic.value() > 0.0 && statical.value() > kinetic.value();
+        let has_stiction = kinetic.value() > 0.0 && breakaway.value() > kinetic.value();
         Given {
             velocity: touch.signed_speed(),
             normal_force,
             mu_k,
-            mu_s: if has_stiction { mu_k * statical / kinetic } else { mu_k },
+            mu_s: if has_stiction { mu_k * breakaway / kinetic } else { mu_k },
             mass: touch.mass,
             exchange: self.exchange,
             external_force: touch.external_force,
             acceleration: touch.acceleration,
-            largest: self.largest_side() * statical,
+            largest: self.largest_side() * breakaway,
         }
     }
 
@@ -273,8 +273,9 @@ impl FrictionLaw {
     }
 
     /// Refuses a law that is for co-simulation only.
-    pub(crate) fn check_exchange(&self, levels: &Levels) -> Result<(), Fault> {
-        self.chosen().map_or(Ok(()), |law| law.check_exchange(&self.given(levels, &self.loaded_at_rest()), &self.law))
+    pub(crate) fn check_model_exchange(&self, levels: &Levels) -> Result<(), Fault> {
+        self.chosen()
+            .map_or(Ok(()), |law| law.check_model_exchange(&self.given(levels, &self.loaded_at_rest()), &self.law))
     }
 
     /// Event indicators of the law; 1 for an event that never occurs.

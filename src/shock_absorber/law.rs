@@ -507,7 +507,7 @@ impl ChosenLaw {
     }
 
     /// Refuses a law, or parameters, that are for co-simulation only.
-    pub(crate) fn check_exchange(self, given: &Given<f64>, parameters: &LawParameters) -> Result<(), Fault> {
+    pub(crate) fn check_model_exchange(self, given: &Given<f64>, parameters: &LawParameters) -> Result<(), Fault> {
         let name = self.0.model.name;
         if !self.0.model.model_exchange {
             let text = format_args!("friction.model = {name}: must be a law that supports Model Exchange");
@@ -516,7 +516,7 @@ impl ChosenLaw {
         let named = |fault: Fault| Fault::new(format_args!("friction.model = {name}: {}", fault.0));
         self.on_row(|row| {
             self.fill(row, given, parameters, &self.start());
-            self.0.model.check_exchange(row).map_err(named)
+            self.0.model.check_model_exchange(row).map_err(named)
         })
     }
 

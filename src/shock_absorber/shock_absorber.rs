@@ -433,8 +433,8 @@ impl Model for ShockAbsorber {
         setting.geom.guidance().check_overlap(motion.length)
     }
 
-    fn check_exchange(&self) -> Result<(), Fault> {
-        self.setting.friction.check_exchange(&self.setting.c1)
+    fn check_model_exchange(&self) -> Result<(), Fault> {
+        self.setting.friction.check_model_exchange(&self.setting.c1)
     }
 
     fn event_indicators(&self, indicators: &mut [f64]) {

@@ -20,6 +20,7 @@
 #endif
 
 #include "check.h"
+#include "reference.h"
 #include "stribeck.h"
 
 /* ---------------------------------------------------------------------- models */
@@ -192,24 +193,13 @@ static void differentiate(const model *of, fmi2Component slave) {
     CHECK(fmi2GetDirectionalDerivative(slave, result, 1, varied, 1, &seed, &slope) == fmi2OK);
 }
 
-/* The value reference of a time derivative: the fingerprint of der(name), FNV-1a of 32 bits without the highest. */
-static fmi2ValueReference derivative_of(const char *state) {
-    char name[96];
-    snprintf(name, sizeof name, "der(%s)", state);
-    uint32_t hash = 0x811c9dc5;
-    for (const char *at = name; *at != 0; at++) {
-        hash = (hash ^ (unsigned char)*at) * 0x01000193;
-    }
-    return hash & 0x7fffffff;
-}
-
 /* The same of the rate of the dissipated energy, a state of all models of friction. */
 static void differentiate_rate(const model *of, fmi2Component slave) {
     const double seed = 1.0;
     const fmi2ValueReference *varied = &of->references[first_free_number(of)];
     for (uint32_t i = 0; i < of->columns; i++) {
         if (strcmp(of->variables[i].name, "dissipated_energy") == 0) {
-            const fmi2ValueReference rate = derivative_of("dissipated_energy");
+            const fmi2ValueReference rate = reference_of("der(dissipated_energy)");
             double slope;
             CHECK(fmi2GetDirectionalDerivative(slave, &rate, 1, varied, 1, &seed, &slope) == fmi2OK);
         }

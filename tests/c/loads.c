@@ -13,6 +13,7 @@
 
 #include "check.h"
 #include "library.h"
+#include "reference.h"
 #include "stribeck.h"
 
 enum { PATH_SIZE = 4096, WARM_UP = 100 };
@@ -224,18 +225,9 @@ static void expect_bytes(const fmu *from, fmi2Component slave, fmi2FMUstate stat
 
 enum { INSTANCES = 4 };
 
-/* The value reference of a variable: a fingerprint of its name, FNV-1a of 32 bits without the highest. */
-static fmi2ValueReference reference(const char *name) {
-    uint32_t hash = 0x811c9dc5;
-    for (; *name != 0; name++) {
-        hash = (hash ^ (unsigned char)*name) * 0x01000193;
-    }
-    return hash & 0x7fffffff;
-}
-
 /* Continues with instances that have made five steps; each begins with another function. */
 static void go_on(const fmu *by, fmi2Component *slaves, fmi2Real *value, fmi2Status *set) {
-    const fmi2ValueReference time = reference("time"), velocity = reference("velocity");
+    const fmi2ValueReference time = reference_of("time"), velocity = reference_of("velocity");
     steps(by, slaves[0], 5, 10);
     CHECK(by->GetReal(slaves[1], &time, 1, value) == fmi2OK);
     /* Not every model has this input. */

@@ -58,12 +58,12 @@ fn a_solver_keeps_no_force_that_a_step_drops() {
         bench.step(1e-2);
         set_velocity(&mut bench, 0.0);
         let mut row = bench.instance.row().to_vec();
-        assert_eq!(model.check_exchange(&row), Ok(()), "{}", model.name);
+        assert_eq!(model.check_model_exchange(&row), Ok(()), "{}", model.name);
         for column in [Some(mu_k), model.find("mu_s")].into_iter().flatten() {
             row[column] = 0.0;
         }
         assert_eq!(model.check(&row), Ok(()), "{}", model.name);
-        if let Err(fault) = model.check_exchange(&row) {
+        if let Err(fault) = model.check_model_exchange(&row) {
             assert!(fault.to_string().contains(" = 0: must be > 0 in Model Exchange"), "{fault}");
             refusing.push(model.name);
             continue;

@@ -321,7 +321,7 @@ fn viscous_friction_without_levels() {
     }
 }
 
-/// What a solver may do to a state, an error far below its tolerance, never changes what a law does.
+/// An error that a solver may make in a state, far below its tolerance, never changes the behaviour of a law.
 #[test]
 fn a_trace_in_a_continuous_state_changes_no_force() {
     let model = by_name("ShockAbsorber").unwrap();
@@ -329,7 +329,7 @@ fn a_trace_in_a_continuous_state_changes_no_force() {
     for (number, name) in laws() {
         let mut row: Vec<f64> = model.table.iter().map(|variable| variable.start).collect();
         row[model.find("friction.model").unwrap()] = number;
-        if model.check_exchange(&row).is_err() {
+        if model.check_model_exchange(&row).is_err() {
             continue;
         }
         row[model.find("velocity").unwrap()] = 0.06;

@@ -68,14 +68,14 @@ fn golden_trace(set: &[(&str, f64)], mut see: impl FnMut(usize, &mut Bench)) -> 
 }
 
 /// One contact with these levels and nothing else: no spring, gas, stops, damper or side load.
-fn bare(kinetic: f64, statical: f64) -> Vec<(&'static str, f64)> {
+fn bare(kinetic: f64, breakaway: f64) -> Vec<(&'static str, f64)> {
     let mut set = vec![
         ("spring.k", 0.0),
         ("spring.preload", 0.0),
         ("gas.enabled", 0.0),
         ("damper.scale", 0.0),
         ("side.offset_m", 0.0),
-        ("c1.preload_s", statical),
+        ("c1.preload_s", breakaway),
         ("c1.preload_k", kinetic),
         ("c2.preload_s", 0.0),
         ("c2.preload_k", 0.0),

@@ -28,8 +28,8 @@ fn energy_balance() {
     assert!((work + rotation - dissipated).abs() < 2e-3 * dissipated, "{work} + {rotation} = {dissipated}");
 }
 
-/// What the spring does to the joint is what a host would give for it: the force F_s q along m, the moments -e_n F_s and
-/// e_m F_s. Alone it hears no inputs; and the contacts feel the distribution of pressure.
+/// Loads of the spring on the joint equal those that a host would give for it: the force F_s q along m, the moments
+/// -e_n F_s and e_m F_s. Alone it ignores the inputs; and the contacts carry the distribution of pressure.
 #[test]
 fn side_load_of_the_spring() {
     let normals = |set: &[(&str, f64)]| {

@@ -17,7 +17,7 @@ pub(crate) use two_levels::{EVENTS_OF_TWO_LEVELS, TwoLevels, two_levels};
 
 crate::choices! {
     /// Order in which the master exchanges values with the friction model.
-    pub enum Exchange {
+    pub enum ExchangeOrder {
         /// The friction model steps first, and the host uses the force of that step (Gauss-Seidel).
         Sequential,
         /// All models step at once and exchange values afterwards, so the force acts one step later (Jacobi).
@@ -31,7 +31,7 @@ crate::part! {
         /// Effective mass of the body to be held at rest, better too small than too large; 0 = law as printed.
         mass: tunable = real("kg", 0.0).at_least(0.0),
         /// Order in which the master exchanges values; used with mass > 0.
-        exchange: fixed = Exchange::Sequential.start(),
+        exchange: fixed = ExchangeOrder::Sequential.start(),
         /// Length of the last step; 0 before the first one.
         step_size: state = real("s", 0.0).at_least(0.0).nominal(1e-3).shown_in("ms").discrete(),
         /// Step for which a parallel exchange plans: the longest recent one.
@@ -158,7 +158,7 @@ impl<T: Real> TimeStepping<T> {
     }
 
     fn is_parallel(&self) -> bool {
-        Exchange::of(self.exchange.value()) == Exchange::Parallel
+        ExchangeOrder::of(self.exchange.value()) == ExchangeOrder::Parallel
     }
 }
 
@@ -191,7 +191,7 @@ impl TimeStepping {
 
     /// With mass, the force belongs to a whole step, and an importer that integrates the body itself takes no such
     /// step.
-    pub(crate) fn check_exchange(&self) -> Result<(), Fault> {
+    pub(crate) fn check_model_exchange(&self) -> Result<(), Fault> {
         if self.mass > 0.0 {
             let text =
                 format_args!("mass = {}: must be 0 in Model Exchange, where no force is held over a step", self.mass);

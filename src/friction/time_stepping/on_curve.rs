@@ -274,8 +274,8 @@ macro_rules! memoryless {
             }
         }
 
-        fn check_exchange(&self) -> Result<(), $crate::model::Fault> {
-            self.time_stepping.check_exchange()
+        fn check_model_exchange(&self) -> Result<(), $crate::model::Fault> {
+            self.time_stepping.check_model_exchange()
         }
 
         fn event_indicators(&self, indicators: &mut [f64]) {

@@ -14,7 +14,7 @@ pub(crate) struct TwoLevels<T> {
     /// Level while sliding, f_C.
     pub kinetic: T,
     /// Level at rest, f_s.
-    pub statical: T,
+    pub breakaway: T,
     /// The body counts as at rest up to this speed (0: at rest exactly).
     pub band: T,
     /// Whether the contact has been stuck since the last step.
@@ -42,8 +42,8 @@ pub(crate) const EVENTS_OF_TWO_LEVELS: usize = 3;
 
 impl TwoLevels<f64> {
     fn rest(&self) -> Rest {
-        let TwoLevels { phase, velocity, external_force, statical, .. } = *self;
-        Rest { phase, velocity, external_force, level: statical }
+        let TwoLevels { phase, velocity, external_force, breakaway, .. } = *self;
+        Rest { phase, velocity, external_force, level: breakaway }
     }
 
     fn around_rest(&self) -> Band {
@@ -57,7 +57,7 @@ impl TwoLevels<f64> {
             (true, Phase::Held) => [self.around_rest().indicator(), rest.reserve(self.external_force.abs()) + REACHED],
             (true, _) => [self.around_rest().indicator(), NO_EVENT],
         };
-        indicators.copy_from_slice(&[phase, reserve, unloading::load(self.statical)]);
+        indicators.copy_from_slice(&[phase, reserve, unloading::load(self.breakaway)]);
     }
 
     /// Phase of the contact after an event.
@@ -71,22 +71,22 @@ impl<T: Real> Contact<T> for TwoLevels<T> {
     fn printed(&self) -> T {
         if self.rests() {
             let phase = if self.band.value() > 0.0 { Phase::Free } else { self.phase };
-            return resting(phase, self.external_force, self.statical);
+            return resting(phase, self.external_force, self.breakaway);
         }
         self.kinetic * self.phase.direction().map_or(self.velocity.sign(), T::from)
     }
 
     fn largest(&self) -> T {
-        self.statical
+        self.breakaway
     }
 
     fn stepped(&self, mass: T, step_size: T) -> Outcome<T> {
-        let TwoLevels { velocity, kinetic, statical, .. } = *self;
+        let TwoLevels { velocity, kinetic, breakaway, .. } = *self;
         let stopping = force_to_stop(velocity, self.external_force, mass, step_size);
-        let is_held = is_held(stopping, velocity, self.stuck || self.is_at_rest(), kinetic, statical);
+        let is_held = is_held(stopping, velocity, self.stuck || self.is_at_rest(), kinetic, breakaway);
         let force = match (is_held, self.is_at_rest()) {
             (true, _) => stopping,
-            (false, true) => stopping.limited(statical),
+            (false, true) => stopping.limited(breakaway),
             (false, false) => stopping.limited(kinetic),
         };
         Outcome { force, is_held }
@@ -94,8 +94,8 @@ impl<T: Real> Contact<T> for TwoLevels<T> {
 
     fn sticking(&self, steps: &TimeStepping<T>) -> T {
         let sticking =
-            if steps.is_active() { self.stuck } else { self.rests() && self.external_force.abs() <= self.statical };
-        truth(sticking && self.statical.value() > 0.0)
+            if steps.is_active() { self.stuck } else { self.rests() && self.external_force.abs() <= self.breakaway };
+        truth(sticking && self.breakaway.value() > 0.0)
     }
 }
 
@@ -114,7 +114,7 @@ macro_rules! two_levels {
                     velocity: self.velocity,
                     external_force: self.external_force,
                     kinetic: self.mu_k * self.normal_force,
-                    statical: self.mu_s * self.normal_force,
+                    breakaway: self.mu_s * self.normal_force,
                     band: $band,
                     stuck: self.stuck.value() != 0.0,
                     phase: self.time_stepping.phase(),
@@ -152,8 +152,8 @@ macro_rules! two_levels {
             $crate::friction::static_not_below_kinetic(self.mu_s, self.mu_k)
         }
 
-        fn check_exchange(&self) -> Result<(), $crate::model::Fault> {
-            self.time_stepping.check_exchange()
+        fn check_model_exchange(&self) -> Result<(), $crate::model::Fault> {
+            self.time_stepping.check_model_exchange()
         }
 
         fn event_indicators(&self, indicators: &mut [f64]) {
