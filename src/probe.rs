@@ -80,7 +80,7 @@ impl Model for Probe {
     }
 
     fn step_ramp(&mut self, slope: &Self, dt: f64) {
-        crate::ramp::in_pieces(self, slope, dt, 1);
+        crate::model::ramp::in_pieces(self, slope, dt, 1);
     }
 }
 

@@ -45,8 +45,8 @@ mod regression;
 use std::fmt;
 
 use stribeck::catalogue;
-use stribeck::laws::table::linear;
 use stribeck::model::ModelType;
+use stribeck::numerics::interpolation::linear;
 use thiserror::Error;
 
 pub use file::{FileError, Test};

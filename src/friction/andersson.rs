@@ -1,4 +1,4 @@
-use crate::friction::time_stepping::{Curve, TimeStepping, memoryless};
+use crate::contact::time_stepping::{Curve, TimeStepping, memoryless};
 use crate::laws::{stribeck, viscous};
 use crate::model::{Fault, Model, Preset, boolean, real};
 use crate::number::Real;
@@ -130,7 +130,7 @@ impl Model for Andersson {
     }];
 
     fn check(&self) -> Result<(), Fault> {
-        crate::friction::static_not_below_kinetic(self.mu_s, self.mu_k)
+        crate::contact::conditions::static_not_below_kinetic(self.mu_s, self.mu_k)
     }
 
     memoryless!();

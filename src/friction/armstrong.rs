@@ -1,10 +1,10 @@
-use crate::friction::delay_line::{DelayLine, Piece};
-use crate::laws::motion::Motion;
-use crate::laws::quadrature::integral_past_peak;
-use crate::laws::root::first_rise;
+use crate::contact::delay_line::{DelayLine, Piece};
+use crate::contact::motion::Motion;
+use crate::model::ramp;
 use crate::model::{Fault, Law, Model, Preset, boolean, real};
 use crate::number::Real;
-use crate::ramp;
+use crate::numerics::quadrature::integral_past_peak;
+use crate::numerics::root::first_rise;
 
 crate::model! {
     /// Armstrong's seven-parameter friction: pre-sliding displacement like a spring while stuck, and while slipping the
@@ -413,7 +413,7 @@ impl Model for Armstrong {
     ];
 
     fn check(&self) -> Result<(), Fault> {
-        crate::friction::static_not_below_kinetic(self.mu_s, self.mu_k)
+        crate::contact::conditions::static_not_below_kinetic(self.mu_s, self.mu_k)
     }
 
     fn step(&mut self, dt: f64) {

@@ -1,4 +1,4 @@
-use crate::friction::time_stepping::{Curve, TimeStepping, memoryless};
+use crate::contact::time_stepping::{Curve, TimeStepping, memoryless};
 use crate::model::{Fault, Model, boolean, real};
 use crate::number::Real;
 
@@ -139,7 +139,7 @@ memoryless!(Awrejcewicz);
 
 impl Model for Awrejcewicz {
     fn check(&self) -> Result<(), Fault> {
-        crate::friction::static_not_below_kinetic(self.mu_s, self.mu_k)
+        crate::contact::conditions::static_not_below_kinetic(self.mu_s, self.mu_k)
     }
 
     memoryless!();

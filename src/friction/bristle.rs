@@ -1,6 +1,6 @@
+use crate::model::ramp;
 use crate::model::{Fault, Law, Model, Preset, boolean, integer, real};
 use crate::number::Real;
-use crate::ramp;
 
 /// Largest number of bristles in a contact. The authors find fewer than 50 sufficient.
 const MOST: usize = 64;
@@ -238,7 +238,7 @@ impl Model for Bristle {
     ];
 
     fn check(&self) -> Result<(), Fault> {
-        crate::friction::static_not_below_kinetic(self.mu_s, self.mu_k)?;
+        crate::contact::conditions::static_not_below_kinetic(self.mu_s, self.mu_k)?;
         if self.span() > 2.0 * self.delta {
             let least = self.mu_s / 3.0;
             return Err(Fault::new(format_args!("mu_k = {}: must be >= mu_s / 3 = {least}", self.mu_k)));

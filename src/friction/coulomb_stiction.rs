@@ -1,4 +1,4 @@
-use crate::friction::time_stepping::{TimeStepping, two_levels};
+use crate::contact::time_stepping::{TimeStepping, two_levels};
 use crate::model::{Model, boolean, real};
 use crate::number::Real;
 

@@ -1,5 +1,5 @@
-use crate::friction::ELASTIC_SHARE;
-use crate::friction::unloading::released_without_load;
+use crate::contact::conditions::ELASTIC_SHARE;
+use crate::contact::unloading::released_without_load;
 use crate::model::{Fault, Law, Model, Preset, boolean, real};
 use crate::number::Real;
 
@@ -155,7 +155,7 @@ impl Model for Dahl {
         if self.alpha < 1.0 {
             return Err(Fault::new(format_args!("alpha = {}: must be >= 1 in Model Exchange", self.alpha)));
         }
-        crate::friction::kinetic_friction_for_exchange(self.mu_k)
+        crate::contact::conditions::kinetic_friction_for_exchange(self.mu_k)
     }
 
     fn step(&mut self, dt: f64) {

@@ -1,8 +1,8 @@
-use crate::friction::ELASTIC_SHARE;
-use crate::friction::unloading::released_without_load;
-use crate::laws::relaxation;
+use crate::contact::conditions::ELASTIC_SHARE;
+use crate::contact::unloading::released_without_load;
 use crate::model::{Law, Model, Preset, boolean, real};
 use crate::number::Real;
+use crate::numerics::relaxation;
 
 crate::model! {
     /// Dankowicz friction, reconstructed: asperities yield by a given shear deflection before gross sliding; Dahl's law

@@ -1,9 +1,10 @@
-use crate::friction::ELASTIC_SHARE;
-use crate::friction::unloading::released_without_load;
-use crate::laws::runge_kutta::dormand_prince;
-use crate::laws::{quadrature, stribeck};
+use crate::contact::conditions::ELASTIC_SHARE;
+use crate::contact::unloading::released_without_load;
+use crate::laws::stribeck;
 use crate::model::{Fault, Law, Model, Preset, boolean, integer, real};
 use crate::number::Real;
+use crate::numerics::quadrature;
+use crate::numerics::runge_kutta::dormand_prince;
 
 crate::model! {
     /// Elasto-plastic friction (Dupont): LuGre with a range of purely elastic deflection, so that a contact loaded
@@ -230,11 +231,11 @@ impl Model for ElastoPlastic {
         if self.plastic_exponent % 2.0 == 0.0 {
             return Err(Fault::new(format_args!("plastic_exponent = {}: must be odd", self.plastic_exponent)));
         }
-        crate::friction::static_not_below_kinetic(self.mu_s, self.mu_k)
+        crate::contact::conditions::static_not_below_kinetic(self.mu_s, self.mu_k)
     }
 
     fn check_model_exchange(&self) -> Result<(), Fault> {
-        crate::friction::kinetic_friction_for_exchange(self.mu_k)
+        crate::contact::conditions::kinetic_friction_for_exchange(self.mu_k)
     }
 
     fn step(&mut self, dt: f64) {

@@ -1,12 +1,12 @@
 use nalgebra::Vector2;
 
-use crate::friction::ELASTIC_SHARE;
-use crate::friction::unloading::released_without_load;
-use crate::laws::runge_kutta::dormand_prince;
-use crate::laws::vector::{Component, direction, length, remainder};
+use crate::contact::conditions::ELASTIC_SHARE;
+use crate::contact::unloading::released_without_load;
 use crate::laws::{elasto_plastic, stribeck};
+use crate::model::ramp;
 use crate::model::{Fault, Law, Model, Preset, boolean, real};
-use crate::ramp;
+use crate::numerics::runge_kutta::dormand_prince;
+use crate::numerics::vector::{Component, direction, length, remainder};
 
 crate::model! {
     /// Elasto-plastic friction in a plane: as LuGre in a plane, but purely elastic up to a breakaway deflection, so
@@ -215,11 +215,11 @@ impl Model for ElastoPlasticPlanar {
     released_without_load!(bristle_deflection_x, bristle_deflection_y);
 
     fn check(&self) -> Result<(), Fault> {
-        crate::friction::static_not_below_kinetic(self.mu_s, self.mu_k)
+        crate::contact::conditions::static_not_below_kinetic(self.mu_s, self.mu_k)
     }
 
     fn check_model_exchange(&self) -> Result<(), Fault> {
-        crate::friction::kinetic_friction_for_exchange(self.mu_k)
+        crate::contact::conditions::kinetic_friction_for_exchange(self.mu_k)
     }
 
     fn step_ramp(&mut self, slope: &Self, dt: f64) {

@@ -1,10 +1,11 @@
-use crate::friction::delay_line::{DelayLine, Piece};
-use crate::laws::motion::Motion;
-use crate::laws::quadrature::integral_past_peak;
-use crate::laws::{relaxation, stribeck};
+use crate::contact::delay_line::{DelayLine, Piece};
+use crate::contact::motion::Motion;
+use crate::laws::stribeck;
+use crate::model::ramp;
 use crate::model::{Fault, Law, Model, Preset, boolean, real};
 use crate::number::Real;
-use crate::ramp;
+use crate::numerics::quadrature::integral_past_peak;
+use crate::numerics::relaxation;
 
 crate::choices! {
     /// How the friction force lags behind the velocity.
@@ -277,7 +278,7 @@ impl Model for FrictionalLag {
     ];
 
     fn check(&self) -> Result<(), Fault> {
-        crate::friction::static_not_below_kinetic(self.mu_s, self.mu_k)
+        crate::contact::conditions::static_not_below_kinetic(self.mu_s, self.mu_k)
     }
 
     fn step(&mut self, dt: f64) {

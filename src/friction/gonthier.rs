@@ -1,5 +1,5 @@
-use crate::friction::ELASTIC_SHARE;
-use crate::friction::unloading::released_without_load;
+use crate::contact::conditions::ELASTIC_SHARE;
+use crate::contact::unloading::released_without_load;
 use crate::model::{Fault, Law, Model, Preset, boolean, real};
 use crate::number::Real;
 
@@ -225,7 +225,7 @@ impl Model for Gonthier {
     released_without_load!(bristle_deflection, dwell);
 
     fn check(&self) -> Result<(), Fault> {
-        crate::friction::static_not_below_kinetic(self.mu_s, self.mu_k)
+        crate::contact::conditions::static_not_below_kinetic(self.mu_s, self.mu_k)
     }
 
     fn step(&mut self, dt: f64) {

@@ -1,4 +1,4 @@
-use crate::friction::time_stepping::{Curve, TimeStepping, memoryless};
+use crate::contact::time_stepping::{Curve, TimeStepping, memoryless};
 use crate::model::{Fault, Model, Preset, boolean, real};
 use crate::number::Real;
 
@@ -128,7 +128,7 @@ impl Model for Hollars {
     }];
 
     fn check(&self) -> Result<(), Fault> {
-        crate::friction::static_not_below_kinetic(self.mu_s, self.mu_k)
+        crate::contact::conditions::static_not_below_kinetic(self.mu_s, self.mu_k)
     }
 
     memoryless!();

@@ -1,9 +1,10 @@
-use crate::friction::ELASTIC_SHARE;
-use crate::friction::elements::{self, Division, ElementDistribution, Ramp, Share};
-use crate::laws::{approach, stribeck};
+use crate::contact::conditions::ELASTIC_SHARE;
+use crate::contact::elements::{self, Division, ElementDistribution, Ramp, Share};
+use crate::laws::stribeck;
+use crate::model::ramp;
 use crate::model::{Fault, Law, Model, Preset, boolean, integer, real};
 use crate::number::Real;
-use crate::ramp;
+use crate::numerics::approach;
 
 crate::part! {
     /// A Maxwell-slip element of the hysteresis force.
@@ -547,7 +548,7 @@ impl Model for Leuven {
     ];
 
     fn check(&self) -> Result<(), Fault> {
-        crate::friction::static_not_below_kinetic(self.mu_s, self.mu_k)?;
+        crate::contact::conditions::static_not_below_kinetic(self.mu_s, self.mu_k)?;
         let strength = self.hysteresis_strength;
         if strength < 1.0 {
             let rule = "the elements together must carry the static level";

@@ -1,8 +1,9 @@
 use nalgebra::Vector3;
 
-use crate::laws::vector::{Component, direction, in_plane, length, remainder, turned_into};
-use crate::laws::{root, turning};
+use crate::contact::turning;
 use crate::model::{Fault, Law, Model, Preset, boolean, real};
+use crate::numerics::root;
+use crate::numerics::vector::{Component, direction, in_plane, length, remainder, turned_into};
 
 crate::choices! {
     /// Behaviour of the bristle at its largest deflection.
@@ -252,7 +253,7 @@ impl Model for Liang {
     ];
 
     fn check(&self) -> Result<(), Fault> {
-        crate::friction::static_not_below_kinetic(self.mu_s, self.mu_k)
+        crate::contact::conditions::static_not_below_kinetic(self.mu_s, self.mu_k)
     }
 
     fn warning(&self) -> Option<Fault> {
@@ -294,9 +295,9 @@ impl Model for Liang {
         let mut z = self.deflection();
         for piece in 0..PIECES {
             let [from, to] = [piece, piece + 1].map(|k| dt * (f64::from(k) / f64::from(PIECES)));
-            crate::ramp::set_inputs(self, &begin, slope, from);
+            crate::model::ramp::set_inputs(self, &begin, slope, from);
             let (normal, velocity, load) = (self.normal(), self.tangential_velocity(), self.normal_force);
-            crate::ramp::set_inputs(self, &begin, slope, to);
+            crate::model::ramp::set_inputs(self, &begin, slope, to);
             let normal_end = self.normal();
             let ramp = Ramp {
                 velocity: [carried(&velocity, &normal, &normal_end), self.tangential_velocity()],
@@ -306,7 +307,7 @@ impl Model for Liang {
             z = carried(&z, &normal, &normal_end);
             self.follow(&mut z, &ramp);
         }
-        crate::ramp::set_inputs(self, &begin, slope, dt);
+        crate::model::ramp::set_inputs(self, &begin, slope, dt);
         self.put(&z);
     }
 

@@ -1,4 +1,4 @@
-use crate::friction::time_stepping::{Curve, TimeStepping, memoryless};
+use crate::contact::time_stepping::{Curve, TimeStepping, memoryless};
 use crate::model::{Fault, Model, boolean, real};
 use crate::number::Real;
 
@@ -128,7 +128,7 @@ memoryless!(LinearStiction);
 
 impl Model for LinearStiction {
     fn check(&self) -> Result<(), Fault> {
-        crate::friction::static_not_below_kinetic(self.mu_s, self.mu_k)?;
+        crate::contact::conditions::static_not_below_kinetic(self.mu_s, self.mu_k)?;
         if self.sliding_velocity <= self.transition_velocity {
             let [from, to] = [self.transition_velocity, self.sliding_velocity];
             return Err(Fault::new(format_args!("sliding_velocity = {to}: must be > transition_velocity = {from}")));

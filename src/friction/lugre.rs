@@ -1,8 +1,9 @@
-use crate::friction::ELASTIC_SHARE;
-use crate::friction::unloading::released_without_load;
-use crate::laws::{relaxation, stribeck};
+use crate::contact::conditions::ELASTIC_SHARE;
+use crate::contact::unloading::released_without_load;
+use crate::laws::stribeck;
 use crate::model::{Fault, Law, Model, Preset, boolean, real};
 use crate::number::Real;
+use crate::numerics::relaxation;
 
 crate::model! {
     /// LuGre friction: bristles that yield before they slide (Dahl) with a level that falls with speed (Stribeck) and
@@ -224,7 +225,7 @@ impl Model for LuGre {
     released_without_load!(bristle_deflection);
 
     fn check(&self) -> Result<(), Fault> {
-        crate::friction::static_not_below_kinetic(self.mu_s, self.mu_k)
+        crate::contact::conditions::static_not_below_kinetic(self.mu_s, self.mu_k)
     }
 
     fn step(&mut self, dt: f64) {

@@ -1,10 +1,11 @@
 use nalgebra::Vector2;
 
-use crate::friction::ELASTIC_SHARE;
-use crate::friction::unloading::released_without_load;
-use crate::laws::vector::{Component, direction, length, remainder};
-use crate::laws::{relaxation, stribeck};
+use crate::contact::conditions::ELASTIC_SHARE;
+use crate::contact::unloading::released_without_load;
+use crate::laws::stribeck;
 use crate::model::{Fault, Law, Model, Preset, boolean, real};
+use crate::numerics::relaxation;
+use crate::numerics::vector::{Component, direction, length, remainder};
 
 crate::model! {
     /// LuGre friction in a plane: the bristle is a vector, so that a body that slides in one direction and is pushed in
@@ -197,11 +198,11 @@ impl Model for LuGrePlanar {
     released_without_load!(bristle_deflection_x, bristle_deflection_y);
 
     fn check(&self) -> Result<(), Fault> {
-        crate::friction::static_not_below_kinetic(self.mu_s, self.mu_k)
+        crate::contact::conditions::static_not_below_kinetic(self.mu_s, self.mu_k)
     }
 
     fn check_model_exchange(&self) -> Result<(), Fault> {
-        crate::friction::kinetic_friction_for_exchange(self.mu_k)
+        crate::contact::conditions::kinetic_friction_for_exchange(self.mu_k)
     }
 
     fn step(&mut self, dt: f64) {

@@ -1,8 +1,9 @@
-use crate::friction::elements::{self, Division, ElementDistribution, Ramp, Share};
-use crate::laws::{relaxation, stribeck};
+use crate::contact::elements::{self, Division, ElementDistribution, Ramp, Share};
+use crate::laws::stribeck;
+use crate::model::ramp;
 use crate::model::{self, Fault, Law, Model, Preset, Width, boolean, integer, real};
 use crate::number::Real;
-use crate::ramp;
+use crate::numerics::relaxation;
 
 crate::part! {
     /// The state of an element.
@@ -316,7 +317,7 @@ impl Model for MaxwellSlip {
             let text = "with distribution = Explicit, because only the first 64 elements have variables";
             return Err(Fault::new(format_args!("element_count = {}: must be <= {LISTED} {text}", self.count())));
         }
-        crate::friction::static_not_below_kinetic(self.mu_s, self.mu_k)
+        crate::contact::conditions::static_not_below_kinetic(self.mu_s, self.mu_k)
     }
 
     fn step(&mut self, dt: f64) {

@@ -6,7 +6,7 @@
 //! relative acceleration that they cause; see the section Coupling of the laws that have it.
 
 // The choice of a law in the shock absorber is numbered in this order: a new law goes to the end.
-crate::catalogue::family! {
+crate::model::family! {
     coulomb::Coulomb,
     coulomb_stiction::CoulombStiction,
     coulomb_viscous::CoulombViscous,
@@ -43,34 +43,3 @@ crate::catalogue::family! {
     lugre_planar::LuGrePlanar,
     elasto_plastic_planar::ElastoPlasticPlanar,
 }
-
-pub(crate) use time_stepping::ExchangeOrder;
-
-mod branching;
-mod delay_line;
-mod elements;
-mod time_stepping;
-mod unloading;
-
-use crate::model::Fault;
-
-/// Condition on the two coefficients in every model with stiction.
-fn static_not_below_kinetic(mu_s: f64, mu_k: f64) -> Result<(), Fault> {
-    if mu_s < mu_k {
-        return Err(Fault::new(format_args!("mu_s = {mu_s}: must be >= mu_k = {mu_k}")));
-    }
-    Ok(())
-}
-
-/// Condition of laws with bristles in Model Exchange. Where the level is 0 the bristles carry nothing; a step drops
-/// their deflection there, but a solver that integrates it would keep its force.
-fn kinetic_friction_for_exchange(mu_k: f64) -> Result<(), Fault> {
-    if mu_k == 0.0 {
-        let why = "must be > 0 in Model Exchange, where bristles are not released when their level falls to 0";
-        return Err(Fault::new(format_args!("mu_k = {mu_k}: {why}")));
-    }
-    Ok(())
-}
-
-/// Share of the motion that is elastic above which a contact with bristles counts as sticking (chosen).
-const ELASTIC_SHARE: f64 = 0.01;

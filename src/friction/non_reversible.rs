@@ -1,10 +1,10 @@
-use crate::friction::branching::Branching;
+use crate::contact::branching::Branching;
+use crate::contact::motion::Motion;
 use crate::laws::branches;
-use crate::laws::motion::Motion;
-use crate::laws::quadrature::integral_past_peak;
+use crate::model::ramp;
 use crate::model::{Fault, Law, Model, Preset, boolean, real};
 use crate::number::Real;
-use crate::ramp;
+use crate::numerics::quadrature::integral_past_peak;
 
 crate::model! {
     /// Non-reversible friction, reconstructed: one curve while the contact speeds up, another while it slows down, so
@@ -164,7 +164,7 @@ impl Model for NonReversible {
     ];
 
     fn check(&self) -> Result<(), Fault> {
-        crate::friction::static_not_below_kinetic(self.mu_s, self.mu_k)?;
+        crate::contact::conditions::static_not_below_kinetic(self.mu_s, self.mu_k)?;
         if self.mu_stop > self.mu_s {
             return Err(Fault::new(format_args!("mu_stop = {}: must be <= mu_s = {}", self.mu_stop, self.mu_s)));
         }

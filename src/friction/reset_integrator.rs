@@ -1,8 +1,8 @@
-use crate::laws::motion::Motion;
-use crate::laws::root::first_rise;
+use crate::contact::motion::Motion;
+use crate::model::ramp;
 use crate::model::{Fault, Law, Model, Preset, boolean, real};
 use crate::number::Real;
-use crate::ramp;
+use crate::numerics::root::first_rise;
 
 crate::model! {
     /// Reset integrator friction: a stiff and damped bond that holds up to the static level, breaks at a given
@@ -270,7 +270,7 @@ impl Model for ResetIntegrator {
     ];
 
     fn check(&self) -> Result<(), Fault> {
-        crate::friction::static_not_below_kinetic(self.mu_s, self.mu_k)
+        crate::contact::conditions::static_not_below_kinetic(self.mu_s, self.mu_k)
     }
 
     fn step(&mut self, dt: f64) {

@@ -1,4 +1,4 @@
-use crate::friction::time_stepping::{Curve, TimeStepping, memoryless};
+use crate::contact::time_stepping::{Curve, TimeStepping, memoryless};
 use crate::model::{Model, Preset, boolean, real};
 use crate::number::Real;
 

@@ -1,8 +1,8 @@
-use crate::friction::unloading::released_without_load;
-use crate::laws::relaxation;
+use crate::contact::unloading::released_without_load;
 use crate::laws::specker::SpeckerCurve;
 use crate::model::{Fault, Law, Model, Preset, boolean, real};
 use crate::number::Real;
+use crate::numerics::relaxation;
 
 crate::model! {
     /// Dynamic Specker friction, reconstructed: the smooth curve of Specker behind a first-order low-pass whose time
@@ -172,7 +172,7 @@ impl Model for SpeckerDynamic {
     released_without_load!(lagging_force);
 
     fn check(&self) -> Result<(), Fault> {
-        crate::friction::static_not_below_kinetic(self.mu_s, self.mu_k)
+        crate::contact::conditions::static_not_below_kinetic(self.mu_s, self.mu_k)
     }
 
     fn check_model_exchange(&self) -> Result<(), Fault> {

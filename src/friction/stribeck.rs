@@ -1,4 +1,4 @@
-use crate::friction::time_stepping::{Curve, TimeStepping, memoryless};
+use crate::contact::time_stepping::{Curve, TimeStepping, memoryless};
 use crate::laws::{stribeck, viscous};
 use crate::model::{Fault, Model, boolean, real};
 use crate::number::Real;
@@ -178,7 +178,7 @@ memoryless!(Stribeck);
 
 impl Model for Stribeck {
     fn check(&self) -> Result<(), Fault> {
-        crate::friction::static_not_below_kinetic(self.mu_s, self.mu_k)
+        crate::contact::conditions::static_not_below_kinetic(self.mu_s, self.mu_k)
     }
 
     memoryless!();

@@ -1,11 +1,11 @@
-use crate::friction::branching::Branching;
+use crate::contact::branching::Branching;
+use crate::contact::motion::Motion;
 use crate::laws::branches;
-use crate::laws::motion::Motion;
-use crate::laws::quadrature::integral_past_peak;
-use crate::laws::root::first_rise;
+use crate::model::ramp;
 use crate::model::{Fault, Law, Model, Preset, boolean, real};
 use crate::number::Real;
-use crate::ramp;
+use crate::numerics::quadrature::integral_past_peak;
+use crate::numerics::root::first_rise;
 
 crate::model! {
     /// Hysteretic friction of Wojewoda and others, reconstructed: a spring while the contact sticks, and while it
@@ -286,7 +286,7 @@ impl Model for Wojewoda {
     }];
 
     fn check(&self) -> Result<(), Fault> {
-        crate::friction::static_not_below_kinetic(self.mu_s, self.mu_k)?;
+        crate::contact::conditions::static_not_below_kinetic(self.mu_s, self.mu_k)?;
         if self.mu_s > 2.0 * self.mu_k {
             return Err(Fault::new(format_args!("mu_s = {}: must be <= 2 mu_k = {}", self.mu_s, 2.0 * self.mu_k)));
         }

@@ -1,8 +1,8 @@
 //! Integration of a host whose rates follow from its states and its inputs.
 
-use crate::laws::runge_kutta::dormand_prince;
+use crate::model::ramp::set_inputs;
 use crate::model::{Columns, Model, row_of, row_of_mut};
-use crate::ramp::set_inputs;
+use crate::numerics::runge_kutta::dormand_prince;
 
 /// Error allowed in a piece of a step, relative to the larger of the state and its nominal value (chosen).
 const TOLERANCE: f64 = 1e-10;

@@ -3,7 +3,7 @@
 mod integrate;
 pub mod vertical;
 
-crate::catalogue::family! {
+crate::model::family! {
     belt_rig::BeltRig,
     quarter_car::QuarterCar,
     four_post_car::FourPostCar,

@@ -159,7 +159,7 @@ pub trait Model: Described + Law<Number = f64> {
     /// Advances the states by `dt` while each input moves with the slope in its column of `slope`, and leaves the
     /// inputs at their final values. By default it uses the rates of the continuous states, with error control.
     fn step_ramp(&mut self, slope: &Self, dt: f64) {
-        crate::ramp::advance(self, slope, dt);
+        crate::model::ramp::advance(self, slope, dt);
     }
 
     /// [`Model::step_ramp`] of a model with memory.

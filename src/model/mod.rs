@@ -6,13 +6,16 @@
 
 mod declare;
 mod equations;
+mod family;
 mod model_type;
+pub(crate) mod ramp;
 mod row;
 
 pub(crate) use crate::table::Brief;
 pub use crate::table::*;
 pub use declare::{list, start};
 pub use equations::{Columns, Described, Law, Model, Numbers, Preset, Width};
+pub(crate) use family::family;
 pub use model_type::ModelType;
 pub(crate) use row::{parts, parts_mut};
 pub use row::{row_of, row_of_mut};

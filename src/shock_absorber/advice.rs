@@ -1,6 +1,6 @@
 //! Advice to the master: tangents, and the largest step that they allow.
 
-use crate::friction::ExchangeOrder;
+use crate::contact::ExchangeOrder;
 use crate::shock_absorber::ShockAbsorber;
 use crate::shock_absorber::coupling::{self, Series};
 use crate::shock_absorber::law::{Evaluate, MEMORY};

@@ -1,6 +1,6 @@
-use crate::laws::table;
 use crate::model::{Column, Fault, Law, Model, boolean, integer, real};
 use crate::number::Real;
+use crate::numerics::interpolation;
 
 /// Largest number of points of a table.
 pub const POINTS: usize = 16;
@@ -85,7 +85,7 @@ impl<T: Real> Coil<T> {
             SpringMode::Linear => self.preload + self.k * compression,
             SpringMode::Table => {
                 let (points, count) = points(&self.tab_x, &self.tab_f, self.tab_n);
-                self.preload + table::linear(&points[..count], compression)
+                self.preload + interpolation::linear(&points[..count], compression)
             }
         }
     }

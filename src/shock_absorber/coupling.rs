@@ -1,6 +1,6 @@
 //! The largest communication step at which a mass carried by a spring-damper stays stable.
 
-use crate::friction::ExchangeOrder;
+use crate::contact::ExchangeOrder;
 
 /// Value that stands for "no limit" (chosen), so that the output is finite.
 const NO_LIMIT: f64 = 1.0;

@@ -1,6 +1,6 @@
-use crate::laws::relaxation;
 use crate::model::{Fault, Law, Model, Preset, boolean, real};
 use crate::number::Real;
+use crate::numerics::relaxation;
 
 crate::part! {
     /// Heating of the damper.

@@ -1,7 +1,7 @@
-use crate::friction::ExchangeOrder;
+use crate::contact::ExchangeOrder;
+use crate::model::ramp;
 use crate::model::{Fault, Law, Model, boolean, choice, real};
 use crate::number::Real;
-use crate::ramp;
 use crate::shock_absorber::law::{
     Answer, ChosenLaw, Evaluate, FRICTION_MODEL, Given, LUGRE, LawParameters, MEMORY, MOST_EVENTS, blank_memory,
 };

@@ -1,7 +1,7 @@
-use crate::laws::{root, table};
+use crate::model::ramp;
 use crate::model::{Column, Fault, Law, Model, boolean, integer, real};
 use crate::number::{Dual, Real};
-use crate::ramp;
+use crate::numerics::{interpolation, root};
 use crate::shock_absorber::coil_spring::{POINTS, check_rising, points};
 
 crate::choices! {
@@ -125,8 +125,8 @@ impl<T: Real> Hydraulics<T> {
             DamperMode::Table => {
                 let (points, count) = points(&self.tab_v, &self.tab_f, self.tab_n);
                 match Interpolation::of(self.interpolation.value()) {
-                    Interpolation::Linear => table::linear_slope(&points[..count], velocity),
-                    Interpolation::Cubic => table::monotone_cubic_slope(&points[..count], velocity),
+                    Interpolation::Linear => interpolation::linear_slope(&points[..count], velocity),
+                    Interpolation::Cubic => interpolation::monotone_cubic_slope(&points[..count], velocity),
                 }
             }
         };
@@ -149,8 +149,8 @@ impl<T: Real> Hydraulics<T> {
     fn interpolated(&self, velocity: T) -> T {
         let (points, count) = points(&self.tab_v, &self.tab_f, self.tab_n);
         match Interpolation::of(self.interpolation.value()) {
-            Interpolation::Linear => table::linear(&points[..count], velocity),
-            Interpolation::Cubic => table::monotone_cubic(&points[..count], velocity),
+            Interpolation::Linear => interpolation::linear(&points[..count], velocity),
+            Interpolation::Cubic => interpolation::monotone_cubic(&points[..count], velocity),
         }
     }
 }

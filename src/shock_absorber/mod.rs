@@ -3,7 +3,7 @@
 //! Sign: `length` is the distance of the eyes, `velocity` its time derivative, positive in extension; forces are
 //! positive when they push the eyes apart. Friction forces and damper resistances have the sign of `velocity`.
 
-crate::catalogue::family! {
+crate::model::family! {
     shock_absorber::ShockAbsorber,
     telescopic_joint::TelescopicJoint,
     guide_contact::GuideContact,

@@ -1,6 +1,6 @@
+use crate::model::ramp;
 use crate::model::{Fault, Law, Model, Preset, boolean, real};
 use crate::number::Real;
-use crate::ramp;
 use crate::shock_absorber::guide_contact::Touch;
 use crate::shock_absorber::law::{Answer, Evaluate, MEMORY, MOST_EVENTS, blank_memory};
 use crate::shock_absorber::memories::{FrictionStart, Memories};

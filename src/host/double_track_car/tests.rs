@@ -2,8 +2,8 @@
 
 use super::*;
 use crate::host::FourPostCar;
-use crate::laws::runge_kutta::dormand_prince;
 use crate::model::{row_of, row_of_mut};
+use crate::numerics::runge_kutta::dormand_prince;
 
 const STEP: f64 = 1e-3;
 

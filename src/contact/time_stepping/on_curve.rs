@@ -2,8 +2,8 @@
 
 use super::phase::{Band, NO_EVENT, Phase, Rest, resting};
 use super::{Contact, Outcome, TimeStepping, truth};
-use crate::friction::unloading;
-use crate::laws::end_velocity::{self, Landing};
+use crate::contact::end_velocity::{self, Landing};
+use crate::contact::unloading;
 use crate::number::{Dual, Real};
 
 /// Methods supplied by a law whose force is an odd function of the velocity, without memory; everything else is shared.
@@ -196,15 +196,15 @@ impl<L: Curve<f64>> OnCurve<'_, f64, L> {
 /// `memoryless!();` inside `impl Model` the step.
 macro_rules! memoryless {
     ($Law:ident) => {
-        impl<T: Real> $crate::friction::time_stepping::Holding<T> for $Law<T> {
+        impl<T: Real> $crate::contact::time_stepping::Holding<T> for $Law<T> {
             type Contact<'a>
-                = $crate::friction::time_stepping::OnCurve<'a, T, Self>
+                = $crate::contact::time_stepping::OnCurve<'a, T, Self>
             where
                 T: 'a;
 
             #[inline]
-            fn contact(&self) -> $crate::friction::time_stepping::OnCurve<'_, T, Self> {
-                $crate::friction::time_stepping::OnCurve {
+            fn contact(&self) -> $crate::contact::time_stepping::OnCurve<'_, T, Self> {
+                $crate::contact::time_stepping::OnCurve {
                     law: self,
                     velocity: self.velocity,
                     normal_force: self.normal_force,
@@ -213,10 +213,10 @@ macro_rules! memoryless {
                 }
             }
 
-            $crate::friction::time_stepping::holding!(T);
+            $crate::contact::time_stepping::holding!(T);
         }
 
-        impl<T: Real> $crate::friction::time_stepping::Lift for $Law<T> {
+        impl<T: Real> $crate::contact::time_stepping::Lift for $Law<T> {
             type Lifted = $Law<$crate::number::Dual>;
 
             fn lifted(&self) -> Self::Lifted {
@@ -227,25 +227,25 @@ macro_rules! memoryless {
         impl<T: Real> $crate::model::Law for $Law<T> {
             #[inline]
             fn output(&mut self) {
-                let force = $crate::friction::time_stepping::force(self);
-                let sticking = $crate::friction::time_stepping::sticking(self);
+                let force = $crate::contact::time_stepping::force(self);
+                let sticking = $crate::contact::time_stepping::sticking(self);
                 self.friction_force = force;
                 self.dissipated_power = force * self.velocity;
                 self.sticking = sticking;
             }
 
             fn derivatives(&self, rate: &mut Self) {
-                rate.dissipated_energy = $crate::friction::time_stepping::force(self) * self.velocity;
+                rate.dissipated_energy = $crate::contact::time_stepping::force(self) * self.velocity;
             }
         }
     };
 
     () => {
         const MODEL_EXCHANGE: bool = true;
-        const EVENT_INDICATORS: usize = $crate::friction::time_stepping::EVENTS_ON_CURVE;
+        const EVENT_INDICATORS: usize = $crate::contact::time_stepping::EVENTS_ON_CURVE;
 
         fn step(&mut self, dt: f64) {
-            self.dissipated_energy += $crate::friction::time_stepping::step(self, dt).energy;
+            self.dissipated_energy += $crate::contact::time_stepping::step(self, dt).energy;
         }
 
         #[inline(always)]
@@ -264,13 +264,13 @@ macro_rules! memoryless {
         }
 
         fn kinks(&self) -> [f64; 2] {
-            $crate::friction::time_stepping::Curve::kinks(self)
+            $crate::contact::time_stepping::Curve::kinks(self)
         }
 
         fn step_ramp(&mut self, slope: &Self, dt: f64) {
-            match $crate::friction::time_stepping::step_ramp(self, slope, dt) {
+            match $crate::contact::time_stepping::step_ramp(self, slope, dt) {
                 Some(done) => self.dissipated_energy += done.energy,
-                None => $crate::ramp::advance(self, slope, dt),
+                None => $crate::model::ramp::advance(self, slope, dt),
             }
         }
 
@@ -279,11 +279,11 @@ macro_rules! memoryless {
         }
 
         fn event_indicators(&self, indicators: &mut [f64]) {
-            $crate::friction::time_stepping::Holding::contact(self).write_indicators(indicators);
+            $crate::contact::time_stepping::Holding::contact(self).write_indicators(indicators);
         }
 
         fn at_event(&mut self) {
-            let phase = $crate::friction::time_stepping::Holding::contact(self).settled();
+            let phase = $crate::contact::time_stepping::Holding::contact(self).settled();
             self.time_stepping.phase = phase.number();
         }
     };

@@ -10,7 +10,7 @@
 //! a velocity with the second derivative c by at most c (delay / 31)^2 / 8, and from a sampled one additionally by the
 //! change over one step. A jump becomes a ramp of that duration.
 
-use crate::laws::motion::Motion;
+use crate::contact::motion::Motion;
 use crate::model::real;
 
 /// Number of pieces (chosen).

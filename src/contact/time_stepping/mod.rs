@@ -7,9 +7,9 @@ mod on_curve;
 mod phase;
 mod two_levels;
 
+use crate::model::ramp;
 use crate::model::{Fault, Model, real};
 use crate::number::Real;
-use crate::ramp;
 
 pub(crate) use on_curve::{Curve, EVENTS_ON_CURVE, Lift, OnCurve, memoryless};
 pub(crate) use phase::Phase;
@@ -286,17 +286,17 @@ pub(crate) fn step_ramp<M: Model + Holding<f64>>(law: &mut M, slope: &M, dt: f64
 /// Methods of [`Holding`] that access the inputs of a law.
 macro_rules! holding {
     ($T:ident) => {
-        fn time_stepping(&self) -> &$crate::friction::time_stepping::TimeStepping<$T> {
+        fn time_stepping(&self) -> &$crate::contact::time_stepping::TimeStepping<$T> {
             &self.time_stepping
         }
 
-        fn time_stepping_mut(&mut self) -> &mut $crate::friction::time_stepping::TimeStepping<$T> {
+        fn time_stepping_mut(&mut self) -> &mut $crate::contact::time_stepping::TimeStepping<$T> {
             &mut self.time_stepping
         }
 
         #[inline]
-        fn inputs(&self) -> $crate::friction::time_stepping::Inputs<$T> {
-            $crate::friction::time_stepping::Inputs {
+        fn inputs(&self) -> $crate::contact::time_stepping::Inputs<$T> {
+            $crate::contact::time_stepping::Inputs {
                 velocity: self.velocity,
                 external_force: self.external_force,
                 normal_force: self.normal_force,
@@ -304,8 +304,8 @@ macro_rules! holding {
         }
 
         #[inline]
-        fn given(self, inputs: $crate::friction::time_stepping::Inputs<$T>) -> Self {
-            let $crate::friction::time_stepping::Inputs { velocity, external_force, normal_force } = inputs;
+        fn given(self, inputs: $crate::contact::time_stepping::Inputs<$T>) -> Self {
+            let $crate::contact::time_stepping::Inputs { velocity, external_force, normal_force } = inputs;
             Self { velocity, external_force, normal_force, ..self }
         }
     };

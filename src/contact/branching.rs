@@ -1,6 +1,6 @@
 //! The common part of the laws that distinguish acceleration from deceleration.
 
-use crate::laws::motion::Motion;
+use crate::contact::motion::Motion;
 use crate::model::real;
 use crate::number::Real;
 

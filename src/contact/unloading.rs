@@ -20,11 +20,11 @@ macro_rules! released_without_load {
         const EVENT_INDICATORS: usize = 1;
 
         fn event_indicators(&self, indicators: &mut [f64]) {
-            indicators[0] = $crate::friction::unloading::load(self.normal_force);
+            indicators[0] = $crate::contact::unloading::load(self.normal_force);
         }
 
         fn at_event(&mut self) {
-            if $crate::friction::unloading::is_unloaded(self.normal_force) {
+            if $crate::contact::unloading::is_unloaded(self.normal_force) {
                 $(self.$state = 0.0;)+
             }
         }

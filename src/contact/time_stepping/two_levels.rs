@@ -2,8 +2,8 @@
 
 use super::phase::{Band, NO_EVENT, Phase, REACHED, Rest, resting};
 use super::{Contact, Outcome, TimeStepping, truth};
-use crate::friction::unloading;
-use crate::laws::stopping::{force_to_stop, is_held};
+use crate::contact::stopping::{force_to_stop, is_held};
+use crate::contact::unloading;
 use crate::number::Real;
 
 /// A contact with two levels, f_C while sliding and f_s at rest, that remembers whether it is stuck.
@@ -102,15 +102,15 @@ impl<T: Real> Contact<T> for TwoLevels<T> {
 /// Common code of the laws with a [`TwoLevels`] contact. The band is that of the law.
 macro_rules! two_levels {
     ($Law:ident, |$law:ident| $band:expr) => {
-        impl<T: Real> $crate::friction::time_stepping::Holding<T> for $Law<T> {
+        impl<T: Real> $crate::contact::time_stepping::Holding<T> for $Law<T> {
             type Contact<'a>
-                = $crate::friction::time_stepping::TwoLevels<T>
+                = $crate::contact::time_stepping::TwoLevels<T>
             where
                 T: 'a;
 
-            fn contact(&self) -> $crate::friction::time_stepping::TwoLevels<T> {
+            fn contact(&self) -> $crate::contact::time_stepping::TwoLevels<T> {
                 let $law = self;
-                $crate::friction::time_stepping::TwoLevels {
+                $crate::contact::time_stepping::TwoLevels {
                     velocity: self.velocity,
                     external_force: self.external_force,
                     kinetic: self.mu_k * self.normal_force,
@@ -121,23 +121,23 @@ macro_rules! two_levels {
                 }
             }
 
-            $crate::friction::time_stepping::holding!(T);
+            $crate::contact::time_stepping::holding!(T);
         }
 
         impl<T: Real> $crate::model::Law for $Law<T> {
             fn output(&mut self) {
-                self.friction_force = $crate::friction::time_stepping::force(self);
+                self.friction_force = $crate::contact::time_stepping::force(self);
                 self.dissipated_power = self.friction_force * self.velocity;
-                self.sticking = $crate::friction::time_stepping::sticking(self);
+                self.sticking = $crate::contact::time_stepping::sticking(self);
             }
 
             fn derivatives(&self, rate: &mut Self) {
-                rate.dissipated_energy = $crate::friction::time_stepping::force(self) * self.velocity;
+                rate.dissipated_energy = $crate::contact::time_stepping::force(self) * self.velocity;
             }
         }
 
         impl $Law {
-            fn remember(&mut self, done: $crate::friction::time_stepping::Done) {
+            fn remember(&mut self, done: $crate::contact::time_stepping::Done) {
                 self.dissipated_energy += done.energy;
                 self.stuck = f64::from(u8::from(done.is_held));
             }
@@ -146,10 +146,10 @@ macro_rules! two_levels {
 
     () => {
         const MODEL_EXCHANGE: bool = true;
-        const EVENT_INDICATORS: usize = $crate::friction::time_stepping::EVENTS_OF_TWO_LEVELS;
+        const EVENT_INDICATORS: usize = $crate::contact::time_stepping::EVENTS_OF_TWO_LEVELS;
 
         fn check(&self) -> Result<(), $crate::model::Fault> {
-            $crate::friction::static_not_below_kinetic(self.mu_s, self.mu_k)
+            $crate::contact::conditions::static_not_below_kinetic(self.mu_s, self.mu_k)
         }
 
         fn check_model_exchange(&self) -> Result<(), $crate::model::Fault> {
@@ -157,24 +157,24 @@ macro_rules! two_levels {
         }
 
         fn event_indicators(&self, indicators: &mut [f64]) {
-            $crate::friction::time_stepping::Holding::contact(self).write_indicators(indicators);
+            $crate::contact::time_stepping::Holding::contact(self).write_indicators(indicators);
         }
 
         fn at_event(&mut self) {
-            let contact = $crate::friction::time_stepping::Holding::contact(self);
+            let contact = $crate::contact::time_stepping::Holding::contact(self);
             self.time_stepping.phase = contact.settled().number();
             self.stuck = 0.0;
         }
 
         fn step(&mut self, dt: f64) {
-            let done = $crate::friction::time_stepping::step(self, dt);
+            let done = $crate::contact::time_stepping::step(self, dt);
             self.remember(done);
         }
 
         fn step_ramp(&mut self, slope: &Self, dt: f64) {
-            match $crate::friction::time_stepping::step_ramp(self, slope, dt) {
+            match $crate::contact::time_stepping::step_ramp(self, slope, dt) {
                 Some(done) => self.remember(done),
-                None => $crate::ramp::advance(self, slope, dt),
+                None => $crate::model::ramp::advance(self, slope, dt),
             }
         }
     };

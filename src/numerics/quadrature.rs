@@ -1,6 +1,6 @@
 //! Integrals that have no closed form.
 
-use crate::laws::root::crossing;
+use crate::numerics::root::crossing;
 
 /// Difference of the two rules in a piece, relative to the whole integral, above which the piece is halved (chosen).
 /// The error of the better rule is far smaller: in the tests below 1e-13 for smooth functions, 1e-11 with a cusp.

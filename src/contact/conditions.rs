@@ -1,0 +1,24 @@
+//! Conditions on the parameters of a contact, and on its state of sticking.
+
+use crate::model::Fault;
+
+/// Condition on the two coefficients in every model with stiction.
+pub(crate) fn static_not_below_kinetic(mu_s: f64, mu_k: f64) -> Result<(), Fault> {
+    if mu_s < mu_k {
+        return Err(Fault::new(format_args!("mu_s = {mu_s}: must be >= mu_k = {mu_k}")));
+    }
+    Ok(())
+}
+
+/// Condition of laws with bristles in Model Exchange. Where the level is 0 the bristles carry nothing; a step drops
+/// their deflection there, but a solver that integrates it would keep its force.
+pub(crate) fn kinetic_friction_for_exchange(mu_k: f64) -> Result<(), Fault> {
+    if mu_k == 0.0 {
+        let why = "must be > 0 in Model Exchange, where bristles are not released when their level falls to 0";
+        return Err(Fault::new(format_args!("mu_k = {mu_k}: {why}")));
+    }
+    Ok(())
+}
+
+/// Share of the motion that is elastic above which a contact with bristles counts as sticking (chosen).
+pub(crate) const ELASTIC_SHARE: f64 = 0.01;

@@ -1,0 +1,14 @@
+//! State of a contact at a communication point and its motion over a step, shared by models.
+
+pub(crate) mod branching;
+pub(crate) mod conditions;
+pub(crate) mod delay_line;
+pub(crate) mod elements;
+pub mod end_velocity;
+pub mod motion;
+pub mod stopping;
+pub(crate) mod time_stepping;
+pub mod turning;
+pub(crate) mod unloading;
+
+pub(crate) use time_stepping::ExchangeOrder;

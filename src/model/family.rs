@@ -1,0 +1,18 @@
+//! Declaration of a family of models: its files and its list.
+
+/// Declares the files of a family and lists their models: the only line that a new model adds outside its own file.
+macro_rules! family {
+    ($($file:ident::$Model:ident,)+) => {
+        $(
+            mod $file;
+            pub use $file::$Model;
+        )+
+
+        /// The models of this family.
+        pub(crate) static MODELS: &[$crate::model::ModelType] = &[$($crate::model::ModelType::of::<$Model>(),)+];
+
+        /// Their documentation pages. Kept apart from the models, so that the library in an FMU does not carry them.
+        pub(crate) static PAGES: &[&str] = &[$(<$Model as $crate::model::Described>::DOCUMENTATION,)+];
+    };
+}
+pub(crate) use family;
