@@ -1,41 +1,12 @@
 //! Writes the files that are generated from the tables of the models, checks them, and packs FMUs.
 
-mod archive;
-mod binary;
-mod block;
-mod compatibility;
-mod crates;
-mod curve;
-mod declarations;
-mod defaults;
-mod dependencies;
-mod diagrams;
-mod figure;
-mod four_post;
-mod generated;
-mod header;
-mod html;
-mod icon;
-mod interface;
-mod library;
-mod licenses;
-mod mathematics;
-mod motion;
-mod package;
-mod platform;
+mod build;
+mod describe;
+mod pack;
+mod page;
 mod project;
-mod readme;
-mod rules;
-mod sbom;
 #[cfg(test)]
 mod specimen;
-mod ssp;
-mod sweep;
-mod text;
-mod toolchain;
-mod typeset;
-mod universal;
-mod xml;
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -45,11 +16,15 @@ use std::process::ExitCode;
 use anyhow::{Context, Result, bail, ensure};
 use clap::{Parser, Subcommand};
 
-use crate::generated::Generated;
-use crate::interface::Interface;
-use crate::library::Library;
-use crate::package::{Entry, Packing};
-use crate::platform::{Choice, Platform};
+use crate::build::library::{self, Library};
+use crate::build::platform::{self, Choice, Platform};
+use crate::describe::entry::{self, Entry};
+use crate::describe::generated::{self, Generated};
+use crate::describe::interface::Interface;
+use crate::describe::{compatibility, declarations, rules, xml};
+use crate::pack::package::{self, Packing};
+use crate::pack::{archive, four_post, ssp};
+use crate::page::html;
 
 /// Generates files from the tables of Stribeck's models, and packs the FMUs.
 #[derive(Parser)]
@@ -163,7 +138,9 @@ fn generate(root: &Path, may_break: bool) -> Result<()> {
 fn check(root: &Path) -> Result<()> {
     let Generated { stale, interface } = generated::of(root)?;
     compatibility::review(&Interface::committed(root)?, &interface)?;
-    let breaches = rules::breaches(root)?;
+    let mut breaches = rules::breaches(root)?;
+    let faulty_pages = entry::entries().into_iter().filter_map(|entry| html::page(&entry).err());
+    breaches.extend(faulty_pages.map(|fault| format!("{fault:#}")));
     for file in &stale {
         println!("stale: {}", file.path.display());
     }
@@ -182,7 +159,7 @@ fn check(root: &Path) -> Result<()> {
 }
 
 fn pages(models: &[String], out: &Path) -> Result<()> {
-    for entry in &package::select(models)? {
+    for entry in &entry::select(models)? {
         package::write_page(entry, out)?;
         println!("{}", out.join(entry.model.name).join("documentation/index.html").display());
     }
@@ -190,7 +167,7 @@ fn pages(models: &[String], out: &Path) -> Result<()> {
 }
 
 fn pack(root: &Path, models: &[String], out: &Path, choices: &[Choice], strict: bool) -> Result<()> {
-    let entries = package::select(models)?;
+    let entries = entry::select(models)?;
     refuse_stale(root)?;
     let date = project::packing_date()?;
     let (platforms, left_out) = buildable(root, &platform::platforms(choices)?)?;
@@ -281,7 +258,7 @@ fn ssp(root: &Path, out: &Path) -> Result<()> {
     let packing = Packing::new(root, build(root, &platform::platforms(&[Choice::Host])?)?, date)?;
     let mut files = archive::Files::new();
     let models: Vec<String> = four_post::add_to(&mut files, root)?.into_iter().map(str::to_owned).collect();
-    for entry in package::select(&models)? {
+    for entry in entry::select(&models)? {
         // libcosim and Ecos do not support enumerations.
         let bytes = packing.fmu(&entry, xml::Choices::Numbered)?;
         files.insert(ssp::fmu(entry.model.name), bytes);

@@ -3,9 +3,9 @@
 
 use libfuzzer_sys::fuzz_target;
 
-#[path = "../../fmu-build/src/binary.rs"]
+#[path = "../../fmu-build/src/build/binary.rs"]
 mod binary;
-#[path = "../../fmu-build/src/universal.rs"]
+#[path = "../../fmu-build/src/build/universal.rs"]
 mod universal;
 
 fuzz_target!(|bytes: &[u8]| {

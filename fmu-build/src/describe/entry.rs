@@ -1,0 +1,49 @@
+//! The models, each with its family and its documentation.
+
+use anyhow::{Result, bail};
+use stribeck::catalogue::{self, Family};
+use stribeck::model::ModelType;
+
+/// A model with the documentation in its FMU.
+pub struct Entry {
+    /// The model.
+    pub model: &'static ModelType,
+    /// Its family.
+    pub family: Family,
+    /// Its page, in Markdown.
+    pub documentation: &'static str,
+}
+
+/// The models of these names, or all of them if there are none.
+pub fn select(names: &[String]) -> Result<Vec<Entry>> {
+    for name in names {
+        if catalogue::by_name(name).is_none() {
+            let known: Vec<_> = catalogue::models().map(|model| model.name).collect();
+            bail!("there is no model {name}; there are {}", known.join(", "));
+        }
+    }
+    let is_wanted = |entry: &Entry| names.is_empty() || names.iter().any(|name| name == entry.model.name);
+    Ok(entries().into_iter().filter(is_wanted).collect())
+}
+
+/// All models.
+pub fn entries() -> Vec<Entry> {
+    let of = |family| {
+        let entry = move |(model, documentation)| Entry { model, family, documentation };
+        catalogue::documented(family).map(entry)
+    };
+    of(Family::Friction).chain(of(Family::ShockAbsorber)).chain(of(Family::Host)).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn unknown_models_are_rejected_with_the_known_names() {
+        let error = select(&["LuGre".into(), "Lugre".into()]).err().unwrap().to_string();
+        assert!(error.starts_with("there is no model Lugre; there are ") && error.contains("LuGre"), "{error}");
+        assert_eq!(select(&["LuGre".into()]).unwrap().len(), 1);
+        assert_eq!(select(&[]).unwrap().len(), catalogue::models().count());
+    }
+}

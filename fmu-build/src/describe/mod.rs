@@ -1,0 +1,15 @@
+//! The committed files that state the interface of the models, and the rules for the tables they come from.
+
+pub mod block;
+pub mod compatibility;
+pub mod declarations;
+pub mod defaults;
+pub mod dependencies;
+pub mod entry;
+pub mod generated;
+pub mod header;
+pub mod interface;
+pub mod readme;
+pub mod rules;
+pub mod text;
+pub mod xml;

@@ -1,0 +1,676 @@
+//! modelDescription.xml of FMI 2.0.5, written from a model's table. The order of the elements is prescribed by the
+//! schema of the standard.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::io;
+
+use anyhow::Result;
+use jiff::Timestamp;
+use quick_xml::events::{BytesDecl, Event};
+use quick_xml::writer::{ElementWriter, Writer};
+use stribeck::fmi2::log::CATEGORIES;
+use stribeck::model::{Enumeration, Kind, ModelType, Role, Variable};
+use stribeck::reference::{self, Reference};
+use stribeck::unit::{UNITS, Unit};
+
+use crate::describe::dependencies;
+use crate::describe::text::{limits, number};
+use crate::project::{AUTHORS, LICENSE, VERSION, copyright};
+
+type Xml = Writer<Vec<u8>>;
+type Attributes = Vec<(&'static str, String)>;
+
+/// Capabilities declared in `<ModelExchange>`.
+pub const EXCHANGE_CAPABILITIES: [(&str, &str); 6] = [
+    ("needsExecutionTool", "false"),
+    ("canBeInstantiatedOnlyOncePerProcess", "false"),
+    ("canNotUseMemoryManagementFunctions", "true"),
+    ("canGetAndSetFMUstate", "true"),
+    ("canSerializeFMUstate", "true"),
+    ("providesDirectionalDerivative", "true"),
+];
+
+/// Capabilities declared in `<CoSimulation>`.
+pub const CAPABILITIES: [(&str, &str); 10] = [
+    ("needsExecutionTool", "false"),
+    ("canHandleVariableCommunicationStepSize", "true"),
+    ("canInterpolateInputs", "true"),
+    ("maxOutputDerivativeOrder", "1"),
+    ("canRunAsynchronuously", "false"), // spelled as in the standard
+    ("canBeInstantiatedOnlyOncePerProcess", "false"),
+    ("canNotUseMemoryManagementFunctions", "true"),
+    ("canGetAndSetFMUstate", "true"),
+    ("canSerializeFMUstate", "true"),
+    ("providesDirectionalDerivative", "true"),
+];
+
+/// Form of enumerations in a description. A library accepts both: FMI 2.0 sets choices as integers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Choices {
+    /// As enumerations, whose choices have names.
+    Named,
+    /// As integers, for importers that do not support enumerations.
+    Numbered,
+}
+
+/// The text of modelDescription.xml.
+pub fn model_description(model: &ModelType, date: Timestamp, choices: Choices) -> Result<String> {
+    let mut xml = Writer::new_with_indent(Vec::new(), b' ', 2);
+    xml.write_event(Event::Decl(BytesDecl::new("1.0", Some("UTF-8"), None)))?;
+    parent(&mut xml, "fmiModelDescription", root_attributes(model, date), |xml| {
+        if model.model_exchange {
+            interface(xml, "ModelExchange", model, &EXCHANGE_CAPABILITIES)?;
+        }
+        interface(xml, "CoSimulation", model, &CAPABILITIES)?;
+        unit_definitions(xml, model)?;
+        type_definitions(xml, model)?;
+        log_categories(xml)?;
+        default_experiment(xml)?;
+        model_variables(xml, model, choices)?;
+        model_structure(xml, model)
+    })?;
+    Ok(String::from_utf8(xml.into_inner())? + "\n")
+}
+
+fn parent(
+    xml: &mut Xml,
+    name: &'static str,
+    attributes: Attributes,
+    children: impl FnOnce(&mut Xml) -> io::Result<()>,
+) -> io::Result<()> {
+    element(xml, name, &attributes).write_inner_content(children)?;
+    Ok(())
+}
+
+fn leaf(xml: &mut Xml, name: &'static str, attributes: Attributes) -> io::Result<()> {
+    element(xml, name, &attributes).write_empty()?;
+    Ok(())
+}
+
+/// A tag with its attributes; one per line if there are many, so that changing one changes one line.
+fn element<'a>(xml: &'a mut Xml, name: &'static str, attributes: &Attributes) -> ElementWriter<'a, Vec<u8>> {
+    let is_long = attributes.len() > 8;
+    attributes.iter().fold(xml.create_element(name), |tag, (key, value)| {
+        let tag = if is_long { tag.new_line() } else { tag };
+        tag.with_attribute((*key, value.as_str()))
+    })
+}
+
+fn root_attributes(model: &ModelType, date: Timestamp) -> Attributes {
+    let mut attributes = vec![
+        ("fmiVersion", "2.0".into()),
+        ("modelName", model.name.into()),
+        ("guid", model.guid().into()),
+        ("description", model.summary.into()),
+        ("author", AUTHORS.into()),
+        ("version", VERSION.into()),
+        ("copyright", copyright()),
+        ("license", LICENSE.into()),
+        ("generationTool", format!("Stribeck {VERSION}")),
+        ("generationDateAndTime", date.to_string()),
+        ("variableNamingConvention", "structured".into()),
+    ];
+    if model.model_exchange {
+        attributes.push(("numberOfEventIndicators", model.event_indicators.to_string()));
+    }
+    attributes
+}
+
+fn interface(
+    xml: &mut Xml,
+    element: &'static str,
+    model: &ModelType,
+    capabilities: &[(&'static str, &str)],
+) -> io::Result<()> {
+    let identifier = ("modelIdentifier", model.name.to_owned());
+    let capabilities = capabilities.iter().map(|(name, value)| (*name, (*value).to_owned()));
+    leaf(xml, element, [identifier].into_iter().chain(capabilities).collect())
+}
+
+/// The states whose derivatives are variables: those that an importer may integrate.
+fn integrated(model: &ModelType) -> Vec<usize> {
+    if model.model_exchange { model.continuous_states().collect() } else { Vec::new() }
+}
+
+/// The unit of the time derivative of a state.
+fn unit_of_rate(state: &Variable) -> Option<&'static Unit> {
+    let Kind::Real(unit) = state.kind else { return None };
+    let exponents = |unit: &Unit| (unit.kg, unit.m, unit.kelvin, unit.rad);
+    UNITS.iter().find(|rate| exponents(rate) == exponents(unit) && rate.s == unit.s - 1)
+}
+
+/// The unit of the independent variable.
+fn second() -> &'static Unit {
+    UNITS.iter().find(|unit| unit.name == "s").expect("UNITS has the second")
+}
+
+/// Units of the variables and of time, each once, by name.
+fn units(model: &ModelType) -> BTreeMap<&'static str, &'static Unit> {
+    let of_variables = model.table.iter().filter_map(|variable| match variable.kind {
+        Kind::Real(unit) => Some(unit),
+        _ => None,
+    });
+    let of_rates = integrated(model).into_iter().filter_map(|state| unit_of_rate(&model.table[state]));
+    of_variables.chain(of_rates).chain([second()]).map(|unit| (unit.name, unit)).collect()
+}
+
+/// Enumerations of the variables, each once, by name.
+fn enumerations(model: &ModelType) -> BTreeMap<&'static str, &'static Enumeration> {
+    let of_variables = model.table.iter().filter_map(|variable| match variable.kind {
+        Kind::Enumeration(items) => Some(items),
+        _ => None,
+    });
+    of_variables.map(|items| (items.name, items)).collect()
+}
+
+fn unit_definitions(xml: &mut Xml, model: &ModelType) -> io::Result<()> {
+    parent(xml, "UnitDefinitions", vec![], |xml| units(model).values().try_for_each(|unit| unit_definition(xml, unit)))
+}
+
+fn unit_definition(xml: &mut Xml, unit: &Unit) -> io::Result<()> {
+    parent(xml, "Unit", vec![("name", unit.name.into())], |xml| {
+        leaf(xml, "BaseUnit", unit.base_units().map(|(base, exponent)| (base, exponent.to_string())).collect())?;
+        for display in unit.display {
+            let mut attributes = vec![("name", display.name.into()), ("factor", number(display.factor))];
+            if display.offset != 0.0 {
+                attributes.push(("offset", number(display.offset)));
+            }
+            leaf(xml, "DisplayUnit", attributes)?;
+        }
+        Ok(())
+    })
+}
+
+fn type_definitions(xml: &mut Xml, model: &ModelType) -> io::Result<()> {
+    parent(xml, "TypeDefinitions", vec![], |xml| {
+        for unit in units(model).values() {
+            simple_type(xml, unit.quantity, |xml| {
+                leaf(xml, "Real", vec![("quantity", unit.quantity.into()), ("unit", unit.name.into())])
+            })?;
+        }
+        for enumeration in enumerations(model).values() {
+            simple_type(xml, enumeration.name, |xml| {
+                parent(xml, "Enumeration", vec![], |xml| items(xml, enumeration))
+            })?;
+        }
+        Ok(())
+    })
+}
+
+fn simple_type(xml: &mut Xml, name: &str, content: impl FnOnce(&mut Xml) -> io::Result<()>) -> io::Result<()> {
+    parent(xml, "SimpleType", vec![("name", name.into())], content)
+}
+
+fn items(xml: &mut Xml, enumeration: &Enumeration) -> io::Result<()> {
+    for (item, value) in enumeration.items.iter().zip(1..) {
+        let attributes =
+            vec![("name", item.name.into()), ("value", i32::to_string(&value)), ("description", item.help.into())];
+        leaf(xml, "Item", attributes)?;
+    }
+    Ok(())
+}
+
+fn log_categories(xml: &mut Xml) -> io::Result<()> {
+    parent(xml, "LogCategories", vec![], |xml| {
+        CATEGORIES.iter().try_for_each(|category| {
+            let name = category.name.to_string_lossy().into_owned();
+            leaf(xml, "Category", vec![("name", name), ("description", category.description.into())])
+        })
+    })
+}
+
+/// Forty seconds show several stick-slip cycles of the thesis' benchmark with the default parameters (chosen).
+fn default_experiment(xml: &mut Xml) -> io::Result<()> {
+    let attributes = [("startTime", 0.0), ("stopTime", 40.0), ("tolerance", 1e-6), ("stepSize", 1e-3)];
+    leaf(xml, "DefaultExperiment", attributes.map(|(name, value)| (name, number(value))).into())
+}
+
+fn model_variables(xml: &mut Xml, model: &ModelType, choices: Choices) -> io::Result<()> {
+    parent(xml, "ModelVariables", vec![], |xml| {
+        for (column, variable) in model.variables() {
+            let name = variable.path.to_string();
+            let attributes = scalar_attributes(name, model.reference(column), variable.help, causality(variable));
+            parent(xml, "ScalarVariable", attributes, |xml| declaration(xml, model, variable, choices))?;
+        }
+        let independent = ["independent", "continuous", ""];
+        let attributes = scalar_attributes("time".into(), reference::TIME, "Time.", independent);
+        parent(xml, "ScalarVariable", attributes, |xml| leaf(xml, "Real", real_type(second())))?;
+        integrated(model).into_iter().try_for_each(|state| derivative(xml, model, state))
+    })
+}
+
+/// The variable behind the independent one that is the time derivative of a state.
+fn derivative(xml: &mut Xml, model: &ModelType, state: usize) -> io::Result<()> {
+    let variable = &model.table[state];
+    let (name, help) = (format!("der({})", variable.path), format!("Time derivative of {}.", variable.path));
+    let reference = reference::of_derivative(&variable.path);
+    let attributes = scalar_attributes(name, reference, &help, ["local", "continuous", "calculated"]);
+    parent(xml, "ScalarVariable", attributes, |xml| {
+        let mut attributes = unit_of_rate(variable).map(real_type).unwrap_or_default();
+        attributes.push(("derivative", index(model, state).to_string()));
+        leaf(xml, "Real", attributes)
+    })
+}
+
+fn scalar_attributes(
+    name: String,
+    reference: Reference,
+    help: &str,
+    [causality, variability, initial]: [&str; 3],
+) -> Attributes {
+    let mut attributes = vec![
+        ("name", name),
+        ("valueReference", reference.to_string()),
+        ("description", help.to_owned()),
+        ("causality", causality.to_owned()),
+        ("variability", variability.to_owned()),
+    ];
+    if !initial.is_empty() {
+        attributes.push(("initial", initial.to_owned()));
+    }
+    attributes
+}
+
+/// Causality, variability and initial; the standard forbids `initial` for inputs.
+fn causality(variable: &Variable) -> [&'static str; 3] {
+    let jumps = if variable.role.is_state() { variable.jumps } else { !matches!(variable.kind, Kind::Real(_)) };
+    let changing = if jumps { "discrete" } else { "continuous" };
+    match variable.role {
+        Role::Input => ["input", changing, ""],
+        Role::Fixed => ["parameter", "fixed", "exact"],
+        Role::Tunable => ["parameter", "tunable", "exact"],
+        Role::State => ["local", changing, "exact"],
+        Role::StateOutput => ["output", changing, "exact"],
+        Role::Output => ["output", changing, "calculated"],
+    }
+}
+
+fn real_type(unit: &Unit) -> Attributes {
+    vec![("declaredType", unit.quantity.into()), ("unit", unit.name.into())]
+}
+
+/// The element inside `<ScalarVariable>`: type, limits and start value.
+fn declaration(xml: &mut Xml, model: &ModelType, variable: &Variable, choices: Choices) -> io::Result<()> {
+    let (element, mut attributes) = match variable.kind {
+        Kind::Real(unit) => ("Real", real_type(unit)),
+        Kind::Boolean => ("Boolean", vec![]),
+        Kind::Enumeration(items) if choices == Choices::Named => {
+            ("Enumeration", vec![("declaredType", items.name.into())])
+        }
+        Kind::Integer | Kind::Enumeration(_) => ("Integer", vec![]),
+    };
+    attributes.extend(variable.display.map(|display| ("displayUnit", display.into())));
+    let (min, max) = limits(variable);
+    attributes.extend(min.map(|min| ("min", number(min))));
+    attributes.extend(max.map(|max| ("max", number(max))));
+    if element == "Real" && variable.nominal != 1.0 {
+        attributes.push(("nominal", number(variable.nominal)));
+    }
+    if !variable.role.is_computed() {
+        attributes.push(("start", start(variable)));
+    }
+    if model.model_exchange && variable.reinit {
+        attributes.push(("reinit", "true".into()));
+    }
+    leaf(xml, element, attributes)
+}
+
+fn start(variable: &Variable) -> String {
+    match variable.kind {
+        Kind::Boolean => (variable.start != 0.0).to_string(),
+        _ => number(variable.start),
+    }
+}
+
+fn model_structure(xml: &mut Xml, model: &ModelType) -> io::Result<()> {
+    let columns = model.table.len();
+    // An entry without dependencies depends on all.
+    let has_elements = dependencies::has_elements(model);
+    let is_input = |column: usize| model.table[column].role == Role::Input;
+    let dependencies = dependencies::of(model, |column| !has_elements || is_input(column));
+    let states = integrated(model);
+    let outputs: Vec<usize> = (0..columns).filter(|column| model.table[*column].role.is_output()).collect();
+    parent(xml, "ModelStructure", vec![], |xml| {
+        list(xml, "Outputs", &outputs, |xml, output| {
+            let inputs = dependencies[output].iter().filter(|column| is_input(**column));
+            let of_states = states.iter().filter(|state| {
+                **state == output
+                    || !model.table[output].role.is_state() && has_elements
+                    || dependencies[output].contains(state)
+            });
+            unknown(xml, model, output, Some(&inputs.chain(of_states).copied().collect()))
+        })?;
+        let derivatives: Vec<usize> = (0..states.len()).map(|place| columns + 1 + place).collect();
+        let of_derivative = |unknown: usize| &dependencies[columns + states[unknown - columns - 1]];
+        let is_known = |column: &&usize| is_input(**column) || states.contains(column);
+        list(xml, "Derivatives", &derivatives, |xml, derivative| {
+            let known = of_derivative(derivative).iter().filter(is_known).copied().collect();
+            unknown(xml, model, derivative, (!has_elements).then_some(&known))
+        })?;
+        let calculated = outputs.iter().filter(|output| model.table[**output].role.is_computed());
+        let initial: Vec<usize> = calculated.chain(&derivatives).copied().collect();
+        list(xml, "InitialUnknowns", &initial, |xml, column| {
+            let known = if column < columns { &dependencies[column] } else { of_derivative(column) };
+            unknown(xml, model, column, (!has_elements).then_some(known))
+        })
+    })
+}
+
+/// A list of the model structure, unless it is empty.
+fn list(
+    xml: &mut Xml,
+    name: &'static str,
+    entries: &[usize],
+    mut entry: impl FnMut(&mut Xml, usize) -> io::Result<()>,
+) -> io::Result<()> {
+    if entries.is_empty() {
+        return Ok(());
+    }
+    parent(xml, name, vec![], |xml| entries.iter().try_for_each(|column| entry(xml, *column)))
+}
+
+/// Index of a variable in the model structure, from 1: columns that are shown, time, derivatives of the states.
+fn index(model: &ModelType, place: usize) -> usize {
+    let hidden = model.table.iter().take(place).filter(|variable| variable.is_hidden);
+    place + 1 - hidden.count()
+}
+
+/// An entry of the model structure.
+fn unknown(xml: &mut Xml, model: &ModelType, place: usize, dependencies: Option<&BTreeSet<usize>>) -> io::Result<()> {
+    let index = |place: &usize| index(model, *place).to_string();
+    let mut attributes = vec![("index", index(&place))];
+    if let Some(dependencies) = dependencies {
+        let indices: Vec<String> = dependencies.iter().map(index).collect();
+        attributes.push(("dependencies", indices.join(" ")));
+        if !dependencies.is_empty() {
+            attributes.push(("dependenciesKind", vec!["dependent"; dependencies.len()].join(" ")));
+        }
+    }
+    leaf(xml, "Unknown", attributes)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::project::release_date;
+    use crate::specimen::SPECIMEN;
+    use roxmltree::{Document, Node};
+    use std::sync::LazyLock;
+
+    /// Runs a test on the description of every model and of one with all features that no shipped model has yet.
+    fn on_every_description(test: impl Fn(&ModelType, &Document)) {
+        static TEXTS: LazyLock<Vec<(&ModelType, String)>> = LazyLock::new(|| {
+            let models = stribeck::catalogue::models().chain([&SPECIMEN]);
+            models.map(|model| (model, model_description(model, release_date(), Choices::Named).unwrap())).collect()
+        });
+        for (model, text) in TEXTS.iter() {
+            test(model, &Document::parse(text).unwrap());
+        }
+    }
+
+    fn all<'a>(document: &'a Document, name: &str) -> Vec<Node<'a, 'a>> {
+        document.descendants().filter(|node| node.has_tag_name(name)).collect()
+    }
+
+    /// Each `<ScalarVariable>` with the element inside it.
+    fn variables<'a>(document: &'a Document) -> Vec<(Node<'a, 'a>, Node<'a, 'a>)> {
+        let with_type = |node: Node<'a, 'a>| (node, node.first_element_child().unwrap());
+        all(document, "ScalarVariable").into_iter().map(with_type).collect()
+    }
+
+    fn text<'a>(node: Node<'a, '_>, attribute: &str) -> &'a str {
+        node.attribute(attribute).unwrap_or_else(|| panic!("{} without {attribute}", node.tag_name().name()))
+    }
+
+    fn number_of(node: Node, attribute: &str) -> Option<f64> {
+        node.attribute(attribute).map(|text| text.parse().unwrap())
+    }
+
+    fn assert_unique<T: Ord + std::fmt::Debug>(values: impl Iterator<Item = T>) {
+        let mut seen = BTreeSet::new();
+        for value in values {
+            assert!(!seen.contains(&value), "{value:?} twice");
+            seen.insert(value);
+        }
+    }
+
+    #[test]
+    fn numbered_choices_are_integers_with_the_same_range() {
+        let count = SPECIMEN.table.iter().filter(|variable| matches!(variable.kind, Kind::Enumeration(_))).count();
+        assert!(count > 0);
+        let [named, numbered] = [Choices::Named, Choices::Numbered]
+            .map(|choices| model_description(&SPECIMEN, release_date(), choices).unwrap());
+        let [named, numbered] = [&named, &numbered].map(|text| Document::parse(text).unwrap());
+        let mut changed = 0;
+        for ((_, a), (_, b)) in variables(&named).into_iter().zip(variables(&numbered)) {
+            changed += usize::from(a.tag_name() != b.tag_name());
+            for attribute in ["start", "min", "max"] {
+                assert_eq!(a.attribute(attribute), b.attribute(attribute));
+            }
+        }
+        assert_eq!(changed, count);
+        assert!(variables(&numbered).iter().all(|(_, kind)| !kind.has_tag_name("Enumeration")));
+    }
+
+    #[test]
+    fn elements_are_in_the_order_of_the_schema() {
+        on_every_description(|model, document| {
+            let children: Vec<_> = document
+                .root_element()
+                .children()
+                .filter(Node::is_element)
+                .map(|node| node.tag_name().name())
+                .collect();
+            let schema = [
+                "ModelExchange",
+                "CoSimulation",
+                "UnitDefinitions",
+                "TypeDefinitions",
+                "LogCategories",
+                "DefaultExperiment",
+                "ModelVariables",
+                "ModelStructure",
+            ];
+            assert_eq!(children, schema[usize::from(!model.model_exchange)..]);
+            assert_eq!(document.root_element().has_attribute("numberOfEventIndicators"), model.model_exchange);
+        });
+    }
+
+    #[test]
+    fn model_identifier_is_the_name_and_a_c_identifier() {
+        on_every_description(|model, document| {
+            for interface in all(document, "CoSimulation").into_iter().chain(all(document, "ModelExchange")) {
+                let identifier = text(interface, "modelIdentifier");
+                assert_eq!(identifier, model.name);
+                assert!(identifier.starts_with(|first: char| first.is_ascii_alphabetic()), "{identifier}");
+                assert!(
+                    identifier.chars().all(|letter| letter.is_ascii_alphanumeric() || letter == '_'),
+                    "{identifier}"
+                );
+            }
+        });
+    }
+
+    #[test]
+    fn names_and_value_references_are_unique_and_in_the_order_of_the_columns() {
+        on_every_description(|model, document| {
+            let variables = variables(document);
+            let types = all(document, "SimpleType");
+            assert_unique(
+                variables.iter().map(|(node, _)| *node).chain(types).map(|node| text(node, "name").to_owned()),
+            );
+            let columns = model.variables().map(|(_, variable)| variable.path.to_string());
+            let states = model.continuous_states().filter(|_| model.model_exchange);
+            let derivatives = states.map(|state| format!("der({})", model.table[state].path));
+            let names: Vec<String> = columns.chain(["time".to_owned()]).chain(derivatives).collect();
+            assert_eq!(variables.len(), names.len());
+            assert_unique(variables.iter().map(|(node, _)| text(*node, "valueReference").to_owned()));
+            for ((node, _), name) in variables.iter().zip(names) {
+                assert_eq!(text(*node, "name"), name);
+            }
+        });
+    }
+
+    #[test]
+    fn start_values_are_given_where_required_and_lie_within_their_limits() {
+        on_every_description(|_, document| {
+            for (node, declaration) in variables(document) {
+                let initial = node.attribute("initial");
+                let wants_start = text(node, "causality") == "input" || initial == Some("exact");
+                assert_eq!(declaration.has_attribute("start"), wants_start, "{node:?}");
+                let may_be_initial = !["input", "independent"].contains(&text(node, "causality"));
+                assert_eq!(initial.is_some(), may_be_initial, "{node:?}");
+                if declaration.has_tag_name("Boolean") {
+                    continue;
+                }
+                let min = number_of(declaration, "min").unwrap_or(f64::NEG_INFINITY);
+                let max = number_of(declaration, "max").unwrap_or(f64::INFINITY);
+                let start = number_of(declaration, "start").unwrap_or(min.max(-1e300).min(max));
+                assert!(min <= start && start <= max, "{node:?}");
+                assert!(number_of(declaration, "nominal").is_none_or(|nominal| nominal > 0.0), "{node:?}");
+            }
+        });
+    }
+
+    #[test]
+    fn only_real_variables_are_continuous() {
+        on_every_description(|_, document| {
+            for (node, declaration) in variables(document) {
+                let is_continuous = text(node, "variability") == "continuous";
+                assert!(declaration.has_tag_name("Real") || !is_continuous, "{node:?}");
+            }
+        });
+    }
+
+    #[test]
+    fn units_and_types_are_defined_once_and_used() {
+        on_every_description(|_, document| {
+            let names = |element| all(document, element).into_iter().map(|node| text(node, "name"));
+            assert_unique(names("Unit"));
+            assert_unique(names("SimpleType"));
+            let used =
+                |attribute| variables(document).into_iter().filter_map(move |(_, node)| node.attribute(attribute));
+            assert_eq!(names("Unit").collect::<BTreeSet<_>>(), used("unit").collect());
+            assert_eq!(names("SimpleType").collect::<BTreeSet<_>>(), used("declaredType").collect());
+            for (_, declaration) in variables(document) {
+                let Some(shown) = declaration.attribute("displayUnit") else { continue };
+                let units = all(document, "Unit");
+                let unit = units.iter().find(|unit| text(**unit, "name") == text(declaration, "unit")).unwrap();
+                let mut displays = unit.children().filter(|node| node.has_tag_name("DisplayUnit"));
+                assert!(displays.any(|display| text(display, "name") == shown), "{shown}");
+            }
+        });
+    }
+
+    /// Indices of the entries of a list in the model structure.
+    fn unknowns(document: &Document, list: &str) -> Vec<usize> {
+        let list = all(document, list);
+        let entries = list.iter().flat_map(|list| list.children()).filter(Node::is_element);
+        entries.map(|node| text(node, "index").parse().unwrap()).collect()
+    }
+
+    #[test]
+    fn model_structure_is_complete_and_ordered() {
+        on_every_description(|_, document| {
+            let variables = variables(document);
+            let indices = |condition: &dyn Fn(Node) -> bool| -> Vec<usize> {
+                (1..=variables.len()).filter(|index| condition(variables[index - 1].0)).collect()
+            };
+            let is_output = |node: Node| text(node, "causality") == "output";
+            assert_eq!(unknowns(document, "Outputs"), indices(&is_output));
+            let is_derivative = |node: Node| node.first_element_child().unwrap().has_attribute("derivative");
+            assert_eq!(unknowns(document, "Derivatives"), indices(&is_derivative));
+            let is_unknown = |node: Node| node.attribute("initial") == Some("calculated");
+            assert_eq!(unknowns(document, "InitialUnknowns"), indices(&is_unknown));
+        });
+    }
+
+    /// A derivative is that of a continuous state, in the state's unit per second.
+    #[test]
+    fn derivatives_are_those_of_continuous_states() {
+        on_every_description(|_, document| {
+            let variables = variables(document);
+            for (_, declaration) in &variables {
+                let Some(state) = number_of(*declaration, "derivative") else { continue };
+                let (node, state) = variables[state as usize - 1];
+                assert_eq!([text(node, "variability"), text(node, "initial")], ["continuous", "exact"], "{node:?}");
+                let exponent = |declaration: Node, base: &str| {
+                    let units = all(document, "BaseUnit");
+                    let is_its = |unit: &&Node| {
+                        unit.parent_element().unwrap().attribute("name") == declaration.attribute("unit")
+                    };
+                    number_of(*units.iter().find(is_its).unwrap(), base).unwrap_or(0.0)
+                };
+                assert_eq!(exponent(*declaration, "s"), exponent(state, "s") - 1.0, "{node:?}");
+                assert!(
+                    ["kg", "m", "K", "rad"].iter().all(|base| exponent(*declaration, base) == exponent(state, base))
+                );
+            }
+        });
+    }
+
+    #[test]
+    fn dependencies_are_on_known_values() {
+        on_every_description(|_, document| {
+            let variables = variables(document);
+            let states = variables.iter().filter_map(|(_, declaration)| number_of(*declaration, "derivative"));
+            let states: BTreeSet<usize> = states.map(|index| index as usize).collect();
+            for entry in all(document, "Unknown") {
+                let is_initial = entry.parent_element().unwrap().has_tag_name("InitialUnknowns");
+                let mut before = 0;
+                let listed = entry.attribute("dependencies");
+                let is_output = entry.parent_element().unwrap().has_tag_name("Outputs");
+                assert!(listed.is_some() || !is_output, "{entry:?}");
+                let indices: Vec<usize> =
+                    listed.unwrap_or_default().split_whitespace().map(|index| index.parse().unwrap()).collect();
+                let kinds = entry.attribute("dependenciesKind").unwrap_or_default();
+                assert_eq!(kinds.split_whitespace().count(), indices.len());
+                for index in indices {
+                    let known = variables[index - 1].0;
+                    let is_exact = is_initial && known.attribute("initial") == Some("exact");
+                    let is_state = states.contains(&index);
+                    assert!(text(known, "causality") == "input" || is_exact || is_state, "{entry:?}");
+                    assert!(index > before, "{entry:?}");
+                    before = index;
+                }
+            }
+        });
+    }
+
+    #[test]
+    fn default_experiment_makes_sense() {
+        on_every_description(|_, document| {
+            let experiment = all(document, "DefaultExperiment")[0];
+            let value = |attribute| number_of(experiment, attribute).unwrap();
+            assert!(value("startTime") < value("stopTime") && value("stepSize") > 0.0 && value("tolerance") > 0.0);
+        });
+    }
+
+    #[test]
+    fn every_kind_of_variable_is_written_as_the_standard_requires() {
+        let text = model_description(&SPECIMEN, release_date(), Choices::Named).unwrap();
+        for line in [
+            "<Boolean start=\"true\"/>",
+            "<Enumeration declaredType=\"Behaviour\" start=\"2\"/>",
+            "<Integer min=\"0\" max=\"9\" start=\"3\"/>",
+            "<Integer start=\"-7\"/>",
+            "<Integer/>",
+            "<Real declaredType=\"Ratio\" unit=\"1\" min=\"0\" max=\"1\" start=\"0.5\"/>",
+            "<Real declaredType=\"Length\" unit=\"m\" displayUnit=\"um\" nominal=\"1e-5\" start=\"0\"/>",
+            "name=\"element[2].stiffness\"",
+        ] {
+            assert!(text.contains(line), "{line} is not in\n{text}");
+        }
+    }
+
+    #[test]
+    fn texts_are_escaped() {
+        let text = model_description(&SPECIMEN, release_date(), Choices::Named).unwrap();
+        let document = Document::parse(&text).unwrap();
+        assert_eq!(document.root_element().attribute("description"), Some(SPECIMEN.summary));
+        let share = all(&document, "ScalarVariable")[0];
+        assert_eq!(share.attribute("description"), Some("A value that is < 1 & > 0, \"quoted\"."));
+        let item = all(&document, "Item")[1];
+        assert_eq!(item.attribute("description"), Some("In motion, \"fast\" & furious."));
+    }
+}

@@ -1,0 +1,326 @@
+//! documentation/index.html of an FMU: the model's own page, its diagrams, and tables of its variables, presets and
+//! capabilities.
+//!
+//! The page is self-contained: no script, no network, and colours that follow the reader's choice of light or dark.
+
+use std::fmt::Write;
+
+use anyhow::Result;
+use stribeck::catalogue::Family;
+use stribeck::model::{Kind, ModelType, Preset, Variable};
+
+use crate::describe::entry::Entry;
+use crate::describe::text;
+use crate::describe::xml::CAPABILITIES;
+use crate::page::diagrams;
+use crate::page::mathematics::escape;
+use crate::page::typeset;
+use crate::project::{AUTHORS, LICENSE, VERSION};
+
+const STYLE: &str = include_str!("style.css");
+
+const ROLES: &str = "Inputs are set before each step. A fixed parameter stays constant during a run, a tunable one may \
+    change between steps. States are advanced by the steps; their start values may be set before a run.";
+
+/// The diagrams of a page, as HTML: those of the model, and those of each preset.
+#[derive(Default)]
+struct Pictures {
+    model: String,
+    presets: Vec<String>,
+}
+
+/// The page of a model.
+pub fn page(entry: &Entry) -> Result<String> {
+    let Entry { model, family, documentation } = *entry;
+    let preset = |preset: &'static Preset| match family {
+        Family::Friction if !holds_start_values(model, preset) => diagrams::preset(model, preset),
+        _ => Ok(String::new()),
+    };
+    let presets = model.presets.iter().map(preset).collect::<Result<_>>()?;
+    document(model, documentation, &Pictures { model: diagrams::html(model, family)?, presets })
+}
+
+/// Whether a preset only repeats the start values.
+fn holds_start_values(model: &ModelType, preset: &Preset) -> bool {
+    let is_start = |(name, value): &(&str, f64)| model.find(name).is_some_and(|at| model.table[at].start == *value);
+    preset.values.iter().all(is_start)
+}
+
+fn document(model: &ModelType, documentation: &str, pictures: &Pictures) -> Result<String> {
+    let mut page = String::new();
+    push(&mut page, format_args!("<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"));
+    push(&mut page, format_args!("<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"));
+    push(&mut page, format_args!("<title>{} - Stribeck</title>\n<style>\n{STYLE}</style>\n</head>\n", model.name));
+    push(&mut page, format_args!("<body>\n<header>\n<img src=\"../model.png\" alt=\"\" width=\"96\" height=\"96\">\n"));
+    push(&mut page, format_args!("<div>\n<h1>{}</h1>\n<p>{}</p>\n</div>\n", model.name, escape(model.summary)));
+    let text = typeset::html(model.name, documentation, &pictures.model)?;
+    push(&mut page, format_args!("</header>\n<main>\n{text}"));
+    variables(&mut page, model);
+    choices(&mut page, model);
+    presets(&mut page, model, &pictures.presets);
+    capabilities(&mut page, model);
+    push(&mut page, format_args!("</main>\n<footer>Stribeck {VERSION}, {AUTHORS}. Licence: {LICENSE}, "));
+    push(&mut page, format_args!("<a href=\"licenses/license.txt\">text</a>.</footer>\n</body>\n</html>\n"));
+    Ok(page)
+}
+
+/// Writing to a `String` cannot fail.
+fn push(page: &mut String, text: std::fmt::Arguments) {
+    let _ = page.write_fmt(text);
+}
+
+fn table<R: AsRef<[String]>>(page: &mut String, head: &[&str], rows: impl Iterator<Item = R>) {
+    push(page, format_args!("<div class=\"wide\"><table>\n<thead><tr>"));
+    head.iter().for_each(|title| push(page, format_args!("<th>{title}</th>")));
+    push(page, format_args!("</tr></thead>\n<tbody>\n"));
+    for row in rows {
+        push(page, format_args!("<tr>"));
+        row.as_ref().iter().for_each(|cell| push(page, format_args!("<td>{cell}</td>")));
+        push(page, format_args!("</tr>\n"));
+    }
+    push(page, format_args!("</tbody>\n</table></div>\n"));
+}
+
+fn variables(page: &mut String, model: &ModelType) {
+    push(page, format_args!("<h2>Variables</h2>\n<p>{ROLES}</p>\n"));
+    let head = ["Variable", "Unit", "Start", "Bound", "Meaning", "Role", "Type", "Value reference"];
+    table(page, &head, model.variables().map(|(column, shown)| variable(model.reference(column), shown)));
+}
+
+fn variable(reference: u32, variable: &Variable) -> [String; 8] {
+    let start = if variable.role.is_computed() { String::new() } else { text::start(variable) };
+    [
+        format!("<code>{}</code>", variable.path),
+        text::typeset_unit(text::unit(variable)),
+        start,
+        escape(&text::bound(variable)),
+        escape(variable.help),
+        text::role(variable.role).to_owned(),
+        text::kind(variable).to_owned(),
+        reference.to_string(),
+    ]
+}
+
+/// One table per enumeration of the model.
+fn choices(page: &mut String, model: &ModelType) {
+    let mut seen = Vec::new();
+    for variable in model.table {
+        let Kind::Enumeration(choices) = variable.kind else { continue };
+        if seen.contains(&choices.name) {
+            continue;
+        }
+        seen.push(choices.name);
+        push(page, format_args!("<h2>Choices of {}</h2>\n", choices.name));
+        let row = |(number, item): (usize, &stribeck::model::Item)| {
+            [(number + 1).to_string(), format!("<code>{}</code>", item.name), escape(item.help)]
+        };
+        table(page, &["Number", "Choice", "Meaning"], choices.items.iter().enumerate().map(row));
+    }
+}
+
+/// One table per preset, with the diagrams for its values.
+fn presets(page: &mut String, model: &ModelType, pictures: &[String]) {
+    if model.presets.is_empty() {
+        return;
+    }
+    push(page, format_args!("<h2>Presets</h2>\n<p>Sets of values; other variables keep their start values.</p>\n"));
+    for (at, preset) in model.presets.iter().enumerate() {
+        push(page, format_args!("<h3><code>{}</code></h3>\n<p>{}</p>\n", preset.name, escape(preset.source)));
+        let row = |(name, value): &(&str, f64)| {
+            let (shown, unit) = match model.find(name) {
+                Some(column) => (text::value(&model.table[column], *value), text::unit(&model.table[column])),
+                None => (text::number(*value), ""),
+            };
+            [format!("<code>{name}</code>"), shown, text::typeset_unit(unit)]
+        };
+        if !preset.values.is_empty() {
+            table(page, &["Variable", "Value", "Unit"], preset.values.iter().map(row));
+        }
+        page.push_str(pictures.get(at).map_or("", String::as_str));
+    }
+}
+
+/// Meaning of the capability flags of FMI 2.0 for a user.
+fn meaning(capability: &str) -> &'static str {
+    match capability {
+        "needsExecutionTool" => "The FMU is self-contained; it needs no other program.",
+        "canHandleVariableCommunicationStepSize" => "Communication steps may differ in length.",
+        "canInterpolateInputs" => "Inputs may move linearly within a step: fmi2SetRealInputDerivatives, order 1.",
+        "maxOutputDerivativeOrder" => "fmi2GetRealOutputDerivatives gives exact first derivatives.",
+        "canRunAsynchronuously" => "fmi2DoStep returns when the step is done.",
+        "canBeInstantiatedOnlyOncePerProcess" => "A process may have any number of instances.",
+        "canNotUseMemoryManagementFunctions" => "The memory callbacks of the importer are not used.",
+        "canGetAndSetFMUstate" => "The state may be saved and restored between steps.",
+        "canSerializeFMUstate" => "A saved state may be written to a file and read by another process.",
+        "providesDirectionalDerivative" => "fmi2GetDirectionalDerivative gives exact derivatives.",
+        _ => "",
+    }
+}
+
+/// Capabilities in Model Exchange.
+fn exchange(model: &ModelType) -> String {
+    if !model.model_exchange {
+        return "Co-simulation only: its memory cannot be expressed as continuous states.".to_owned();
+    }
+    let states = match model.continuous_states().count() {
+        1 => "1 continuous state".to_owned(),
+        count => format!("{count} continuous states"),
+    };
+    let events = match model.event_indicators {
+        0 => "no event indicators",
+        1 => "1 event indicator at its jumps and kinks",
+        count => &format!("{count} event indicators at its jumps and kinks"),
+    };
+    let mass = if model.find("mass").is_some() {
+        " <code>mass</code> must be 0 in Model Exchange, because no force is held over a step."
+    } else {
+        ""
+    };
+    let reinit = if model.table.iter().any(|variable| variable.reinit) {
+        " An event may change states: read them again."
+    } else {
+        ""
+    };
+    format!("In Model Exchange {states}, {events}.{mass}{reinit}")
+}
+
+fn capabilities(page: &mut String, model: &ModelType) {
+    push(page, format_args!("<h2>This FMU</h2>\n"));
+    let kinds = if model.model_exchange { "Co-Simulation and Model Exchange" } else { "Co-Simulation" };
+    let facts = [
+        ["Interface".to_owned(), format!("FMI 2.0 for {kinds}"), exchange(model)],
+        ["Version".to_owned(), VERSION.to_owned(), String::new()],
+        ["Model identifier".to_owned(), format!("<code>{}</code>", model.name), String::new()],
+        [
+            "Guid".to_owned(),
+            format!("<code>{}</code>", model.guid()),
+            "Fingerprint of the table of variables.".to_owned(),
+        ],
+    ];
+    let capability =
+        |(name, value): (&str, &str)| [format!("<code>{name}</code>"), value.to_owned(), meaning(name).to_owned()];
+    table(page, &["Property", "Value", "Meaning"], facts.into_iter().chain(CAPABILITIES.map(capability)));
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::describe::entry::entries;
+    use crate::specimen::{SPECIMEN, Specimen};
+    use stribeck::model::Described;
+
+    /// Every page, and that of a model with features that no shipped model has.
+    fn pages() -> impl Iterator<Item = (&'static ModelType, String)> {
+        let specimen = document(&SPECIMEN, <Specimen as Described>::DOCUMENTATION, &Pictures::default()).unwrap();
+        let of_entry = |entry: Entry| (entry.model, page(&entry).unwrap());
+        entries().into_iter().map(of_entry).chain([(&SPECIMEN, specimen)])
+    }
+
+    /// The page closes what it opens, so that with closed void elements it is also XML.
+    fn as_xml(page: &str) -> String {
+        let mut closed = page.to_owned();
+        for void in ["<meta ", "<img "] {
+            closed = close(&closed, void);
+        }
+        closed.trim_start_matches("<!DOCTYPE html>\n").to_owned()
+    }
+
+    fn close(page: &str, void: &str) -> String {
+        let mut parts = page.split(void);
+        let first = parts.next().unwrap_or_default().to_owned();
+        parts.fold(first, |text, part| text + void + &part.replacen('>', "/>", 1))
+    }
+
+    #[test]
+    fn every_page_is_well_formed_and_lists_every_variable() {
+        for (model, page) in pages() {
+            let xml = as_xml(&page);
+            let document = roxmltree::Document::parse(&xml).unwrap_or_else(|error| panic!("{}: {error}", model.name));
+            let cells: Vec<_> = document.descendants().filter_map(|node| node.text()).collect();
+            for (_, variable) in model.variables() {
+                assert!(cells.contains(&variable.path.to_string().as_str()), "{}", variable.path);
+            }
+        }
+    }
+
+    /// A line that begins with a sign would be read as a list item, and its code as text.
+    #[test]
+    fn sentences_are_whole() {
+        for (model, page) in pages() {
+            assert!(!page.contains('`'), "{}: {:?}", model.name, page.lines().find(|line| line.contains('`')));
+        }
+        for entry in entries() {
+            let begins_with_sign = |line: &&str| line.starts_with(['*', '+']) || line.starts_with("- ");
+            let prose = entry.documentation.split("```").step_by(2).flat_map(str::lines);
+            assert_eq!(prose.map(str::trim).find(begins_with_sign), None, "{}", entry.model.name);
+        }
+    }
+
+    /// A reader without a network sees the same page: nothing but the icon is loaded, and nothing runs.
+    #[test]
+    fn pages_need_no_network() {
+        for (model, page) in pages() {
+            let xml = as_xml(&page);
+            let document = roxmltree::Document::parse(&xml).unwrap();
+            for node in document.descendants().filter(roxmltree::Node::is_element) {
+                assert!(!["script", "link", "iframe", "object", "embed"].contains(&node.tag_name().name()));
+                for attribute in node.attributes() {
+                    assert!(!attribute.name().starts_with("on"), "{}: {attribute:?}", model.name);
+                    let is_address = ["src", "href", "srcset", "data", "action"].contains(&attribute.name());
+                    let is_known = ["../model.png", "licenses/license.txt"].contains(&attribute.value());
+                    assert!(!is_address || is_known, "{}: {attribute:?}", model.name);
+                }
+            }
+            assert!(!page.contains("url(") && !page.contains("@import") && !page.contains("://"), "{}", model.name);
+        }
+    }
+
+    /// Every line of every block of equations is on the page as MathML, and as text beside it.
+    #[test]
+    fn every_block_of_equations_is_typeset() {
+        for entry in entries() {
+            let page = page(&entry).unwrap();
+            let kept = entry.documentation.split(" # Example").next().unwrap();
+            let blocks: Vec<&str> =
+                kept.split("```text\n").skip(1).map(|rest| rest.split("```").next().unwrap()).collect();
+            assert!(!blocks.is_empty(), "{}", entry.model.name);
+            assert_eq!(page.matches("<div class=\"equations\">").count(), blocks.len(), "{}", entry.model.name);
+            assert!(page.matches("<math displaystyle=\"true\">").count() >= blocks.len(), "{}", entry.model.name);
+            for line in blocks.iter().flat_map(|block| block.lines()) {
+                assert!(page.contains(&escape(line.trim())), "{}: {line}", entry.model.name);
+            }
+        }
+    }
+
+    #[test]
+    fn every_page_has_a_diagram_and_is_the_same_twice() {
+        for entry in entries() {
+            let page = page(&entry).unwrap();
+            assert!(page.contains("<svg ") && page.contains("<figcaption>"), "{}", entry.model.name);
+            assert_eq!(page, super::page(&entry).unwrap(), "{}", entry.model.name);
+        }
+    }
+
+    #[test]
+    fn capabilities_are_explained() {
+        for (name, _) in CAPABILITIES {
+            assert_ne!(meaning(name), "", "{name}");
+        }
+    }
+
+    #[test]
+    fn presets_are_listed_with_their_source_values_and_units() {
+        let lugre = stribeck::catalogue::by_name("LuGre").unwrap();
+        let mut text = String::new();
+        presets(&mut text, lugre, &[]);
+        for preset in lugre.presets {
+            assert!(text.contains(&format!("<h3><code>{}</code></h3>\n<p>{}</p>", preset.name, escape(preset.source))));
+            for (name, value) in preset.values {
+                let unit = text::typeset_unit(text::unit(&lugre.table[lugre.find(name).unwrap()]));
+                let row = format!("<td><code>{name}</code></td><td>{}</td><td>{unit}</td>", text::number(*value));
+                assert!(text.contains(&row), "{row}");
+            }
+        }
+        assert!(!lugre.presets.is_empty());
+    }
+}

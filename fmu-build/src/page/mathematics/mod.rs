@@ -1,0 +1,13 @@
+//! Equations of the documentation, which are ASCII text, as MathML.
+
+mod block;
+mod grammar;
+mod mathml;
+mod prose;
+mod symbols;
+mod token;
+
+pub use block::block;
+pub use mathml::escape;
+pub use prose::{Part, prose, symbol};
+pub use symbols::Symbols;

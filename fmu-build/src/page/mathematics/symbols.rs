@@ -1,0 +1,45 @@
+//! The symbols of a page, which distinguish letters from words.
+
+use std::collections::BTreeSet;
+
+use super::token::{self, Token, Word};
+
+/// Symbols that a page defines, as written: `v`, `f_C`, `sigma_0`.
+#[derive(Clone, Debug, Default)]
+pub struct Symbols(BTreeSet<String>);
+
+impl Symbols {
+    /// Whether it is one of them.
+    pub fn contains(&self, name: &str) -> bool {
+        self.0.contains(name)
+    }
+
+    /// Adds the symbols in a text such as the cell of a symbol table.
+    pub fn add(&mut self, text: &str) {
+        let Ok(tokens) = token::tokens(text) else { return };
+        let mut name = String::new();
+        for Token { word, .. } in tokens {
+            match word {
+                Word::Subscript(below) if !name.is_empty() => name = format!("{name}_{below}"),
+                Word::Name(next) => self.insert(std::mem::replace(&mut name, next)),
+                Word::Derivative(derivative) => self.insert(derivative.of),
+                _ => self.insert(std::mem::take(&mut name)),
+            }
+        }
+        self.insert(name);
+    }
+
+    /// Adds the letters in an equation. Whole words are symbols only if they are in a symbol table.
+    pub fn add_letters(&mut self, text: &str) {
+        let mut symbols = Symbols::default();
+        text.split_whitespace().for_each(|word| symbols.add(word));
+        let is_letter = |name: &String| token::is_letter(name.split('_').next().unwrap_or_default());
+        self.0.extend(symbols.0.into_iter().filter(is_letter));
+    }
+
+    fn insert(&mut self, name: String) {
+        if !name.is_empty() && !token::is_function(&name) && !token::is_differential(&name) {
+            self.0.insert(name);
+        }
+    }
+}

@@ -1,0 +1,194 @@
+//! Motion of a host, driven by a contact, by struts, or by itself.
+
+use anyhow::{Context, Result, ensure};
+use stribeck::catalogue;
+use stribeck::instance::Instance;
+use stribeck::model::{ModelType, Role};
+
+use crate::page::curve::{Curve, limits};
+
+/// The motion of a host.
+pub struct Motion {
+    /// The excitation, in words.
+    pub with: &'static str,
+    /// Columns of its first two outputs, which are states if it has states.
+    pub states: [usize; 2],
+    /// Times.
+    pub times: Vec<f64>,
+    /// Values of the states at these times.
+    pub values: Curve,
+}
+
+/// Simulates a host on its own.
+pub fn motion(model: &'static ModelType) -> Result<Motion> {
+    const STEP: f64 = 1e-3;
+    let is_output = |column: &usize| model.table[*column].role.is_output();
+    let states: Vec<usize> = (0..model.table.len()).filter(is_output).collect();
+    let states = *states.first_chunk().context("a host needs two outputs")?;
+    let mut host = Instance::new(model);
+    let mut connection = Connection::of(&mut host)?;
+    host.put(states[0], host.row()[states[0]] + connection.lifted_by());
+    let mut motion = Motion { with: connection.name(), states, times: Vec::new(), values: Vec::new() };
+    for step in 0..=connection.steps() {
+        host.refresh()?;
+        motion.times.push(f64::from(step) * STEP);
+        motion.values.push(states.map(|column| host.row()[column]));
+        connection.act(&mut host, STEP)?;
+        host.step(STEP)?;
+    }
+    let [low, high] = limits([&motion.values], 0);
+    ensure!(high > low, "it does not move");
+    Ok(motion)
+}
+
+/// Excitation of a host.
+enum Connection {
+    Contact(Box<Contact>),
+    Struts(Vec<Strut>),
+    /// None: it moves by itself.
+    Nothing,
+}
+
+impl Connection {
+    fn of(host: &mut Instance) -> Result<Connection> {
+        if host.model().table.iter().all(|variable| variable.role != Role::Input) {
+            return Ok(Connection::Nothing);
+        }
+        let struts = Strut::all(host)?;
+        if !struts.is_empty() {
+            return Ok(Connection::Struts(struts));
+        }
+        Ok(Connection::Contact(Box::new(Contact::of(host.model())?)))
+    }
+
+    fn name(&self) -> &'static str {
+        match self {
+            Connection::Contact(_) => "with Coulomb friction and stiction in the contact",
+            Connection::Struts(_) => "on linear struts (45 kN/m, 1900 N.s/m), released 20 mm above rest",
+            Connection::Nothing => "without external excitation",
+        }
+    }
+
+    /// A belt carries its block away; a car must be lifted to move.
+    fn lifted_by(&self) -> f64 {
+        match self {
+            Connection::Struts(_) => 0.02,
+            Connection::Contact(_) | Connection::Nothing => 0.0,
+        }
+    }
+
+    /// Number of steps worth showing.
+    fn steps(&self) -> u32 {
+        match self {
+            Connection::Contact(_) => 40_000,
+            Connection::Struts(_) | Connection::Nothing => 1_000,
+        }
+    }
+
+    fn act(&mut self, host: &mut Instance, dt: f64) -> Result<()> {
+        match self {
+            Connection::Contact(contact) => contact.act(host, dt)?,
+            Connection::Struts(struts) => struts.iter().for_each(|strut| strut.act(host)),
+            Connection::Nothing => {}
+        }
+        Ok(())
+    }
+}
+
+/// A linear spring and a linear damper, and the columns of the host to which they are connected.
+struct Strut {
+    force: usize,
+    length: usize,
+    velocity: usize,
+    /// Force and length at rest.
+    rest: [f64; 2],
+}
+
+impl Strut {
+    /// The front spring of the default parameters, and the mean of the two sides of the default damper.
+    const STIFFNESS: f64 = 45_000.0;
+    const DAMPING: f64 = 1_900.0;
+
+    /// One strut for every strut force of a host at rest.
+    fn all(host: &mut Instance) -> Result<Vec<Strut>> {
+        host.refresh()?;
+        let model = host.model();
+        let names = model.table.iter().map(|variable| variable.path.to_string());
+        let corners: Vec<String> =
+            names.filter_map(|name| Some(name.strip_suffix("strut_force")?.to_owned())).collect();
+        let strut = |corner: &String| {
+            let column = |name| model.find(&format!("{corner}{name}")).with_context(|| format!("no {corner}{name}"));
+            let (force, length, velocity) = (column("strut_force")?, column("length")?, column("velocity")?);
+            Ok(Strut { force, length, velocity, rest: [host.row()[force], host.row()[length]] })
+        };
+        corners.iter().map(strut).collect()
+    }
+
+    fn act(&self, host: &mut Instance) {
+        let [force, length] = self.rest;
+        let spring = force + Strut::STIFFNESS * (length - host.row()[self.length]);
+        host.put(self.force, spring - Strut::DAMPING * host.row()[self.velocity]);
+    }
+}
+
+/// A law of dry friction, and the columns of law and host that are connected by their names.
+struct Contact {
+    law: Instance,
+    to_law: Vec<[usize; 2]>,
+    to_host: Vec<[usize; 2]>,
+}
+
+impl Contact {
+    fn of(host: &'static ModelType) -> Result<Contact> {
+        let law = catalogue::by_name("CoulombStiction").context("no model CoulombStiction")?;
+        let mut contact =
+            Contact { law: Instance::new(law), to_law: connections(host, law), to_host: connections(law, host) };
+        // With the mass of the host the law can hold it at rest.
+        if let (Some(of_host), Some(of_law)) = (host.find("mass"), law.find("mass")) {
+            contact.law.put(of_law, host.table[of_host].start);
+        }
+        Ok(contact)
+    }
+
+    fn act(&mut self, host: &mut Instance, dt: f64) -> Result<()> {
+        host.refresh()?;
+        self.to_law.iter().for_each(|[from, to]| self.law.put(*to, host.row()[*from]));
+        self.law.step(dt)?;
+        self.to_host.iter().for_each(|[from, to]| host.put(*to, self.law.row()[*from]));
+        Ok(())
+    }
+}
+
+/// Pairs of an output and the input of the same name.
+fn connections(from: &ModelType, to: &ModelType) -> Vec<[usize; 2]> {
+    let output = |input: usize| from.table.iter().position(|v| v.role.is_output() && v.path == to.table[input].path);
+    let inputs = (0..to.table.len()).filter(|column| to.table[*column].role == Role::Input);
+    inputs.filter_map(|input| Some([output(input)?, input])).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use catalogue::by_name;
+
+    #[test]
+    fn belt_rig_moves_and_sticks() {
+        let motion = motion(by_name("BeltRig").unwrap()).unwrap();
+        assert_eq!(motion.values[0], [0.0, 0.1]);
+        // It sticks until k x = f_s, that is x = 1.4715 N / 2 N/m.
+        let slips = motion.values.iter().find(|value| value[1] < 0.0999).unwrap();
+        assert!((slips[0] - 0.73575).abs() < 1e-3, "{slips:?}");
+    }
+
+    /// A released car swings back to its rest position: through it at 3.8 Hz, a quarter of a period later.
+    #[test]
+    fn cars_are_let_go() {
+        for name in ["QuarterCar", "FourPostCar"] {
+            let motion = motion(by_name(name).unwrap()).unwrap();
+            assert_eq!(motion.values[0], [0.02, 0.0], "{name}");
+            let passes = motion.values.iter().position(|value| value[0] < 0.0).unwrap();
+            assert!((60..100).contains(&passes), "{name}: after {passes} ms");
+            assert!(motion.values[1_000][0].abs() < 1e-4, "{name}");
+        }
+    }
+}
