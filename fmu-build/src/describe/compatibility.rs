@@ -211,12 +211,12 @@ mod tests {
 
     #[test]
     fn choices_keep_their_numbers() {
-        let changes = after(|rows| row(rows, "Coulomb", "choice", "Exchange.Parallel").value = "3".into());
-        let renumbered = "BREAKING: Coulomb: choice Exchange.Parallel: the number was 2, is 3; fix: ";
+        let changes = after(|rows| row(rows, "Coulomb", "choice", "ExchangeOrder.Parallel").value = "3".into());
+        let renumbered = "BREAKING: Coulomb: choice ExchangeOrder.Parallel: the number was 2, is 3; fix: ";
         assert!(changes.len() == 1 && changes[0].starts_with(renumbered), "{changes:?}");
-        let gone = |row: &Row| key(row) == ("Coulomb", "choice", "Exchange.Parallel");
+        let gone = |row: &Row| key(row) == ("Coulomb", "choice", "ExchangeOrder.Parallel");
         let changes = after(|rows| rows.retain(|row| !gone(row)));
-        assert!(changes.len() == 1 && changes[0].contains("choice Exchange.Parallel was removed"), "{changes:?}");
+        assert!(changes.len() == 1 && changes[0].contains("choice ExchangeOrder.Parallel was removed"), "{changes:?}");
     }
 
     #[test]
