@@ -1,0 +1,301 @@
+//! The modules of each crate import downwards only; files stay short.
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use proc_macro2::{Delimiter, TokenStream, TokenTree};
+
+/// A crate with its top-level modules: each may use those before it.
+struct House {
+    folder: &'static str,
+    rooms: &'static [&'static str],
+}
+
+const HOUSES: &[House] = &[
+    House {
+        folder: "src",
+        rooms: &[
+            "number",
+            "numerics",
+            "unit",
+            "memory",
+            "table",
+            "guid",
+            "reference",
+            "model",
+            "laws",
+            "contact",
+            "friction",
+            "host",
+            "shock_absorber",
+            "catalogue",
+            "consistency",
+            "instance",
+            "serial",
+            "float_mode",
+            "panics",
+            "fmi2",
+            "c_api",
+        ],
+    },
+    House { folder: "lab/src", rooms: &["parameter_set", "dyno", "tir", "damper", "tyre"] },
+    House { folder: "fmu-build/src", rooms: &["project", "build", "describe", "page", "pack"] },
+];
+
+/// Macros that are exported from the root of their crate, and the rooms that declare them.
+const MACROS: &[(&str, &str)] = &[("choices", "model"), ("part", "model")];
+
+/// Longest file, in lines.
+const LONGEST_FILE: usize = 700;
+
+/// Files that may be longer, with the reason.
+const LONG_FILES: &[(&str, &str)] = &[("src/host/magic_formula.rs", "table of 115 coefficients")];
+
+/// Use of a room of the same crate.
+#[derive(Debug, PartialEq)]
+struct Import {
+    room: String,
+    line: usize,
+}
+
+/// Contents of a file, apart from comments and test code.
+#[derive(Debug, Default)]
+struct Contents {
+    imports: Vec<Import>,
+    /// Modules in files of their own that only tests have.
+    test_modules: Vec<String>,
+}
+
+impl Contents {
+    /// Contents of a module with this path from the root of its crate.
+    fn of(text: &str, module: &[&str]) -> Contents {
+        let mut contents = Contents::default();
+        contents.read(text.parse().expect("Rust"), module.len());
+        contents
+    }
+
+    fn read(&mut self, stream: TokenStream, depth: usize) {
+        let tokens: Vec<TokenTree> = stream.into_iter().collect();
+        let mut at = 0;
+        while at < tokens.len() {
+            if is_test_attribute(&tokens[at..]) {
+                at = self.skip_test(&tokens, at + 2);
+                continue;
+            }
+            if let Some(path) = path_from_root(&tokens[at..], depth) {
+                self.import(&tokens[at + path]);
+            }
+            if let TokenTree::Group(group) = &tokens[at] {
+                let is_module = at >= 2 && is(&tokens[at - 2], "mod") && group.delimiter() == Delimiter::Brace;
+                self.read(group.stream(), depth + usize::from(is_module));
+            }
+            at += 1;
+        }
+    }
+
+    /// Passes over the item or statement at `at`, which only tests have.
+    fn skip_test(&mut self, tokens: &[TokenTree], at: usize) -> usize {
+        let is_end = |token: &TokenTree| is(token, ";") || as_block(token).is_some();
+        let end = (at..tokens.len()).find(|&end| is_end(&tokens[end])).expect("end of an item");
+        if let [.., keyword, name, semicolon] = &tokens[at..=end]
+            && is(keyword, "mod")
+            && is(semicolon, ";")
+        {
+            self.test_modules.push(name.to_string());
+        }
+        end + 1
+    }
+
+    /// Adds the rooms named by this token: a name, or names in braces.
+    fn import(&mut self, token: &TokenTree) {
+        match token {
+            TokenTree::Ident(name) => {
+                self.imports.push(Import { room: name.to_string(), line: name.span().start().line });
+            }
+            TokenTree::Group(group) => {
+                let mut is_first = true;
+                for token in group.stream() {
+                    if is_first {
+                        self.import(&token);
+                    }
+                    is_first = is(&token, ",");
+                }
+            }
+            _ => {}
+        }
+    }
+}
+
+fn is(token: &TokenTree, text: &str) -> bool {
+    !matches!(token, TokenTree::Group(_)) && token.to_string() == text
+}
+
+fn as_block(token: &TokenTree) -> Option<&proc_macro2::Group> {
+    match token {
+        TokenTree::Group(group) if group.delimiter() == Delimiter::Brace => Some(group),
+        _ => None,
+    }
+}
+
+/// Whether `#[cfg(test)]` stands here.
+fn is_test_attribute(tokens: &[TokenTree]) -> bool {
+    let [hash, TokenTree::Group(attribute), ..] = tokens else { return false };
+    is(hash, "#") && attribute.to_string().replace(' ', "") == "[cfg(test)]"
+}
+
+/// Position of the token behind a path to the root, `crate::` or enough `super::` for a module of this depth.
+fn path_from_root(tokens: &[TokenTree], depth: usize) -> Option<usize> {
+    let is_step = |at: usize, name: &str| {
+        tokens.len() > at + 3 && is(&tokens[at], name) && is(&tokens[at + 1], ":") && is(&tokens[at + 2], ":")
+    };
+    if is_step(0, "crate") {
+        return Some(3);
+    }
+    let steps = (0..).take_while(|step| is_step(3 * step, "super")).count();
+    (steps > 0 && steps == depth).then_some(3 * steps)
+}
+
+/// Refusals of the imports of a file in `room`.
+fn refusals(house: &House, room: &str, file: &str, imports: &[Import]) -> Vec<String> {
+    let place = |room: &str| house.rooms.iter().position(|known| *known == room);
+    let Some(own) = place(room) else { return vec![format!("{file}: the room {room} has no place in the order")] };
+    let mut refusals = Vec::new();
+    for Import { room: used, line } in imports {
+        let used = MACROS.iter().find(|(name, _)| name == used).map_or(used.as_str(), |(_, room)| room);
+        match place(used) {
+            Some(place) if place <= own => {}
+            Some(_) => refusals.push(format!("{file}:{line}: {room} stands below {used} and must not use it")),
+            None => refusals.push(format!("{file}:{line}: the room {used} has no place in the order")),
+        }
+    }
+    refusals
+}
+
+fn root() -> &'static Path {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+}
+
+/// All Rust files in a folder of the project, by their paths in it.
+fn rust_files(folder: &str) -> Vec<PathBuf> {
+    let mut files = Vec::new();
+    let mut folders = vec![root().join(folder)];
+    while let Some(folder) = folders.pop() {
+        for entry in fs::read_dir(folder).unwrap() {
+            let path = entry.unwrap().path();
+            if path.is_dir() && !path.join("Cargo.toml").exists() {
+                folders.push(path);
+            } else if path.extension().is_some_and(|extension| extension == "rs") {
+                files.push(path.strip_prefix(root()).unwrap().to_path_buf());
+            }
+        }
+    }
+    files.sort();
+    files
+}
+
+/// Path of the module in a file, from the root of its crate; that of the root is empty.
+fn module_of<'a>(file: &'a Path, house: &House) -> Vec<&'a str> {
+    let file = file.strip_prefix(house.folder).unwrap();
+    let mut module: Vec<&str> = file.iter().map(|part| part.to_str().unwrap().trim_end_matches(".rs")).collect();
+    if matches!(module.last(), Some(&("mod" | "lib" | "main"))) {
+        module.pop();
+    }
+    module
+}
+
+/// Every file of a crate apart from those that only tests have, with its module path and its contents.
+fn contents(house: &House) -> Vec<(String, Vec<String>, Contents)> {
+    let mut tests = BTreeSet::new();
+    let mut files = Vec::new();
+    for file in rust_files(house.folder) {
+        let module = module_of(&file, house);
+        let contents = Contents::of(&fs::read_to_string(root().join(&file)).unwrap(), &module);
+        let module: Vec<String> = module.into_iter().map(str::to_string).collect();
+        let of_tests = contents.test_modules.iter();
+        tests.extend(of_tests.map(|name| module.iter().chain([name]).cloned().collect::<Vec<String>>()));
+        files.push((file.display().to_string(), module, contents));
+    }
+    files.retain(|(_, module, _)| !tests.iter().any(|test| module.starts_with(test)));
+    files
+}
+
+#[test]
+fn imports_run_down() {
+    let mut wrong = Vec::new();
+    let mut seen = 0;
+    for house in HOUSES {
+        for (file, module, contents) in contents(house) {
+            seen += contents.imports.len();
+            if let [room, ..] = module.as_slice() {
+                wrong.extend(refusals(house, room, &file, &contents.imports));
+            }
+        }
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+    assert!(seen > 300, "only {seen} imports were found");
+}
+
+#[test]
+fn every_room_of_the_order_exists() {
+    for house in HOUSES {
+        let files = rust_files(house.folder);
+        let rooms: BTreeSet<&str> = files.iter().filter_map(|file| module_of(file, house).first().copied()).collect();
+        for room in house.rooms {
+            assert!(rooms.contains(room), "{}: {room}", house.folder);
+        }
+    }
+}
+
+#[test]
+fn files_are_short() {
+    for folder in ["src", "lab", "fmu-build", "fuzz", "tests", "benches"] {
+        for file in rust_files(folder) {
+            let lines = fs::read_to_string(root().join(&file)).unwrap().lines().count();
+            let is_long = LONG_FILES.iter().any(|(long, _)| Path::new(long) == file);
+            assert_eq!(lines > LONGEST_FILE, is_long, "{}: {lines} lines", file.display());
+        }
+    }
+}
+
+/// A crate for the tests of the walk.
+const SMALL: House = House { folder: "src", rooms: &["cellar", "hall", "attic"] };
+
+fn refused(room: &str, text: &str) -> Vec<String> {
+    refusals(&SMALL, room, "file.rs", &Contents::of(text, &[room, "corner"]).imports)
+}
+
+#[test]
+fn an_import_that_runs_up_is_found() {
+    let up = "file.rs:2: hall stands below attic and must not use it";
+    for line in [
+        "use crate::attic::Box;",
+        "use crate::{cellar, attic::{Box, Chest}};",
+        "fn f() { crate::attic::f(); }",
+        "use super::super::attic;",
+        "mod inner { use super::super::super::attic; }",
+        "macro_rules! f { () => { $crate::attic::f() }; }",
+        "mod test { fn f() { crate::attic::f() } }",
+    ] {
+        assert_eq!(refused("hall", &format!("// First line.\n{line}")), [up], "{line}");
+    }
+    let unknown = "file.rs:1: the room loft has no place in the order";
+    assert_eq!(refused("hall", "use crate::loft::Box;"), [unknown]);
+    assert_eq!(refused("loft", ""), ["file.rs: the room loft has no place in the order"]);
+}
+
+#[test]
+fn imports_that_run_down_and_tests_are_passed() {
+    for text in [
+        "use crate::cellar::{Box, attic};",
+        "use crate::hall::corner;",
+        "use super::attic;",
+        "pub(crate) use self::attic::f;",
+        "// use crate::attic;\n/// [`crate::attic`]\nfn f() { \"crate::attic\"; }",
+        "#[cfg(test)]\nmod tests { use crate::attic; }",
+        "fn f() {\n    #[cfg(test)]\n    let x = crate::attic::x;\n    use crate::cellar;\n}",
+    ] {
+        assert_eq!(refused("hall", text), [""; 0], "{text}");
+    }
+    assert_eq!(Contents::of("#[cfg(test)]\nmod probe;", &[]).test_modules, ["probe"]);
+}
