@@ -1,7 +1,28 @@
 //! The number types a law is evaluated with: `f64` for values, [`Dual`] for values with an exact derivative.
 
 use std::cmp::Ordering;
-use std::ops::{Add, Div, Mul, Neg, Sub};
+use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
+
+/// Answer of a comparison of numbers: yes or no, or as many answers as a number has lanes.
+pub trait Mask<T>: Copy + From<bool> + BitAnd<Output = Self> + BitOr<Output = Self> + Not<Output = Self> {
+    /// The answer where it decides the course of a computation; lanes must agree on it.
+    fn holds(self) -> bool;
+
+    /// `yes()` where the answer is yes, `no()` elsewhere. A number of one lane evaluates only the one that counts.
+    fn choose(self, yes: impl FnOnce() -> T, no: impl FnOnce() -> T) -> T;
+}
+
+impl<T> Mask<T> for bool {
+    #[inline(always)]
+    fn holds(self) -> bool {
+        self
+    }
+
+    #[inline(always)]
+    fn choose(self, yes: impl FnOnce() -> T, no: impl FnOnce() -> T) -> T {
+        if self { yes() } else { no() }
+    }
+}
 
 /// A number as a law needs it. Written once for it, a law gives values (`f64`) and exact derivatives ([`Dual`]).
 pub trait Real:
@@ -14,15 +35,36 @@ pub trait Real:
     + Div<Output = Self>
     + Neg<Output = Self>
 {
-    /// The value without its derivative.
+    /// Answer of a comparison.
+    type Mask: Mask<Self>;
+
+    /// The value without its derivative: for a choice or a discrete state. A law that reads other numbers this way runs
+    /// on a number of one lane only.
     fn value(self) -> f64;
     /// Whether this is the constant itself, not a value that only passes through it. Guards shortcuts, which would
     /// otherwise lose a derivative.
-    fn is(self, constant: f64) -> bool;
-    /// Its derivative; 0 for a number without one. Shows in which direction a value at a limit leaves it.
-    fn tendency(self) -> f64 {
-        0.0
+    fn is(self, constant: f64) -> Self::Mask;
+    /// Whether it is greater than another number.
+    fn above(self, other: Self) -> Self::Mask;
+    /// Whether it is greater than another number or equal to it.
+    fn at_least(self, other: Self) -> Self::Mask;
+    /// Whether it equals another number in value.
+    fn equals(self, other: Self) -> Self::Mask;
+    /// Whether its derivative is positive. Shows in which direction a value at a limit leaves it.
+    fn rises(self) -> Self::Mask {
+        Self::Mask::from(false)
     }
+    /// The same value without a derivative.
+    fn as_constant(self) -> Self {
+        self
+    }
+    /// A number that a search on plain numbers finds, and another one. They depend on the numbers `on`.
+    #[inline(always)]
+    fn found<const N: usize>(_on: impl FnOnce() -> [Self; N], search: impl FnOnce() -> [f64; 2]) -> [Self; 2] {
+        search().map(Self::from)
+    }
+    /// -1, 0 or 1: the sign function with sgn(0) = 0 of the friction literature (not `f64::signum`, where it is 1).
+    fn sign(self) -> Self;
     /// e to the power of `self`.
     fn exp(self) -> Self;
     /// Hyperbolic tangent.
@@ -48,21 +90,39 @@ pub trait Real:
         self * self.sign()
     }
 
-    /// -1, 0 or 1: the sign function with sgn(0) = 0 of the friction literature (not `f64::signum`, where it is 1).
-    fn sign(self) -> Self {
-        let value = self.value();
-        Self::from(f64::from(i8::from(value > 0.0) - i8::from(value < 0.0)))
+    /// 1 where the answer is yes, 0 elsewhere: the value of a Boolean column.
+    #[inline(always)]
+    fn truth(answer: Self::Mask) -> Self {
+        answer.choose(|| Self::from(1.0), || Self::from(0.0))
+    }
+
+    /// Whether it is smaller than another number.
+    #[inline(always)]
+    fn below(self, other: Self) -> Self::Mask {
+        other.above(self)
+    }
+
+    /// Whether it is smaller than another number or equal to it.
+    #[inline(always)]
+    fn at_most(self, other: Self) -> Self::Mask {
+        other.at_least(self)
+    }
+
+    /// Whether it is greater than 0.
+    #[inline(always)]
+    fn is_positive(self) -> Self::Mask {
+        self.above(Self::zero())
+    }
+
+    /// Whether its value is 0.
+    #[inline(always)]
+    fn vanishes(self) -> Self::Mask {
+        self.equals(Self::zero())
     }
 
     /// The value nearest to `self` in [-limit, limit]; `limit` must not be negative.
     fn limited(self, limit: Self) -> Self {
-        if self > limit {
-            limit
-        } else if self < -limit {
-            -limit
-        } else {
-            self
-        }
+        self.above(limit).choose(|| limit, || self.below(-limit).choose(|| -limit, || self))
     }
 
     /// As [`Real::limited`], for what is pushed back by a limit that moves: where it stands on it, the one that goes
@@ -70,16 +130,31 @@ pub trait Real:
     fn pushed_back(self, limit: Self) -> Self {
         let direction = self.sign();
         let excess = direction * self - limit;
-        if excess.value() > 0.0 || excess.value() == 0.0 && excess.tendency() > 0.0 { direction * limit } else { self }
+        let leaves = excess.is_positive() | excess.vanishes() & excess.rises();
+        leaves.choose(|| direction * limit, || self)
     }
 }
 
 impl Real for f64 {
+    type Mask = bool;
+
     fn value(self) -> f64 {
         self
     }
     fn is(self, constant: f64) -> bool {
         self == constant
+    }
+    #[inline(always)]
+    fn above(self, other: f64) -> bool {
+        self > other
+    }
+    #[inline(always)]
+    fn at_least(self, other: f64) -> bool {
+        self >= other
+    }
+    #[inline(always)]
+    fn equals(self, other: f64) -> bool {
+        self == other
     }
     fn exp(self) -> f64 {
         f64::exp(self)
@@ -184,14 +259,34 @@ impl Neg for Dual {
 }
 
 impl Real for Dual {
+    type Mask = bool;
+
     fn value(self) -> f64 {
         self.value
     }
     fn is(self, constant: f64) -> bool {
         self.value == constant && self.slope == 0.0
     }
-    fn tendency(self) -> f64 {
-        self.slope
+    #[inline(always)]
+    fn above(self, other: Dual) -> bool {
+        self > other
+    }
+    #[inline(always)]
+    fn at_least(self, other: Dual) -> bool {
+        self >= other
+    }
+    #[inline(always)]
+    fn equals(self, other: Dual) -> bool {
+        self == other
+    }
+    fn rises(self) -> bool {
+        self.slope > 0.0
+    }
+    fn as_constant(self) -> Dual {
+        Dual::from(self.value)
+    }
+    fn sign(self) -> Dual {
+        Dual::from(f64::from(i8::from(self.value > 0.0) - i8::from(self.value < 0.0)))
     }
     fn exp(self) -> Dual {
         let value = self.value.exp();

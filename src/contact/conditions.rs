@@ -1,6 +1,7 @@
 //! Conditions on the parameters of a contact, and on its state of sticking.
 
 use crate::model::Fault;
+use crate::number::Real;
 
 /// Condition on the two coefficients in every model with stiction.
 pub(crate) fn static_not_below_kinetic(mu_s: f64, mu_k: f64) -> Result<(), Fault> {
@@ -22,3 +23,10 @@ pub(crate) fn kinetic_friction_for_exchange(mu_k: f64) -> Result<(), Fault> {
 
 /// Share of the motion that is elastic above which a contact with bristles counts as sticking (chosen).
 pub(crate) const ELASTIC_SHARE: f64 = 0.01;
+
+/// Whether a bristle still moves with the surface, as its rate of deflection shows.
+#[inline(always)]
+pub(crate) fn is_elastic<T: Real>(deflection_rate: T, velocity: T) -> T::Mask {
+    let is_moved = (deflection_rate * velocity.sign()).above(T::from(ELASTIC_SHARE) * velocity.abs());
+    velocity.vanishes() | is_moved
+}

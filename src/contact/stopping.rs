@@ -25,9 +25,9 @@ pub fn force_to_stop<T: Real>(velocity: T, external_force: T, mass: T, step_size
 /// * At rest before: if the static level suffices.
 /// * Sliding: if the kinetic level suffices to stop it, or if it would reverse; from then on the static level holds.
 #[inline]
-pub fn is_held<T: Real>(stopping: T, velocity: T, at_rest: bool, kinetic: T, breakaway: T) -> bool {
-    let comes_to_rest = at_rest || stopping * velocity.sign() <= kinetic;
-    comes_to_rest && stopping.abs() <= breakaway
+pub fn is_held<T: Real>(stopping: T, velocity: T, at_rest: T::Mask, kinetic: T, breakaway: T) -> T::Mask {
+    let comes_to_rest = at_rest | (stopping * velocity.sign()).at_most(kinetic);
+    comes_to_rest & stopping.abs().at_most(breakaway)
 }
 
 #[cfg(test)]

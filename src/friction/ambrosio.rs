@@ -1,6 +1,6 @@
 use crate::contact::time_stepping::{Curve, TimeStepping, memoryless};
 use crate::model::{Fault, Model, Preset, boolean, real};
-use crate::number::Real;
+use crate::number::{Mask, Real};
 
 crate::model! {
     /// Ambrosio friction: Coulomb friction that is zero around rest and ramped up between two velocities, for contacts
@@ -97,15 +97,11 @@ impl<T: Real> Curve<T> for Ambrosio<T> {
     #[inline]
     fn curve(&self, velocity: T) -> T {
         let [speed, from, to] = [velocity.abs(), self.transition_velocity, self.sliding_velocity];
-        let share = if speed <= from {
-            // Without dead zone the ramp passes through rest.
-            if from.is(0.0) { velocity / to } else { T::zero() }
-        } else if speed < to {
-            (speed - from) / (to - from) * velocity.sign()
-        } else {
-            velocity.sign()
-        };
-        self.level() * share
+        // Without dead zone the ramp passes through rest.
+        let slow = || from.is(0.0).choose(|| velocity / to, || T::zero());
+        let rising = || (speed - from) / (to - from) * velocity.sign();
+        let fast = || speed.below(to).choose(rising, || velocity.sign());
+        self.level() * speed.at_most(from).choose(slow, fast)
     }
 
     fn level(&self) -> T {

@@ -2,7 +2,7 @@ use crate::contact::delay_line::{DelayLine, Piece};
 use crate::contact::motion::Motion;
 use crate::model::ramp;
 use crate::model::{Fault, Law, Model, Preset, boolean, real};
-use crate::number::Real;
+use crate::number::{Mask, Real};
 use crate::numerics::quadrature::integral_past_peak;
 use crate::numerics::root::first_rise;
 
@@ -163,16 +163,16 @@ impl<T: Real> Armstrong<T> {
     /// in the meantime.
     fn kept_excess(&self) -> T {
         let limit = self.final_excess();
-        if self.stribeck_coefficient < limit { self.stribeck_coefficient } else { limit }
+        self.stribeck_coefficient.below(limit).choose(|| self.stribeck_coefficient, || limit)
     }
 
     /// F_S(gamma, t_d) per normal force.
     fn risen_excess(&self, dwell_time: T) -> T {
-        if self.gamma.is(0.0) {
-            return self.final_excess();
-        }
-        let kept = self.kept_excess();
-        kept + (self.final_excess() - kept) * dwell_time / (dwell_time + self.gamma)
+        let rising = || {
+            let kept = self.kept_excess();
+            kept + (self.final_excess() - kept) * dwell_time / (dwell_time + self.gamma)
+        };
+        self.gamma.is(0.0).choose(|| self.final_excess(), rising)
     }
 
     /// f_C + F_S(gamma, t_d): the force that a stuck contact can hold.
@@ -196,37 +196,35 @@ impl<T: Real> Armstrong<T> {
         self.bristle_deflection.pushed_back(self.holding_level(load, self.dwell_time) / self.sigma_0)
     }
 
-    fn lags(&self) -> bool {
-        self.time_lag.value() > 0.0
+    fn lags(&self) -> T::Mask {
+        self.time_lag.is_positive()
     }
 
-    fn is_slipping(&self) -> bool {
-        self.slipping.value() != 0.0
+    fn is_slipping(&self) -> T::Mask {
+        !self.slipping.vanishes()
     }
 
     /// Whether the contact has slipped until now and a velocity of this sign brings it to rest.
-    fn arrives(&self, direction: f64) -> bool {
-        let slip = self.bristle_deflection.sign().value();
-        self.is_slipping() && (direction == 0.0 || slip == -direction)
+    fn arrives(&self, direction: T) -> T::Mask {
+        let is_opposite = self.bristle_deflection.sign().equals(-direction);
+        self.is_slipping() & (direction.vanishes() | is_opposite)
     }
 
     /// w at an instant of rest.
     fn followed_at_rest(&self) -> T {
-        if self.lags() { self.lagged_velocity } else { T::zero() }
+        self.lags().choose(|| self.lagged_velocity, || T::zero())
     }
 
     fn force(&self) -> T {
         let (load, direction) = (self.normal_force, self.velocity.sign());
-        if load.value() == 0.0 {
-            T::zero()
-        } else if self.arrives(direction.value()) {
-            self.sliding_level(load, self.followed_at_rest()) * self.bristle_deflection.sign()
-        } else if self.is_slipping() {
-            let w = if self.lags() { self.lagged_velocity } else { self.velocity };
+        let arriving = || self.sliding_level(load, self.followed_at_rest()) * self.bristle_deflection.sign();
+        let slipping = || {
+            let w = self.lags().choose(|| self.lagged_velocity, || self.velocity);
             self.sliding_level(load, w) * direction + self.viscous_coefficient * self.velocity
-        } else {
-            self.sigma_0 * self.held_deflection(load)
-        }
+        };
+        let stuck = || self.sigma_0 * self.held_deflection(load);
+        let moving = || self.is_slipping().choose(slipping, stuck);
+        load.vanishes().choose(|| T::zero(), || self.arrives(direction).choose(arriving, moving))
     }
 }
 
@@ -234,8 +232,8 @@ impl<T: Real> Law for Armstrong<T> {
     fn output(&mut self) {
         self.friction_force = self.force();
         self.dissipated_power = self.friction_force * self.velocity;
-        let stuck = !self.is_slipping() || self.arrives(self.velocity.sign().value());
-        self.sticking = T::from(f64::from(u8::from(stuck && self.normal_force.value() > 0.0)));
+        let stuck = !self.is_slipping() | self.arrives(self.velocity.sign());
+        self.sticking = T::truth(stuck & self.normal_force.is_positive());
     }
 }
 

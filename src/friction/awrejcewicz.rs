@@ -1,6 +1,6 @@
 use crate::contact::time_stepping::{Curve, TimeStepping, memoryless};
 use crate::model::{Fault, Model, boolean, real};
-use crate::number::Real;
+use crate::number::{Mask, Real};
 
 crate::model! {
     /// Awrejcewicz-Grzelczyk-Pyryev friction: a continuous law that knows the external force and so holds a body at
@@ -107,19 +107,20 @@ impl<T: Real> Curve<T> for Awrejcewicz<T> {
         let [one, two, three] = [1.0, 2.0, 3.0].map(T::from);
         let [coulomb, breakaway, load] = [self.mu_k * self.normal_force, self.level(), self.external_force];
         let [speed, direction] = [velocity.abs(), velocity.sign()];
-        if speed > self.transition_velocity {
+        let sliding = || {
             let decay = (-(self.stiction_decay * (speed - self.transition_velocity))).exp();
-            return (coulomb + (breakaway - coulomb) * decay) * direction;
-        }
-        let u = speed / self.transition_velocity;
-        let a = u * u * (three - two * u);
-        if load.abs() <= breakaway {
-            a * (breakaway * direction - load) + load
-        } else if load.value() * velocity.value() < 0.0 {
-            (two * a - one) * breakaway * direction
-        } else {
-            breakaway * load.sign()
-        }
+            (coulomb + (breakaway - coulomb) * decay) * direction
+        };
+        let slow = || {
+            let u = speed / self.transition_velocity;
+            let a = u * u * (three - two * u);
+            let pushed = || {
+                let is_against = (load * velocity).below(T::zero());
+                is_against.choose(|| (two * a - one) * breakaway * direction, || breakaway * load.sign())
+            };
+            load.abs().at_most(breakaway).choose(|| a * (breakaway * direction - load) + load, pushed)
+        };
+        speed.above(self.transition_velocity).choose(sliding, slow)
     }
 
     fn level(&self) -> T {

@@ -1,7 +1,7 @@
 use crate::contact::time_stepping::{Curve, TimeStepping, memoryless};
 use crate::laws::regularised;
 use crate::model::{Fault, Model, Preset, boolean, real};
-use crate::number::Real;
+use crate::number::{Mask, Real};
 
 crate::choices! {
     /// Variants of the law.
@@ -136,12 +136,12 @@ impl<T: Real> Curve<T> for BengisuAkay<T> {
         if !self.is_marques() {
             return regularised::rise(velocity, self.transition_slope) * self.falling_level(speed);
         }
-        if speed < peak {
+        let rising = || {
             // 1 - (u - 1)^2 = u (2 - u)
             let u = velocity / peak;
-            return self.level() * u * (T::from(2.0) - u.abs());
-        }
-        self.falling_level(speed - peak) * velocity.sign()
+            self.level() * u * (T::from(2.0) - u.abs())
+        };
+        speed.below(peak).choose(rising, || self.falling_level(speed - peak) * velocity.sign())
     }
 
     fn level(&self) -> T {

@@ -1,7 +1,7 @@
 use crate::contact::conditions::ELASTIC_SHARE;
 use crate::contact::unloading::released_without_load;
 use crate::model::{Law, Model, Preset, boolean, real};
-use crate::number::Real;
+use crate::number::{Mask, Real};
 use crate::numerics::relaxation;
 
 crate::choices! {
@@ -170,18 +170,18 @@ impl<T: Real> Law for BlimanSorine<T> {
     fn output(&mut self) {
         self.friction_force = self.force();
         self.dissipated_power = self.friction_force * self.velocity;
-        let missing = 1.0 - (self.y_1 * self.velocity.sign()).value();
-        let elastic = self.velocity.value() == 0.0 || missing > ELASTIC_SHARE;
-        self.sticking = T::from(f64::from(u8::from(elastic && self.coulomb().value() > 0.0)));
+        let missing = T::from(1.0) - self.y_1 * self.velocity.sign();
+        let elastic = self.velocity.vanishes() | missing.above(T::from(ELASTIC_SHARE));
+        self.sticking = T::truth(elastic & self.coulomb().is_positive());
     }
 
     #[inline(always)]
     fn derivatives(&self, rate: &mut Self) {
-        if self.normal_force.value() > 0.0 {
-            rate.y_1 = (self.velocity - self.velocity.abs() * self.y_1) / self.fast_length();
-            if self.is_second_order() {
-                rate.y_2 = (self.velocity - self.velocity.abs() * self.y_2) / self.eps_f;
-            }
+        let is_loaded = self.normal_force.is_positive();
+        let approach = |y, length| (self.velocity - self.velocity.abs() * y) / length;
+        rate.y_1 = is_loaded.choose(|| approach(self.y_1, self.fast_length()), || T::zero());
+        if self.is_second_order() {
+            rate.y_2 = is_loaded.choose(|| approach(self.y_2, self.eps_f), || T::zero());
         }
         rate.dissipated_energy = self.force() * self.velocity;
     }

@@ -175,9 +175,9 @@ impl<T: Real> Law for Bristle<T> {
         self.friction_force = self.force();
         self.dissipated_power = self.friction_force * self.velocity;
         let coulomb = self.mu_k * self.normal_force;
-        let sliding = self.friction_force * self.velocity.sign() >= T::from(STUCK_SHARE) * coulomb
-            && self.velocity.value() != 0.0;
-        self.sticking = T::from(f64::from(u8::from(!sliding && coulomb.value() > 0.0)));
+        let is_outward = (self.friction_force * self.velocity.sign()).at_least(T::from(STUCK_SHARE) * coulomb);
+        let sliding = is_outward & !self.velocity.vanishes();
+        self.sticking = T::truth(!sliding & coulomb.is_positive());
     }
 }
 

@@ -1,6 +1,6 @@
 use crate::contact::time_stepping::{Curve, TimeStepping, memoryless};
 use crate::model::{Fault, Model, boolean, real};
-use crate::number::Real;
+use crate::number::{Mask, Real};
 
 crate::model! {
     /// Brown-McPhee friction: a smooth law with a stiction peak near the transition velocity, without memory and
@@ -110,11 +110,13 @@ impl<T: Real> Curve<T> for BrownMcPhee<T> {
         let base = quarter * u * u + three_quarters;
         let sliding = coulomb * (four * u).tanh() + (breakaway - coulomb) * u / (base * base);
         // Usually absent, and a hyperbolic tangent costs more than everything else.
-        if self.viscous_coefficient.is(0.0) {
-            return sliding;
-        }
-        let active = (four * self.normal_force / self.transition_normal_force).tanh();
-        sliding + self.viscous_coefficient * velocity * active
+        self.viscous_coefficient.is(0.0).choose(
+            || sliding,
+            || {
+                let active = (four * self.normal_force / self.transition_normal_force).tanh();
+                sliding + self.viscous_coefficient * velocity * active
+            },
+        )
     }
 
     fn level(&self) -> T {

@@ -1,7 +1,7 @@
 use crate::contact::conditions::ELASTIC_SHARE;
 use crate::contact::unloading::released_without_load;
 use crate::model::{Fault, Law, Model, Preset, boolean, real};
-use crate::number::Real;
+use crate::number::{Mask, Real};
 
 crate::model! {
     /// Dahl friction: a contact yields like a spring before it slides, and the force follows the displacement with
@@ -105,12 +105,18 @@ impl<T: Real> Dahl<T> {
     }
 
     fn force(&self) -> T {
-        if self.normal_force.value() > 0.0 { self.sigma_0 * self.bristle_deflection } else { T::zero() }
+        self.normal_force.is_positive().choose(|| self.sigma_0 * self.bristle_deflection, || T::zero())
     }
 
     /// y = 1 - (f_f / f_C) sgn v: 0 when sliding, 1 for an undeflected contact.
     fn distance_to_sliding(&self) -> T {
         T::from(1.0) - self.force() / self.coulomb() * self.velocity.sign()
+    }
+
+    /// dz/dt / v.
+    fn elastic_share(&self) -> T {
+        let distance = self.distance_to_sliding();
+        distance.sign() * distance.abs().powf(self.alpha)
     }
 }
 
@@ -118,18 +124,14 @@ impl<T: Real> Law for Dahl<T> {
     fn output(&mut self) {
         self.friction_force = self.force();
         self.dissipated_power = self.friction_force * self.velocity;
-        let distance = self.distance_to_sliding().value();
-        let share = distance.sign() * distance.abs().powf(self.alpha.value());
-        let elastic = self.velocity.value() == 0.0 || share > ELASTIC_SHARE;
-        self.sticking = T::from(f64::from(u8::from(elastic && self.coulomb().value() > 0.0)));
+        let elastic = self.velocity.vanishes() | self.elastic_share().above(T::from(ELASTIC_SHARE));
+        self.sticking = T::truth(elastic & self.coulomb().is_positive());
     }
 
     /// Eq. (7.1), divided by sigma_0.
     fn derivatives(&self, rate: &mut Self) {
-        if self.coulomb().value() > 0.0 {
-            let distance = self.distance_to_sliding();
-            rate.bristle_deflection = self.velocity * distance.sign() * distance.abs().powf(self.alpha);
-        }
+        let is_loaded = self.coulomb().is_positive();
+        rate.bristle_deflection = is_loaded.choose(|| self.velocity * self.elastic_share(), || T::zero());
         rate.dissipated_energy = self.force() * self.velocity;
     }
 }

@@ -1,7 +1,7 @@
 use crate::contact::conditions::ELASTIC_SHARE;
 use crate::contact::unloading::released_without_load;
 use crate::model::{Law, Model, Preset, boolean, real};
-use crate::number::Real;
+use crate::number::{Mask, Real};
 use crate::numerics::relaxation;
 
 crate::model! {
@@ -109,14 +109,13 @@ impl<T: Real> Law for Dankowicz<T> {
     fn output(&mut self) {
         self.friction_force = self.force();
         self.dissipated_power = self.friction_force * self.velocity;
-        let elastic = self.velocity.value() == 0.0 || self.elastic_share().value() > ELASTIC_SHARE;
-        self.sticking = T::from(f64::from(u8::from(elastic && self.coulomb().value() > 0.0)));
+        let elastic = self.velocity.vanishes() | self.elastic_share().above(T::from(ELASTIC_SHARE));
+        self.sticking = T::truth(elastic & self.coulomb().is_positive());
     }
 
     fn derivatives(&self, rate: &mut Self) {
-        if self.normal_force.value() > 0.0 {
-            rate.bristle_deflection = self.velocity * self.elastic_share();
-        }
+        let is_loaded = self.normal_force.is_positive();
+        rate.bristle_deflection = is_loaded.choose(|| self.velocity * self.elastic_share(), || T::zero());
         rate.dissipated_energy = self.force() * self.velocity;
     }
 }

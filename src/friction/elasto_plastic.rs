@@ -1,8 +1,8 @@
-use crate::contact::conditions::ELASTIC_SHARE;
+use crate::contact::conditions::is_elastic;
 use crate::contact::unloading::released_without_load;
 use crate::laws::stribeck;
 use crate::model::{Fault, Law, Model, Preset, boolean, integer, real};
-use crate::number::Real;
+use crate::number::{Mask, Real};
 use crate::numerics::quadrature;
 use crate::numerics::runge_kutta::dormand_prince;
 
@@ -151,46 +151,41 @@ impl<T: Real> ElastoPlastic<T> {
 
     /// sigma_1(v).
     fn damping(&self) -> T {
-        if self.damping_velocity.is(0.0) {
-            return self.sigma_1;
-        }
-        let u = self.velocity / self.damping_velocity;
-        self.sigma_1 * (-(u * u)).exp()
+        let falling = || {
+            let u = self.velocity / self.damping_velocity;
+            self.sigma_1 * (-(u * u)).exp()
+        };
+        self.damping_velocity.is(0.0).choose(|| self.sigma_1, falling)
     }
 
     /// Eqs. (7.33) and (7.34), in terms of u = sgn(v) z / z_ss.
     fn alpha(&self, u: T) -> T {
         let [half, one] = [0.5, 1.0].map(T::from);
         let kappa = self.breakaway_ratio;
-        if u <= kappa {
-            T::zero()
-        } else if u < one {
+        let rising = || {
             let angle = T::from(std::f64::consts::PI) * (u - half * (one + kappa)) / (one - kappa);
             half + half * angle.sin()
-        } else {
-            one
-        }
+        };
+        u.at_most(kappa).choose(|| T::zero(), || u.below(one).choose(rising, || one))
     }
 
     /// Eq. (7.32).
     fn deflection_rate(&self) -> T {
         let level = self.level();
-        if level.value() == 0.0 {
-            return T::zero();
-        }
-        let u = self.velocity.sign() * self.bristle_deflection * self.sigma_0 / level;
-        let bracket = T::from(1.0) - self.alpha(u) * u;
-        let power = (1..self.plastic_exponent.value() as u32).fold(bracket, |power, _| power * bracket);
-        self.velocity * power
+        let loaded = || {
+            let u = self.velocity.sign() * self.bristle_deflection * self.sigma_0 / level;
+            let bracket = T::from(1.0) - self.alpha(u) * u;
+            let power = (1..self.plastic_exponent.value() as u32).fold(bracket, |power, _| power * bracket);
+            self.velocity * power
+        };
+        level.vanishes().choose(|| T::zero(), loaded)
     }
 
     fn force(&self, deflection_rate: T) -> T {
-        if self.normal_force.value() == 0.0 {
-            return T::zero();
-        }
-        self.sigma_0 * self.bristle_deflection
-            + self.damping() * deflection_rate
-            + self.viscous_coefficient * self.velocity
+        let [stiffness, viscous] = [self.sigma_0, self.viscous_coefficient];
+        let loaded =
+            || stiffness * self.bristle_deflection + self.damping() * deflection_rate + viscous * self.velocity;
+        self.normal_force.vanishes().choose(|| T::zero(), loaded)
     }
 }
 
@@ -199,9 +194,8 @@ impl<T: Real> Law for ElastoPlastic<T> {
         let rate = self.deflection_rate();
         self.friction_force = self.force(rate);
         self.dissipated_power = self.friction_force * self.velocity;
-        let [rate, velocity] = [rate.value(), self.velocity.value()];
-        let elastic = velocity == 0.0 || rate * velocity.sign() > ELASTIC_SHARE * velocity.abs();
-        self.sticking = T::from(f64::from(u8::from(elastic && self.normal_force.value() > 0.0)));
+        let elastic = is_elastic(rate, self.velocity);
+        self.sticking = T::truth(elastic & self.normal_force.is_positive());
     }
 
     fn derivatives(&self, rate: &mut Self) {

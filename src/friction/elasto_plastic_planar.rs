@@ -5,8 +5,9 @@ use crate::contact::unloading::released_without_load;
 use crate::laws::{elasto_plastic, stribeck};
 use crate::model::ramp;
 use crate::model::{Fault, Law, Model, Preset, boolean, real};
+use crate::number::Mask;
 use crate::numerics::runge_kutta::dormand_prince;
-use crate::numerics::vector::{Component, direction, length, remainder};
+use crate::numerics::vector::{Component, direction, length, only, remainder};
 
 crate::model! {
     /// Elasto-plastic friction in a plane: as LuGre in a plane, but purely elastic up to a breakaway deflection, so
@@ -152,37 +153,34 @@ impl<T: Component> ElastoPlasticPlanar<T> {
         let breakaway = self.mu_s * self.normal_force;
         let speed = length(&self.velocity());
         let level = stribeck::level(speed, coulomb, breakaway, self.stribeck_velocity, self.stribeck_exponent);
-        if level.value() > 1e-100 * breakaway.value() { level } else { T::from(0.0) }
+        level.above(T::from(1e-100) * breakaway).choose(|| level, || T::from(0.0))
     }
 
     /// sigma_1(v).
     fn damping(&self) -> T {
-        if self.damping_velocity.is(0.0) {
-            return self.sigma_1;
-        }
-        let u = length(&self.velocity()) / self.damping_velocity;
-        self.sigma_1 * (-(u * u)).exp()
+        let falling = || {
+            let u = length(&self.velocity()) / self.damping_velocity;
+            self.sigma_1 * (-(u * u)).exp()
+        };
+        self.damping_velocity.is(0.0).choose(|| self.sigma_1, falling)
     }
 
     /// dz/dt.
     fn deflection_rate(&self, level: T) -> Vector2<T> {
-        if level.value() == 0.0 {
-            return Vector2::repeat(T::from(0.0));
-        }
         let (z, velocity, steady) = (self.deflection(), self.velocity(), level / self.sigma_0);
         let loading = velocity.dot(&direction(&z));
-        if loading.value() <= 0.0 {
-            return velocity;
-        }
         let alpha = elasto_plastic::alpha(length(&z), steady, self.breakaway_ratio * steady);
-        remainder(velocity - z * (alpha * loading / steady), &velocity)
+        let yielding = remainder(velocity - z * (alpha * loading / steady), &velocity);
+        let unloads = loading.at_most(T::from(0.0));
+        let rate = velocity.zip_map(&yielding, |velocity, rate| unloads.choose(|| velocity, || rate));
+        only(!level.vanishes(), rate)
     }
 
     fn force(&self, deflection_rate: Vector2<T>) -> Vector2<T> {
-        if self.normal_force.value() == 0.0 {
-            return Vector2::repeat(T::from(0.0));
-        }
-        self.deflection() * self.sigma_0 + deflection_rate * self.damping() + self.velocity() * self.viscous_coefficient
+        let force = self.deflection() * self.sigma_0
+            + deflection_rate * self.damping()
+            + self.velocity() * self.viscous_coefficient;
+        only(!self.normal_force.vanishes(), force)
     }
 }
 
@@ -192,9 +190,10 @@ impl<T: Component> Law for ElastoPlasticPlanar<T> {
         let force = self.force(rate);
         [self.friction_force_x, self.friction_force_y] = force.into();
         self.dissipated_power = force.dot(&self.velocity());
-        let speed = length(&self.velocity()).value();
-        let elastic = speed == 0.0 || rate.dot(&direction(&self.velocity())).value() > ELASTIC_SHARE * speed;
-        self.sticking = T::from(f64::from(u8::from(elastic && self.normal_force.value() > 0.0)));
+        let speed = length(&self.velocity());
+        let forward = rate.dot(&direction(&self.velocity()));
+        let elastic = speed.vanishes() | forward.above(T::from(ELASTIC_SHARE) * speed);
+        self.sticking = T::truth(elastic & self.normal_force.is_positive());
     }
 
     fn derivatives(&self, rate: &mut Self) {

@@ -3,7 +3,7 @@ use crate::contact::motion::Motion;
 use crate::laws::stribeck;
 use crate::model::ramp;
 use crate::model::{Fault, Law, Model, Preset, boolean, real};
-use crate::number::Real;
+use crate::number::{Mask, Real};
 use crate::numerics::quadrature::integral_past_peak;
 use crate::numerics::relaxation;
 
@@ -146,11 +146,11 @@ const NEGLIGIBLE: f64 = 40.0;
 impl<T: Real> FrictionalLag<T> {
     /// w.
     fn followed_velocity(&self) -> T {
-        if self.lags() && self.has_past.value() != 0.0 { self.lagged_velocity } else { self.velocity }
+        (self.lags() & !self.has_past.vanishes()).choose(|| self.lagged_velocity, || self.velocity)
     }
 
-    fn lags(&self) -> bool {
-        self.time_lag.value() > 0.0
+    fn lags(&self) -> T::Mask {
+        self.time_lag.is_positive()
     }
 
     fn variant(&self) -> FrictionalLagVariant {
@@ -159,12 +159,12 @@ impl<T: Real> FrictionalLag<T> {
 
     /// F_ss(w) at a normal force.
     fn steady(&self, w: T, load: T) -> T {
-        if load.value() == 0.0 {
-            return T::zero();
-        }
         let (coulomb, breakaway) = (self.mu_k * load, self.mu_s * load);
-        stribeck::level(w, coulomb, breakaway, self.stribeck_velocity, self.stribeck_exponent)
-            + self.viscous_coefficient * w.abs()
+        let loaded = || {
+            stribeck::level(w, coulomb, breakaway, self.stribeck_velocity, self.stribeck_exponent)
+                + self.viscous_coefficient * w.abs()
+        };
+        load.vanishes().choose(|| T::zero(), loaded)
     }
 }
 
@@ -172,8 +172,7 @@ impl<T: Real> Law for FrictionalLag<T> {
     fn output(&mut self) {
         self.friction_force = self.steady(self.followed_velocity(), self.normal_force) * self.velocity.sign();
         self.dissipated_power = self.friction_force * self.velocity;
-        let sticking = self.velocity.value() == 0.0 && self.normal_force.value() > 0.0;
-        self.sticking = T::from(f64::from(u8::from(sticking)));
+        self.sticking = T::truth(self.velocity.vanishes() & self.normal_force.is_positive());
     }
 }
 

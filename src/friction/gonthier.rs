@@ -1,7 +1,7 @@
-use crate::contact::conditions::ELASTIC_SHARE;
+use crate::contact::conditions::is_elastic;
 use crate::contact::unloading::released_without_load;
 use crate::model::{Fault, Law, Model, Preset, boolean, real};
-use crate::number::Real;
+use crate::number::{Mask, Real};
 
 crate::model! {
     /// Gonthier friction: a bristle whose force is limited by a static level that rises with the time of rest (dwell
@@ -146,7 +146,7 @@ impl<T: Real> Gonthier<T> {
     /// dir(v).
     fn direction(&self) -> T {
         let u = self.velocity / self.transition_velocity;
-        if u.abs().value() >= 1.0 { u.sign() } else { u * (T::from(1.5) - T::from(0.5) * u * u) }
+        u.abs().at_least(T::from(1.0)).choose(|| u.sign(), || u * (T::from(1.5) - T::from(0.5) * u * u))
     }
 
     /// dz/dt.
@@ -168,15 +168,13 @@ impl<T: Real> Gonthier<T> {
 
     /// Rate at which s_d approaches s.
     fn dwell_rate(&self) -> T {
-        let rises = self.stick_share() >= self.dwell;
-        if rises { T::from(1.0) / self.dwell_time_constant } else { self.sigma_0 / self.sigma_1 }
+        let rises = self.stick_share().at_least(self.dwell);
+        rises.choose(|| T::from(1.0) / self.dwell_time_constant, || self.sigma_0 / self.sigma_1)
     }
 
     fn force(&self) -> T {
-        if self.normal_force.value() == 0.0 {
-            return T::zero();
-        }
-        self.bristle_force().limited(self.limit()) + self.viscous_coefficient * self.velocity
+        let loaded = || self.bristle_force().limited(self.limit()) + self.viscous_coefficient * self.velocity;
+        self.normal_force.vanishes().choose(|| T::zero(), loaded)
     }
 }
 
@@ -184,17 +182,15 @@ impl<T: Real> Law for Gonthier<T> {
     fn output(&mut self) {
         self.friction_force = self.force();
         self.dissipated_power = self.friction_force * self.velocity;
-        let [rate, velocity] = [self.deflection_rate().value(), self.velocity.value()];
-        let within = self.bristle_force().abs() <= self.limit();
-        let elastic = velocity == 0.0 || within && rate * velocity.sign() > ELASTIC_SHARE * velocity.abs();
-        self.sticking = T::from(f64::from(u8::from(elastic && self.normal_force.value() > 0.0)));
+        let within = self.bristle_force().abs().at_most(self.limit());
+        let elastic = self.velocity.vanishes() | within & is_elastic(self.deflection_rate(), self.velocity);
+        self.sticking = T::truth(elastic & self.normal_force.is_positive());
     }
 
     fn derivatives(&self, rate: &mut Self) {
-        if self.normal_force.value() > 0.0 {
-            rate.bristle_deflection = self.deflection_rate();
-            rate.dwell = self.dwell_rate() * (self.stick_share() - self.dwell);
-        }
+        let is_loaded = self.normal_force.is_positive();
+        rate.bristle_deflection = is_loaded.choose(|| self.deflection_rate(), || T::zero());
+        rate.dwell = is_loaded.choose(|| self.dwell_rate() * (self.stick_share() - self.dwell), || T::zero());
         rate.dissipated_energy = self.force() * self.velocity;
     }
 }

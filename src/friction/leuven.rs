@@ -1,9 +1,9 @@
-use crate::contact::conditions::ELASTIC_SHARE;
+use crate::contact::conditions::is_elastic;
 use crate::contact::elements::{self, Division, ElementDistribution, Ramp, Share};
 use crate::laws::stribeck;
 use crate::model::ramp;
 use crate::model::{Fault, Law, Model, Preset, boolean, integer, real};
-use crate::number::Real;
+use crate::number::{Mask, Real};
 use crate::numerics::approach;
 
 crate::part! {
@@ -157,7 +157,7 @@ impl<T: Real> Leuven<T> {
         let coulomb = self.mu_k * self.normal_force;
         let breakaway = self.mu_s * self.normal_force;
         let level = stribeck::level(self.velocity, coulomb, breakaway, self.stribeck_velocity, self.stribeck_exponent);
-        if level.value() > 1e-100 * breakaway.value() { level } else { T::zero() }
+        level.above(T::from(1e-100) * breakaway).choose(|| level, || T::zero())
     }
 
     /// w f_s.
@@ -178,31 +178,33 @@ impl<T: Real> Leuven<T> {
     /// them.
     fn moving_hysteresis(&self) -> T {
         let strength = self.strength();
-        let rate = self.deflection_rate(self.level());
-        if strength.tendency() <= 0.0 || rate.value() == 0.0 {
-            return self.hysteresis();
-        }
+        let growing = || {
+            let rate = self.deflection_rate(self.level());
+            rate.vanishes().choose(|| self.hysteresis(), || self.growing_hysteresis(strength, rate.sign()))
+        };
+        strength.rises().choose(growing, || self.hysteresis())
+    }
+
+    /// F_h as it continues in a direction while the strength grows.
+    fn growing_hysteresis(&self, strength: T, direction: T) -> T {
         let division = Division::new(self.distribution, self.element[..self.count()].iter().map(|e| e.share));
         // The change only.
-        let motion = self.bristle_deflection - T::from(self.bristle_deflection.value());
+        let motion = self.bristle_deflection - self.bristle_deflection.as_constant();
         self.element[..self.count()].iter().enumerate().fold(T::zero(), |sum, (index, element)| {
             let share = division.of(index, &element.share);
-            let slipping = rate.sign() * share.strength_share * strength;
+            let slipping = direction * share.strength_share * strength;
             let sticking = element.force + share.stiffness_share * self.sigma_0 * motion;
-            let is_slower = (rate.sign() * slipping).tendency() <= (rate.sign() * sticking).tendency();
-            sum + match element.force.value() == slipping.value() {
-                true if is_slower => slipping,
-                true => sticking,
-                false => element.force,
-            }
+            let is_slower = !(direction * slipping - direction * sticking).rises();
+            let slips = || is_slower.choose(|| slipping, || sticking);
+            sum + element.force.equals(slipping).choose(slips, || element.force)
         })
     }
 
     /// Whether F_h is at that level, within the resolution of a sum of forces of both signs.
-    fn is_at(&self, level: T) -> bool {
-        let forces = self.element[..self.count()].iter().map(|element| element.force.value().abs());
-        let scale = forces.fold(self.strength().value(), |sum, force| sum + force);
-        (self.velocity.sign() * self.hysteresis() - level).value().abs() <= ROUNDING * scale
+    fn is_at(&self, level: T) -> T::Mask {
+        let forces = self.element[..self.count()].iter().map(|element| element.force.abs());
+        let scale = forces.fold(self.strength(), |sum, force| sum + force);
+        (self.velocity.sign() * self.hysteresis() - level).abs().at_most(T::from(ROUNDING) * scale)
     }
 
     /// dz/dt.
@@ -212,20 +214,18 @@ impl<T: Real> Leuven<T> {
 
     /// dz/dt at the given F_h.
     fn rate_under(&self, level: T, hysteresis: T) -> T {
-        if level.value() == 0.0 || self.is_at(level) {
-            return T::zero();
-        }
-        let r = self.velocity.sign() * hysteresis / level;
-        let power = if self.approach_exponent.is(1.0) { r.abs() } else { r.abs().powf(self.approach_exponent) };
-        // A level far below the force must not make the rate infinite.
-        self.velocity * (T::from(1.0) - r.sign() * power.limited(T::from(1e100)))
+        let moving = || {
+            let r = self.velocity.sign() * hysteresis / level;
+            let power = self.approach_exponent.is(1.0).choose(|| r.abs(), || r.abs().powf(self.approach_exponent));
+            // A level far below the force must not make the rate infinite.
+            self.velocity * (T::from(1.0) - r.sign() * power.limited(T::from(1e100)))
+        };
+        (level.vanishes() | self.is_at(level)).choose(|| T::zero(), moving)
     }
 
     fn force(&self, hysteresis: T, deflection_rate: T) -> T {
-        if self.normal_force.value() == 0.0 {
-            return T::zero();
-        }
-        hysteresis + self.sigma_1 * deflection_rate + self.viscous_coefficient * self.velocity
+        let loaded = || hysteresis + self.sigma_1 * deflection_rate + self.viscous_coefficient * self.velocity;
+        self.normal_force.vanishes().choose(|| T::zero(), loaded)
     }
 }
 
@@ -235,9 +235,8 @@ impl<T: Real> Law for Leuven<T> {
         let rate = self.rate_under(self.level(), hysteresis);
         self.friction_force = self.force(hysteresis, rate);
         self.dissipated_power = self.friction_force * self.velocity;
-        let [rate, velocity] = [rate.value(), self.velocity.value()];
-        let elastic = velocity == 0.0 || rate * velocity.sign() > ELASTIC_SHARE * velocity.abs();
-        self.sticking = T::from(f64::from(u8::from(elastic && self.normal_force.value() > 0.0)));
+        let elastic = is_elastic(rate, self.velocity);
+        self.sticking = T::truth(elastic & self.normal_force.is_positive());
     }
 }
 

@@ -2,6 +2,7 @@ use nalgebra::Vector3;
 
 use crate::contact::turning;
 use crate::model::{Fault, Law, Model, Preset, boolean, real};
+use crate::number::Mask;
 use crate::numerics::root;
 use crate::numerics::vector::{Component, direction, in_plane, length, remainder, turned_into};
 
@@ -179,8 +180,8 @@ impl<T: Component> Liang<T> {
 
     /// z_max.
     fn limit(&self) -> T {
-        let sticks = length(&self.tangential_velocity()) <= self.transition_velocity;
-        let mu = if sticks { self.mu_s } else { self.mu_k };
+        let sticks = length(&self.tangential_velocity()).at_most(self.transition_velocity);
+        let mu = sticks.choose(|| self.mu_s, || self.mu_k);
         mu * self.normal_force / self.sigma_0
     }
 
@@ -190,11 +191,12 @@ impl<T: Component> Liang<T> {
         let z = turned_into(&z, &self.normal());
         let (limit, velocity) = (self.limit(), self.tangential_velocity());
         // A deflection that was left at its limit must not count as beyond it because of rounding.
-        if (length(&z) * T::from(AT_LIMIT)) > limit {
-            direction(if self.is_printed() && length(&velocity).value() > 0.0 { &velocity } else { &z }) * limit
-        } else if self.slides(&z) {
+        if (length(&z) * T::from(AT_LIMIT)).above(limit).holds() {
+            let is_led = self.is_printed() && length(&velocity).is_positive().holds();
+            direction(if is_led { &velocity } else { &z }) * limit
+        } else if self.slides(&z).holds() {
             direction(if self.is_printed() { &velocity } else { &z }) * limit
-        } else if length(&z).value() >= AT_LIMIT * limit.value() && limit.tendency() < length(&z).tendency() {
+        } else if (self.is_at_limit(&z) & (length(&z) - limit).rises()).holds() {
             // It is not moved outwards, but the circle shrinks faster than it moves inwards.
             direction(&z) * limit
         } else {
@@ -207,26 +209,29 @@ impl<T: Component> Liang<T> {
     }
 
     /// Whether z is at its limit and moved outwards. Without a limit there is only sliding.
-    fn slides(&self, z: &Vector3<T>) -> bool {
-        let limit = self.limit().value();
-        let outward = z.dot(&self.tangential_velocity()).value() > 0.0;
-        limit == 0.0 || outward && length(z).value() >= AT_LIMIT * limit
+    fn slides(&self, z: &Vector3<T>) -> T::Mask {
+        let is_outward = z.dot(&self.tangential_velocity()).is_positive();
+        self.limit().vanishes() | is_outward & self.is_at_limit(z)
+    }
+
+    fn is_at_limit(&self, z: &Vector3<T>) -> T::Mask {
+        length(z).at_least(T::from(AT_LIMIT) * self.limit())
     }
 
     /// dz/dt.
     fn deflection_rate(&self, z: &Vector3<T>) -> Vector3<T> {
         let velocity = self.tangential_velocity();
-        if !self.slides(z) {
+        if (!self.slides(z)).holds() {
             return velocity;
         }
-        if self.is_printed() || self.limit().value() == 0.0 {
+        if self.is_printed() || self.limit().vanishes().holds() {
             return Vector3::repeat(T::from(0.0));
         }
         remainder(in_plane(&velocity, &direction(z)), &velocity)
     }
 
     /// f_f, and whether the bristle is at its limit.
-    fn force(&self) -> (Vector3<T>, bool) {
+    fn force(&self) -> (Vector3<T>, T::Mask) {
         let z = self.deflection();
         (z * self.sigma_0 + self.deflection_rate(&z) * self.sigma_1, self.slides(&z))
     }
@@ -234,11 +239,11 @@ impl<T: Component> Liang<T> {
 
 impl<T: Component> Law for Liang<T> {
     fn output(&mut self) {
-        let (force, slides) =
-            if self.normal_force.value() > 0.0 { self.force() } else { (Vector3::repeat(T::from(0.0)), true) };
+        let is_loaded = self.normal_force.is_positive().holds();
+        let (force, slides) = if is_loaded { self.force() } else { (Vector3::repeat(T::from(0.0)), true.into()) };
         [self.friction_force_x, self.friction_force_y, self.friction_force_z] = force.into();
         self.dissipated_power = force.dot(&self.velocity());
-        self.sticking = T::from(f64::from(u8::from(!slides)));
+        self.sticking = T::truth(!slides);
     }
 }
 

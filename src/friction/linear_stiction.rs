@@ -1,6 +1,6 @@
 use crate::contact::time_stepping::{Curve, TimeStepping, memoryless};
 use crate::model::{Fault, Model, boolean, real};
-use crate::number::Real;
+use crate::number::{Mask, Real};
 
 crate::model! {
     /// Linear friction with stiction: three straight lines, up to the static level, down to the kinetic one and on at
@@ -102,13 +102,9 @@ impl<T: Real> Curve<T> for LinearStiction<T> {
     fn curve(&self, velocity: T) -> T {
         let [speed, from, to] = [velocity.abs(), self.transition_velocity, self.sliding_velocity];
         let [coulomb, breakaway] = [self.mu_k * self.normal_force, self.level()];
-        if speed <= from {
-            breakaway * velocity / from
-        } else if speed < to {
-            (breakaway - (breakaway - coulomb) * (speed - from) / (to - from)) * velocity.sign()
-        } else {
-            coulomb * velocity.sign()
-        }
+        let falling = || (breakaway - (breakaway - coulomb) * (speed - from) / (to - from)) * velocity.sign();
+        let fast = || speed.below(to).choose(falling, || coulomb * velocity.sign());
+        speed.at_most(from).choose(|| breakaway * velocity / from, fast)
     }
 
     fn level(&self) -> T {

@@ -1,8 +1,8 @@
-use crate::contact::conditions::ELASTIC_SHARE;
+use crate::contact::conditions::is_elastic;
 use crate::contact::unloading::released_without_load;
 use crate::laws::stribeck;
 use crate::model::{Fault, Law, Model, Preset, boolean, real};
-use crate::number::Real;
+use crate::number::{Mask, Real};
 use crate::numerics::relaxation;
 
 crate::model! {
@@ -123,11 +123,11 @@ impl<T: Real> LuGre<T> {
     /// sigma_1(v).
     #[inline]
     fn damping(&self) -> T {
-        if self.damping_velocity.value() == 0.0 {
-            return self.sigma_1;
-        }
-        let u = self.velocity / self.damping_velocity;
-        self.sigma_1 * (-(u * u)).exp()
+        let falling = || {
+            let u = self.velocity / self.damping_velocity;
+            self.sigma_1 * (-(u * u)).exp()
+        };
+        self.damping_velocity.vanishes().choose(|| self.sigma_1, falling)
     }
 
     /// dz/dt.
@@ -135,18 +135,15 @@ impl<T: Real> LuGre<T> {
     fn deflection_rate(&self, level: T) -> T {
         // Without load: a step then drops the deflection, and so does the event of Model Exchange at which the load
         // vanishes.
-        if level.value() == 0.0 {
-            return T::zero();
-        }
-        self.velocity - self.sigma_0 * self.velocity.abs() * self.bristle_deflection / level
+        let loaded = || self.velocity - self.sigma_0 * self.velocity.abs() * self.bristle_deflection / level;
+        level.vanishes().choose(|| T::zero(), loaded)
     }
 
     #[inline]
     fn force(&self, deflection_rate: T, damping: T) -> T {
-        if self.normal_force.value() == 0.0 {
-            return T::zero();
-        }
-        self.sigma_0 * self.bristle_deflection + damping * deflection_rate + self.viscous_coefficient * self.velocity
+        let [stiffness, viscous] = [self.sigma_0, self.viscous_coefficient];
+        let loaded = || stiffness * self.bristle_deflection + damping * deflection_rate + viscous * self.velocity;
+        self.normal_force.vanishes().choose(|| T::zero(), loaded)
     }
 }
 
@@ -157,9 +154,8 @@ impl<T: Real> LuGre<T> {
         let rate = self.deflection_rate(level);
         self.friction_force = self.force(rate, damping);
         self.dissipated_power = self.friction_force * self.velocity;
-        let [rate, velocity] = [rate.value(), self.velocity.value()];
-        let elastic = velocity == 0.0 || rate * velocity.sign() > ELASTIC_SHARE * velocity.abs();
-        self.sticking = T::from(f64::from(u8::from(elastic && self.normal_force.value() > 0.0)));
+        let elastic = is_elastic(rate, self.velocity);
+        self.sticking = T::truth(elastic & self.normal_force.is_positive());
     }
 }
 

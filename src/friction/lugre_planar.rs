@@ -4,8 +4,9 @@ use crate::contact::conditions::ELASTIC_SHARE;
 use crate::contact::unloading::released_without_load;
 use crate::laws::stribeck;
 use crate::model::{Fault, Law, Model, Preset, boolean, real};
+use crate::number::Mask;
 use crate::numerics::relaxation;
-use crate::numerics::vector::{Component, direction, length, remainder};
+use crate::numerics::vector::{Component, direction, length, only, remainder};
 
 crate::model! {
     /// LuGre friction in a plane: the bristle is a vector, so that a body that slides in one direction and is pushed in
@@ -139,11 +140,11 @@ impl<T: Component> LuGrePlanar<T> {
 
     /// sigma_1(v).
     fn damping(&self) -> T {
-        if self.damping_velocity.is(0.0) {
-            return self.sigma_1;
-        }
-        let u = length(&self.velocity()) / self.damping_velocity;
-        self.sigma_1 * (-(u * u)).exp()
+        let falling = || {
+            let u = length(&self.velocity()) / self.damping_velocity;
+            self.sigma_1 * (-(u * u)).exp()
+        };
+        self.damping_velocity.is(0.0).choose(|| self.sigma_1, falling)
     }
 
     /// dz/dt.
@@ -152,18 +153,16 @@ impl<T: Component> LuGrePlanar<T> {
         let level = self.level(speed);
         // Without load, or at high speed without Coulomb level (f_C = 0): a step then drops the deflection, and in
         // Model Exchange, where f_C > 0, the event at which the load vanishes does.
-        if level.value() == 0.0 {
-            return Vector2::repeat(T::from(0.0));
-        }
         let velocity = self.velocity();
-        remainder(velocity - self.deflection() * (self.sigma_0 * speed / level), &velocity)
+        let rate = remainder(velocity - self.deflection() * (self.sigma_0 * speed / level), &velocity);
+        only(!level.vanishes(), rate)
     }
 
     fn force(&self, deflection_rate: Vector2<T>) -> Vector2<T> {
-        if self.normal_force.value() == 0.0 {
-            return Vector2::repeat(T::from(0.0));
-        }
-        self.deflection() * self.sigma_0 + deflection_rate * self.damping() + self.velocity() * self.viscous_coefficient
+        let force = self.deflection() * self.sigma_0
+            + deflection_rate * self.damping()
+            + self.velocity() * self.viscous_coefficient;
+        only(!self.normal_force.vanishes(), force)
     }
 }
 
@@ -173,9 +172,10 @@ impl<T: Component> Law for LuGrePlanar<T> {
         let force = self.force(rate);
         [self.friction_force_x, self.friction_force_y] = force.into();
         self.dissipated_power = force.dot(&self.velocity());
-        let speed = length(&self.velocity()).value();
-        let elastic = speed == 0.0 || rate.dot(&direction(&self.velocity())).value() > ELASTIC_SHARE * speed;
-        self.sticking = T::from(f64::from(u8::from(elastic && self.normal_force.value() > 0.0)));
+        let speed = length(&self.velocity());
+        let forward = rate.dot(&direction(&self.velocity()));
+        let elastic = speed.vanishes() | forward.above(T::from(ELASTIC_SHARE) * speed);
+        self.sticking = T::truth(elastic & self.normal_force.is_positive());
     }
 
     #[inline(always)]

@@ -2,7 +2,7 @@ use crate::contact::elements::{self, Division, ElementDistribution, Ramp, Share}
 use crate::laws::stribeck;
 use crate::model::ramp;
 use crate::model::{self, Fault, Law, Model, Preset, Width, boolean, integer, real};
-use crate::number::Real;
+use crate::number::{Mask, Real};
 use crate::numerics::relaxation;
 
 crate::part! {
@@ -225,12 +225,12 @@ impl<T: Real> MaxwellSlip<T> {
     }
 
     /// Sum of dF_i/dt, and whether all elements slip.
-    fn force_rate(&self, memory: &[T], level: T) -> (T, bool) {
+    fn force_rate(&self, memory: &[T], level: T) -> (T, T::Mask) {
         let springs = self.springs(level);
-        let mut sum = (T::zero(), true);
+        let mut sum = (T::zero(), T::Mask::from(true));
         self.elements(memory).enumerate().for_each(|(index, (share, block))| {
             let spring = springs.of(index, &share);
-            sum = (sum.0 + spring.force_rate(block, self.velocity), sum.1 && spring.slips(block, self.velocity));
+            sum = (sum.0 + spring.force_rate(block, self.velocity), sum.1 & spring.slips(block, self.velocity));
         });
         sum
     }
@@ -279,14 +279,16 @@ impl<T: Real> Law for MaxwellSlip<T> {
     }
 
     fn output_with(&mut self, memory: &[T]) {
-        self.friction_force = T::zero();
-        self.sticking = T::zero();
-        if self.normal_force.value() > 0.0 {
+        let is_loaded = self.normal_force.is_positive();
+        let mut sticking = T::zero();
+        let loaded = || {
             let force = self.elements(memory).fold(T::zero(), |sum, (_, block)| sum + block.force);
             let (rate, all_slip) = self.force_rate(memory, self.level());
-            self.friction_force = force + self.sigma_1 / self.sigma_0 * rate + self.viscous_coefficient * self.velocity;
-            self.sticking = T::from(f64::from(u8::from(!all_slip)));
-        }
+            sticking = is_loaded.choose(|| T::truth(!all_slip), || T::zero());
+            force + self.sigma_1 / self.sigma_0 * rate + self.viscous_coefficient * self.velocity
+        };
+        self.friction_force = is_loaded.choose(loaded, || T::zero());
+        self.sticking = sticking;
         self.dissipated_power = self.friction_force * self.velocity;
     }
 }
@@ -528,20 +530,17 @@ struct Spring<T> {
 
 impl<T: Real> Spring<T> {
     /// Whether the element slips at that velocity, or from now on.
-    fn slips(&self, block: &Block<T>, velocity: T) -> bool {
-        let outward = (block.force * velocity.sign()).value();
-        velocity.value() != 0.0 && (block.slipping.value() != 0.0 && outward > 0.0 || outward >= self.strength.value())
+    fn slips(&self, block: &Block<T>, velocity: T) -> T::Mask {
+        let outward = block.force * velocity.sign();
+        let continues = !block.slipping.vanishes() & outward.is_positive();
+        !velocity.vanishes() & (continues | outward.at_least(self.strength))
     }
 
     /// dF_i/dt.
     fn force_rate(&self, block: &Block<T>, velocity: T) -> T {
-        if self.strength.value() == 0.0 {
-            T::zero()
-        } else if self.slips(block, velocity) {
-            self.rate * (velocity.sign() * self.strength - block.force)
-        } else {
-            self.stiffness * velocity
-        }
+        let slipping = || self.rate * (velocity.sign() * self.strength - block.force);
+        let loaded = || self.slips(block, velocity).choose(slipping, || self.stiffness * velocity);
+        self.strength.vanishes().choose(|| T::zero(), loaded)
     }
 }
 

@@ -3,7 +3,7 @@ use crate::contact::motion::Motion;
 use crate::laws::branches;
 use crate::model::ramp;
 use crate::model::{Fault, Law, Model, Preset, boolean, real};
-use crate::number::Real;
+use crate::number::{Mask, Real};
 use crate::numerics::quadrature::integral_past_peak;
 
 crate::model! {
@@ -112,8 +112,8 @@ impl<T: Real> NonReversible<T> {
     /// f_fu or f_fl.
     fn level(&self, velocity: T, load: T, acceleration: T) -> T {
         let slows_down = branches::slows_down(velocity, acceleration);
-        let (mu, decay) =
-            if slows_down { (self.mu_stop, self.deceleration_decay) } else { (self.mu_s, self.acceleration_decay) };
+        let mu = slows_down.choose(|| self.mu_stop, || self.mu_s);
+        let decay = slows_down.choose(|| self.deceleration_decay, || self.acceleration_decay);
         branches::level(velocity, self.mu_k * load, mu * load, decay)
     }
 }
@@ -123,8 +123,7 @@ impl<T: Real> Law for NonReversible<T> {
         let level = self.level(self.velocity, self.normal_force, self.branching.known_acceleration());
         self.friction_force = level * self.velocity.sign();
         self.dissipated_power = self.friction_force * self.velocity;
-        let sticking = self.velocity.value() == 0.0 && self.normal_force.value() > 0.0;
-        self.sticking = T::from(f64::from(u8::from(sticking)));
+        self.sticking = T::truth(self.velocity.vanishes() & self.normal_force.is_positive());
     }
 }
 

@@ -1,7 +1,7 @@
 use crate::contact::motion::Motion;
 use crate::model::ramp;
 use crate::model::{Fault, Law, Model, Preset, boolean, real};
-use crate::number::Real;
+use crate::number::{Mask, Real};
 use crate::numerics::root::first_rise;
 
 crate::model! {
@@ -130,36 +130,30 @@ impl<T: Real> ResetIntegrator<T> {
 
     /// Deflection at the present load: z_m once the contact has broken away, at most z_m before.
     fn deflection(&self) -> T {
-        if self.slip_direction.value() == 0.0 {
-            self.bristle_deflection.pushed_back(self.limit())
-        } else {
-            self.slip_direction.sign() * self.limit()
-        }
+        let bonded = || self.bristle_deflection.pushed_back(self.limit());
+        self.slip_direction.vanishes().choose(bonded, || self.slip_direction.sign() * self.limit())
     }
 
     /// Whether the contact has broken away in the direction of the motion.
-    fn is_sliding(&self) -> bool {
+    fn is_sliding(&self) -> T::Mask {
         let direction = self.velocity.sign();
-        direction.value() != 0.0
-            && (self.slip_direction * direction > T::zero() || self.bristle_deflection * direction >= self.limit())
+        let is_at_limit = (self.bristle_deflection * direction).at_least(self.limit());
+        !direction.vanishes() & ((self.slip_direction * direction).is_positive() | is_at_limit)
     }
 
-    fn is_at_rest_after_sliding(&self) -> bool {
-        let has_slid = self.slip_direction.value() != 0.0 || self.bristle_deflection.abs() >= self.limit();
-        self.velocity.value() == 0.0 && has_slid
+    fn is_at_rest_after_sliding(&self) -> T::Mask {
+        let has_slid = !self.slip_direction.vanishes() | self.bristle_deflection.abs().at_least(self.limit());
+        self.velocity.vanishes() & has_slid
     }
 
     /// Eq. (7.10).
     fn force(&self) -> T {
-        if self.coulomb().value() <= 0.0 {
-            T::zero()
-        } else if self.is_sliding() {
-            self.coulomb() * self.velocity.sign()
-        } else if self.is_at_rest_after_sliding() {
-            self.sigma_0 * self.deflection() + self.sigma_1 * self.velocity
-        } else {
-            self.stiffness() * self.deflection() + self.sigma_1 * self.velocity
-        }
+        let bonded = || {
+            let stiffness = self.is_at_rest_after_sliding().choose(|| self.sigma_0, || self.stiffness());
+            stiffness * self.deflection() + self.sigma_1 * self.velocity
+        };
+        let loaded = || self.is_sliding().choose(|| self.coulomb() * self.velocity.sign(), bonded);
+        self.coulomb().at_most(T::zero()).choose(|| T::zero(), loaded)
     }
 }
 
@@ -167,7 +161,7 @@ impl<T: Real> Law for ResetIntegrator<T> {
     fn output(&mut self) {
         self.friction_force = self.force();
         self.dissipated_power = self.friction_force * self.velocity;
-        self.sticking = T::from(f64::from(u8::from(!self.is_sliding() && self.coulomb().value() > 0.0)));
+        self.sticking = T::truth(!self.is_sliding() & self.coulomb().is_positive());
     }
 }
 

@@ -1,6 +1,6 @@
 use crate::contact::time_stepping::{Curve, TimeStepping, memoryless};
 use crate::model::{Model, Preset, boolean, real};
-use crate::number::Real;
+use crate::number::{Mask, Real};
 
 crate::choices! {
     /// Variants of the law.
@@ -114,8 +114,10 @@ impl<T: Real> Curve<T> for RooneyDeravi<T> {
         let u = velocity / self.transition_velocity;
         let share = match RooneyDeraviVariant::of(self.variant.value()) {
             RooneyDeraviVariant::Linear => u.limited(T::from(1.0)),
-            RooneyDeraviVariant::Printed if velocity.abs() >= self.transition_velocity => velocity.sign(),
-            RooneyDeraviVariant::Printed | RooneyDeraviVariant::Tanh => u.tanh(),
+            RooneyDeraviVariant::Printed => {
+                velocity.abs().at_least(self.transition_velocity).choose(|| velocity.sign(), || u.tanh())
+            }
+            RooneyDeraviVariant::Tanh => u.tanh(),
         };
         self.level() * share
     }

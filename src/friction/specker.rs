@@ -1,7 +1,7 @@
 use crate::contact::time_stepping::{Curve, TimeStepping, memoryless};
 use crate::laws::specker::SpeckerCurve;
 use crate::model::{Fault, Model, Preset, boolean, real};
-use crate::number::Real;
+use crate::number::{Mask, Real};
 
 crate::model! {
     /// Specker friction: a smooth law whose force at a given peak velocity is the static level, with one exponential
@@ -107,17 +107,14 @@ impl<T: Real> Curve<T> for Specker<T> {
     /// Eq. (6.27).
     #[inline]
     fn curve(&self, velocity: T) -> T {
-        if self.normal_force.value() <= 0.0 {
-            return T::zero();
-        }
-        SpeckerCurve {
+        let curve = SpeckerCurve {
             coulomb: self.mu_k * self.normal_force,
             breakaway: self.level(),
             transition_velocity: self.transition_velocity,
             peak_velocity: self.peak_velocity,
             viscous_coefficient: self.viscous_coefficient,
-        }
-        .force(velocity)
+        };
+        self.normal_force.at_most(T::zero()).choose(|| T::zero(), || curve.force(velocity))
     }
 
     fn level(&self) -> T {

@@ -1,7 +1,7 @@
 use crate::contact::unloading::released_without_load;
 use crate::laws::specker::SpeckerCurve;
 use crate::model::{Fault, Law, Model, Preset, boolean, real};
-use crate::number::Real;
+use crate::number::{Mask, Real};
 use crate::numerics::relaxation;
 
 crate::model! {
@@ -135,7 +135,7 @@ impl<T: Real> SpeckerDynamic<T> {
     }
 
     fn force(&self) -> T {
-        if self.normal_force.value() > 0.0 { self.lagging_force } else { T::zero() }
+        self.normal_force.is_positive().choose(|| self.lagging_force, || T::zero())
     }
 }
 
@@ -143,19 +143,19 @@ impl<T: Real> Law for SpeckerDynamic<T> {
     fn output(&mut self) {
         self.friction_force = self.force();
         self.dissipated_power = self.friction_force * self.velocity;
-        let is_slow = self.velocity.abs() < self.peak_velocity;
-        self.sticking = T::from(f64::from(u8::from(is_slow && self.normal_force.value() > 0.0)));
+        let is_slow = self.velocity.abs().below(self.peak_velocity);
+        self.sticking = T::truth(is_slow & self.normal_force.is_positive());
     }
 
     #[inline(always)]
     fn derivatives(&self, rate: &mut Self) {
-        if self.normal_force.value() > 0.0 {
-            let curve = self.curve();
+        let curve = self.curve();
+        let lagging = || {
             let time_constant = self.time_constant(&curve);
-            if time_constant.value() > 0.0 {
-                rate.lagging_force = (curve.force(self.velocity) - self.lagging_force) / time_constant;
-            }
-        }
+            let approach = || (curve.force(self.velocity) - self.lagging_force) / time_constant;
+            time_constant.is_positive().choose(approach, || T::zero())
+        };
+        rate.lagging_force = self.normal_force.is_positive().choose(lagging, || T::zero());
         rate.dissipated_energy = self.force() * self.velocity;
     }
 }

@@ -1,7 +1,7 @@
 use crate::contact::time_stepping::{Curve, TimeStepping, memoryless};
 use crate::laws::regularised;
 use crate::model::{Model, Preset, boolean, real};
-use crate::number::Real;
+use crate::number::{Mask, Real};
 
 crate::choices! {
     /// Variants of the law.
@@ -105,11 +105,12 @@ impl<T: Real> Curve<T> for Threlfall<T> {
     /// Eq. (6.2).
     #[inline]
     fn curve(&self, velocity: T) -> T {
-        let is_capped = ThrelfallVariant::of(self.variant.value()) == ThrelfallVariant::Capped;
-        let share = if is_capped && velocity.abs() > self.transition_velocity {
-            T::from(0.95) * velocity.sign()
-        } else {
-            regularised::exponential(velocity, self.transition_velocity)
+        let rising = || regularised::exponential(velocity, self.transition_velocity);
+        let share = match ThrelfallVariant::of(self.variant.value()) {
+            ThrelfallVariant::Capped => {
+                velocity.abs().above(self.transition_velocity).choose(|| T::from(0.95) * velocity.sign(), rising)
+            }
+            _ => rising(),
         };
         self.level() * share
     }

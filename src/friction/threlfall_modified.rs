@@ -1,7 +1,7 @@
 use crate::contact::time_stepping::{Curve, TimeStepping, memoryless};
 use crate::laws::regularised;
 use crate::model::{Model, Preset, boolean, real};
-use crate::number::Real;
+use crate::number::{Mask, Real};
 
 crate::model! {
     /// Modified Threlfall friction: the exponential transition of Threlfall, scaled so that it reaches the Coulomb
@@ -94,11 +94,9 @@ impl<T: Real> Curve<T> for ThrelfallModified<T> {
     /// Eq. (6.4).
     #[inline]
     fn curve(&self, velocity: T) -> T {
-        if velocity.abs() > self.transition_velocity {
-            return self.level() * velocity.sign();
-        }
         let end = T::from(-(-3.0f64).exp_m1());
-        self.level() * regularised::exponential(velocity, self.transition_velocity) / end
+        let rising = || self.level() * regularised::exponential(velocity, self.transition_velocity) / end;
+        velocity.abs().above(self.transition_velocity).choose(|| self.level() * velocity.sign(), rising)
     }
 
     fn level(&self) -> T {

@@ -3,7 +3,7 @@ use crate::contact::motion::Motion;
 use crate::laws::branches;
 use crate::model::ramp;
 use crate::model::{Fault, Law, Model, Preset, boolean, real};
-use crate::number::Real;
+use crate::number::{Mask, Real};
 use crate::numerics::quadrature::integral_past_peak;
 use crate::numerics::root::first_rise;
 
@@ -141,7 +141,8 @@ impl<T: Real> Wojewoda<T> {
 
     /// Level while sliding.
     fn sliding_level(&self, velocity: T, load: T, acceleration: T) -> T {
-        let at_rest = if branches::slows_down(velocity, acceleration) { self.mu_stop() } else { self.mu_s };
+        let slows_down = branches::slows_down(velocity, acceleration);
+        let at_rest = slows_down.choose(|| self.mu_stop(), || self.mu_s);
         branches::level(velocity, self.mu_k * load, at_rest * load, self.branch_decay)
     }
 
@@ -150,27 +151,23 @@ impl<T: Real> Wojewoda<T> {
         self.bristle_deflection.pushed_back(self.mu_s * load / self.sigma_0)
     }
 
-    fn is_slipping(&self) -> bool {
-        self.slipping.value() != 0.0
+    fn is_slipping(&self) -> T::Mask {
+        !self.slipping.vanishes()
     }
 
     /// Whether the contact has slid until now and a velocity of this sign brings it to rest.
-    fn arrives(&self, direction: f64) -> bool {
-        let slip = self.bristle_deflection.sign().value();
-        self.is_slipping() && (direction == 0.0 || slip == -direction)
+    fn arrives(&self, direction: T) -> T::Mask {
+        let is_opposite = self.bristle_deflection.sign().equals(-direction);
+        self.is_slipping() & (direction.vanishes() | is_opposite)
     }
 
     fn force(&self) -> T {
         let (load, direction) = (self.normal_force, self.velocity.sign());
-        if load.value() == 0.0 {
-            T::zero()
-        } else if self.arrives(direction.value()) {
-            self.mu_stop() * load * self.bristle_deflection.sign()
-        } else if self.is_slipping() {
-            self.sliding_level(self.velocity, load, self.branching.known_acceleration()) * direction
-        } else {
-            self.sigma_0 * self.held_deflection(load)
-        }
+        let arriving = || self.mu_stop() * load * self.bristle_deflection.sign();
+        let slipping = || self.sliding_level(self.velocity, load, self.branching.known_acceleration()) * direction;
+        let stuck = || self.sigma_0 * self.held_deflection(load);
+        let moving = || self.is_slipping().choose(slipping, stuck);
+        load.vanishes().choose(|| T::zero(), || self.arrives(direction).choose(arriving, moving))
     }
 }
 
@@ -178,8 +175,8 @@ impl<T: Real> Law for Wojewoda<T> {
     fn output(&mut self) {
         self.friction_force = self.force();
         self.dissipated_power = self.friction_force * self.velocity;
-        let stuck = !self.is_slipping() || self.arrives(self.velocity.sign().value());
-        self.sticking = T::from(f64::from(u8::from(stuck && self.normal_force.value() > 0.0)));
+        let stuck = !self.is_slipping() | self.arrives(self.velocity.sign());
+        self.sticking = T::truth(stuck & self.normal_force.is_positive());
     }
 }
 

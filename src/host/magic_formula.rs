@@ -1,7 +1,7 @@
 //! Forces and moments of a rolling tyre.
 
 use crate::model::real;
-use crate::number::Real;
+use crate::number::{Mask, Real};
 
 crate::choices! {
     /// The side of the car on which a set of tyre coefficients was measured.
@@ -387,7 +387,7 @@ impl<T: Real> MagicFormula<T> {
     /// Forces and moments of a tyre on the side on which the set was measured.
     pub fn wrench(&self, contact: &Contact<T>) -> Wrench<T> {
         let zero = T::zero();
-        if contact.load.value() <= 0.0 {
+        if contact.load.at_most(zero).holds() {
             return Wrench { force_x: zero, force_y: zero, moment_x: zero, moment_y: zero, moment_z: zero };
         }
         let longitudinal = self.pure_longitudinal(contact);
@@ -552,25 +552,22 @@ fn sine<T: Real>(shape: T, curvature: T, peak: T, stiffness: T, slip: T) -> T {
 
 /// The weight G of combined slip; exactly 1 without slip.
 fn reduction<T: Real>(shape: T, curvature: T, stiffness: T, slip: T, shift: T) -> T {
-    if slip.is(0.0) {
-        return T::from(1.0);
-    }
     let weight = |x: T| phase(shape, curvature, stiffness * x).cos();
-    quotient(weight(slip + shift), weight(shift))
+    slip.is(0.0).choose(|| T::from(1.0), || quotient(weight(slip + shift), weight(shift)))
 }
 
 /// The equivalent side slip for both slips in trail and residual torque, which are even functions of it.
 fn equivalent<T: Real>(side_slip: T, slip: T) -> T {
-    if slip.is(0.0) {
-        return side_slip;
-    }
-    let tangent = side_slip.sin() / side_slip.cos();
-    (tangent * tangent + slip * slip).sqrt().atan()
+    let both = || {
+        let tangent = side_slip.sin() / side_slip.cos();
+        (tangent * tangent + slip * slip).sqrt().atan()
+    };
+    slip.is(0.0).choose(|| side_slip, both)
 }
 
 /// a / b, and 0 for b = 0: a tyre without friction or stiffness has no force to divide.
 fn quotient<T: Real>(a: T, b: T) -> T {
-    if b.value() == 0.0 { T::zero() } else { a / b }
+    b.vanishes().choose(|| T::zero(), || a / b)
 }
 
 #[cfg(test)]

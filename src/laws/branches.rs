@@ -16,8 +16,8 @@ pub fn level<T: Real>(velocity: T, coulomb: T, at_rest: T, decay: T) -> T {
 
 /// Whether the contact slows down. Only then the lower curve counts; at constant speed the upper one does.
 #[inline]
-pub fn slows_down<T: Real>(velocity: T, acceleration: T) -> bool {
-    velocity.sign().value() * acceleration.sign().value() < 0.0
+pub fn slows_down<T: Real>(velocity: T, acceleration: T) -> T::Mask {
+    (velocity.sign() * acceleration.sign()).below(T::zero())
 }
 
 /// a |v| up to which a branch differs from the Coulomb level by more than exp(-40), which no sum of levels can resolve.

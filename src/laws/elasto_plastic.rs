@@ -1,6 +1,6 @@
 //! The transition from elastic to plastic deflection of Dupont's law.
 
-use crate::number::Real;
+use crate::number::{Mask, Real};
 
 /// alpha of Dupont et al. (2002), (7.33) and (7.34) of the thesis: the plastic part of a motion that loads the bristle.
 ///
@@ -13,14 +13,12 @@ use crate::number::Real;
 /// `deflection` is |z|: the thesis and the paper print z, which is only correct for z > 0.
 pub fn alpha<T: Real>(deflection: T, steady: T, breakaway: T) -> T {
     let [half, one] = [0.5, 1.0].map(T::from);
-    if deflection <= breakaway {
-        T::zero()
-    } else if deflection < steady {
+    let rising = || {
         let angle = T::from(std::f64::consts::PI) * (deflection - half * (steady + breakaway)) / (steady - breakaway);
         half + half * angle.sin()
-    } else {
-        one
-    }
+    };
+    let beyond = || deflection.below(steady).choose(rising, || one);
+    deflection.at_most(breakaway).choose(|| T::zero(), beyond)
 }
 
 #[cfg(test)]

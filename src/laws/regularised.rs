@@ -1,6 +1,6 @@
 //! Smooth replacements of the sign function.
 
-use crate::number::Real;
+use crate::number::{Mask, Real};
 
 /// Exponential transition: 1 - exp(-3) = 95 % of the sign function at `transition_velocity`.
 ///
@@ -17,11 +17,9 @@ pub fn exponential<T: Real>(velocity: T, transition_velocity: T) -> T {
 /// (1 - exp(-slope |v|)) sgn(v).
 #[inline]
 pub fn rise<T: Real>(velocity: T, slope: T) -> T {
-    if velocity.value() == 0.0 {
-        // |v| has no derivative at rest, but the odd function has the same one on both sides.
-        return slope * velocity;
-    }
-    (T::from(1.0) - (-(slope * velocity.abs())).exp()) * velocity.sign()
+    // |v| has no derivative at rest, but the odd function has the same one on both sides.
+    let moving = || (T::from(1.0) - (-(slope * velocity.abs())).exp()) * velocity.sign();
+    velocity.vanishes().choose(|| slope * velocity, moving)
 }
 
 #[cfg(test)]

@@ -1,6 +1,6 @@
 //! The smooth curve of Specker, which passes through the static level at a given velocity.
 
-use crate::number::Real;
+use crate::number::{Mask, Real};
 
 /// Levels and velocities of the curve.
 #[derive(Clone, Copy)]
@@ -23,7 +23,7 @@ impl<T: Real> SpeckerCurve<T> {
     fn excess(&self) -> T {
         let sliding = self.coulomb * (self.peak_velocity / self.transition_velocity).tanh();
         let excess = self.breakaway - sliding - self.viscous_coefficient * self.peak_velocity;
-        if excess > T::zero() { excess } else { T::zero() }
+        excess.is_positive().choose(|| excess, || T::zero())
     }
 
     /// The friction force:

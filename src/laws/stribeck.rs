@@ -1,6 +1,6 @@
 //! Steady friction levels that depend on the sliding speed.
 
-use crate::number::Real;
+use crate::number::{Mask, Real};
 
 /// The Stribeck function: the friction level falls from `breakaway` at rest to `coulomb` at speeds well above the
 /// Stribeck velocity.
@@ -14,7 +14,7 @@ use crate::number::Real;
 pub fn level<T: Real>(velocity: T, coulomb: T, breakaway: T, stribeck_velocity: T, exponent: T) -> T {
     let u = velocity.abs() / stribeck_velocity;
     // The exponent of nearly every published parameter set; a product is several times faster than a power.
-    let power = if exponent.is(2.0) { u * u } else { u.powf(exponent) };
+    let power = exponent.is(2.0).choose(|| u * u, || u.powf(exponent));
     coulomb + (breakaway - coulomb) * (-power).exp()
 }
 

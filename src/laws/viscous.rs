@@ -1,11 +1,11 @@
 //! The viscous part of friction.
 
-use crate::number::Real;
+use crate::number::{Mask, Real};
 
 /// A force proportional to the velocity, as long as there is contact.
 #[inline]
 pub fn force<T: Real>(velocity: T, viscous_coefficient: T, normal_force: T) -> T {
-    if normal_force.value() > 0.0 { viscous_coefficient * velocity } else { T::zero() }
+    normal_force.is_positive().choose(|| viscous_coefficient * velocity, || T::zero())
 }
 
 #[cfg(test)]

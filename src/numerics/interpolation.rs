@@ -1,6 +1,6 @@
 //! Interpolation in a table of points (x, y) with rising x. Beyond its ends the table continues as a straight line.
 
-use crate::number::Real;
+use crate::number::{Mask, Real};
 
 /// Value at `x` on the straight lines between the points.
 pub fn linear<T: Real>(points: &[(T, T)], x: T) -> T {
@@ -82,25 +82,19 @@ fn slope<T: Real>(points: &[(T, T)], at: usize) -> T {
 
 /// Weighted harmonic mean of the slopes on both sides; 0 at an extremum of the points.
 fn inner_slope<T: Real>([before, after]: [T; 2], [falling, rising]: [T; 2]) -> T {
-    if (falling * rising).value() <= 0.0 {
-        return T::zero();
-    }
     let two = T::from(2.0);
     let weights = [two * after + before, after + two * before];
-    (weights[0] + weights[1]) / (weights[0] / falling + weights[1] / rising)
+    let mean = || (weights[0] + weights[1]) / (weights[0] / falling + weights[1] / rising);
+    (falling * rising).at_most(T::zero()).choose(|| T::zero(), mean)
 }
 
 /// Slope of the parabola through the three points at an end, limited so that it preserves the shape.
 fn end_slope<T: Real>([near, far]: [T; 2], [first, second]: [T; 2]) -> T {
     let [two, three] = [2.0, 3.0].map(T::from);
     let parabola = ((two * near + far) * first - near * second) / (near + far);
-    if (parabola * first).value() <= 0.0 {
-        T::zero()
-    } else if (first * second).value() <= 0.0 && parabola.abs() > three * first.abs() {
-        three * first
-    } else {
-        parabola
-    }
+    let is_too_steep = (first * second).at_most(T::zero()) & parabola.abs().above(three * first.abs());
+    let limited = || is_too_steep.choose(|| three * first, || parabola);
+    (parabola * first).at_most(T::zero()).choose(|| T::zero(), limited)
 }
 
 #[cfg(test)]

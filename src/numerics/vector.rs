@@ -5,7 +5,7 @@ use std::ops::{AddAssign, MulAssign, SubAssign};
 use nalgebra::{SVector, Scalar, Vector3};
 use num_traits::{One, Zero};
 
-use crate::number::{Dual, Real};
+use crate::number::{Dual, Mask, Real};
 
 /// A number that can be a component of a vector.
 pub trait Component: Real + Scalar + Zero + One + AddAssign + SubAssign + MulAssign {}
@@ -48,18 +48,32 @@ impl MulAssign for Dual {
 
 /// Length of a vector, for components of any size. At 0 its derivative is taken as 0, as that of a magnitude.
 pub fn length<T: Component, const N: usize>(vector: &SVector<T, N>) -> T {
-    let largest = vector.iter().fold(0.0, |largest, component| component.value().abs().max(largest));
-    if largest == 0.0 {
-        return T::from(0.0);
-    }
-    let squares = vector.iter().map(|component| *component / T::from(largest));
-    T::from(largest) * squares.fold(T::from(0.0), |sum, part| sum + part * part).sqrt()
+    let largest = largest(vector);
+    let scaled = || {
+        let squares = vector.iter().map(|component| *component / largest);
+        largest * squares.fold(T::from(0.0), |sum, part| sum + part * part).sqrt()
+    };
+    largest.vanishes().choose(|| T::from(0.0), scaled)
 }
 
 /// Direction of a vector; zero for a zero vector.
 pub fn direction<T: Component, const N: usize>(vector: &SVector<T, N>) -> SVector<T, N> {
     let length = length(vector);
-    if length.value() == 0.0 { vector.map(|_| T::from(0.0)) } else { vector.map(|component| component / length) }
+    let is_zero = length.vanishes();
+    vector.map(|component| is_zero.choose(|| T::from(0.0), || component / length))
+}
+
+/// Magnitude of the largest component, without derivative.
+fn largest<T: Component, const N: usize>(vector: &SVector<T, N>) -> T {
+    vector.iter().fold(T::from(0.0), |largest, component| {
+        let size = component.as_constant().abs();
+        size.above(largest).choose(|| size, || largest)
+    })
+}
+
+/// The vector where the answer is yes, zero elsewhere.
+pub fn only<T: Component, const N: usize>(answer: T::Mask, vector: SVector<T, N>) -> SVector<T, N> {
+    vector.map(|component| answer.choose(|| component, || T::from(0.0)))
 }
 
 /// The part of a vector in the plane with the unit normal `normal`.
@@ -77,9 +91,8 @@ const ROUNDING: f64 = 1e-15;
 
 /// A remainder of the vector `whole`; zero if it is only rounding.
 pub fn remainder<T: Component, const N: usize>(rest: SVector<T, N>, whole: &SVector<T, N>) -> SVector<T, N> {
-    let size = |vector: &SVector<T, N>| vector.iter().fold(0.0, |size, part| part.value().abs().max(size));
-    let is_rounding = size(&rest) <= ROUNDING * size(whole);
-    if is_rounding { rest.map(|_| T::from(0.0)) } else { rest }
+    let is_rounding = largest(&rest).at_most(T::from(ROUNDING) * largest(whole));
+    only(!is_rounding, rest)
 }
 
 #[cfg(test)]

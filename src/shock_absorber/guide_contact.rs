@@ -1,7 +1,7 @@
 use crate::contact::ExchangeOrder;
 use crate::model::ramp;
 use crate::model::{Fault, Law, Model, boolean, choice, real};
-use crate::number::Real;
+use crate::number::{Mask, Real};
 use crate::shock_absorber::law::{
     Answer, ChosenLaw, Evaluate, FRICTION_MODEL, Given, LUGRE, LawParameters, MEMORY, MOST_EVENTS, blank_memory,
 };
@@ -94,23 +94,19 @@ pub(crate) struct Touch<T> {
 impl<T: Real> Touch<T> {
     /// Sliding speed with the sign of the axial velocity.
     pub(crate) fn signed_speed(&self) -> T {
-        if self.rim_velocity.is(0.0) {
-            return self.velocity;
-        }
-        let speed = (self.velocity * self.velocity + self.rim_velocity * self.rim_velocity).sqrt();
-        if self.velocity.value() < 0.0 { -speed } else { speed }
+        let turning = || {
+            let speed = (self.velocity * self.velocity + self.rim_velocity * self.rim_velocity).sqrt();
+            self.velocity.below(T::zero()).choose(|| -speed, || speed)
+        };
+        self.rim_velocity.is(0.0).choose(|| self.velocity, turning)
     }
 
     /// Shares of a friction force against the sliding speed that act along the axis and along the circumference.
     pub(crate) fn direction(&self) -> [T; 2] {
-        if self.rim_velocity.is(0.0) {
-            return [T::from(1.0), T::zero()];
-        }
         let speed = self.signed_speed();
-        if speed.value() == 0.0 {
-            return [T::from(1.0), T::zero()];
-        }
-        [self.velocity / speed, self.rim_velocity / speed]
+        let is_axial = self.rim_velocity.is(0.0) | speed.vanishes();
+        let along = is_axial.choose(|| T::from(1.0), || self.velocity / speed);
+        [along, is_axial.choose(|| T::zero(), || self.rim_velocity / speed)]
     }
 }
 
@@ -143,7 +139,7 @@ impl<T: Real> FrictionLaw<T> {
     /// stopping.
     fn side(&self, velocity: T) -> T {
         let direction = velocity.sign();
-        if direction.is(0.0) { self.largest_side() } else { T::from(1.0) - self.asymmetry * direction }
+        direction.is(0.0).choose(|| self.largest_side(), || T::from(1.0) - self.asymmetry * direction)
     }
 
     fn largest_side(&self) -> T {
@@ -155,14 +151,14 @@ impl<T: Real> FrictionLaw<T> {
         let one = T::from(1.0);
         let side = self.side(touch.velocity);
         let [kinetic, breakaway] = self.levels(levels, touch.normal_force);
-        let mu_k = if levels.mu_k.value() > 0.0 { levels.mu_k } else { one };
+        let mu_k = levels.mu_k.is_positive().choose(|| levels.mu_k, || one);
         let normal_force = side * kinetic / mu_k;
-        let has_stiction = kinetic.value() > 0.0 && breakaway.value() > kinetic.value();
+        let has_stiction = kinetic.is_positive() & breakaway.above(kinetic);
         Given {
             velocity: touch.signed_speed(),
             normal_force,
             mu_k,
-            mu_s: if has_stiction { mu_k * breakaway / kinetic } else { mu_k },
+            mu_s: has_stiction.choose(|| mu_k * breakaway / kinetic, || mu_k),
             mass: touch.mass,
             exchange: self.exchange,
             external_force: touch.external_force,

@@ -9,7 +9,7 @@ mod two_levels;
 
 use crate::model::ramp;
 use crate::model::{Fault, Model, real};
-use crate::number::Real;
+use crate::number::{Mask, Real};
 
 pub(crate) use on_curve::{Curve, EVENTS_ON_CURVE, Lift, OnCurve, memoryless};
 pub(crate) use phase::Phase;
@@ -61,9 +61,9 @@ const PLANNING_MEMORY: f64 = 0.98;
 
 /// The friction force over a step, and whether the body is at rest at its end.
 #[derive(Clone, Copy)]
-pub(crate) struct Outcome<T> {
+pub(crate) struct Outcome<T: Real> {
     pub force: T,
-    pub is_held: bool,
+    pub is_held: T::Mask,
 }
 
 /// A law with its inputs.
@@ -105,20 +105,18 @@ pub(crate) trait Holding<T: Real>: Copy {
     fn over_last_step(self) -> Self {
         let (inputs, steps) = (self.inputs(), self.time_stepping());
         let is_at = |now: T, end: T, change: T| {
-            let rounding = 4.0 * f64::EPSILON * (end.abs() + change.abs()).value();
-            (now - end).abs().value() <= rounding
+            let rounding = T::from(4.0 * f64::EPSILON) * (end.abs() + change.abs());
+            (now - end).abs().at_most(rounding)
         };
         let are_old = is_at(inputs.velocity, steps.end_velocity, steps.velocity_change)
-            && is_at(inputs.external_force, steps.end_external_force, steps.external_force_change)
-            && is_at(inputs.normal_force, steps.end_normal_force, steps.normal_force_change);
-        if !are_old {
-            return self;
-        }
+            & is_at(inputs.external_force, steps.end_external_force, steps.external_force_change)
+            & is_at(inputs.normal_force, steps.end_normal_force, steps.normal_force_change);
+        let back = |now: T, change: T| are_old.choose(|| now - change, || now);
         let half = T::from(0.5);
         let inputs = Inputs {
-            velocity: inputs.velocity - steps.velocity_change,
-            external_force: inputs.external_force - half * steps.external_force_change,
-            normal_force: inputs.normal_force - half * steps.normal_force_change,
+            velocity: back(inputs.velocity, steps.velocity_change),
+            external_force: back(inputs.external_force, half * steps.external_force_change),
+            normal_force: back(inputs.normal_force, half * steps.normal_force_change),
         };
         self.given(inputs)
     }
@@ -128,27 +126,26 @@ pub(crate) trait Holding<T: Real>: Copy {
 #[inline]
 pub(crate) fn force<T: Real>(law: &impl Holding<T>) -> T {
     let steps = law.time_stepping();
-    if !steps.is_active() {
-        law.contact().printed()
-    } else if steps.is_parallel() {
-        steps.planned_force.limited(law.contact().largest())
-    } else {
-        law.over_last_step().contact().stepped(steps.mass, steps.step_size).force
-    }
+    let over_a_step = || match steps.exchange_order() {
+        ExchangeOrder::Parallel => steps.planned_force.limited(law.contact().largest()),
+        ExchangeOrder::Sequential => law.over_last_step().contact().stepped(steps.mass, steps.step_size).force,
+    };
+    steps.is_active().choose(over_a_step, || law.contact().printed())
 }
 
 /// 1 if the contact is stuck, else 0.
 #[inline]
 pub(crate) fn sticking<T: Real>(law: &impl Holding<T>) -> T {
     let steps = law.time_stepping();
-    if steps.is_active() { law.over_last_step().contact().sticking(steps) } else { law.contact().sticking(steps) }
+    let over_a_step = || law.over_last_step().contact().sticking(steps);
+    steps.is_active().choose(over_a_step, || law.contact().sticking(steps))
 }
 
 impl<T: Real> TimeStepping<T> {
     /// A body can be held as soon as its mass and the step are known.
     #[inline]
-    pub(crate) fn is_active(&self) -> bool {
-        self.mass.value() > 0.0 && self.step_size.value() > 0.0
+    pub(crate) fn is_active(&self) -> T::Mask {
+        self.mass.is_positive() & self.step_size.is_positive()
     }
 
     /// Motion of the contact as found by an event.
@@ -157,8 +154,8 @@ impl<T: Real> TimeStepping<T> {
         Phase::of(self.phase.value())
     }
 
-    fn is_parallel(&self) -> bool {
-        ExchangeOrder::of(self.exchange.value()) == ExchangeOrder::Parallel
+    fn exchange_order(&self) -> ExchangeOrder {
+        ExchangeOrder::of(self.exchange.value())
     }
 }
 
@@ -243,7 +240,7 @@ fn step_with_mass(law: &mut impl Holding<f64>, begin: Inputs<f64>, dt: f64) -> D
     // not known yet.
     steps.planning_step = dt.max(PLANNING_MEMORY * steps.planning_step);
     let (steps, over) = (*steps, law.over_last_step());
-    if !steps.is_parallel() {
+    if steps.exchange_order() == ExchangeOrder::Sequential {
         let Outcome { force, is_held } = over.contact().stepped(steps.mass, dt);
         return Done { energy: work(&over, force, dt), is_held };
     }
@@ -311,9 +308,3 @@ macro_rules! holding {
     };
 }
 pub(crate) use holding;
-
-/// 1 or 0, the value of a Boolean column.
-#[inline]
-fn truth<T: Real>(is_true: bool) -> T {
-    T::from(f64::from(u8::from(is_true)))
-}

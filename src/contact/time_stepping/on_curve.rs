@@ -1,10 +1,10 @@
 //! A contact whose force is a function of the velocity.
 
 use super::phase::{Band, NO_EVENT, Phase, Rest, resting};
-use super::{Contact, Outcome, TimeStepping, truth};
+use super::{Contact, Outcome, TimeStepping};
 use crate::contact::end_velocity::{self, Landing};
 use crate::contact::unloading;
-use crate::number::{Dual, Real};
+use crate::number::{Dual, Mask, Real};
 
 /// Methods supplied by a law whose force is an odd function of the velocity, without memory; everything else is shared.
 pub(crate) trait Curve<T: Real> {
@@ -51,26 +51,25 @@ impl<T: Copy, L> Copy for OnCurve<'_, T, L> {}
 
 impl<T: Real, L: Curve<T> + Lift> OnCurve<'_, T, L> {
     /// Whether the velocity is within the band of a regularised law.
-    fn is_within(&self, band: T) -> bool {
+    fn is_within(&self, band: T) -> T::Mask {
         match self.phase {
-            Phase::Free => self.velocity.abs() < band,
-            phase => phase == Phase::Held,
+            Phase::Free => self.velocity.abs().below(band),
+            phase => T::Mask::from(phase == Phase::Held),
         }
     }
 
     /// Whether a set-valued law is at rest.
     #[inline]
-    fn rests(&self) -> bool {
-        self.law.band().is_none()
-            && match self.phase {
-                Phase::Free => self.velocity.value() == 0.0,
-                phase => phase == Phase::Held,
-            }
+    fn rests(&self) -> T::Mask {
+        match (self.law.band(), self.phase) {
+            (None, Phase::Free) => self.velocity.vanishes(),
+            (band, phase) => T::Mask::from(band.is_none() && phase == Phase::Held),
+        }
     }
 
     /// Whether a set-valued law is at rest and the external force is within its level.
-    fn is_held(&self) -> bool {
-        self.rests() && self.external_force.abs() <= self.law.level()
+    fn is_held(&self) -> T::Mask {
+        self.rests() & self.external_force.abs().at_most(self.law.level())
     }
 
     /// First point of the curve that the body reaches. Velocities are mirrored by `side`, so that it moves towards
@@ -96,13 +95,16 @@ impl<T: Real, L: Curve<T> + Lift> OnCurve<'_, T, L> {
     }
 
     /// One Newton correction from the velocity at the end of the step, which gives it its derivatives.
-    fn corrected(&self, velocity: f64, inertia: T) -> T {
-        let law = self.law.lifted();
-        let slope = inertia.value() + law.curve(Dual { value: velocity, slope: 1.0 }).slope;
-        let velocity = T::from(velocity);
+    fn corrected(&self, velocity: T, inertia: T) -> T {
+        let on = || [inertia, self.law.curve(velocity)];
+        let [slope, _] = T::found(on, || {
+            let curve = self.law.lifted().curve(Dual { value: velocity.value(), slope: 1.0 });
+            [inertia.value() + curve.slope, 0.0]
+        });
         let residual = inertia * (velocity - self.velocity) + self.law.curve(velocity) - self.external_force;
         // Where two zeros meet there is no derivative.
-        if slope > f64::EPSILON * inertia.value() { velocity - residual / T::from(slope) } else { velocity }
+        let has_slope = slope.above(T::from(f64::EPSILON) * inertia);
+        has_slope.choose(|| velocity - residual / slope, || velocity)
     }
 
     /// Force that ends the step at that velocity.
@@ -114,16 +116,17 @@ impl<T: Real, L: Curve<T> + Lift> OnCurve<'_, T, L> {
 impl<T: Real, L: Curve<T> + Lift> Contact<T> for OnCurve<'_, T, L> {
     #[inline]
     fn printed(&self) -> T {
-        if self.rests() {
-            return resting(self.phase, self.external_force, self.law.level());
-        }
-        self.law.curve(match self.phase.direction() {
-            // Beyond rest the curve is extended at its last value.
-            Some(direction) if self.law.band().is_none() && direction * self.velocity.value() <= 0.0 => {
-                T::from(direction * f64::MIN_POSITIVE)
-            }
-            _ => self.velocity,
-        })
+        let sliding = || {
+            self.law.curve(match (self.law.band(), self.phase.direction()) {
+                // Beyond rest the curve is extended at its last value.
+                (None, Some(direction)) => {
+                    let is_beyond = (T::from(direction) * self.velocity).at_most(T::zero());
+                    is_beyond.choose(|| T::from(direction * f64::MIN_POSITIVE), || self.velocity)
+                }
+                _ => self.velocity,
+            })
+        };
+        self.rests().choose(|| resting(self.phase, self.external_force, self.law.level()), sliding)
     }
 
     fn largest(&self) -> T {
@@ -133,35 +136,42 @@ impl<T: Real, L: Curve<T> + Lift> Contact<T> for OnCurve<'_, T, L> {
     fn stepped(&self, mass: T, step_size: T) -> Outcome<T> {
         let inertia = mass / step_size;
         // The body accelerates against the excess of the friction force over the external force.
-        let side = (self.printed() - self.external_force).sign().value();
-        if self.is_held() {
-            return Outcome { force: self.force_to_reach(T::zero(), inertia), is_held: true };
+        let side = (self.printed() - self.external_force).sign();
+        if self.is_held().holds() {
+            return Outcome { force: self.force_to_reach(T::zero(), inertia), is_held: true.into() };
         }
-        if side == 0.0 || !inertia.value().is_finite() {
-            return Outcome { force: self.printed(), is_held: false };
+        if (side.vanishes() | !inertia.below(T::from(f64::INFINITY))).holds() {
+            return Outcome { force: self.printed(), is_held: false.into() };
         }
-        match self.landing(inertia.value(), side) {
-            Landing::Curve(velocity) => {
-                let velocity = self.corrected(side * velocity, inertia);
-                Outcome { force: self.law.curve(velocity), is_held: false }
-            }
-            Landing::Jump(mark) => {
-                let velocity = T::from(side) * self.marks()[mark];
-                Outcome { force: self.force_to_reach(velocity, inertia), is_held: velocity.value() == 0.0 }
-            }
+        let marks = self.marks();
+        let on =
+            || [inertia, side, self.velocity, self.external_force, self.law.curve(self.velocity), marks[0], marks[1]];
+        let [mark, velocity] = T::found(on, || match self.landing(inertia.value(), side.value()) {
+            Landing::Curve(velocity) => [NO_MARK, velocity],
+            Landing::Jump(mark) => [mark as f64, 0.0],
+        });
+        if let Some(jump) = (0..marks.len()).find(|jump| mark.equals(T::from(*jump as f64)).holds()) {
+            let velocity = side * marks[jump];
+            return Outcome { force: self.force_to_reach(velocity, inertia), is_held: velocity.vanishes() };
         }
+        let velocity = self.corrected(side * velocity, inertia);
+        Outcome { force: self.law.curve(velocity), is_held: false.into() }
     }
 
     #[inline]
     fn sticking(&self, steps: &TimeStepping<T>) -> T {
-        truth(match self.law.band() {
-            Some(band) => self.is_within(band) && self.normal_force.value() > 0.0,
-            None if self.law.level().value() == 0.0 => false,
-            None if steps.is_active() => self.stepped(steps.mass, steps.step_size).is_held,
-            None => self.is_held(),
+        T::truth(match self.law.band() {
+            Some(band) => self.is_within(band) & self.normal_force.is_positive(),
+            None if steps.is_active().holds() => {
+                self.stepped(steps.mass, steps.step_size).is_held & !self.law.level().vanishes()
+            }
+            None => self.is_held() & !self.law.level().vanishes(),
         })
     }
 }
+
+/// Number of a mark for a body that reaches the curve, not a jump at a mark.
+const NO_MARK: f64 = -1.0;
 
 /// Event indicators of a law with a curve: of its phase, of its kinks, and of its load.
 pub(crate) const EVENTS_ON_CURVE: usize = 4;

@@ -1,14 +1,14 @@
 //! A contact with a static and a kinetic level.
 
-use super::phase::{Band, NO_EVENT, Phase, REACHED, Rest, resting};
-use super::{Contact, Outcome, TimeStepping, truth};
+use super::phase::{Band, NO_EVENT, Phase, REACHED, Rest};
+use super::{Contact, Outcome, TimeStepping};
 use crate::contact::stopping::{force_to_stop, is_held};
 use crate::contact::unloading;
-use crate::number::Real;
+use crate::number::{Mask, Real};
 
 /// A contact with two levels, f_C while sliding and f_s at rest, that remembers whether it is stuck.
 #[derive(Clone, Copy)]
-pub(crate) struct TwoLevels<T> {
+pub(crate) struct TwoLevels<T: Real> {
     pub velocity: T,
     pub external_force: T,
     /// Level while sliding, f_C.
@@ -18,21 +18,30 @@ pub(crate) struct TwoLevels<T> {
     /// The body counts as at rest up to this speed (0: at rest exactly).
     pub band: T,
     /// Whether the contact has been stuck since the last step.
-    pub stuck: bool,
+    pub stuck: T::Mask,
     /// Motion as found by the last event of Model Exchange.
     pub phase: Phase,
 }
 
 impl<T: Real> TwoLevels<T> {
-    fn is_at_rest(&self) -> bool {
-        self.velocity.abs() <= self.band
+    fn is_at_rest(&self) -> T::Mask {
+        self.velocity.abs().at_most(self.band)
     }
 
     /// Whether it is at rest or within the band.
-    fn rests(&self) -> bool {
+    fn rests(&self) -> T::Mask {
         match self.phase {
-            Phase::Free => self.stuck || self.is_at_rest(),
-            phase => phase == Phase::Held,
+            Phase::Free => self.stuck | self.is_at_rest(),
+            phase => T::Mask::from(phase == Phase::Held),
+        }
+    }
+
+    /// The force at rest; within a band no event holds it.
+    fn resting(&self) -> T {
+        let limited = || self.external_force.limited(self.breakaway);
+        match self.phase {
+            Phase::Held => self.band.is_positive().choose(limited, || self.external_force),
+            _ => limited(),
         }
     }
 }
@@ -69,11 +78,8 @@ impl TwoLevels<f64> {
 impl<T: Real> Contact<T> for TwoLevels<T> {
     /// The law without memory: kinetic level outside the band; inside it the external force, up to the static level.
     fn printed(&self) -> T {
-        if self.rests() {
-            let phase = if self.band.value() > 0.0 { Phase::Free } else { self.phase };
-            return resting(phase, self.external_force, self.breakaway);
-        }
-        self.kinetic * self.phase.direction().map_or(self.velocity.sign(), T::from)
+        let sliding = || self.kinetic * self.phase.direction().map_or(self.velocity.sign(), T::from);
+        self.rests().choose(|| self.resting(), sliding)
     }
 
     fn largest(&self) -> T {
@@ -83,19 +89,16 @@ impl<T: Real> Contact<T> for TwoLevels<T> {
     fn stepped(&self, mass: T, step_size: T) -> Outcome<T> {
         let TwoLevels { velocity, kinetic, breakaway, .. } = *self;
         let stopping = force_to_stop(velocity, self.external_force, mass, step_size);
-        let is_held = is_held(stopping, velocity, self.stuck || self.is_at_rest(), kinetic, breakaway);
-        let force = match (is_held, self.is_at_rest()) {
-            (true, _) => stopping,
-            (false, true) => stopping.limited(breakaway),
-            (false, false) => stopping.limited(kinetic),
-        };
+        let is_held = is_held(stopping, velocity, self.stuck | self.is_at_rest(), kinetic, breakaway);
+        let moving = || self.is_at_rest().choose(|| stopping.limited(breakaway), || stopping.limited(kinetic));
+        let force = is_held.choose(|| stopping, moving);
         Outcome { force, is_held }
     }
 
     fn sticking(&self, steps: &TimeStepping<T>) -> T {
-        let sticking =
-            if steps.is_active() { self.stuck } else { self.rests() && self.external_force.abs() <= self.breakaway };
-        truth(sticking && self.breakaway.value() > 0.0)
+        let is_active = steps.is_active();
+        let is_held = self.rests() & self.external_force.abs().at_most(self.breakaway);
+        T::truth((is_active & self.stuck | !is_active & is_held) & self.breakaway.is_positive())
     }
 }
 
@@ -116,7 +119,7 @@ macro_rules! two_levels {
                     kinetic: self.mu_k * self.normal_force,
                     breakaway: self.mu_s * self.normal_force,
                     band: $band,
-                    stuck: self.stuck.value() != 0.0,
+                    stuck: !self.stuck.vanishes(),
                     phase: self.time_stepping.phase(),
                 }
             }
