@@ -48,7 +48,9 @@ WINDOWS = os.name == "nt"
 PROGRAMS = VENV / ("Scripts" if WINDOWS else "bin")
 PYTHON = PROGRAMS / ("python.exe" if WINDOWS else "python")
 
-RUST_FOLDERS = ["src", "tests", "benches", "fmu-build", "fuzz", "lab", "examples"]
+# The parts of the library that contain code.
+CRATES = ["--package", "stribeck", "--package", "stribeck-ffi"]
+RUST_FOLDERS = ["src", "ffi", "tests", "benches", "fmu-build", "fuzz", "lab", "examples"]
 PYTHON_FOLDERS = ["tasks.py", "examples", "fuzz", "tests"]
 C_FOLDERS = ["examples/c", "examples/cpp", "examples/mujoco", "tests/c", "tests/platforms", "benches"]
 
@@ -62,7 +64,7 @@ TARGETS = [
     "aarch64-apple-darwin",
 ]
 # Tests for Miri: memory, states as bytes, instances of the test model, and a complete run of every model.
-UNDER_MIRI = ["guid::", "memory::", "number::", "probe::", "serial::", "fmi2::tests::child"]
+UNDER_MIRI = ["guid::", "memory::", "number::", "serial::", "probe::", "fmi2::tests::child"]
 # Programs, files and libraries that tasks need, and the packages of Debian and Ubuntu that contain them. First those
 # for the tests: the German locale is made from a file, Ecos calls unzip, exudyn is linked to libraries for its window.
 TEST_PROGRAMS = {
@@ -338,7 +340,7 @@ def faults() -> None:
         ["cargo", "run", "--package", "fmu-build", "--", "check"],
         *([PYTHON, "-m", "pytest", "-s", "-q", test] for test in python_tests),
         [PYTHON, "tests/c/run.py", "--thorough"],
-        ["cargo", "+nightly", "miri", "test", "--package", "stribeck", "--lib", "--", *UNDER_MIRI],
+        ["cargo", "+nightly", "miri", "test", *CRATES, "--lib", "--", *UNDER_MIRI],
         ["cargo", "+nightly", "miri", "test", "--package", "stribeck", "--test", "life"],
     ]
     # Miri cannot start the second process in which the test of panics otherwise runs. By default it varies the last
@@ -399,7 +401,7 @@ def coverage() -> None:
     build = {**environment, "RUSTC_BOOTSTRAP": "1", "CARGO_PROFILE_DEV_DEBUG": "0"}
     # Otherwise counters and test programs of earlier sources would count too.
     run("cargo", "llvm-cov", "clean", "--workspace", **build)
-    run("cargo", "llvm-cov", "--branch", "--no-report", "--package", "stribeck", "--lib", "--tests", **build)
+    run("cargo", "llvm-cov", "--branch", "--no-report", *CRATES, "--lib", "--tests", **build)
     run(sys.executable, "tests/coverage.py")
 
 

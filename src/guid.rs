@@ -115,7 +115,7 @@ const fn spell(hash: u128) -> GuidText {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::table::{Path, real};
+    use crate::table::{Column, Enumeration, Item, Path, boolean, choice, integer, real};
 
     /// The published check value of FNV-1a 128 for the text "foobar".
     #[test]
@@ -133,8 +133,8 @@ mod tests {
         assert_ne!(base, fingerprint("M", &[column("a", 1.0, "m")], None));
         assert_ne!(base, fingerprint("M", &[column("a", 0.0, "N")], None));
         assert_ne!(base, fingerprint("M", &[], None));
-        let seen =
-            |column: crate::model::Column, role| fingerprint("M", &[column.named(Path::root("a"), role, "help")], None);
+        let seen = |column: Column, role| fingerprint("M", &[column.named(Path::root("a"), role, "help")], None);
+        const CHOICES: Enumeration = Enumeration { name: "Side", items: &[Item { name: "Left", help: "Left." }] };
         assert_ne!(base, fingerprint("M", &[column("a", 0.0, "m")], Some(0)));
         let all = [
             seen(real("m", 1.0), Role::Input),
@@ -148,9 +148,9 @@ mod tests {
             seen(real("m", 1.0).positive(), Role::Input),
             seen(real("m", 1.0).at_most(2.0), Role::Input),
             seen(real("m", 1.0).nominal(2.0), Role::Input),
-            seen(crate::model::integer(1), Role::Input),
-            seen(crate::model::boolean(true), Role::Input),
-            seen(crate::probe::Behaviour::Integrate.start(), Role::Input),
+            seen(integer(1), Role::Input),
+            seen(boolean(true), Role::Input),
+            seen(choice(&CHOICES, 1), Role::Input),
         ];
         for (at, one) in all.iter().enumerate() {
             assert!(!all[..at].contains(one), "{at}");

@@ -120,7 +120,7 @@ impl Instance {
     }
 
     /// Replaces the model by the same one at another address.
-    pub(crate) fn set_model(&mut self, model: &'static ModelType) {
+    pub fn set_model(&mut self, model: &'static ModelType) {
         self.model = model;
     }
 
@@ -157,7 +157,7 @@ impl Instance {
     /// The row, for a caller that writes admitted values into columns that may be set; `parameters`: including
     /// parameters.
     #[inline(always)]
-    pub(crate) fn row_to_set(&mut self, parameters: bool) -> &mut [f64] {
+    pub fn row_to_set(&mut self, parameters: bool) -> &mut [f64] {
         self.stale = true;
         self.unchecked |= parameters;
         &mut self.row
@@ -247,32 +247,32 @@ impl Instance {
     }
 
     /// Rejects a saved state that only events of Model Exchange can produce, for an instance that continues with steps.
-    pub(crate) fn check_without_events(&self, snapshot: &Snapshot) -> Result<(), Fault> {
+    pub fn check_without_events(&self, snapshot: &Snapshot) -> Result<(), Fault> {
         let mut columns = self.model.table.iter().zip(&snapshot.row);
         columns.try_for_each(|(variable, value)| variable.check_without_events(*value))
     }
 
     /// From here to the next event the results that jump keep their values.
-    pub(crate) fn leave_event(&mut self) -> Result<(), Fault> {
+    pub fn leave_event(&mut self) -> Result<(), Fault> {
         self.refresh()?;
         self.go_on_between_events();
         Ok(())
     }
 
     /// As [`Instance::leave_event`], for a state that was saved after it.
-    pub(crate) fn go_on_between_events(&mut self) {
+    pub fn go_on_between_events(&mut self) {
         self.is_between_events = true;
         self.latest_is_known = false;
     }
 
     /// Sets all results to their present values.
-    pub(crate) fn enter_event(&mut self) {
+    pub fn enter_event(&mut self) {
         self.is_between_events = false;
         self.stale = true;
     }
 
     /// Whether an event would change results.
-    pub(crate) fn wants_event(&mut self) -> Result<bool, Fault> {
+    pub fn wants_event(&mut self) -> Result<bool, Fault> {
         if !self.is_between_events {
             return Ok(false);
         }
@@ -381,7 +381,7 @@ impl Instance {
     }
 
     /// Writes the states, whatever their bounds: a solver may try values beyond them on its way to a result.
-    pub(crate) fn put_states(&mut self, values: &[f64]) {
+    pub fn put_states(&mut self, values: &[f64]) {
         for (column, value) in self.continuous.iter().zip(values) {
             self.row[*column] = *value;
         }

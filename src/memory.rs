@@ -9,7 +9,7 @@ use std::fmt::{self, Write};
 pub struct OutOfMemory;
 
 /// Message if memory runs out even for a message.
-pub(crate) const OUT_OF_MEMORY: &CStr = c"out of memory";
+pub const OUT_OF_MEMORY: &CStr = c"out of memory";
 
 impl fmt::Display for OutOfMemory {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
@@ -27,24 +27,21 @@ fn room<T>(count: usize) -> Result<Vec<T>, OutOfMemory> {
 }
 
 /// `count` copies of a value.
-pub(crate) fn filled<T: Clone>(value: T, count: usize) -> Result<Box<[T]>, OutOfMemory> {
+pub fn filled<T: Clone>(value: T, count: usize) -> Result<Box<[T]>, OutOfMemory> {
     let mut values = room(count)?;
     values.resize(count, value);
     Ok(values.into_boxed_slice())
 }
 
 /// A copy of a slice.
-pub(crate) fn copied<T: Copy>(slice: &[T]) -> Result<Box<[T]>, OutOfMemory> {
+pub fn copied<T: Copy>(slice: &[T]) -> Result<Box<[T]>, OutOfMemory> {
     let mut values = room(slice.len())?;
     values.extend_from_slice(slice);
     Ok(values.into_boxed_slice())
 }
 
 /// The results of `make` for each element of a slice.
-pub(crate) fn each<T, U>(
-    slice: &[T],
-    mut make: impl FnMut(&T) -> Result<U, OutOfMemory>,
-) -> Result<Vec<U>, OutOfMemory> {
+pub fn each<T, U>(slice: &[T], mut make: impl FnMut(&T) -> Result<U, OutOfMemory>) -> Result<Vec<U>, OutOfMemory> {
     let mut made = room(slice.len())?;
     for element in slice {
         made.push(make(element)?);
@@ -53,7 +50,7 @@ pub(crate) fn each<T, U>(
 }
 
 /// A value in its own box.
-pub(crate) fn boxed<T>(value: T) -> Result<Box<T>, OutOfMemory> {
+pub fn boxed<T>(value: T) -> Result<Box<T>, OutOfMemory> {
     let mut one = room(1)?;
     one.push(value);
     let one: Box<[T; 1]> = one.into_boxed_slice().try_into().map_err(|_| OutOfMemory)?;
@@ -62,7 +59,7 @@ pub(crate) fn boxed<T>(value: T) -> Result<Box<T>, OutOfMemory> {
 }
 
 /// A text, truncated if memory runs out, in the worst case to nothing.
-pub(crate) fn text(what: impl fmt::Display) -> String {
+pub fn text(what: impl fmt::Display) -> String {
     let mut text = Text(String::new());
     // An error says that the text is truncated, as intended.
     let _ = write!(text, "{what}");
@@ -70,7 +67,7 @@ pub(crate) fn text(what: impl fmt::Display) -> String {
 }
 
 /// A whole text.
-pub(crate) fn whole_text(what: impl fmt::Display) -> Result<String, OutOfMemory> {
+pub fn whole_text(what: impl fmt::Display) -> Result<String, OutOfMemory> {
     let mut text = Text(String::new());
     write!(text, "{what}").map_err(|_| OutOfMemory)?;
     Ok(text.0)
@@ -88,7 +85,7 @@ impl Write for Text {
 }
 
 /// A text for C, up to its first zero byte, if there is memory for it.
-pub(crate) fn c_text(text: &str) -> Result<CString, OutOfMemory> {
+pub fn c_text(text: &str) -> Result<CString, OutOfMemory> {
     let text = text.split('\0').next().unwrap_or_default();
     let mut bytes = room(text.len() + 1)?;
     bytes.extend_from_slice(text.as_bytes());
@@ -97,7 +94,7 @@ pub(crate) fn c_text(text: &str) -> Result<CString, OutOfMemory> {
 }
 
 /// A copy of a C text.
-pub(crate) fn c_copy(text: &CStr) -> Result<CString, OutOfMemory> {
+pub fn c_copy(text: &CStr) -> Result<CString, OutOfMemory> {
     let mut bytes = room(text.count_bytes() + 1)?;
     bytes.extend_from_slice(text.to_bytes_with_nul());
     CString::from_vec_with_nul(bytes).map_err(|_| OutOfMemory)

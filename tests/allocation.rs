@@ -12,15 +12,15 @@ use std::hint::black_box;
 use std::ptr::{null, null_mut};
 
 use common::NO_EVENT;
-use stribeck::c_api::*;
 use stribeck::catalogue;
-use stribeck::fmi2::exchange::*;
-use stribeck::fmi2::setup::*;
-use stribeck::fmi2::snapshot::*;
-use stribeck::fmi2::step::fmi2DoStep;
-use stribeck::fmi2::types::*;
-use stribeck::fmi2::values::{fmi2GetReal, fmi2SetReal};
 use stribeck::model::{Kind, ModelType, Role};
+use stribeck_ffi::c::*;
+use stribeck_ffi::fmi2::exchange::*;
+use stribeck_ffi::fmi2::setup::*;
+use stribeck_ffi::fmi2::snapshot::*;
+use stribeck_ffi::fmi2::step::fmi2DoStep;
+use stribeck_ffi::fmi2::types::*;
+use stribeck_ffi::fmi2::values::{fmi2GetReal, fmi2SetReal};
 
 thread_local! {
     // Per thread, because the test harness allocates on its own threads. Without a destructor, so that an allocator can

@@ -9,17 +9,17 @@ use std::ptr::null;
 
 use common::NO_EVENT;
 use common::importer::{Heard, Importer, callbacks, guid};
-use stribeck::c_api::stribeck_status::*;
-use stribeck::c_api::*;
 use stribeck::catalogue;
-use stribeck::fmi2::exchange::*;
-use stribeck::fmi2::lifecycle::{Purpose, State};
-use stribeck::fmi2::setup::*;
-use stribeck::fmi2::types::fmi2Status::*;
-use stribeck::fmi2::types::*;
-use stribeck::fmi2::values::*;
 use stribeck::model::{self, Kind, ModelType, Role};
 use stribeck::reference;
+use stribeck_ffi::c::stribeck_status::*;
+use stribeck_ffi::c::*;
+use stribeck_ffi::fmi2::exchange::*;
+use stribeck_ffi::fmi2::lifecycle::{Purpose, State};
+use stribeck_ffi::fmi2::setup::*;
+use stribeck_ffi::fmi2::types::fmi2Status::*;
+use stribeck_ffi::fmi2::types::*;
+use stribeck_ffi::fmi2::values::*;
 
 /// A variable as modelDescription.xml declares it.
 struct Declared {

@@ -8,17 +8,17 @@ use std::ffi::{CStr, CString};
 use std::ptr::{null, null_mut};
 
 use common::{NO_CALLBACKS, NO_EVENT};
-use stribeck::c_api::stribeck_status::{STRIBECK_OK, STRIBECK_REFUSED_VALUE, STRIBECK_UNKNOWN_VARIABLE};
-use stribeck::c_api::*;
 use stribeck::catalogue;
-use stribeck::fmi2::exchange::*;
-use stribeck::fmi2::setup::*;
-use stribeck::fmi2::snapshot::*;
-use stribeck::fmi2::step::*;
-use stribeck::fmi2::types::fmi2Status::*;
-use stribeck::fmi2::types::*;
-use stribeck::fmi2::values::*;
 use stribeck::model::{Kind, ModelType, Role, Variable};
+use stribeck_ffi::c::stribeck_status::{STRIBECK_OK, STRIBECK_REFUSED_VALUE, STRIBECK_UNKNOWN_VARIABLE};
+use stribeck_ffi::c::*;
+use stribeck_ffi::fmi2::exchange::*;
+use stribeck_ffi::fmi2::setup::*;
+use stribeck_ffi::fmi2::snapshot::*;
+use stribeck_ffi::fmi2::step::*;
+use stribeck_ffi::fmi2::types::fmi2Status::*;
+use stribeck_ffi::fmi2::types::*;
+use stribeck_ffi::fmi2::values::*;
 
 /// Value references of the selected Real variables.
 fn reals(model: &ModelType, is_wanted: impl Fn(&Variable) -> bool) -> Vec<fmi2ValueReference> {

@@ -33,12 +33,9 @@ const HOUSES: &[House] = &[
             "consistency",
             "instance",
             "serial",
-            "float_mode",
-            "panics",
-            "fmi2",
-            "c_api",
         ],
     },
+    House { folder: "ffi/src", rooms: &["guard", "models", "fmi2", "c"] },
     House { folder: "lab/src", rooms: &["parameter_set", "dyno", "tir", "damper", "tyre"] },
     House { folder: "fmu-build/src", rooms: &["project", "build", "describe", "page", "pack"] },
 ];

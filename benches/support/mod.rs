@@ -164,7 +164,7 @@ fn library_file(folder: &Path, name: &str) -> PathBuf {
 /// Builds the library as shipped, and returns its path.
 pub fn build_release_library() -> PathBuf {
     run(Command::new(env!("CARGO"))
-        .args(["build", "--release", "--lib", "--package", "stribeck", "--quiet", "--target-dir"])
+        .args(["build", "--release", "--lib", "--package", "libstribeck", "--quiet", "--target-dir"])
         .arg(target_directory())
         .current_dir(env!("CARGO_MANIFEST_DIR")));
     library_file(&target_directory().join("release"), "stribeck")

@@ -9,9 +9,9 @@ use arbitrary::Arbitrary;
 use fuzz::argument::{Column, Number, Step, column, model, variable};
 use fuzz::saved;
 use libfuzzer_sys::fuzz_target;
-use stribeck::c_api::stribeck_status::*;
-use stribeck::c_api::*;
 use stribeck::model::{ModelType, Role};
+use stribeck_ffi::c::stribeck_status::*;
+use stribeck_ffi::c::*;
 
 fuzz_target!(|scenario: Scenario| World::new(&scenario).play(&scenario.actions));
 

@@ -10,15 +10,15 @@ use fuzz::fmi::{Slave, all_finite, future, same_bits, state};
 use fuzz::misuse::{instantiate, with_null};
 use fuzz::saved::{self, ROW, TIME};
 use libfuzzer_sys::fuzz_target;
-use stribeck::fmi2::exchange::*;
-use stribeck::fmi2::lifecycle::{Call, Purpose, STATES, State};
-use stribeck::fmi2::setup::*;
-use stribeck::fmi2::snapshot::*;
-use stribeck::fmi2::step::*;
-use stribeck::fmi2::types::fmi2Status::*;
-use stribeck::fmi2::types::*;
-use stribeck::fmi2::values::*;
 use stribeck::model::ModelType;
+use stribeck_ffi::fmi2::exchange::*;
+use stribeck_ffi::fmi2::lifecycle::{Call, Purpose, STATES, State};
+use stribeck_ffi::fmi2::setup::*;
+use stribeck_ffi::fmi2::snapshot::*;
+use stribeck_ffi::fmi2::step::*;
+use stribeck_ffi::fmi2::types::fmi2Status::*;
+use stribeck_ffi::fmi2::types::*;
+use stribeck_ffi::fmi2::values::*;
 
 fuzz_target!(|scenario: Scenario| World::new(&scenario).play(scenario.actions));
 

@@ -8,15 +8,15 @@ use fuzz::argument::{Column, Number, Step, column, model};
 use fuzz::fmi::{Slave, state};
 use fuzz::saved::{self, CHECKSUM, HEAD};
 use libfuzzer_sys::fuzz_target;
-use stribeck::c_api::stribeck_status::*;
-use stribeck::c_api::*;
-use stribeck::fmi2::lifecycle::{Purpose, State};
-use stribeck::fmi2::snapshot::*;
-use stribeck::fmi2::step::fmi2DoStep;
-use stribeck::fmi2::types::fmi2Status::*;
-use stribeck::fmi2::types::*;
-use stribeck::fmi2::values::fmi2GetReal;
 use stribeck::model::{Kind, ModelType};
+use stribeck_ffi::c::stribeck_status::*;
+use stribeck_ffi::c::*;
+use stribeck_ffi::fmi2::lifecycle::{Purpose, State};
+use stribeck_ffi::fmi2::snapshot::*;
+use stribeck_ffi::fmi2::step::fmi2DoStep;
+use stribeck_ffi::fmi2::types::fmi2Status::*;
+use stribeck_ffi::fmi2::types::*;
+use stribeck_ffi::fmi2::values::fmi2GetReal;
 
 fuzz_target!(|input: Input| input.run());
 

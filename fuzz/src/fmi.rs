@@ -4,15 +4,15 @@ use std::cell::Cell;
 use std::ffi::{CStr, CString, c_void};
 use std::ptr::{null, null_mut};
 
-use stribeck::fmi2::exchange::*;
-use stribeck::fmi2::lifecycle::{Purpose, STATES, State};
-use stribeck::fmi2::setup::*;
-use stribeck::fmi2::snapshot::*;
-use stribeck::fmi2::step::*;
-use stribeck::fmi2::types::fmi2Status::{fmi2OK, fmi2Warning};
-use stribeck::fmi2::types::*;
-use stribeck::fmi2::values::*;
 use stribeck::model::{Kind, ModelType};
+use stribeck_ffi::fmi2::exchange::*;
+use stribeck_ffi::fmi2::lifecycle::{Purpose, STATES, State};
+use stribeck_ffi::fmi2::setup::*;
+use stribeck_ffi::fmi2::snapshot::*;
+use stribeck_ffi::fmi2::step::*;
+use stribeck_ffi::fmi2::types::fmi2Status::{fmi2OK, fmi2Warning};
+use stribeck_ffi::fmi2::types::*;
+use stribeck_ffi::fmi2::values::*;
 
 use crate::saved::{self, TIME};
 

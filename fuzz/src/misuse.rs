@@ -3,13 +3,13 @@
 use std::ffi::{CStr, CString};
 use std::ptr::{null, null_mut};
 
-use stribeck::fmi2::exchange::*;
-use stribeck::fmi2::lifecycle::Call;
-use stribeck::fmi2::setup::*;
-use stribeck::fmi2::snapshot::*;
-use stribeck::fmi2::step::*;
-use stribeck::fmi2::types::*;
-use stribeck::fmi2::values::*;
+use stribeck_ffi::fmi2::exchange::*;
+use stribeck_ffi::fmi2::lifecycle::Call;
+use stribeck_ffi::fmi2::setup::*;
+use stribeck_ffi::fmi2::snapshot::*;
+use stribeck_ffi::fmi2::step::*;
+use stribeck_ffi::fmi2::types::*;
+use stribeck_ffi::fmi2::values::*;
 
 use crate::argument::model;
 use crate::fmi::Slave;

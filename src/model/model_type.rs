@@ -114,7 +114,7 @@ impl ModelType {
     }
 
     /// The guid, for data that must not hold the address of the model.
-    pub(crate) fn guid_text(&self) -> GuidText {
+    pub fn guid_text(&self) -> GuidText {
         self.guid
     }
 

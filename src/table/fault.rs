@@ -6,7 +6,7 @@ use crate::memory::{self, OutOfMemory};
 
 /// Why a value, or a set of parameters, was refused. The text names the variable, its value and the limit.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Fault(pub(crate) String);
+pub struct Fault(pub String);
 
 impl Fault {
     /// A fault with this text, truncated if memory runs out.

@@ -274,12 +274,12 @@ impl Variable {
     }
 
     /// Rejects values that steps do not admit, with the message for the user.
-    pub(crate) fn check_for_steps(&self, value: f64) -> Result<(), Fault> {
+    pub fn check_for_steps(&self, value: f64) -> Result<(), Fault> {
         if self.admits(value) { self.check_without_events(value) } else { Err(self.fault(value)) }
     }
 
     /// Rejects a value that only an event can produce.
-    pub(crate) fn check_without_events(&self, value: f64) -> Result<(), Fault> {
+    pub fn check_without_events(&self, value: f64) -> Result<(), Fault> {
         if self.is_settled_by_events() && value != self.start {
             let text = "without events, which only Model Exchange has";
             return Err(Fault::new(format_args!("{} = {}: must be {} {text}", self.path, Brief(value), self.start)));
@@ -288,7 +288,7 @@ impl Variable {
     }
 
     /// Rejects differentiating a result that is advice.
-    pub(crate) fn check_derivatives(&self) -> Result<(), Fault> {
+    pub fn check_derivatives(&self) -> Result<(), Fault> {
         if self.has_derivatives { Ok(()) } else { Err(Fault::new(format_args!("{} has no derivatives", self.path))) }
     }
 

@@ -63,7 +63,7 @@ def succeed(command, **options):
 
 def build_library():
     """Builds the library as it is shipped and returns the folder it is in."""
-    if subprocess.run(["cargo", "build", "--release", "--lib", "-p", "stribeck"], cwd=ROOT).returncode != 0:
+    if subprocess.run(["cargo", "build", "--release", "--lib", "-p", "libstribeck"], cwd=ROOT).returncode != 0:
         sys.exit("tests/c/run.py: the library does not build")
     metadata = succeed(["cargo", "metadata", "--format-version", "1", "--no-deps"], cwd=ROOT)
     return Path(json.loads(metadata)["target_directory"]) / "release"
@@ -289,7 +289,7 @@ class Instrumented:
         self.flag = f"-fsanitize={sanitizer}"
         self.folder = output_folder / f"{sanitizer}-sanitizer"
         self.library = self.folder / self.TARGET / "debug" / "libstribeck.so"
-        cargo = ["cargo", "+nightly", "build", "--lib", "-p", "stribeck", "--target", self.TARGET]
+        cargo = ["cargo", "+nightly", "build", "--lib", "-p", "libstribeck", "--target", self.TARGET]
         flags = f"-Zsanitizer={sanitizer} -Cunsafe-allow-abi-mismatch=sanitizer"
         settings = {**os.environ, "RUSTFLAGS": flags, "CARGO_TARGET_DIR": str(self.folder)}
         if subprocess.run(cargo, cwd=ROOT, env=settings).returncode != 0:
@@ -318,7 +318,7 @@ def test_addresses(output_folder, results):
     instrumented = Instrumented("address", output_folder)
     faults, loads = instrumented.compile(TESTS / "faults.c"), instrumented.compile(TESTS / "loads.c")
     label = "address sanitizer: "
-    results.check(f"{label}short array", lambda: is_caught(faults, "short", *models(), by="src/fmi2/values.rs"))
+    results.check(f"{label}short array", lambda: is_caught(faults, "short", *models(), by="ffi/src/fmi2/values.rs"))
     results.check(f"{label}environment", lambda: report_environments(faults, label))
     for fault in ["threads", "0.5"]:
         results.check(f"{label}{fault}", lambda fault=fault: report(faults, fault, *models(), label=label))

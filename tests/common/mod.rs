@@ -7,8 +7,8 @@ pub mod random;
 use std::ptr::null_mut;
 
 use stribeck::catalogue;
-use stribeck::fmi2::types::{fmi2CallbackFunctions, fmi2EventInfo, fmi2False};
 use stribeck::instance::Instance;
+use stribeck_ffi::fmi2::types::{fmi2CallbackFunctions, fmi2EventInfo, fmi2False};
 
 /// A struct that an importer passes to be filled in by an event.
 pub const NO_EVENT: fmi2EventInfo = fmi2EventInfo {

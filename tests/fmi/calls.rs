@@ -5,16 +5,16 @@ use std::ptr::{null, null_mut};
 use crate::common::NO_EVENT;
 use crate::common::importer::Importer;
 use stribeck::catalogue;
-use stribeck::fmi2::exchange::*;
-use stribeck::fmi2::lifecycle::{ALLOWED, Call, Purpose, State};
-use stribeck::fmi2::setup::*;
-use stribeck::fmi2::snapshot::*;
-use stribeck::fmi2::step::*;
-use stribeck::fmi2::types::fmi2Status::*;
-use stribeck::fmi2::types::*;
-use stribeck::fmi2::values::*;
 use stribeck::model::{Kind, ModelType, Role, Variable};
 use stribeck::reference::Place;
+use stribeck_ffi::fmi2::exchange::*;
+use stribeck_ffi::fmi2::lifecycle::{ALLOWED, Call, Purpose, State};
+use stribeck_ffi::fmi2::setup::*;
+use stribeck_ffi::fmi2::snapshot::*;
+use stribeck_ffi::fmi2::step::*;
+use stribeck_ffi::fmi2::types::fmi2Status::*;
+use stribeck_ffi::fmi2::types::*;
+use stribeck_ffi::fmi2::values::*;
 
 /// The variable of a value reference.
 fn variable_of(model: &ModelType, reference: fmi2ValueReference) -> Option<&'static Variable> {

@@ -3,13 +3,13 @@
 use crate::common::NO_EVENT;
 use crate::common::importer::Importer;
 use stribeck::catalogue;
-use stribeck::fmi2::exchange::*;
-use stribeck::fmi2::lifecycle::{Purpose, State};
-use stribeck::fmi2::snapshot::*;
-use stribeck::fmi2::types::fmi2Status::*;
-use stribeck::fmi2::types::*;
-use stribeck::fmi2::values::*;
 use stribeck::model::{Kind, Role};
+use stribeck_ffi::fmi2::exchange::*;
+use stribeck_ffi::fmi2::lifecycle::{Purpose, State};
+use stribeck_ffi::fmi2::snapshot::*;
+use stribeck_ffi::fmi2::types::fmi2Status::*;
+use stribeck_ffi::fmi2::types::*;
+use stribeck_ffi::fmi2::values::*;
 
 /// Input slopes are used for one step; output derivatives of order 1 are compared with differences of outputs.
 #[test]

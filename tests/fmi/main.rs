@@ -15,11 +15,11 @@ use std::ops::Range;
 
 use common::importer::Importer;
 use stribeck::catalogue;
-use stribeck::fmi2::snapshot::*;
-use stribeck::fmi2::types::fmi2Status::*;
-use stribeck::fmi2::types::*;
-use stribeck::fmi2::values::*;
 use stribeck::model::{Kind, Role, Variable};
+use stribeck_ffi::fmi2::snapshot::*;
+use stribeck_ffi::fmi2::types::fmi2Status::*;
+use stribeck_ffi::fmi2::types::*;
+use stribeck_ffi::fmi2::values::*;
 
 impl Importer {
     /// The first variable of this kind.

@@ -5,17 +5,17 @@ use std::ptr::null_mut;
 
 use crate::common::NO_EVENT;
 use crate::common::importer::Importer;
-use stribeck::c_api::stribeck_status::*;
-use stribeck::c_api::*;
 use stribeck::catalogue;
-use stribeck::fmi2::exchange::*;
-use stribeck::fmi2::lifecycle::{Purpose, State};
-use stribeck::fmi2::setup::*;
-use stribeck::fmi2::snapshot::*;
-use stribeck::fmi2::types::fmi2Status::*;
-use stribeck::fmi2::types::*;
-use stribeck::fmi2::values::*;
 use stribeck::model::Kind;
+use stribeck_ffi::c::stribeck_status::*;
+use stribeck_ffi::c::*;
+use stribeck_ffi::fmi2::exchange::*;
+use stribeck_ffi::fmi2::lifecycle::{Purpose, State};
+use stribeck_ffi::fmi2::setup::*;
+use stribeck_ffi::fmi2::snapshot::*;
+use stribeck_ffi::fmi2::types::fmi2Status::*;
+use stribeck_ffi::fmi2::types::*;
+use stribeck_ffi::fmi2::values::*;
 
 /// Changes of the given states by the first event are reported once.
 #[test]

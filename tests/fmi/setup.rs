@@ -4,10 +4,10 @@ use std::ffi::CStr;
 use std::ptr::{null, null_mut};
 
 use crate::common::importer::{Heard, Importer, NAME, callbacks, guid};
-use stribeck::fmi2::lifecycle::State;
-use stribeck::fmi2::setup::*;
-use stribeck::fmi2::types::fmi2Status::*;
-use stribeck::fmi2::types::*;
+use stribeck_ffi::fmi2::lifecycle::State;
+use stribeck_ffi::fmi2::setup::*;
+use stribeck_ffi::fmi2::types::fmi2Status::*;
+use stribeck_ffi::fmi2::types::*;
 
 #[test]
 fn instantiation_rejects_what_it_cannot_serve() {

@@ -4,11 +4,11 @@ use crate::common::importer::Importer;
 use crate::common::random::Random;
 use crate::{drive, millisecond};
 use stribeck::catalogue;
-use stribeck::fmi2::setup::*;
-use stribeck::fmi2::step::*;
-use stribeck::fmi2::types::fmi2Status::*;
-use stribeck::fmi2::types::*;
-use stribeck::fmi2::values::*;
+use stribeck_ffi::fmi2::setup::*;
+use stribeck_ffi::fmi2::step::*;
+use stribeck_ffi::fmi2::types::fmi2Status::*;
+use stribeck_ffi::fmi2::types::*;
+use stribeck_ffi::fmi2::values::*;
 
 #[test]
 fn steps_that_make_no_sense_are_rejected() {

@@ -3,16 +3,16 @@
 use std::ptr::{null, null_mut};
 
 use crate::common::importer::Importer;
-use stribeck::fmi2::exchange::*;
-use stribeck::fmi2::lifecycle::{Purpose, State};
-use stribeck::fmi2::setup::*;
-use stribeck::fmi2::snapshot::*;
-use stribeck::fmi2::step::*;
-use stribeck::fmi2::types::fmi2Status::*;
-use stribeck::fmi2::types::*;
-use stribeck::fmi2::values::*;
 use stribeck::model::{Kind, Role};
 use stribeck::{catalogue, reference};
+use stribeck_ffi::fmi2::exchange::*;
+use stribeck_ffi::fmi2::lifecycle::{Purpose, State};
+use stribeck_ffi::fmi2::setup::*;
+use stribeck_ffi::fmi2::snapshot::*;
+use stribeck_ffi::fmi2::step::*;
+use stribeck_ffi::fmi2::types::fmi2Status::*;
+use stribeck_ffi::fmi2::types::*;
+use stribeck_ffi::fmi2::values::*;
 
 #[test]
 fn wrong_references_pointers_and_types_are_errors() {

@@ -98,10 +98,27 @@ def test_crates_of_the_standard_library_have_notices(dist):
     assert [name for name, version in of_std if f" {name}-{version}<" not in noticed and name not in others] == []
 
 
+@pytest.mark.skipif(sys.platform != "linux", reason="nm lists the symbols of ELF libraries")
+@pytest.mark.parametrize(("package", "begins"), [("stribeck", None), ("libstribeck", ("fmi2", "stribeck_"))])
+def test_only_the_library_exports_c_functions(package, begins):
+    """A WebAssembly build or a Python extension links the models and exports nothing but its own functions."""
+    target = Path(os.environ.get("CARGO_TARGET_DIR", PROJECT / "target"))
+    command = ["cargo", "rustc", "--package", package, "--lib", "--crate-type", "cdylib"]
+    subprocess.run([*command, "--target-dir", target / "exports"], cwd=PROJECT, check=True)
+    command = ["nm", "--dynamic", "--defined-only", target / "exports" / "debug" / "libstribeck.so"]
+    listed = subprocess.run(command, check=True, capture_output=True, text=True).stdout
+    exported = [line.split()[-1] for line in listed.splitlines()]
+    if begins is None:
+        assert exported == []
+    else:
+        assert exported
+        assert [name for name in exported if not name.startswith(begins)] == []
+
+
 @pytest.mark.skipif(sys.platform != "linux", reason="elsewhere a library has its symbols in a separate file")
 def test_crates_that_symbols_and_paths_name_are_listed(dist):
     """The library in an FMU has no symbols, and no paths if nothing can panic; that of the tests has both."""
-    subprocess.run(["cargo", "build", "--package", "stribeck", "--lib"], cwd=PROJECT, check=True)
+    subprocess.run(["cargo", "build", "--package", "libstribeck", "--lib"], cwd=PROJECT, check=True)
     target = Path(os.environ.get("CARGO_TARGET_DIR", PROJECT / "target"))
     library = (target / "debug" / "libstribeck.so").read_bytes().decode("latin-1")
     # Both forms in which Rust writes names: the crate follows the number of its letters.

@@ -4,14 +4,14 @@ use crate::common::{Bench, NO_CALLBACKS};
 use crate::{LINEAR, NONE, TABLE, bare, law, strut};
 use std::ffi::{CStr, CString};
 use std::ptr::{null, null_mut};
-use stribeck::c_api::stribeck_status::{STRIBECK_OK, STRIBECK_UNKNOWN_VARIABLE};
-use stribeck::c_api::*;
 use stribeck::catalogue::by_name;
-use stribeck::fmi2::setup::*;
-use stribeck::fmi2::step::*;
-use stribeck::fmi2::types::fmi2Status::*;
-use stribeck::fmi2::types::*;
-use stribeck::fmi2::values::*;
+use stribeck_ffi::c::stribeck_status::{STRIBECK_OK, STRIBECK_UNKNOWN_VARIABLE};
+use stribeck_ffi::c::*;
+use stribeck_ffi::fmi2::setup::*;
+use stribeck_ffi::fmi2::step::*;
+use stribeck_ffi::fmi2::types::fmi2Status::*;
+use stribeck_ffi::fmi2::types::*;
+use stribeck_ffi::fmi2::values::*;
 
 /// A free mass of 16.36 kg on the strut: by how much has a small velocity at rest length grown after 500 steps? The force
 /// is held over each step; sequential: it belongs to the motion at its beginning, parallel: it is one step older.

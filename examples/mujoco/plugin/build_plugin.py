@@ -38,7 +38,7 @@ def run(*command: str | Path) -> str:
 
 def library() -> Path:
     """Builds libstribeck and returns its path."""
-    run("cargo", "build", "--release", "--lib", "--package", "stribeck")
+    run("cargo", "build", "--release", "--lib", "--package", "libstribeck")
     target = json.loads(run("cargo", "metadata", "--format-version", "1", "--no-deps"))["target_directory"]
     return Path(target) / "release" / f"libstribeck{ENDING}"
 

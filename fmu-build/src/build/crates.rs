@@ -14,7 +14,7 @@ use crate::build::platform::Platform;
 use crate::build::toolchain::{self, Addition};
 
 /// The package whose library the FMUs carry.
-pub const LIBRARY: &str = "stribeck";
+pub const LIBRARY: &str = "libstribeck";
 
 /// A crate of the library.
 #[derive(Clone, Debug, PartialEq)]
@@ -25,7 +25,7 @@ pub struct Crate {
     pub version: String,
     /// SPDX expression of its licence.
     pub license: String,
-    /// SHA-256 of its archive; none for the library itself, whose sources are here.
+    /// SHA-256 of its archive; none for the crates of this project.
     pub sha256: Option<String>,
     /// Folder of its sources.
     pub folder: PathBuf,
@@ -60,6 +60,11 @@ impl Crate {
     /// Name and version.
     pub fn id(&self) -> String {
         id(&self.name, &self.version)
+    }
+
+    /// Whether its sources are those of this project, not of the registry.
+    pub fn is_own(&self) -> bool {
+        self.sha256.is_none()
     }
 }
 
@@ -160,6 +165,9 @@ mod tests {
     use spdx::{Expression, ParseMode};
     use toml::{Table, Value};
 
+    /// The crates of this project that are in the library.
+    const OWN: [&str; 3] = [LIBRARY, "stribeck", "stribeck-ffi"];
+
     /// The settings of cargo-deny.
     fn settings() -> Table {
         fs::read_to_string(root().join("deny.toml")).unwrap().parse().unwrap()
@@ -178,7 +186,8 @@ mod tests {
     #[test]
     fn every_crate_of_the_library_is_allowed() {
         let names = listed("bans", "allow").into_iter().map(|one| one["crate"].as_str().unwrap().to_owned());
-        let allowed: BTreeSet<_> = names.chain([LIBRARY.to_owned()]).collect();
+        let own = OWN.map(str::to_owned);
+        let allowed: BTreeSet<_> = names.chain(own).collect();
         let compiled = tree(root(), "all", "normal,build").unwrap();
         let compiled: BTreeSet<_> = compiled.iter().map(|id| id.split_once(' ').unwrap().0.to_owned()).collect();
         let lost: Vec<_> = compiled.symmetric_difference(&allowed).collect();
@@ -186,11 +195,12 @@ mod tests {
     }
 
     #[test]
-    fn the_library_itself_depends_on_three_crates() {
+    fn own_crates_depend_on_three_others() {
         let crates = linked(root(), &[toolchain::host().unwrap()]).unwrap();
-        let library = crates.iter().find(|one| one.name == LIBRARY).unwrap();
-        let names: Vec<_> = library.needs.iter().map(|id| id.split(' ').next().unwrap()).collect();
-        assert_eq!(names, ["libc", "nalgebra", "num-traits"]);
+        let own = crates.iter().filter(|one| OWN.contains(&one.name.as_str()));
+        let needs: BTreeSet<_> = own.flat_map(|one| &one.needs).map(|id| id.split(' ').next().unwrap()).collect();
+        let others: Vec<_> = needs.into_iter().filter(|name| !OWN.contains(name)).collect();
+        assert_eq!(others, ["libc", "nalgebra", "num-traits"]);
     }
 
     #[test]
@@ -212,7 +222,7 @@ mod tests {
         let ids: BTreeSet<_> = crates.iter().map(Crate::id).collect();
         for one in &crates {
             assert!(one.needs.is_subset(&ids), "{one:?}");
-            assert_eq!(one.sha256.is_none(), one.name == LIBRARY, "{one:?}");
+            assert_eq!(one.is_own(), OWN.contains(&one.name.as_str()), "{one:?}");
             assert!(one.folder.join("Cargo.toml").is_file(), "{one:?}");
         }
         let needed: BTreeSet<_> = crates.iter().flat_map(|one| one.needs.clone()).collect();

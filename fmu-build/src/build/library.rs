@@ -9,6 +9,7 @@ use std::process::Command;
 use anyhow::{Context, Result, ensure};
 use serde_json::Value;
 
+use crate::build::crates::LIBRARY;
 use crate::build::platform::Platform;
 use crate::build::toolchain::{self, Target};
 use crate::build::{binary, universal};
@@ -56,6 +57,7 @@ pub fn check(root: &Path, platform: Platform, bytes: &[u8], exports: &[String]) 
 fn remapped_paths(root: &Path) -> Result<Vec<(PathBuf, &'static str)>> {
     let mut paths = vec![
         (root.join("src"), "/stribeck/src"),
+        (root.join("ffi"), "/stribeck/ffi"),
         (toolchain::sysroot()?.join("lib").join("rustlib").join("src").join("rust"), "/rust"),
     ];
     paths.extend(cargo_home().map(|home| (home.join("registry").join("src"), "/crates")));
@@ -82,7 +84,7 @@ fn compile(root: &Path, platform: Platform, target: Option<Target>) -> Result<Ve
     }
     let own = target.map_or(&[][..], Target::flags);
     cargo
-        .args(["--release", "--lib", "--package", "stribeck"])
+        .args(["--release", "--lib", "--package", LIBRARY])
         // Cargo does not optimise across crates if one of the crate types to build is a Rust library.
         .args(["--crate-type", "cdylib"])
         .arg("--message-format=json-render-diagnostics")
@@ -95,7 +97,7 @@ fn compile(root: &Path, platform: Platform, target: Option<Target>) -> Result<Ve
     let messages = toolchain::stdout(&mut cargo)?;
     let mut messages = messages.lines().filter_map(|line| serde_json::from_str(line).ok());
     let file = messages.find_map(|message| artifact(&message, platform.suffix));
-    let file = file.with_context(|| format!("cargo did not report a *{} of the package stribeck", platform.suffix))?;
+    let file = file.with_context(|| format!("cargo did not report a *{} of the package {LIBRARY}", platform.suffix))?;
     fs::read(&file).with_context(|| format!("cannot read {}", file.display()))
 }
 

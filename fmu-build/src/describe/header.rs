@@ -50,7 +50,7 @@ pub fn text(root: &Path) -> Result<String> {
 /// make cbindgen read these files twice; a file that itself declares something includes its modules.
 fn sources(root: &Path) -> Result<Vec<PathBuf>> {
     let mut sources = Vec::new();
-    for folder in ["src/c_api", "src/fmi2"] {
+    for folder in ["ffi/src/c", "ffi/src/fmi2"] {
         let first = sources.len();
         for file in text::rust_files(&root.join(folder))? {
             let source = fs::read_to_string(&file).with_context(|| format!("cannot read {}", file.display()))?;

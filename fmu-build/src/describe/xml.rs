@@ -8,10 +8,10 @@ use anyhow::Result;
 use jiff::Timestamp;
 use quick_xml::events::{BytesDecl, Event};
 use quick_xml::writer::{ElementWriter, Writer};
-use stribeck::fmi2::log::CATEGORIES;
 use stribeck::model::{Enumeration, Kind, ModelType, Role, Variable};
 use stribeck::reference::{self, Reference};
 use stribeck::unit::{UNITS, Unit};
+use stribeck_ffi::fmi2::log::CATEGORIES;
 
 use crate::describe::dependencies;
 use crate::describe::text::{limits, number};

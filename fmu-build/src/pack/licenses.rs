@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result, ensure};
 
-use crate::build::crates::{Crate, LIBRARY, Parts};
+use crate::build::crates::{Crate, Parts};
 use crate::build::toolchain::{self, Addition};
 use crate::pack::archive::Files;
 
@@ -58,7 +58,7 @@ fn entry(root: &Path, additions: &[Addition]) -> Result<String> {
 fn of_crates(crates: &[Crate]) -> Result<String> {
     let mut list = String::from("Crates in the library, with the licences that their authors offer:\n\n");
     let mut texts: BTreeMap<String, Vec<String>> = BTreeMap::new();
-    for one in crates.iter().filter(|one| one.name != LIBRARY) {
+    for one in crates.iter().filter(|one| !one.is_own()) {
         list.push_str(&format!("{}: {}\n", one.id(), one.license));
         for file in texts_of(one)? {
             let name = file.file_name().unwrap_or_default().to_string_lossy();

@@ -121,8 +121,7 @@ mod tests {
             assert_eq!(component["version"], one.version.as_str());
             assert_eq!(component["licenses"][0]["expression"], one.license.as_str());
             assert_eq!(component["hashes"][0]["content"].as_str(), one.sha256.as_deref());
-            let is_from_registry = one.name != LIBRARY;
-            assert_eq!(component["purl"].is_string(), is_from_registry);
+            assert_eq!(component["purl"].is_string(), !one.is_own());
         }
         let standard_library = &components[parts.crates.len()];
         assert_eq!(standard_library["purl"], format!("pkg:generic/rust-std@{}", parts.rust));

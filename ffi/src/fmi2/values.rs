@@ -2,12 +2,13 @@
 
 use std::slice::{from_raw_parts, from_raw_parts_mut};
 
-use super::door::{self, Outcome, Refusal, Slave, array, array_mut, enter, refuse};
+use super::door::{self, Outcome, Refusal, Slave, enter, refuse};
 use super::lifecycle::{Call, Purpose, State};
 use super::types::fmi2Status::fmi2OK;
 use super::types::*;
-use crate::model::{BaseType, Fault, ModelType, Role, Variable};
-use crate::reference::Place;
+use crate::guard::pointer::{array, array_mut};
+use stribeck::model::{BaseType, Fault, ModelType, Role, Variable};
+use stribeck::reference::Place;
 
 /// View of a column as one of FMI's base types.
 trait Base {

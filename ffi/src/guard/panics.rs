@@ -28,16 +28,20 @@ pub(crate) fn silence() {
 type Report = dyn Fn(&PanicHookInfo<'_>) + Send + Sync;
 
 fn is_ours(info: &PanicHookInfo) -> bool {
+    info.location().is_some_and(|location| is_own_file(location.file()) || stribeck::is_own_file(location.file()))
+}
+
+/// Whether a source file belongs to this crate.
+fn is_own_file(file: &str) -> bool {
     // Unit tests are in the same folder and keep their reports; only their probe panics on purpose.
-    let file = if cfg!(test) { "probe.rs" } else { "" };
-    let folder = file!().strip_suffix("panics.rs").unwrap_or_default();
-    let in_folder = |place: &str| place.strip_prefix(folder).is_some_and(|place| place.starts_with(file));
-    info.location().is_some_and(|location| in_folder(location.file()))
+    let beginning = if cfg!(test) { "probe.rs" } else { "" };
+    let folder = file!().strip_suffix("guard/panics.rs").unwrap_or_default();
+    file.strip_prefix(folder).is_some_and(|file| file.starts_with(beginning))
 }
 
 /// The message of a caught panic.
 pub(crate) fn text(panic: &(dyn Any + Send)) -> String {
     let said = panic.downcast_ref::<&str>().copied();
     let said = said.or_else(|| panic.downcast_ref::<String>().map(String::as_str));
-    crate::memory::text(format_args!("internal error, please report it: {}", said.unwrap_or("no message")))
+    stribeck::memory::text(format_args!("internal error, please report it: {}", said.unwrap_or("no message")))
 }

@@ -11,7 +11,7 @@ use super::setup::*;
 use super::step::*;
 use super::types::*;
 use super::values::*;
-use crate::catalogue;
+use crate::models;
 
 const CALLBACKS: fmi2CallbackFunctions = fmi2CallbackFunctions {
     logger: None,
@@ -27,7 +27,7 @@ fn probe() -> fmi2Component {
 }
 
 fn probe_with(callbacks: &fmi2CallbackFunctions, debug: fmi2Boolean) -> fmi2Component {
-    let guid = CString::new(catalogue::by_name("Probe").expect("the probe").guid()).expect("no zero byte");
+    let guid = CString::new(models::by_name("Probe").expect("the probe").guid()).expect("no zero byte");
     // SAFETY: valid texts and callbacks; the instance is used by one test only.
     unsafe {
         let c =
@@ -41,7 +41,7 @@ fn probe_with(callbacks: &fmi2CallbackFunctions, debug: fmi2Boolean) -> fmi2Comp
 }
 
 fn column(name: &str) -> fmi2ValueReference {
-    let probe = catalogue::by_name("Probe").expect("a model");
+    let probe = models::by_name("Probe").expect("a model");
     probe.reference(probe.find(name).expect(name))
 }
 

@@ -2,7 +2,8 @@
 
 use super::stribeck_status::*;
 use super::{enter, fault, refuse, stribeck_model, stribeck_status};
-use crate::serial;
+use crate::guard::pointer::{Null, array, array_mut};
+use stribeck::serial;
 
 /// Number of bytes that stribeck_save writes; 0 for NULL.
 ///
@@ -27,13 +28,13 @@ pub unsafe extern "C" fn stribeck_save(
     let body = |model: &mut stribeck_model| {
         let needed = serial::size(model.instance.model());
         if buffer.is_null() {
-            return refuse(STRIBECK_NULL, "buffer is NULL");
+            return Err(Null("buffer").into());
         }
         if size < needed {
             return refuse(STRIBECK_BAD_BUFFER, format_args!("buffer has {size} bytes, {needed} are needed"));
         }
-        // SAFETY: not NULL, and the caller promises `size` bytes, of which there are enough.
-        let bytes = unsafe { std::slice::from_raw_parts_mut(buffer.cast::<u8>(), needed) };
+        // SAFETY: the caller promises `size` bytes, of which there are enough.
+        let bytes = unsafe { array_mut(buffer.cast::<u8>(), needed, "buffer") }?;
         serial::write(model.instance.model(), &model.instance.try_save()?, [0.0; serial::OWNERS], bytes);
         Ok(())
     };
@@ -54,10 +55,10 @@ pub unsafe extern "C" fn stribeck_restore(
 ) -> stribeck_status {
     let body = |model: &mut stribeck_model| {
         if buffer.is_null() {
-            return refuse(STRIBECK_NULL, "buffer is NULL");
+            return Err(Null("buffer").into());
         }
-        // SAFETY: not NULL, and the caller promises `size` bytes.
-        let bytes = unsafe { std::slice::from_raw_parts(buffer.cast::<u8>(), size) };
+        // SAFETY: the caller promises `size` bytes.
+        let bytes = unsafe { array(buffer.cast::<u8>(), size, "buffer") }?;
         let (snapshot, _) = serial::read(model.instance.model(), bytes).map_err(fault(STRIBECK_BAD_BUFFER))?;
         // The state may come from an FMU in Model Exchange.
         model.instance.check_without_events(&snapshot).map_err(fault(STRIBECK_BAD_BUFFER))?;

@@ -5,7 +5,7 @@ use std::borrow::Cow;
 use libc::c_char;
 
 use super::{STRIBECK_OK, enter, stribeck_model};
-use crate::memory::{self, OUT_OF_MEMORY};
+use stribeck::memory::{self, OUT_OF_MEMORY};
 
 /// Warning about the present values, if some were accepted although they make no sense, such as an unconnected input at
 /// 0; otherwise an empty text. Best called after the first step; the library does not report warnings by itself. The
@@ -36,7 +36,7 @@ mod tests {
     use std::ptr::null_mut;
 
     use super::*;
-    use crate::c_api::*;
+    use crate::c::*;
 
     fn text<'a>(model: *mut stribeck_model) -> &'a CStr {
         // SAFETY: NULL or a live handle; each text is compared before the next call.

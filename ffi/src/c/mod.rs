@@ -8,21 +8,20 @@
 //! and that no other thread uses during the call; every other pointer must be NULL or valid for its purpose.
 #![allow(non_camel_case_types, reason = "C names")]
 
-use std::any::Any;
 use std::borrow::Cow;
 use std::ffi::{CStr, CString};
 use std::fmt;
-use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::ptr::{null, null_mut};
 
 use libc::{c_char, c_int};
 
-use crate::catalogue;
-use crate::float_mode::DefaultMode;
-use crate::instance::Instance;
-use crate::memory::{self, OUT_OF_MEMORY, OutOfMemory};
-use crate::model::{Fault, Kind, ModelType, Role};
-use crate::reference::{Place, Reference};
+use crate::guard::pointer::{Null, name, place};
+use crate::guard::{self, Handle, Internal, pointer};
+use crate::models;
+use stribeck::instance::Instance;
+use stribeck::memory::{self, OUT_OF_MEMORY, OutOfMemory};
+use stribeck::model::{Fault, Kind, ModelType, Role};
+use stribeck::reference::{Place, Reference};
 
 mod state;
 mod warning;
@@ -123,9 +122,9 @@ pub struct stribeck_model {
 }
 
 /// Why a call was refused: the status for the program, the text for the user.
-struct Refusal(stribeck_status, String);
+pub(crate) struct Refusal(stribeck_status, String);
 
-type Outcome = Result<(), Refusal>;
+pub(crate) type Outcome = Result<(), Refusal>;
 
 fn refuse<T>(status: stribeck_status, text: impl fmt::Display) -> Result<T, Refusal> {
     Err(Refusal::of(status, text))
@@ -148,44 +147,55 @@ impl From<OutOfMemory> for Refusal {
     }
 }
 
-/// Runs `body` on the model behind the handle; turns refusals and panics into a status and a text.
+impl From<Null> for Refusal {
+    #[cold]
+    fn from(null: Null) -> Refusal {
+        Refusal::of(STRIBECK_NULL, null)
+    }
+}
+
+impl From<Internal> for Refusal {
+    fn from(internal: Internal) -> Refusal {
+        Refusal(STRIBECK_INTERNAL, internal.0)
+    }
+}
+
+impl Handle for stribeck_model {
+    type Call = ();
+    type Refusal = Refusal;
+    type Status = stribeck_status;
+    const OK: stribeck_status = STRIBECK_OK;
+
+    #[inline(always)]
+    fn check(&self, (): ()) -> Outcome {
+        Ok(())
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn refuse(&mut self, (): (), Refusal(status, text): Refusal) -> stribeck_status {
+        let text = if text.is_empty() { Err(OutOfMemory) } else { memory::c_text(&text) };
+        self.error = text.map_or(Cow::Borrowed(OUT_OF_MEMORY), Cow::Owned);
+        status
+    }
+}
+
+/// Runs `body` on the model behind the handle.
 ///
 /// # Safety
 /// As in the documentation of the module.
 unsafe fn enter(model: *mut stribeck_model, body: impl FnOnce(&mut stribeck_model) -> Outcome) -> stribeck_status {
     // SAFETY: the caller's promise.
-    let Some(model) = (unsafe { model.as_mut() }) else { return STRIBECK_NULL };
-    let _mode = DefaultMode::enter();
-    let internal = |panic: Box<dyn Any + Send>| refuse(STRIBECK_INTERNAL, crate::panics::text(&*panic));
-    match catch_unwind(AssertUnwindSafe(|| body(model))).unwrap_or_else(internal) {
-        Ok(()) => STRIBECK_OK,
-        Err(Refusal(status, text)) => {
-            let text = if text.is_empty() { Err(OutOfMemory) } else { memory::c_text(&text) };
-            model.error = text.map_or(Cow::Borrowed(OUT_OF_MEMORY), Cow::Owned);
-            status
-        }
-    }
+    unsafe { model.as_mut() }.map_or(STRIBECK_NULL, |model| guard::run(model, (), body))
 }
 
-/// The text behind a pointer.
+/// The name behind a pointer.
 ///
 /// # Safety
 /// `text` must be NULL or zero-terminated, and live as long as the result is used.
-unsafe fn text<'a>(text: *const c_char, name: &str) -> Result<&'a str, Refusal> {
-    if text.is_null() {
-        return refuse(STRIBECK_NULL, format_args!("{name} is NULL"));
-    }
-    // SAFETY: not NULL, and the caller promises a terminated text. A text that is not UTF-8 matches no name.
-    Ok(unsafe { CStr::from_ptr(text) }.to_str().unwrap_or("(a text that is not UTF-8)"))
-}
-
-/// The target of a result pointer.
-///
-/// # Safety
-/// `place` must be NULL or writable.
-unsafe fn place<'a, T>(place: *mut T, name: &str) -> Result<&'a mut T, Refusal> {
+unsafe fn text<'a>(text: *const c_char, what: &'static str) -> Result<&'a str, Null> {
     // SAFETY: the caller's promise.
-    unsafe { place.as_mut() }.ok_or_else(|| Refusal::of(STRIBECK_NULL, format_args!("{name} is NULL")))
+    unsafe { pointer::text(text) }.map(name).ok_or(Null(what))
 }
 
 impl stribeck_model {
@@ -238,13 +248,13 @@ pub extern "C" fn stribeck_version() -> *const c_char {
 /// Number of models of the library.
 #[unsafe(no_mangle)]
 pub extern "C" fn stribeck_model_count() -> usize {
-    catalogue::models().count()
+    models::all().count()
 }
 
 /// Name of the model with this index, from 0; NULL beyond the last. The text lives as long as the library.
 #[unsafe(no_mangle)]
 pub extern "C" fn stribeck_model_name(index: usize) -> *const c_char {
-    catalogue::models().nth(index).map_or(null(), |model| model.c_name.as_ptr())
+    models::all().nth(index).map_or(null(), |model| model.c_name.as_ptr())
 }
 
 /// Meaning of a status, in a few words. The text lives as long as the library.
@@ -275,22 +285,37 @@ pub extern "C" fn stribeck_status_text(status: c_int) -> *const c_char {
 /// `name` must be NULL or zero-terminated; `model` must be NULL or writable.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stribeck_create(name: *const c_char, model: *mut *mut stribeck_model) -> stribeck_status {
-    crate::panics::silence();
     // SAFETY: the caller's promises.
     let (name, place) = unsafe { (text(name, "name"), model.as_mut()) };
     let Some(place) = place else { return STRIBECK_NULL };
     *place = null_mut();
     let Ok(name) = name else { return STRIBECK_NULL };
-    let Some(model) = catalogue::by_name(name) else { return STRIBECK_UNKNOWN_MODEL };
-    match catch_unwind(|| make(model)) {
-        Ok(Ok(made)) => *place = Box::into_raw(made),
-        Ok(Err(OutOfMemory)) => return STRIBECK_OUT_OF_MEMORY,
-        Err(_) => return STRIBECK_INTERNAL,
+    let Some(model) = models::by_name(name) else { return STRIBECK_UNKNOWN_MODEL };
+    match guard::make(|| make(model)) {
+        Ok(made) => {
+            *place = Box::into_raw(made);
+            STRIBECK_OK
+        }
+        Err(NoModel(status)) => status,
     }
-    STRIBECK_OK
 }
 
-fn make(model: &'static ModelType) -> Result<Box<stribeck_model>, OutOfMemory> {
+/// Why no model was made.
+struct NoModel(stribeck_status);
+
+impl From<Internal> for NoModel {
+    fn from(_: Internal) -> NoModel {
+        NoModel(STRIBECK_INTERNAL)
+    }
+}
+
+impl From<OutOfMemory> for NoModel {
+    fn from(_: OutOfMemory) -> NoModel {
+        NoModel(STRIBECK_OUT_OF_MEMORY)
+    }
+}
+
+fn make(model: &'static ModelType) -> Result<Box<stribeck_model>, NoModel> {
     let texts = memory::each(model.table, |variable| {
         let unit = if let Kind::Real(unit) = variable.kind { unit.name } else { "" };
         let name = memory::c_text(&memory::whole_text(variable.path)?)?;
@@ -300,7 +325,7 @@ fn make(model: &'static ModelType) -> Result<Box<stribeck_model>, OutOfMemory> {
         memory::each(model.presets, |preset| Ok([memory::c_text(preset.name)?, memory::c_text(preset.source)?]))?;
     let nothing = Cow::Borrowed(c"");
     let (error, warning) = (nothing.clone(), nothing);
-    memory::boxed(stribeck_model { instance: Instance::try_new(model)?, texts, presets, error, warning })
+    Ok(memory::boxed(stribeck_model { instance: Instance::try_new(model)?, texts, presets, error, warning })?)
 }
 
 /// Frees a model. NULL is ignored.

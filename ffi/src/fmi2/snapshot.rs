@@ -1,14 +1,15 @@
 //! Saving and restoring the complete state of an instance.
 
-use super::door::{Experiment, Outcome, Refusal, Slave, array, array_mut, enter, refuse};
+use super::door::{Experiment, Outcome, Refusal, Slave, enter, refuse};
 use super::lifecycle::{Call, Purpose, STATES, State};
 use super::types::*;
-use crate::catalogue;
-use crate::guid::GuidText;
-use crate::instance::Snapshot;
-use crate::memory::{self, OutOfMemory};
-use crate::model::ModelType;
-use crate::serial;
+use crate::guard::pointer::{array, array_mut};
+use crate::models;
+use stribeck::guid::GuidText;
+use stribeck::instance::Snapshot;
+use stribeck::memory::{self, OutOfMemory};
+use stribeck::model::ModelType;
+use stribeck::serial;
 
 /// The state behind an importer's `fmi2FMUstate`.
 struct Saved {
@@ -71,7 +72,7 @@ unsafe fn saved<'a>(slave: &Slave, state: fmi2FMUstate) -> Result<&'a Saved, Ref
         None => refuse("FMUstate is NULL"),
         Some(saved) if saved.magic != MAGIC => refuse("FMUstate is not a state of this library"),
         Some(saved) if saved.guid != slave.guid => {
-            let whose = catalogue::by_guid(saved.guid).map_or("another version", |model| model.name);
+            let whose = models::by_guid(saved.guid).map_or("another version", |model| model.name);
             refuse(format_args!("FMUstate belongs to {whose}, not to {}", slave.instance.model().name))
         }
         Some(saved) => Ok(saved),
@@ -245,12 +246,12 @@ pub unsafe extern "C-unwind" fn fmi2DeSerializeFMUstate(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::instance::Instance;
+    use stribeck::instance::Instance;
 
     /// The checksum only shows that nothing was damaged: the values of the FMI layer are checked as well.
     #[test]
     fn owners_numbers_that_make_no_sense_are_refused() {
-        let model = crate::catalogue::by_name("LuGre").expect("a model of the catalogue");
+        let model = crate::models::by_name("LuGre").expect("a model of the catalogue");
         let snapshot = Instance::new(model).save();
         let read = |owners: [f64; serial::OWNERS]| {
             let mut bytes = vec![0; serial::size(model)];

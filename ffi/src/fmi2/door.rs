@@ -1,18 +1,17 @@
 //! The entry of every call on an instance: checks of pointer and state, panics, log.
 
-use std::ffi::CStr;
 use std::fmt;
-use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use super::lifecycle::{Call, Purpose, State};
 use super::log::{Log, Reason};
 use super::types::{fmi2Component, fmi2Status};
-use crate::catalogue;
-use crate::float_mode::DefaultMode;
-use crate::guid::GuidText;
-use crate::instance::Instance;
-use crate::memory::{self, OutOfMemory};
-use crate::model::Fault;
+use crate::guard::pointer::Null;
+use crate::guard::{self, Handle, Internal};
+use crate::models;
+use stribeck::guid::GuidText;
+use stribeck::instance::Instance;
+use stribeck::memory::{self, OutOfMemory};
+use stribeck::model::Fault;
 
 /// The instance behind an importer's `fmi2Component`.
 pub(super) struct Slave {
@@ -76,14 +75,14 @@ impl Slave {
     #[cold]
     #[inline(never)]
     fn follow(&mut self) -> Option<()> {
-        crate::panics::silence();
-        self.instance.set_model(catalogue::by_guid(self.guid)?);
+        crate::guard::panics::silence();
+        self.instance.set_model(models::by_guid(self.guid)?);
         self.home = home();
         Some(())
     }
 
     /// Rejects parameters that do not fit together, or that do not suit the interface type of this instance.
-    pub fn check(&mut self) -> Result<(), Fault> {
+    pub fn check_parameters(&mut self) -> Result<(), Fault> {
         self.instance.check()?;
         match self.purpose {
             Purpose::CoSimulation => Ok(()),
@@ -152,6 +151,19 @@ impl From<OutOfMemory> for Refusal {
 
 pub(super) type Outcome = Result<(), Refusal>;
 
+impl From<Null> for Refusal {
+    #[cold]
+    fn from(null: Null) -> Refusal {
+        Refusal::error(null)
+    }
+}
+
+impl From<Internal> for Refusal {
+    fn from(internal: Internal) -> Refusal {
+        Refusal::Error(internal.0)
+    }
+}
+
 /// A fault of the model, as a refusal.
 impl From<Fault> for Refusal {
     fn from(fault: Fault) -> Refusal {
@@ -186,15 +198,33 @@ pub(super) unsafe fn enter(c: fmi2Component, call: Call, body: impl FnOnce(&mut 
 /// The part of [`enter`] before any message is logged.
 #[inline(never)]
 fn guarded(slave: &mut Slave, call: Call, body: impl FnOnce(&mut Slave) -> Outcome) -> fmi2Status {
-    if !call.is_allowed(slave.state) || !call.is_for(slave.purpose) {
-        return refused(slave, call, not_allowed(slave, call));
+    guard::run(slave, call, body)
+}
+
+impl Handle for Slave {
+    type Call = Call;
+    type Refusal = Refusal;
+    type Status = fmi2Status;
+    const OK: fmi2Status = fmi2Status::fmi2OK;
+
+    #[inline(always)]
+    fn check(&self, call: Call) -> Outcome {
+        if call.is_allowed(self.state) && call.is_for(self.purpose) { Ok(()) } else { Err(not_allowed(self, call)) }
     }
-    let _mode = DefaultMode::enter();
-    // A panic leaves row and memory as they were: see RollBack. Everything else that a body writes, it writes last.
-    match catch_unwind(AssertUnwindSafe(|| body(slave))) {
-        Ok(Ok(())) => fmi2Status::fmi2OK,
-        Ok(Err(refusal)) => refused(slave, call, refusal),
-        Err(panic) => refused(slave, call, Refusal::Error(crate::panics::text(&*panic))),
+
+    #[cold]
+    #[inline(never)]
+    fn refuse(&mut self, call: Call, refusal: Refusal) -> fmi2Status {
+        let (reason, text) = match refusal {
+            Refusal::Discard(text) => (Reason::Discard, text),
+            Refusal::Trial(text) => (Reason::Trial, text),
+            Refusal::Error(text) => (Reason::Error, text),
+        };
+        if reason == Reason::Error {
+            self.state = State::Error;
+        }
+        self.log.keep(reason, format_args!("fmi2{call:?}: {text}"));
+        if reason == Reason::Error { fmi2Status::fmi2Error } else { fmi2Status::fmi2Discard }
     }
 }
 
@@ -251,66 +281,4 @@ fn not_allowed(slave: &Slave, call: Call) -> Refusal {
     } else {
         Refusal::error(format_args!("is not available on an instance for {:?}", slave.purpose))
     }
-}
-
-#[cold]
-#[inline(never)]
-fn is_null(name: &str) -> Refusal {
-    Refusal::error(format_args!("{name} is NULL"))
-}
-
-#[cold]
-#[inline(never)]
-fn refused(slave: &mut Slave, call: Call, refusal: Refusal) -> fmi2Status {
-    let (reason, text) = match refusal {
-        Refusal::Discard(text) => (Reason::Discard, text),
-        Refusal::Trial(text) => (Reason::Trial, text),
-        Refusal::Error(text) => (Reason::Error, text),
-    };
-    if reason == Reason::Error {
-        slave.state = State::Error;
-    }
-    slave.log.keep(reason, format_args!("fmi2{call:?}: {text}"));
-    if reason == Reason::Error { fmi2Status::fmi2Error } else { fmi2Status::fmi2Discard }
-}
-
-/// The `n` elements at `pointer`. FMI leaves the pointer undefined for n = 0.
-///
-/// # Safety
-/// `pointer` must be NULL or point to `n` readable elements that are not written during the call.
-#[inline(always)]
-pub(super) unsafe fn array<'a, T>(pointer: *const T, n: usize, name: &str) -> Result<&'a [T], Refusal> {
-    if n == 0 {
-        return Ok(&[]);
-    }
-    if pointer.is_null() {
-        return Err(is_null(name));
-    }
-    // SAFETY: not NULL, and the caller promises `n` elements.
-    Ok(unsafe { std::slice::from_raw_parts(pointer, n) })
-}
-
-/// As [`array`], mutable.
-///
-/// # Safety
-/// `pointer` must be NULL or point to `n` writable elements that are not used elsewhere during the call.
-#[inline(always)]
-pub(super) unsafe fn array_mut<'a, T>(pointer: *mut T, n: usize, name: &str) -> Result<&'a mut [T], Refusal> {
-    if n == 0 {
-        return Ok(&mut []);
-    }
-    if pointer.is_null() {
-        return Err(is_null(name));
-    }
-    // SAFETY: not NULL, and the caller promises `n` elements.
-    Ok(unsafe { std::slice::from_raw_parts_mut(pointer, n) })
-}
-
-/// A zero-terminated text of the importer, or `None` for NULL.
-///
-/// # Safety
-/// `text` must be NULL or point to a zero-terminated text that lives as long as the result is used.
-pub(super) unsafe fn text<'a>(text: super::types::fmi2String) -> Option<&'a CStr> {
-    // SAFETY: not NULL, and the caller promises a terminated text.
-    (!text.is_null()).then(|| unsafe { CStr::from_ptr(text) })
 }

@@ -4,7 +4,7 @@ use std::ffi::{CStr, CString, c_void};
 use std::fmt::{self, Write};
 
 use super::types::{fmi2CallbackFunctions, fmi2Status};
-use crate::memory::{self, OUT_OF_MEMORY, OutOfMemory};
+use stribeck::memory::{self, OUT_OF_MEMORY, OutOfMemory};
 
 /// A log category of FMI 2.0.5 section 2.2.4.
 pub struct Category {

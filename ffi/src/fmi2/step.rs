@@ -3,7 +3,7 @@
 use super::door::{Outcome, Refusal, Slave, enter, refuse};
 use super::lifecycle::Call;
 use super::types::*;
-use crate::memory;
+use stribeck::memory;
 
 /// Slack for communication points and the stop time (chosen, in s): masters accumulate h, compute i h, or count
 /// nanoseconds.

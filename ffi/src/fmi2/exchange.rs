@@ -1,8 +1,9 @@
 //! Model Exchange: the importer integrates the states, using their derivatives.
 
-use super::door::{Outcome, Refusal, Slave, array, array_mut, enter, refuse};
+use super::door::{Outcome, Refusal, Slave, enter, refuse};
 use super::lifecycle::{Call, State};
 use super::types::*;
+use crate::guard::pointer::{array, array_mut};
 
 /// Refuses an array of the wrong length.
 fn check_length(given: usize, wanted: usize, what: &str) -> Outcome {
@@ -34,7 +35,7 @@ pub unsafe extern "C-unwind" fn fmi2NewDiscreteStates(c: fmi2Component, eventInf
     let body = |slave: &mut Slave| {
         // SAFETY: the caller promises NULL or a writable struct.
         let Some(info) = (unsafe { eventInfo.as_mut() }) else { return refuse("eventInfo is NULL") };
-        slave.check()?;
+        slave.check_parameters()?;
         let has_jumped = slave.instance.at_event()? | std::mem::take(&mut slave.has_jumped);
         *info = fmi2EventInfo {
             newDiscreteStatesNeeded: fmi2False,
@@ -57,7 +58,7 @@ pub unsafe extern "C-unwind" fn fmi2NewDiscreteStates(c: fmi2Component, eventInf
 #[unsafe(no_mangle)]
 pub unsafe extern "C-unwind" fn fmi2EnterContinuousTimeMode(c: fmi2Component) -> fmi2Status {
     let body = |slave: &mut Slave| {
-        slave.check()?;
+        slave.check_parameters()?;
         slave.instance.leave_event()?;
         slave.state = State::ContinuousTimeMode;
         Ok(())

@@ -1,17 +1,19 @@
 //! From fmi2Instantiate to fmi2FreeInstance.
 
 use std::ffi::CStr;
-use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::fmt;
 use std::ptr::null_mut;
 
-use super::door::{self, Experiment, Slave, array, enter, refuse};
+use super::door::{self, Experiment, Slave, enter, refuse};
 use super::lifecycle::{Call, Purpose, State};
 use super::log::{self, Line, Log};
 use super::types::*;
-use crate::catalogue;
-use crate::instance::Instance;
-use crate::memory;
-use crate::model::ModelType;
+use crate::guard::pointer::{self, array};
+use crate::guard::{self, Internal};
+use crate::models;
+use stribeck::instance::Instance;
+use stribeck::memory::{self, OutOfMemory};
+use stribeck::model::ModelType;
 
 /// The platform of the types: "default".
 #[unsafe(no_mangle)]
@@ -44,11 +46,10 @@ pub unsafe extern "C-unwind" fn fmi2Instantiate(
     _visible: fmi2Boolean,
     loggingOn: fmi2Boolean,
 ) -> fmi2Component {
-    crate::panics::silence();
     // SAFETY: the caller promises NULL or a valid struct; it is copied because it need not outlive this call.
     let Some(callbacks) = (unsafe { callbacks.as_ref() }).copied() else { return null_mut() };
     // SAFETY: the caller promises NULL or zero-terminated texts.
-    let (name, guid) = unsafe { (door::text(instanceName), door::text(fmuGUID)) };
+    let (name, guid) = unsafe { (pointer::text(instanceName), pointer::text(fmuGUID)) };
     let name = name.unwrap_or_default();
     let mut why = Line::EMPTY;
     let c = make(name, fmuType, guid, callbacks, loggingOn != fmi2False, &mut why);
@@ -70,13 +71,34 @@ fn make(
     debug: bool,
     line: &mut Line,
 ) -> fmi2Component {
-    let why = match catch_unwind(AssertUnwindSafe(|| instantiate(name, kind, guid, callbacks, debug))) {
-        Ok(Ok(slave)) => return Box::into_raw(slave).cast(),
-        Ok(Err(why)) => why,
-        Err(panic) => crate::panics::text(&*panic),
-    };
-    line.write(format_args!("fmi2Instantiate: {why}"));
-    null_mut()
+    match guard::make(|| instantiate(name, kind, guid, callbacks, debug)) {
+        Ok(slave) => Box::into_raw(slave).cast(),
+        Err(NoInstance(why)) => {
+            line.write(format_args!("fmi2Instantiate: {why}"));
+            null_mut()
+        }
+    }
+}
+
+/// Why no instance was made.
+struct NoInstance(String);
+
+impl NoInstance {
+    fn because(why: impl fmt::Display) -> NoInstance {
+        NoInstance(memory::text(why))
+    }
+}
+
+impl From<Internal> for NoInstance {
+    fn from(internal: Internal) -> NoInstance {
+        NoInstance(internal.0)
+    }
+}
+
+impl From<OutOfMemory> for NoInstance {
+    fn from(error: OutOfMemory) -> NoInstance {
+        NoInstance::because(error)
+    }
 }
 
 fn instantiate(
@@ -85,32 +107,30 @@ fn instantiate(
     guid: Option<&CStr>,
     callbacks: fmi2CallbackFunctions,
     debug: bool,
-) -> Result<Box<Slave>, String> {
+) -> Result<Box<Slave>, NoInstance> {
     if name.to_bytes().trim_ascii().is_empty() {
-        return Err(memory::text("instanceName is NULL or blank"));
+        return Err(NoInstance::because("instanceName is NULL or blank"));
     }
-    let guid = guid.ok_or_else(|| memory::text("fmuGUID is NULL"))?;
-    let guid = guid.to_str().unwrap_or("(a text that is not UTF-8)");
-    let model = catalogue::by_guid(guid).ok_or_else(|| {
-        memory::text(format_args!(
+    let guid = pointer::name(guid.ok_or_else(|| NoInstance::because("fmuGUID is NULL"))?);
+    let model = models::by_guid(guid).ok_or_else(|| {
+        NoInstance::because(format_args!(
             "guid {guid} does not belong to a model of stribeck {}: modelDescription.xml and library differ in version",
             env!("CARGO_PKG_VERSION")
         ))
     })?;
     let purpose = purpose(kind, model)?;
-    let make = || memory::boxed(Slave::new(Instance::try_new(model)?, purpose, Log::new(callbacks, name, debug)?));
-    make().map_err(memory::text)
+    Ok(memory::boxed(Slave::new(Instance::try_new(model)?, purpose, Log::new(callbacks, name, debug)?))?)
 }
 
-fn purpose(kind: fmi2Type, model: &ModelType) -> Result<Purpose, String> {
+fn purpose(kind: fmi2Type, model: &ModelType) -> Result<Purpose, NoInstance> {
     let name = model.name;
     match kind {
         fmi2CoSimulation => Ok(Purpose::CoSimulation),
         fmi2ModelExchange if model.model_exchange => Ok(Purpose::ModelExchange),
-        fmi2ModelExchange => Err(memory::text(format_args!(
+        fmi2ModelExchange => Err(NoInstance::because(format_args!(
             "fmuType is {kind}: {name} has states that no solver can integrate and is for co-simulation only"
         ))),
-        _ => Err(memory::text(format_args!(
+        _ => Err(NoInstance::because(format_args!(
             "fmuType is {kind}: must be {fmi2ModelExchange} (Model Exchange) or {fmi2CoSimulation}"
         ))),
     }
@@ -147,7 +167,7 @@ pub unsafe extern "C-unwind" fn fmi2SetDebugLogging(
         // SAFETY: the caller promises `nCategories` pointers.
         for category in unsafe { array(categories, nCategories, "categories") }? {
             // SAFETY: the caller promises NULL or zero-terminated texts.
-            let Some(category) = (unsafe { door::text(*category) }) else { return refuse("a category is NULL") };
+            let Some(category) = (unsafe { pointer::text(*category) }) else { return refuse("a category is NULL") };
             if slave.log.switch(category, enabled).is_none() {
                 return refuse(format_args!("unknown log category {}", category.to_string_lossy()));
             }
@@ -217,7 +237,7 @@ pub unsafe extern "C-unwind" fn fmi2EnterInitializationMode(c: fmi2Component) ->
 #[unsafe(no_mangle)]
 pub unsafe extern "C-unwind" fn fmi2ExitInitializationMode(c: fmi2Component) -> fmi2Status {
     let body = |slave: &mut Slave| {
-        slave.check()?;
+        slave.check_parameters()?;
         slave.instance.refresh()?;
         slave.begin();
         slave.state = match slave.purpose {
