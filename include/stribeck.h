@@ -1034,7 +1034,7 @@ typedef enum stribeck_stribeck_variable {
   STRIBECK_STRIBECK_MU_K = 1281456745,
   /** tunable [1]: Static coefficient of friction; not less than mu_k. (>= 0, default 0.15) */
   STRIBECK_STRIBECK_MU_S = 1147235793,
-  /** tunable [m/s]: Speed at which the excess of static over kinetic friction has fallen to 1/e, or to 1/2 where the curve is a fraction (Armstrong, HessSoom, PoppStelter).
+  /** tunable [m/s]: Speed at which 1/e of the excess is left; one half with HessSoom and PoppStelter.
    *  (> 0, default 0.001) */
   STRIBECK_STRIBECK_STRIBECK_VELOCITY = 2117263402,
   /** tunable [1]: Exponent of the Stribeck curve. (> 0, default 2) */
@@ -1550,7 +1550,7 @@ typedef enum stribeck_andersson_variable {
   STRIBECK_ANDERSSON_MU_K = 1281456745,
   /** tunable [1]: Static coefficient of friction; not less than mu_k. (>= 0, default 0.15) */
   STRIBECK_ANDERSSON_MU_S = 1147235793,
-  /** tunable [m/s]: Speed at which the excess of static over kinetic friction has fallen to 1/e, or to 1/2 where the curve is a fraction (Armstrong, HessSoom, PoppStelter).
+  /** tunable [m/s]: Speed at which the excess of static over kinetic friction has fallen to 1/e.
    *  (> 0, default 0.001) */
   STRIBECK_ANDERSSON_STRIBECK_VELOCITY = 2117263402,
   /** tunable [1]: Exponent of the Stribeck curve. (> 0, default 2) */
@@ -1878,7 +1878,7 @@ typedef enum stribeck_lugre_variable {
   STRIBECK_LUGRE_MU_K = 1281456745,
   /** tunable [1]: Static coefficient of friction; not less than mu_k. (>= 0, default 0.15) */
   STRIBECK_LUGRE_MU_S = 1147235793,
-  /** tunable [m/s]: Speed at which the excess of static over kinetic friction has fallen to 1/e, or to 1/2 where the curve is a fraction (Armstrong, HessSoom, PoppStelter).
+  /** tunable [m/s]: Speed at which the excess of static over kinetic friction has fallen to 1/e.
    *  (> 0, default 0.001) */
   STRIBECK_LUGRE_STRIBECK_VELOCITY = 2117263402,
   /** tunable [1]: Exponent of the Stribeck curve. (> 0, default 2) */
@@ -1922,7 +1922,7 @@ typedef enum stribeck_frictional_lag_variable {
   STRIBECK_FRICTIONAL_LAG_MU_K = 1281456745,
   /** tunable [1]: Static coefficient of friction; not less than mu_k. (>= 0, default 0.15) */
   STRIBECK_FRICTIONAL_LAG_MU_S = 1147235793,
-  /** tunable [m/s]: Speed at which the excess of static over kinetic friction has fallen to 1/e, or to 1/2 where the curve is a fraction (Armstrong, HessSoom, PoppStelter).
+  /** tunable [m/s]: Speed at which the excess of static over kinetic friction has fallen to 1/e.
    *  (> 0, default 0.001) */
   STRIBECK_FRICTIONAL_LAG_STRIBECK_VELOCITY = 2117263402,
   /** tunable [1]: Exponent of the Stribeck curve. (> 0, default 2) */
@@ -2353,8 +2353,7 @@ typedef enum stribeck_armstrong_variable {
   STRIBECK_ARMSTRONG_MU_S = 1147235793,
   /** tunable [N/m]: Stiffness of the bristles. (> 0, default 100000) */
   STRIBECK_ARMSTRONG_SIGMA_0 = 206242323,
-  /** tunable [m/s]: Speed at which the excess of static over kinetic friction has fallen to 1/e, or to 1/2 where the curve is a fraction (Armstrong, HessSoom, PoppStelter).
-   *  (> 0, default 0.001) */
+  /** tunable [m/s]: Speed at which half of the excess of static over kinetic friction is left. (> 0, default 0.001) */
   STRIBECK_ARMSTRONG_STRIBECK_VELOCITY = 2117263402,
   /** tunable [N.s/m]: Viscous friction coefficient. (>= 0, default 0) */
   STRIBECK_ARMSTRONG_VISCOUS_COEFFICIENT = 97539077,
@@ -2976,7 +2975,7 @@ typedef enum stribeck_elasto_plastic_variable {
   STRIBECK_ELASTO_PLASTIC_MU_K = 1281456745,
   /** tunable [1]: Static coefficient of friction; not less than mu_k. (>= 0, default 0.15) */
   STRIBECK_ELASTO_PLASTIC_MU_S = 1147235793,
-  /** tunable [m/s]: Speed at which the excess of static over kinetic friction has fallen to 1/e, or to 1/2 where the curve is a fraction (Armstrong, HessSoom, PoppStelter).
+  /** tunable [m/s]: Speed at which the excess of static over kinetic friction has fallen to 1/e.
    *  (> 0, default 0.001) */
   STRIBECK_ELASTO_PLASTIC_STRIBECK_VELOCITY = 2117263402,
   /** tunable [1]: Exponent of the Stribeck curve. (> 0, default 2) */
@@ -3359,7 +3358,7 @@ typedef enum stribeck_maxwell_slip_variable {
   STRIBECK_MAXWELL_SLIP_MU_K = 1281456745,
   /** tunable [1]: Static coefficient of friction; not less than mu_k. (>= 0, default 0.15) */
   STRIBECK_MAXWELL_SLIP_MU_S = 1147235793,
-  /** tunable [m/s]: Speed at which the excess of static over kinetic friction has fallen to 1/e, or to 1/2 where the curve is a fraction (Armstrong, HessSoom, PoppStelter).
+  /** tunable [m/s]: Speed at which the excess of static over kinetic friction has fallen to 1/e.
    *  (> 0, default 0.001) */
   STRIBECK_MAXWELL_SLIP_STRIBECK_VELOCITY = 2117263402,
   /** tunable [1]: Exponent of the Stribeck curve. (> 0, default 2) */
@@ -3918,7 +3917,7 @@ typedef enum stribeck_leuven_variable {
   STRIBECK_LEUVEN_MU_K = 1281456745,
   /** tunable [1]: Static coefficient of friction; not less than mu_k. (>= 0, default 0.15) */
   STRIBECK_LEUVEN_MU_S = 1147235793,
-  /** tunable [m/s]: Speed at which the excess of static over kinetic friction has fallen to 1/e, or to 1/2 where the curve is a fraction (Armstrong, HessSoom, PoppStelter).
+  /** tunable [m/s]: Speed at which the excess of static over kinetic friction has fallen to 1/e.
    *  (> 0, default 0.001) */
   STRIBECK_LEUVEN_STRIBECK_VELOCITY = 2117263402,
   /** tunable [1]: Exponent of the Stribeck curve. (> 0, default 2) */
@@ -4350,7 +4349,7 @@ typedef enum stribeck_gonthier_variable {
   STRIBECK_GONTHIER_MU_K = 1281456745,
   /** tunable [1]: Static coefficient of friction; not less than mu_k. (>= 0, default 0.15) */
   STRIBECK_GONTHIER_MU_S = 1147235793,
-  /** tunable [m/s]: Speed at which the excess of static over kinetic friction has fallen to 1/e, or to 1/2 where the curve is a fraction (Armstrong, HessSoom, PoppStelter).
+  /** tunable [m/s]: Speed at which the excess of static over kinetic friction has fallen to 1/e.
    *  (> 0, default 0.001) */
   STRIBECK_GONTHIER_STRIBECK_VELOCITY = 2117263402,
   /** tunable [m/s]: Velocity that sets the width of the regularised band around rest. (> 0, default 1e-5) */
@@ -4452,7 +4451,7 @@ typedef enum stribeck_lugre_planar_variable {
   STRIBECK_LUGRE_PLANAR_MU_K = 1281456745,
   /** tunable [1]: Static coefficient of friction; not less than mu_k. (>= 0, default 0.15) */
   STRIBECK_LUGRE_PLANAR_MU_S = 1147235793,
-  /** tunable [m/s]: Speed at which the excess of static over kinetic friction has fallen to 1/e, or to 1/2 where the curve is a fraction (Armstrong, HessSoom, PoppStelter).
+  /** tunable [m/s]: Speed at which the excess of static over kinetic friction has fallen to 1/e.
    *  (> 0, default 0.001) */
   STRIBECK_LUGRE_PLANAR_STRIBECK_VELOCITY = 2117263402,
   /** tunable [1]: Exponent of the Stribeck curve. (> 0, default 2) */
@@ -4499,7 +4498,7 @@ typedef enum stribeck_elasto_plastic_planar_variable {
   STRIBECK_ELASTO_PLASTIC_PLANAR_MU_K = 1281456745,
   /** tunable [1]: Static coefficient of friction; not less than mu_k. (>= 0, default 0.15) */
   STRIBECK_ELASTO_PLASTIC_PLANAR_MU_S = 1147235793,
-  /** tunable [m/s]: Speed at which the excess of static over kinetic friction has fallen to 1/e, or to 1/2 where the curve is a fraction (Armstrong, HessSoom, PoppStelter).
+  /** tunable [m/s]: Speed at which the excess of static over kinetic friction has fallen to 1/e.
    *  (> 0, default 0.001) */
   STRIBECK_ELASTO_PLASTIC_PLANAR_STRIBECK_VELOCITY = 2117263402,
   /** tunable [1]: Exponent of the Stribeck curve. (> 0, default 2) */

@@ -30,7 +30,7 @@ fn left_at_stribeck_velocity(model: &str, curve: Option<f64>) -> f64 {
     (law.get(if along_x { "friction_force_x" } else { "friction_force" }) - 1.0) / 0.5
 }
 
-/// 1/e for exponentials, one half for fractions: the help gives both, because a name means the same in all models.
+/// 1/e for exponentials, one half for fractions; the strut, which offers all laws under one name, gives both.
 #[test]
 fn the_stribeck_velocity_is_what_its_help_says() {
     let e = (-1.0_f64).exp();
@@ -38,19 +38,22 @@ fn the_stribeck_velocity_is_what_its_help_says() {
     for model in catalogue::models().filter(|model| model.find("mu_k").is_some()) {
         let Some(column) = model.find("stribeck_velocity") else { continue };
         let help = model.table[column].help;
-        assert!(
-            help.ends_with(
-                "has fallen to 1/e, or to 1/2 where the curve is a fraction (Armstrong, HessSoom, PoppStelter)."
-            ),
-            "{}: {help}",
-            model.name
-        );
-        let expected = if model.name == "Armstrong" { 0.5 } else { e };
+        let (expected, text) = match model.name {
+            "Armstrong" => (0.5, "half of the excess of static over kinetic friction is left."),
+            "Stribeck" => (e, "1/e of the excess is left; one half with HessSoom and PoppStelter."),
+            _ => (e, "the excess of static over kinetic friction has fallen to 1/e."),
+        };
+        assert!(help.ends_with(text), "{}: {help}", model.name);
         let left = left_at_stribeck_velocity(model.name, None);
         assert!((left - expected).abs() < 1e-3, "{}: {left}", model.name);
         seen += 1;
     }
     assert!(seen >= 10, "{seen}");
+    for strut in ["GuideContact", "ShockAbsorber"] {
+        let bench = Bench::new(strut, &[]);
+        let help = bench.instance.model().table[bench.column("friction.stribeck_velocity")].help;
+        assert!(help.ends_with("1/2 where the curve is a fraction (Armstrong, HessSoom, PoppStelter)."), "{help}");
+    }
     // Tustin, BoPavelescu, HessSoom, PoppStelter, Gaussian.
     for (curve, expected) in [(1.0, e), (2.0, e), (3.0, 0.5), (4.0, 0.5), (5.0, e)] {
         assert!((left_at_stribeck_velocity("Stribeck", Some(curve)) - expected).abs() < 1e-12, "curve {curve}");

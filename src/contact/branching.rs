@@ -8,9 +8,9 @@ crate::part! {
     /// Source of the acceleration of the contact.
     Branching {
         /// Acceleration of body 1 relative to body 2; used if the velocity has no slope.
-        acceleration: input = real("m/s2", 0.0),
+        acceleration: input = real("m/s2", 0.0).odd(),
         /// Slope of the velocity over the last step; 0 if it was held.
-        velocity_slope: state = real("m/s2", 0.0),
+        velocity_slope: state = real("m/s2", 0.0).odd(),
     }
 }
 

@@ -27,9 +27,9 @@ crate::part! {
         /// Duration of this piece of the past; 0 = not used.
         duration: state = real("s", 0.0).at_least(0.0).nominal(1e-3).shown_in("ms"),
         /// Velocity at the beginning of this piece of the past.
-        begin: state = real("m/s", 0.0).shown_in("mm/s"),
+        begin: state = real("m/s", 0.0).shown_in("mm/s").odd(),
         /// Velocity at the end of this piece of the past.
-        end: state = real("m/s", 0.0).shown_in("mm/s"),
+        end: state = real("m/s", 0.0).shown_in("mm/s").odd(),
     }
 }
 

@@ -6,6 +6,7 @@ pub(crate) mod delay_line;
 pub(crate) mod elements;
 pub mod end_velocity;
 pub mod motion;
+pub mod quantities;
 pub mod stopping;
 pub(crate) mod time_stepping;
 pub mod turning;

@@ -1,7 +1,8 @@
 use crate::contact::delay_line::{DelayLine, Piece};
 use crate::contact::motion::Motion;
+use crate::contact::quantities::*;
 use crate::model::ramp;
-use crate::model::{Fault, Law, Model, Preset, boolean, real};
+use crate::model::{Fault, Law, Model, Preset, real};
 use crate::number::{Mask, Real};
 use crate::numerics::quadrature::integral_past_peak;
 use crate::numerics::root::first_rise;
@@ -107,46 +108,30 @@ crate::model! {
     /// assert!((law.friction_force - (0.981 + 1.4715) / 2.0).abs() < 1e-8);
     /// ```
     Armstrong: "Stick, slip, lag and rising static friction with seven parameters (Armstrong-Helouvry)" {
-        /// Sliding velocity of body 1 relative to body 2.
-        velocity: input = real("m/s", 0.0).shown_in("mm/s"),
-        /// Normal force that presses the surfaces together.
-        normal_force: input = real("N", 9.81).at_least(0.0),
-        /// Kinetic coefficient of friction.
-        mu_k: tunable = real("1", 0.1).at_least(0.0),
-        /// Static coefficient of friction; not less than mu_k.
-        mu_s: tunable = real("1", 0.15).at_least(0.0),
-        /// Stiffness of the bristles.
-        sigma_0: tunable = real("N/m", 1e5).positive().nominal(1e5),
-        /// Speed at which the excess of static over kinetic friction has fallen to 1/e, or to 1/2 where the curve is a
-        /// fraction (Armstrong, HessSoom, PoppStelter).
-        stribeck_velocity: tunable = real("m/s", 0.001).positive().shown_in("mm/s"),
-        /// Viscous friction coefficient.
-        viscous_coefficient: tunable = real("N.s/m", 0.0).at_least(0.0),
-        /// Time by which the level of friction lags behind the velocity (default chosen).
-        time_lag: fixed = real("s", 0.005).at_least(0.0).nominal(1e-3).shown_in("ms"),
+        velocity: input = VELOCITY,
+        normal_force: input = NORMAL_FORCE,
+        mu_k: tunable = MU_K,
+        mu_s: tunable = MU_S,
+        sigma_0: tunable = SIGMA_0,
+        stribeck_velocity: tunable = STRIBECK_VELOCITY.help("Speed at which half of the excess of static over kinetic friction is left."),
+        viscous_coefficient: tunable = VISCOUS_COEFFICIENT,
+        time_lag: fixed = TIME_LAG,
         /// Dwell time after which half of the rise of the static friction has occurred (default chosen).
         gamma: tunable = real("s", 2.0).at_least(0.0),
-        /// Has the contact broken away?
-        slipping: state = boolean(false),
-        /// Mean elastic deflection of the bristles.
-        bristle_deflection: state = real("m", 0.0).nominal(1e-5).shown_in("um"),
+        slipping: state = SLIPPING,
+        bristle_deflection: state = BRISTLE_DEFLECTION,
         /// Time since the contact got stuck; 0 while it slips.
         dwell_time: state = real("s", 0.0).at_least(0.0),
         /// Stribeck magnitude per normal force: that at the end of the last slip while stuck, that of the breakaway
         /// while slipping.
         stribeck_coefficient: state = real("1", 0.0).at_least(0.0),
-        /// Velocity that determines the friction level: delayed by the time lag, or filtered.
-        lagged_velocity: state = real("m/s", 0.0).nominal(1e-3).shown_in("mm/s"),
+        lagged_velocity: state = LAGGED_VELOCITY,
         /// History of the velocity of slip.
         delay_line: (DelayLine),
-        /// Energy taken out of the motion since the start.
-        dissipated_energy: state_output = real("J", 0.0).nominal(1e-3),
-        /// Friction force; has the sign of the velocity when sliding. Body 1 feels its negative.
-        friction_force: output = real("N", 0.0),
-        /// Power taken out of the motion: friction force times velocity.
-        dissipated_power: output = real("W", 0.0),
-        /// Is the contact sticking?
-        sticking: output = boolean(false),
+        dissipated_energy: state_output = DISSIPATED_ENERGY,
+        friction_force: output = FRICTION_FORCE,
+        dissipated_power: output = DISSIPATED_POWER,
+        sticking: output = STICKING,
     }
 }
 

@@ -1,6 +1,7 @@
+use crate::contact::quantities::*;
 use crate::contact::time_stepping::{Curve, TimeStepping, memoryless};
 use crate::laws::regularised;
-use crate::model::{Fault, Model, Preset, boolean, real};
+use crate::model::{Fault, Model, Preset};
 use crate::number::{Mask, Real};
 
 crate::choices! {
@@ -85,34 +86,22 @@ crate::model! {
     /// assert!((law.friction_force - 0.75 * 1.4715).abs() < 1e-15);
     /// ```
     BengisuAkay: "Continuous friction law with a stiction peak (Bengisu and Akay)" {
-        /// Sliding velocity of body 1 relative to body 2.
-        velocity: input = real("m/s", 0.0).shown_in("mm/s"),
-        /// Normal force that presses the surfaces together.
-        normal_force: input = real("N", 9.81).at_least(0.0),
-        /// Resultant of all other tangential forces on body 1; see Coupling if body 2 accelerates.
-        external_force: input = real("N", 0.0),
-        /// Kinetic coefficient of friction.
-        mu_k: tunable = real("1", 0.1).at_least(0.0),
-        /// Static coefficient of friction; not less than mu_k.
-        mu_s: tunable = real("1", 0.15).at_least(0.0),
+        velocity: input = VELOCITY,
+        normal_force: input = NORMAL_FORCE,
+        external_force: input = EXTERNAL_FORCE,
+        mu_k: tunable = MU_K,
+        mu_s: tunable = MU_S,
         /// Variant of the law.
         variant: fixed = BengisuAkayVariant::Thesis.start(),
-        /// Slope of the force at rest, relative to the level there.
-        transition_slope: tunable = real("s/m", 5000.0).positive().nominal(1e3),
-        /// Rate at which the excess of static over kinetic friction decays with speed (default chosen).
-        stiction_decay: tunable = real("s/m", 500.0).positive().nominal(1e3),
-        /// Velocity that sets the width of the regularised band around rest.
-        transition_velocity: tunable = real("m/s", 0.001).positive().shown_in("mm/s"),
+        transition_slope: tunable = TRANSITION_SLOPE.start(5000.0),
+        stiction_decay: tunable = STICTION_DECAY.start(500.0),
+        transition_velocity: tunable = TRANSITION_VELOCITY,
         /// Data for co-simulation with a body of known mass.
         time_stepping: (TimeStepping),
-        /// Energy taken out of the motion since the start.
-        dissipated_energy: state_output = real("J", 0.0).nominal(1e-3),
-        /// Friction force; has the sign of the velocity when sliding. Body 1 feels its negative.
-        friction_force: output = real("N", 0.0),
-        /// Power taken out of the motion: friction force times velocity.
-        dissipated_power: output = real("W", 0.0),
-        /// Is the contact sticking?
-        sticking: output = boolean(false),
+        dissipated_energy: state_output = DISSIPATED_ENERGY,
+        friction_force: output = FRICTION_FORCE,
+        dissipated_power: output = DISSIPATED_POWER,
+        sticking: output = STICKING,
     }
 }
 

@@ -1,6 +1,7 @@
 use crate::contact::conditions::ELASTIC_SHARE;
+use crate::contact::quantities::*;
 use crate::contact::unloading::released_without_load;
-use crate::model::{Law, Model, Preset, boolean, real};
+use crate::model::{Law, Model, Preset, real};
 use crate::number::{Mask, Real};
 use crate::numerics::relaxation;
 
@@ -111,14 +112,11 @@ crate::model! {
     /// assert!((law.friction_force - 0.15 * 9.81).abs() < 1e-8);
     /// ```
     BlimanSorine: "Pre-sliding displacement and breakaway peak in the sliding distance (Bliman-Sorine)" {
-        /// Sliding velocity of body 1 relative to body 2.
-        velocity: input = real("m/s", 0.0).shown_in("mm/s"),
-        /// Normal force that presses the surfaces together.
-        normal_force: input = real("N", 9.81).at_least(0.0),
+        velocity: input = VELOCITY,
+        normal_force: input = NORMAL_FORCE,
         /// Variant of the law.
         variant: fixed = BlimanSorineOrder::Second.start(),
-        /// Kinetic coefficient of friction.
-        mu_k: tunable = real("1", 0.1).at_least(0.0),
+        mu_k: tunable = MU_K,
         /// Level of the slow relaxation, as a coefficient of friction; second order (default calibrated).
         mu_2: tunable = real("1", 0.273_205_080_756_887_7).at_least(0.0),
         /// Length of the fast relaxation as a part of that of the slow one; second order (default chosen).
@@ -126,17 +124,13 @@ crate::model! {
         /// Sliding distance in which the slow relaxation settles to 1/e (default calibrated).
         eps_f: tunable = real("m", 4.642_141_842_225_068e-5).positive().nominal(1e-5).shown_in("um"),
         /// Fast relaxation, in units of its level.
-        y_1: state = real("1", 0.0).reinit(),
+        y_1: state = real("1", 0.0).reinit().odd(),
         /// Slow relaxation, in units of its level; second order.
-        y_2: state = real("1", 0.0).reinit(),
-        /// Energy taken out of the motion since the start.
-        dissipated_energy: state_output = real("J", 0.0).nominal(1e-3),
-        /// Friction force; has the sign of the velocity when sliding. Body 1 feels its negative.
-        friction_force: output = real("N", 0.0),
-        /// Power taken out of the motion: friction force times velocity.
-        dissipated_power: output = real("W", 0.0),
-        /// Is the contact sticking?
-        sticking: output = boolean(false),
+        y_2: state = real("1", 0.0).reinit().odd(),
+        dissipated_energy: state_output = DISSIPATED_ENERGY,
+        friction_force: output = FRICTION_FORCE,
+        dissipated_power: output = DISSIPATED_POWER,
+        sticking: output = STICKING,
     }
 }
 

@@ -1,5 +1,6 @@
+use crate::contact::quantities::*;
 use crate::model::ramp;
-use crate::model::{Fault, Law, Model, Preset, boolean, integer, real};
+use crate::model::{Fault, Law, Model, Preset, integer, real};
 use crate::number::Real;
 
 /// Largest number of bristles in a contact. The authors find fewer than 50 sufficient.
@@ -19,7 +20,7 @@ crate::part! {
     /// A bond between the surfaces.
     Bond {
         /// Strain of the bristle, x - b_i.
-        strain: state = real("m", 0.0).nominal(1e-5).shown_in("um"),
+        strain: state = real("m", 0.0).nominal(1e-5).shown_in("um").odd(),
         /// Random numbers that the bristle has used.
         draws: state = real("1", 0.0).at_least(0.0),
     }
@@ -120,14 +121,10 @@ crate::model! {
     /// assert!((law.friction_force - 1.0).abs() < 1e-12);
     /// ```
     Bristle: "Bonds that snap and form again at random (bristle model)" {
-        /// Sliding velocity of body 1 relative to body 2.
-        velocity: input = real("m/s", 0.0).shown_in("mm/s"),
-        /// Normal force that presses the surfaces together.
-        normal_force: input = real("N", 9.81).at_least(0.0),
-        /// Kinetic coefficient of friction.
-        mu_k: tunable = real("1", 0.1).at_least(0.0),
-        /// Static coefficient of friction; not less than mu_k.
-        mu_s: tunable = real("1", 0.15).at_least(0.0),
+        velocity: input = VELOCITY,
+        normal_force: input = NORMAL_FORCE,
+        mu_k: tunable = MU_K,
+        mu_s: tunable = MU_S,
         /// Strain at which a bristle snaps (default f_s / sigma_0 of the thesis).
         delta: tunable = real("m", 1.4715e-5).positive().nominal(1e-5).shown_in("um"),
         /// Number of bristles (default chosen).
@@ -138,14 +135,10 @@ crate::model! {
         initial_bonds: fixed = InitialBonds::Bonded.start(),
         /// Bristles; those beyond the count are not used.
         bristle: [Bond; MOST],
-        /// Energy taken out of the motion since the start.
-        dissipated_energy: state_output = real("J", 0.0).nominal(1e-3),
-        /// Friction force; has the sign of the velocity when sliding. Body 1 feels its negative.
-        friction_force: output = real("N", 0.0),
-        /// Power taken out of the motion: friction force times velocity.
-        dissipated_power: output = real("W", 0.0),
-        /// Is the contact sticking?
-        sticking: output = boolean(false),
+        dissipated_energy: state_output = DISSIPATED_ENERGY,
+        friction_force: output = FRICTION_FORCE,
+        dissipated_power: output = DISSIPATED_POWER,
+        sticking: output = STICKING,
     }
 }
 

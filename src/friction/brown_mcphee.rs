@@ -1,5 +1,6 @@
+use crate::contact::quantities::*;
 use crate::contact::time_stepping::{Curve, TimeStepping, memoryless};
-use crate::model::{Fault, Model, boolean, real};
+use crate::model::{Fault, Model, real};
 use crate::number::{Mask, Real};
 
 crate::model! {
@@ -70,32 +71,21 @@ crate::model! {
     /// assert!((law.friction_force - peak).abs() < 1e-15);
     /// ```
     BrownMcPhee: "Smooth friction law with a stiction peak (Brown and McPhee)" {
-        /// Sliding velocity of body 1 relative to body 2.
-        velocity: input = real("m/s", 0.0).shown_in("mm/s"),
-        /// Normal force that presses the surfaces together.
-        normal_force: input = real("N", 9.81).at_least(0.0),
-        /// Resultant of all other tangential forces on body 1; see Coupling if body 2 accelerates.
-        external_force: input = real("N", 0.0),
-        /// Kinetic coefficient of friction.
-        mu_k: tunable = real("1", 0.1).at_least(0.0),
-        /// Static coefficient of friction; not less than mu_k.
-        mu_s: tunable = real("1", 0.15).at_least(0.0),
-        /// Velocity that sets the width of the regularised band around rest.
-        transition_velocity: tunable = real("m/s", 0.001).positive().shown_in("mm/s"),
-        /// Viscous friction coefficient.
-        viscous_coefficient: tunable = real("N.s/m", 0.0).at_least(0.0),
+        velocity: input = VELOCITY,
+        normal_force: input = NORMAL_FORCE,
+        external_force: input = EXTERNAL_FORCE,
+        mu_k: tunable = MU_K,
+        mu_s: tunable = MU_S,
+        transition_velocity: tunable = TRANSITION_VELOCITY,
+        viscous_coefficient: tunable = VISCOUS_COEFFICIENT,
         /// Normal force at which the viscous part is fully active (default chosen).
         transition_normal_force: tunable = real("N", 1.0).positive(),
         /// Data for co-simulation with a body of known mass.
         time_stepping: (TimeStepping),
-        /// Energy taken out of the motion since the start.
-        dissipated_energy: state_output = real("J", 0.0).nominal(1e-3),
-        /// Friction force; has the sign of the velocity when sliding. Body 1 feels its negative.
-        friction_force: output = real("N", 0.0),
-        /// Power taken out of the motion: friction force times velocity.
-        dissipated_power: output = real("W", 0.0),
-        /// Is the contact sticking?
-        sticking: output = boolean(false),
+        dissipated_energy: state_output = DISSIPATED_ENERGY,
+        friction_force: output = FRICTION_FORCE,
+        dissipated_power: output = DISSIPATED_POWER,
+        sticking: output = STICKING,
     }
 }
 

@@ -1,6 +1,7 @@
 use crate::contact::conditions::ELASTIC_SHARE;
+use crate::contact::quantities::*;
 use crate::contact::unloading::released_without_load;
-use crate::model::{Fault, Law, Model, Preset, boolean, real};
+use crate::model::{Fault, Law, Model, Preset, real};
 use crate::number::{Mask, Real};
 
 crate::model! {
@@ -76,26 +77,17 @@ crate::model! {
     /// assert!((law.friction_force - by_hand).abs() < 1e-15);
     /// ```
     Dahl: "Pre-sliding displacement with hysteresis (Dahl)" {
-        /// Sliding velocity of body 1 relative to body 2.
-        velocity: input = real("m/s", 0.0).shown_in("mm/s"),
-        /// Normal force that presses the surfaces together.
-        normal_force: input = real("N", 9.81).at_least(0.0),
-        /// Kinetic coefficient of friction.
-        mu_k: tunable = real("1", 0.1).at_least(0.0),
-        /// Stiffness of the bristles.
-        sigma_0: tunable = real("N/m", 1e5).positive().nominal(1e5),
+        velocity: input = VELOCITY,
+        normal_force: input = NORMAL_FORCE,
+        mu_k: tunable = MU_K,
+        sigma_0: tunable = SIGMA_0,
         /// Exponent of the transition to sliding; below 1 brittle, from 1 on ductile.
         alpha: tunable = real("1", 1.0).at_least(0.0),
-        /// Mean elastic deflection of the bristles.
-        bristle_deflection: state = real("m", 0.0).nominal(1e-5).shown_in("um").reinit(),
-        /// Energy taken out of the motion since the start.
-        dissipated_energy: state_output = real("J", 0.0).nominal(1e-3),
-        /// Friction force; has the sign of the velocity when sliding. Body 1 feels its negative.
-        friction_force: output = real("N", 0.0),
-        /// Power taken out of the motion: friction force times velocity.
-        dissipated_power: output = real("W", 0.0),
-        /// Is the contact sticking?
-        sticking: output = boolean(false),
+        bristle_deflection: state = BRISTLE_DEFLECTION.reinit(),
+        dissipated_energy: state_output = DISSIPATED_ENERGY,
+        friction_force: output = FRICTION_FORCE,
+        dissipated_power: output = DISSIPATED_POWER,
+        sticking: output = STICKING,
     }
 }
 

@@ -1,6 +1,7 @@
 use crate::contact::conditions::ELASTIC_SHARE;
+use crate::contact::quantities::*;
 use crate::contact::unloading::released_without_load;
-use crate::model::{Law, Model, Preset, boolean, real};
+use crate::model::{Law, Model, Preset, real};
 use crate::number::{Mask, Real};
 use crate::numerics::relaxation;
 
@@ -68,24 +69,16 @@ crate::model! {
     /// assert!((law.friction_force - 0.981 * (1.0 - (-1.0f64).exp())).abs() < 1e-15);
     /// ```
     Dankowicz: "Pre-sliding displacement of sheared asperities (Dankowicz, reconstructed)" {
-        /// Sliding velocity of body 1 relative to body 2.
-        velocity: input = real("m/s", 0.0).shown_in("mm/s"),
-        /// Normal force that presses the surfaces together.
-        normal_force: input = real("N", 9.81).at_least(0.0),
-        /// Kinetic coefficient of friction.
-        mu_k: tunable = real("1", 0.1).at_least(0.0),
+        velocity: input = VELOCITY,
+        normal_force: input = NORMAL_FORCE,
+        mu_k: tunable = MU_K,
         /// Shear deflection of the asperities in steady sliding (default f_C / sigma_0 of the thesis).
         delta_t: tunable = real("m", 9.81e-6).positive().nominal(1e-5).shown_in("um"),
-        /// Mean elastic deflection of the bristles.
-        bristle_deflection: state = real("m", 0.0).nominal(1e-5).shown_in("um").reinit(),
-        /// Energy taken out of the motion since the start.
-        dissipated_energy: state_output = real("J", 0.0).nominal(1e-3),
-        /// Friction force; has the sign of the velocity when sliding. Body 1 feels its negative.
-        friction_force: output = real("N", 0.0),
-        /// Power taken out of the motion: friction force times velocity.
-        dissipated_power: output = real("W", 0.0),
-        /// Is the contact sticking?
-        sticking: output = boolean(false),
+        bristle_deflection: state = BRISTLE_DEFLECTION.reinit(),
+        dissipated_energy: state_output = DISSIPATED_ENERGY,
+        friction_force: output = FRICTION_FORCE,
+        dissipated_power: output = DISSIPATED_POWER,
+        sticking: output = STICKING,
     }
 }
 

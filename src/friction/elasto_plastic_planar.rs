@@ -1,10 +1,11 @@
 use nalgebra::Vector2;
 
 use crate::contact::conditions::ELASTIC_SHARE;
+use crate::contact::quantities::*;
 use crate::contact::unloading::released_without_load;
 use crate::laws::{elasto_plastic, stribeck};
 use crate::model::ramp;
-use crate::model::{Fault, Law, Model, Preset, boolean, real};
+use crate::model::{Fault, Law, Model, Preset};
 use crate::number::Mask;
 use crate::numerics::runge_kutta::dormand_prince;
 use crate::numerics::vector::{Component, direction, length, only, remainder};
@@ -88,45 +89,25 @@ crate::model! {
     /// assert!((law.bristle_deflection_y - 1e-5).abs() < 1e-19); // below 0.7 f_s / sigma_0 = 10.3 um: a spring
     /// ```
     ElastoPlasticPlanar: "Bristle friction without drift below breakaway, in a plane (elasto-plastic)" {
-        /// Velocity of body 1 relative to body 2, component x.
-        velocity_x: input = real("m/s", 0.0).shown_in("mm/s"),
-        /// Velocity of body 1 relative to body 2, component y.
-        velocity_y: input = real("m/s", 0.0).shown_in("mm/s"),
-        /// Normal force that presses the surfaces together.
-        normal_force: input = real("N", 9.81).at_least(0.0),
-        /// Kinetic coefficient of friction.
-        mu_k: tunable = real("1", 0.1).at_least(0.0),
-        /// Static coefficient of friction; not less than mu_k.
-        mu_s: tunable = real("1", 0.15).at_least(0.0),
-        /// Speed at which the excess of static over kinetic friction has fallen to 1/e, or to 1/2 where the curve is a
-        /// fraction (Armstrong, HessSoom, PoppStelter).
-        stribeck_velocity: tunable = real("m/s", 0.001).positive().shown_in("mm/s"),
-        /// Exponent of the Stribeck curve.
-        stribeck_exponent: tunable = real("1", 2.0).positive(),
-        /// Part of the deflection of steady sliding up to which the contact is purely elastic.
-        breakaway_ratio: tunable = real("1", 0.7).positive().at_most(0.99),
-        /// Stiffness of the bristles.
-        sigma_0: tunable = real("N/m", 1e5).positive().nominal(1e5),
-        /// Damping of the bristles.
-        sigma_1: tunable = real("N.s/m", 316.227_766_016_837_94).at_least(0.0).nominal(300.0),
-        /// Viscous friction coefficient.
-        viscous_coefficient: tunable = real("N.s/m", 0.1).at_least(0.0),
-        /// Speed at which the damping of the bristles fades; 0 = constant damping.
-        damping_velocity: tunable = real("m/s", 0.0).at_least(0.0).shown_in("mm/s"),
-        /// Elastic deflection of the bristles, component x.
-        bristle_deflection_x: state = real("m", 0.0).nominal(1e-5).shown_in("um").reinit(),
-        /// Elastic deflection of the bristles, component y.
-        bristle_deflection_y: state = real("m", 0.0).nominal(1e-5).shown_in("um").reinit(),
-        /// Energy taken out of the motion since the start.
-        dissipated_energy: state_output = real("J", 0.0).nominal(1e-3),
-        /// Friction force, component x; has the direction of the velocity when sliding. Body 1 feels its negative.
-        friction_force_x: output = real("N", 0.0),
-        /// Friction force, component y; has the direction of the velocity when sliding. Body 1 feels its negative.
-        friction_force_y: output = real("N", 0.0),
-        /// Power taken out of the motion: friction force times velocity.
-        dissipated_power: output = real("W", 0.0),
-        /// Is the contact sticking?
-        sticking: output = boolean(false),
+        velocity_x: input = VELOCITY_X,
+        velocity_y: input = VELOCITY_Y,
+        normal_force: input = NORMAL_FORCE,
+        mu_k: tunable = MU_K,
+        mu_s: tunable = MU_S,
+        stribeck_velocity: tunable = STRIBECK_VELOCITY,
+        stribeck_exponent: tunable = STRIBECK_EXPONENT,
+        breakaway_ratio: tunable = BREAKAWAY_RATIO.at_most(0.99),
+        sigma_0: tunable = SIGMA_0,
+        sigma_1: tunable = SIGMA_1,
+        viscous_coefficient: tunable = VISCOUS_COEFFICIENT.start(0.1),
+        damping_velocity: tunable = DAMPING_VELOCITY,
+        bristle_deflection_x: state = BRISTLE_DEFLECTION_X.reinit(),
+        bristle_deflection_y: state = BRISTLE_DEFLECTION_Y.reinit(),
+        dissipated_energy: state_output = DISSIPATED_ENERGY,
+        friction_force_x: output = FRICTION_FORCE_X,
+        friction_force_y: output = FRICTION_FORCE_Y,
+        dissipated_power: output = DISSIPATED_POWER,
+        sticking: output = STICKING,
     }
 }
 

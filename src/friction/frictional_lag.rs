@@ -1,8 +1,9 @@
 use crate::contact::delay_line::{DelayLine, Piece};
 use crate::contact::motion::Motion;
+use crate::contact::quantities::*;
 use crate::laws::stribeck;
 use crate::model::ramp;
-use crate::model::{Fault, Law, Model, Preset, boolean, real};
+use crate::model::{Fault, Law, Model, Preset, boolean};
 use crate::number::{Mask, Real};
 use crate::numerics::quadrature::integral_past_peak;
 use crate::numerics::relaxation;
@@ -104,39 +105,25 @@ crate::model! {
     /// assert!((law.friction_force + level).abs() < 1e-15);
     /// ```
     FrictionalLag: "Stribeck friction that lags behind the velocity (Hess and Soom)" {
-        /// Sliding velocity of body 1 relative to body 2.
-        velocity: input = real("m/s", 0.0).shown_in("mm/s"),
-        /// Normal force that presses the surfaces together.
-        normal_force: input = real("N", 9.81).at_least(0.0),
-        /// Kinetic coefficient of friction.
-        mu_k: tunable = real("1", 0.1).at_least(0.0),
-        /// Static coefficient of friction; not less than mu_k.
-        mu_s: tunable = real("1", 0.15).at_least(0.0),
-        /// Speed at which the excess of static over kinetic friction has fallen to 1/e, or to 1/2 where the curve is a
-        /// fraction (Armstrong, HessSoom, PoppStelter).
-        stribeck_velocity: tunable = real("m/s", 0.001).positive().shown_in("mm/s"),
-        /// Exponent of the Stribeck curve.
-        stribeck_exponent: tunable = real("1", 2.0).positive(),
-        /// Viscous friction coefficient.
-        viscous_coefficient: tunable = real("N.s/m", 0.0).at_least(0.0),
-        /// Time by which the level of friction lags behind the velocity (default chosen).
-        time_lag: fixed = real("s", 0.005).at_least(0.0).nominal(1e-3).shown_in("ms"),
+        velocity: input = VELOCITY,
+        normal_force: input = NORMAL_FORCE,
+        mu_k: tunable = MU_K,
+        mu_s: tunable = MU_S,
+        stribeck_velocity: tunable = STRIBECK_VELOCITY,
+        stribeck_exponent: tunable = STRIBECK_EXPONENT,
+        viscous_coefficient: tunable = VISCOUS_COEFFICIENT,
+        time_lag: fixed = TIME_LAG,
         /// Variant of the law.
         variant: fixed = FrictionalLagVariant::Delay.start(),
         /// Does the contact have a past? Without one the level follows the present velocity.
         has_past: state = boolean(false),
-        /// Velocity that determines the friction level: delayed by the time lag, or filtered.
-        lagged_velocity: state = real("m/s", 0.0).nominal(1e-3).shown_in("mm/s"),
+        lagged_velocity: state = LAGGED_VELOCITY,
         /// The past of the velocity.
         delay_line: (DelayLine),
-        /// Energy taken out of the motion since the start.
-        dissipated_energy: state_output = real("J", 0.0).nominal(1e-3),
-        /// Friction force; has the sign of the velocity when sliding. Body 1 feels its negative.
-        friction_force: output = real("N", 0.0),
-        /// Power taken out of the motion: friction force times velocity.
-        dissipated_power: output = real("W", 0.0),
-        /// Is the contact sticking?
-        sticking: output = boolean(false),
+        dissipated_energy: state_output = DISSIPATED_ENERGY,
+        friction_force: output = FRICTION_FORCE,
+        dissipated_power: output = DISSIPATED_POWER,
+        sticking: output = STICKING,
     }
 }
 

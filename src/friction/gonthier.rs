@@ -1,6 +1,7 @@
 use crate::contact::conditions::is_elastic;
+use crate::contact::quantities::*;
 use crate::contact::unloading::released_without_load;
-use crate::model::{Fault, Law, Model, Preset, boolean, real};
+use crate::model::{Fault, Law, Model, Preset, real};
 use crate::number::{Mask, Real};
 
 crate::model! {
@@ -91,39 +92,24 @@ crate::model! {
     /// assert!((law.friction_force - (0.981 + 0.4905 * by_hand)).abs() < 1e-15);
     /// ```
     Gonthier: "Bristle friction with dwell time (Gonthier)" {
-        /// Sliding velocity of body 1 relative to body 2.
-        velocity: input = real("m/s", 0.0).shown_in("mm/s"),
-        /// Normal force that presses the surfaces together.
-        normal_force: input = real("N", 9.81).at_least(0.0),
-        /// Kinetic coefficient of friction.
-        mu_k: tunable = real("1", 0.1).at_least(0.0),
-        /// Static coefficient of friction; not less than mu_k.
-        mu_s: tunable = real("1", 0.15).at_least(0.0),
-        /// Speed at which the excess of static over kinetic friction has fallen to 1/e, or to 1/2 where the curve is a
-        /// fraction (Armstrong, HessSoom, PoppStelter).
-        stribeck_velocity: tunable = real("m/s", 0.001).positive().shown_in("mm/s"),
-        /// Velocity that sets the width of the regularised band around rest.
-        transition_velocity: tunable = real("m/s", 1e-5).positive().shown_in("mm/s"),
-        /// Stiffness of the bristles.
-        sigma_0: tunable = real("N/m", 1e5).positive().nominal(1e5),
-        /// Damping of the bristles.
-        sigma_1: tunable = real("N.s/m", 316.227_766_016_837_94).positive().nominal(300.0),
-        /// Viscous friction coefficient.
-        viscous_coefficient: tunable = real("N.s/m", 0.1).at_least(0.0),
+        velocity: input = VELOCITY,
+        normal_force: input = NORMAL_FORCE,
+        mu_k: tunable = MU_K,
+        mu_s: tunable = MU_S,
+        stribeck_velocity: tunable = STRIBECK_VELOCITY,
+        transition_velocity: tunable = TRANSITION_VELOCITY.start(1e-5),
+        sigma_0: tunable = SIGMA_0,
+        sigma_1: tunable = SIGMA_1.positive(),
+        viscous_coefficient: tunable = VISCOUS_COEFFICIENT.start(0.1),
         /// Time constant with which the static level rises at rest.
         dwell_time_constant: tunable = real("s", 2.0).positive(),
-        /// Mean elastic deflection of the bristles.
-        bristle_deflection: state = real("m", 0.0).nominal(1e-5).shown_in("um").reinit(),
+        bristle_deflection: state = BRISTLE_DEFLECTION.reinit(),
         /// Memory of the time at rest: 0 after sliding, 1 after a long rest.
         dwell: state = real("1", 0.0).at_least(0.0).at_most(1.0).reinit(),
-        /// Energy taken out of the motion since the start.
-        dissipated_energy: state_output = real("J", 0.0).nominal(1e-3),
-        /// Friction force; has the sign of the velocity when sliding. Body 1 feels its negative.
-        friction_force: output = real("N", 0.0),
-        /// Power taken out of the motion: friction force times velocity.
-        dissipated_power: output = real("W", 0.0),
-        /// Is the contact sticking?
-        sticking: output = boolean(false),
+        dissipated_energy: state_output = DISSIPATED_ENERGY,
+        friction_force: output = FRICTION_FORCE,
+        dissipated_power: output = DISSIPATED_POWER,
+        sticking: output = STICKING,
     }
 }
 

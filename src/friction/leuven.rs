@@ -1,8 +1,9 @@
 use crate::contact::conditions::is_elastic;
-use crate::contact::elements::{self, Division, ElementDistribution, Ramp, Share};
+use crate::contact::elements::{self, Division, Ramp, Share};
+use crate::contact::quantities::*;
 use crate::laws::stribeck;
 use crate::model::ramp;
-use crate::model::{Fault, Law, Model, Preset, boolean, integer, real};
+use crate::model::{Fault, Law, Model, Preset, real};
 use crate::number::{Mask, Real};
 use crate::numerics::approach;
 
@@ -11,8 +12,7 @@ crate::part! {
     Element {
         /// Share of the element.
         share: (Share),
-        /// Force of the element.
-        force: state = real("N", 0.0),
+        force: state = ELEMENT_FORCE,
     }
 }
 
@@ -106,45 +106,28 @@ crate::model! {
     /// assert!((law.friction_force - steady).abs() < 1e-12);
     /// ```
     Leuven: "Bristle friction with hysteresis of pre-sliding (Leuven, in the form of Lampaert)" {
-        /// Sliding velocity of body 1 relative to body 2.
-        velocity: input = real("m/s", 0.0).shown_in("mm/s"),
-        /// Normal force that presses the surfaces together.
-        normal_force: input = real("N", 9.81).at_least(0.0),
-        /// Kinetic coefficient of friction.
-        mu_k: tunable = real("1", 0.1).at_least(0.0),
-        /// Static coefficient of friction; not less than mu_k.
-        mu_s: tunable = real("1", 0.15).at_least(0.0),
-        /// Speed at which the excess of static over kinetic friction has fallen to 1/e, or to 1/2 where the curve is a
-        /// fraction (Armstrong, HessSoom, PoppStelter).
-        stribeck_velocity: tunable = real("m/s", 0.001).positive().shown_in("mm/s"),
-        /// Exponent of the Stribeck curve.
-        stribeck_exponent: tunable = real("1", 2.0).positive(),
-        /// Stiffness of the bristles.
-        sigma_0: tunable = real("N/m", 1e5).positive().nominal(1e5),
-        /// Damping of the bristles.
-        sigma_1: tunable = real("N.s/m", 316.227_766_016_837_94).at_least(0.0).nominal(300.0),
-        /// Viscous friction coefficient.
-        viscous_coefficient: tunable = real("N.s/m", 0.1).at_least(0.0),
+        velocity: input = VELOCITY,
+        normal_force: input = NORMAL_FORCE,
+        mu_k: tunable = MU_K,
+        mu_s: tunable = MU_S,
+        stribeck_velocity: tunable = STRIBECK_VELOCITY,
+        stribeck_exponent: tunable = STRIBECK_EXPONENT,
+        sigma_0: tunable = SIGMA_0,
+        sigma_1: tunable = SIGMA_1,
+        viscous_coefficient: tunable = VISCOUS_COEFFICIENT.start(0.1),
         /// Exponent of the approach to the steady level (default chosen).
         approach_exponent: tunable = real("1", 1.0).at_least(0.1),
         /// Strength of all elements together, as a multiple of the static level; not less than 1 (default chosen).
         hysteresis_strength: tunable = real("1", 1.2).positive(),
-        /// Where the shares of the elements come from.
-        distribution: fixed = ElementDistribution::Explicit.start(),
-        /// Number of elements in use (default chosen).
-        element_count: fixed = integer(4).at_least(1.0).at_most(elements::MOST as f64),
+        distribution: fixed = DISTRIBUTION,
+        element_count: fixed = ELEMENT_COUNT,
         /// Elements; those beyond element_count are not used.
         element: [Element; 64] = elements::FOUR,
-        /// Mean elastic deflection of the bristles.
-        bristle_deflection: state = real("m", 0.0).nominal(1e-5).shown_in("um"),
-        /// Energy taken out of the motion since the start.
-        dissipated_energy: state_output = real("J", 0.0).nominal(1e-3),
-        /// Friction force; has the sign of the velocity when sliding. Body 1 feels its negative.
-        friction_force: output = real("N", 0.0),
-        /// Power taken out of the motion: friction force times velocity.
-        dissipated_power: output = real("W", 0.0),
-        /// Is the contact sticking?
-        sticking: output = boolean(false),
+        bristle_deflection: state = BRISTLE_DEFLECTION,
+        dissipated_energy: state_output = DISSIPATED_ENERGY,
+        friction_force: output = FRICTION_FORCE,
+        dissipated_power: output = DISSIPATED_POWER,
+        sticking: output = STICKING,
     }
 }
 

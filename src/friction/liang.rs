@@ -1,7 +1,8 @@
 use nalgebra::Vector3;
 
+use crate::contact::quantities::*;
 use crate::contact::turning;
-use crate::model::{Fault, Law, Model, Preset, boolean, real};
+use crate::model::{Fault, Law, Model, Preset, real};
 use crate::number::Mask;
 use crate::numerics::root;
 use crate::numerics::vector::{Component, direction, in_plane, length, remainder, turned_into};
@@ -114,50 +115,35 @@ crate::model! {
     /// assert!((law.friction_force_x - 0.5886).abs() < 1e-15 && (law.friction_force_y + 0.7848).abs() < 1e-15);
     /// ```
     Liang: "Bristle friction in space (Liang)" {
-        /// Velocity of body 1 relative to body 2, component x.
-        velocity_x: input = real("m/s", 0.0).shown_in("mm/s"),
-        /// Velocity of body 1 relative to body 2, component y.
-        velocity_y: input = real("m/s", 0.0).shown_in("mm/s"),
+        velocity_x: input = VELOCITY_X,
+        velocity_y: input = VELOCITY_Y,
         /// Velocity of body 1 relative to body 2, component z.
-        velocity_z: input = real("m/s", 0.0).shown_in("mm/s"),
+        velocity_z: input = real("m/s", 0.0).shown_in("mm/s").odd(),
         /// Normal of the contact, component x; the length does not matter.
         normal_x: input = real("1", 0.0),
         /// Normal of the contact, component y; the length does not matter.
         normal_y: input = real("1", 0.0),
         /// Normal of the contact, component z; the length does not matter.
         normal_z: input = real("1", 1.0),
-        /// Normal force that presses the surfaces together.
-        normal_force: input = real("N", 9.81).at_least(0.0),
-        /// Kinetic coefficient of friction.
-        mu_k: tunable = real("1", 0.1).at_least(0.0),
-        /// Static coefficient of friction; not less than mu_k.
-        mu_s: tunable = real("1", 0.15).at_least(0.0),
-        /// Velocity that sets the width of the regularised band around rest.
-        transition_velocity: tunable = real("m/s", 0.001).positive().shown_in("mm/s"),
-        /// Stiffness of the bristles.
-        sigma_0: tunable = real("N/m", 1e5).positive().nominal(1e5),
-        /// Damping of the bristles.
-        sigma_1: tunable = real("N.s/m", 316.227_766_016_837_94).at_least(0.0).nominal(300.0),
+        normal_force: input = NORMAL_FORCE,
+        mu_k: tunable = MU_K,
+        mu_s: tunable = MU_S,
+        transition_velocity: tunable = TRANSITION_VELOCITY,
+        sigma_0: tunable = SIGMA_0,
+        sigma_1: tunable = SIGMA_1,
         /// Variant of the law.
         variant: fixed = LiangVariant::RadialReturn.start(),
-        /// Elastic deflection of the bristles, component x.
-        bristle_deflection_x: state = real("m", 0.0).nominal(1e-5).shown_in("um"),
-        /// Elastic deflection of the bristles, component y.
-        bristle_deflection_y: state = real("m", 0.0).nominal(1e-5).shown_in("um"),
+        bristle_deflection_x: state = BRISTLE_DEFLECTION_X,
+        bristle_deflection_y: state = BRISTLE_DEFLECTION_Y,
         /// Elastic deflection of the bristles, component z.
-        bristle_deflection_z: state = real("m", 0.0).nominal(1e-5).shown_in("um"),
-        /// Energy taken out of the motion since the start.
-        dissipated_energy: state_output = real("J", 0.0).nominal(1e-3),
-        /// Friction force, component x; has the direction of the velocity when sliding. Body 1 feels its negative.
-        friction_force_x: output = real("N", 0.0),
-        /// Friction force, component y; has the direction of the velocity when sliding. Body 1 feels its negative.
-        friction_force_y: output = real("N", 0.0),
+        bristle_deflection_z: state = real("m", 0.0).nominal(1e-5).shown_in("um").odd(),
+        dissipated_energy: state_output = DISSIPATED_ENERGY,
+        friction_force_x: output = FRICTION_FORCE_X,
+        friction_force_y: output = FRICTION_FORCE_Y,
         /// Friction force, component z; has the direction of the velocity when sliding. Body 1 feels its negative.
-        friction_force_z: output = real("N", 0.0),
-        /// Power taken out of the motion: friction force times velocity.
-        dissipated_power: output = real("W", 0.0),
-        /// Is the contact sticking?
-        sticking: output = boolean(false),
+        friction_force_z: output = real("N", 0.0).odd(),
+        dissipated_power: output = DISSIPATED_POWER,
+        sticking: output = STICKING,
     }
 }
 

@@ -1,15 +1,15 @@
 use crate::contact::elements::{self, Division, ElementDistribution, Ramp, Share};
+use crate::contact::quantities::*;
 use crate::laws::stribeck;
 use crate::model::ramp;
-use crate::model::{self, Fault, Law, Model, Preset, Width, boolean, integer, real};
+use crate::model::{self, Fault, Law, Model, Preset, Width, boolean, real};
 use crate::number::{Mask, Real};
 use crate::numerics::relaxation;
 
 crate::part! {
     /// The state of an element.
     Block {
-        /// Force of the element.
-        force: state = real("N", 0.0),
+        force: state = ELEMENT_FORCE,
         /// Is the element slipping?
         slipping: state = boolean(false),
     }
@@ -140,41 +140,25 @@ crate::model! {
     /// assert!((law.friction_force - (0.1 * 1.4715 + 0.5 * 1e5 * 1e-5)).abs() < 1e-9);
     /// ```
     MaxwellSlip: "Elements that stick or slip, with hysteresis of pre-sliding (generalised Maxwell-slip, GMS)" {
-        /// Sliding velocity of body 1 relative to body 2.
-        velocity: input = real("m/s", 0.0).shown_in("mm/s"),
-        /// Normal force that presses the surfaces together.
-        normal_force: input = real("N", 9.81).at_least(0.0),
-        /// Kinetic coefficient of friction.
-        mu_k: tunable = real("1", 0.1).at_least(0.0),
-        /// Static coefficient of friction; not less than mu_k.
-        mu_s: tunable = real("1", 0.15).at_least(0.0),
-        /// Speed at which the excess of static over kinetic friction has fallen to 1/e, or to 1/2 where the curve is a
-        /// fraction (Armstrong, HessSoom, PoppStelter).
-        stribeck_velocity: tunable = real("m/s", 0.001).positive().shown_in("mm/s"),
-        /// Exponent of the Stribeck curve.
-        stribeck_exponent: tunable = real("1", 2.0).positive(),
-        /// Stiffness of the bristles.
-        sigma_0: tunable = real("N/m", 1e5).positive().nominal(1e5),
-        /// Damping of the bristles.
-        sigma_1: tunable = real("N.s/m", 0.0).at_least(0.0).nominal(300.0),
-        /// Viscous friction coefficient.
-        viscous_coefficient: tunable = real("N.s/m", 0.0).at_least(0.0),
+        velocity: input = VELOCITY,
+        normal_force: input = NORMAL_FORCE,
+        mu_k: tunable = MU_K,
+        mu_s: tunable = MU_S,
+        stribeck_velocity: tunable = STRIBECK_VELOCITY,
+        stribeck_exponent: tunable = STRIBECK_EXPONENT,
+        sigma_0: tunable = SIGMA_0,
+        sigma_1: tunable = SIGMA_1.start(0.0),
+        viscous_coefficient: tunable = VISCOUS_COEFFICIENT,
         /// Rate at which the slipping elements together approach their level (default chosen).
         attraction: tunable = real("N/s", 1000.0).positive().nominal(1000.0),
-        /// Where the shares of the elements come from.
-        distribution: fixed = ElementDistribution::Explicit.start(),
-        /// Number of elements in use (default chosen).
-        element_count: fixed = integer(4).at_least(1.0).at_most(MOST as f64),
+        distribution: fixed = DISTRIBUTION,
+        element_count: fixed = ELEMENT_COUNT.at_most(MOST as f64),
         /// Elements; those beyond element_count are not used.
         element: [Element; LISTED] = elements::FOUR,
-        /// Energy taken out of the motion since the start.
-        dissipated_energy: state_output = real("J", 0.0).nominal(1e-3),
-        /// Friction force; has the sign of the velocity when sliding. Body 1 feels its negative.
-        friction_force: output = real("N", 0.0),
-        /// Power taken out of the motion: friction force times velocity.
-        dissipated_power: output = real("W", 0.0),
-        /// Is the contact sticking?
-        sticking: output = boolean(false),
+        dissipated_energy: state_output = DISSIPATED_ENERGY,
+        friction_force: output = FRICTION_FORCE,
+        dissipated_power: output = DISSIPATED_POWER,
+        sticking: output = STICKING,
     }
 }
 

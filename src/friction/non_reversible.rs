@@ -1,8 +1,9 @@
 use crate::contact::branching::Branching;
 use crate::contact::motion::Motion;
+use crate::contact::quantities::*;
 use crate::laws::branches;
 use crate::model::ramp;
-use crate::model::{Fault, Law, Model, Preset, boolean, real};
+use crate::model::{Fault, Law, Model, Preset, real};
 use crate::number::{Mask, Real};
 use crate::numerics::quadrature::integral_past_peak;
 
@@ -81,30 +82,22 @@ crate::model! {
     /// assert!((law.friction_force - 0.981 * (1.0 - (-1.0f64).exp())).abs() < 1e-15);
     /// ```
     NonReversible: "Different friction while speeding up and slowing down (reconstructed)" {
-        /// Sliding velocity of body 1 relative to body 2.
-        velocity: input = real("m/s", 0.0).shown_in("mm/s"),
-        /// Normal force that presses the surfaces together.
-        normal_force: input = real("N", 9.81).at_least(0.0),
+        velocity: input = VELOCITY,
+        normal_force: input = NORMAL_FORCE,
         /// How the acceleration is known.
         branching: (Branching),
-        /// Kinetic coefficient of friction.
-        mu_k: tunable = real("1", 0.1).at_least(0.0),
-        /// Static coefficient of friction; not less than mu_k.
-        mu_s: tunable = real("1", 0.15).at_least(0.0),
+        mu_k: tunable = MU_K,
+        mu_s: tunable = MU_S,
         /// Coefficient of friction that a contact reaches when it comes to rest; not more than mu_s (default chosen).
         mu_stop: tunable = real("1", 0.0).at_least(0.0),
         /// Steepness of the curve while speeding up (default chosen).
         acceleration_decay: tunable = real("s/m", 500.0).positive().nominal(500.0),
         /// Steepness of the curve while slowing down (default chosen).
         deceleration_decay: tunable = real("s/m", 500.0).positive().nominal(500.0),
-        /// Energy taken out of the motion since the start.
-        dissipated_energy: state_output = real("J", 0.0).nominal(1e-3),
-        /// Friction force; has the sign of the velocity when sliding. Body 1 feels its negative.
-        friction_force: output = real("N", 0.0),
-        /// Power taken out of the motion: friction force times velocity.
-        dissipated_power: output = real("W", 0.0),
-        /// Is the contact sticking?
-        sticking: output = boolean(false),
+        dissipated_energy: state_output = DISSIPATED_ENERGY,
+        friction_force: output = FRICTION_FORCE,
+        dissipated_power: output = DISSIPATED_POWER,
+        sticking: output = STICKING,
     }
 }
 

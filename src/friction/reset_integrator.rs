@@ -1,6 +1,7 @@
 use crate::contact::motion::Motion;
+use crate::contact::quantities::*;
 use crate::model::ramp;
-use crate::model::{Fault, Law, Model, Preset, boolean, real};
+use crate::model::{Fault, Law, Model, Preset, real};
 use crate::number::{Mask, Real};
 use crate::numerics::root::first_rise;
 
@@ -85,30 +86,19 @@ crate::model! {
     /// assert_eq!(law.friction_force, 0.1 * 9.81);
     /// ```
     ResetIntegrator: "Bond that breaks at the static level (reset integrator)" {
-        /// Sliding velocity of body 1 relative to body 2.
-        velocity: input = real("m/s", 0.0).shown_in("mm/s"),
-        /// Normal force that presses the surfaces together.
-        normal_force: input = real("N", 9.81).at_least(0.0),
-        /// Kinetic coefficient of friction.
-        mu_k: tunable = real("1", 0.1).at_least(0.0),
-        /// Static coefficient of friction; not less than mu_k.
-        mu_s: tunable = real("1", 0.15).at_least(0.0),
-        /// Stiffness of the bristles.
-        sigma_0: tunable = real("N/m", 1e5).positive().nominal(1e5),
-        /// Damping of the bristles.
-        sigma_1: tunable = real("N.s/m", 316.227_766_016_837_94).at_least(0.0).nominal(300.0),
-        /// Mean elastic deflection of the bristles.
-        bristle_deflection: state = real("m", 0.0).nominal(1e-5).shown_in("um"),
+        velocity: input = VELOCITY,
+        normal_force: input = NORMAL_FORCE,
+        mu_k: tunable = MU_K,
+        mu_s: tunable = MU_S,
+        sigma_0: tunable = SIGMA_0,
+        sigma_1: tunable = SIGMA_1,
+        bristle_deflection: state = BRISTLE_DEFLECTION,
         /// Direction in which the contact has broken away; 0 = bonded.
-        slip_direction: state = real("1", 0.0).at_least(-1.0).at_most(1.0),
-        /// Energy taken out of the motion since the start.
-        dissipated_energy: state_output = real("J", 0.0).nominal(1e-3),
-        /// Friction force; has the sign of the velocity when sliding. Body 1 feels its negative.
-        friction_force: output = real("N", 0.0),
-        /// Power taken out of the motion: friction force times velocity.
-        dissipated_power: output = real("W", 0.0),
-        /// Is the contact sticking?
-        sticking: output = boolean(false),
+        slip_direction: state = real("1", 0.0).at_least(-1.0).at_most(1.0).odd(),
+        dissipated_energy: state_output = DISSIPATED_ENERGY,
+        friction_force: output = FRICTION_FORCE,
+        dissipated_power: output = DISSIPATED_POWER,
+        sticking: output = STICKING,
     }
 }
 

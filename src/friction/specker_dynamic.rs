@@ -1,6 +1,7 @@
+use crate::contact::quantities::*;
 use crate::contact::unloading::released_without_load;
 use crate::laws::specker::SpeckerCurve;
-use crate::model::{Fault, Law, Model, Preset, boolean, real};
+use crate::model::{Fault, Law, Model, Preset, real};
 use crate::number::{Mask, Real};
 use crate::numerics::relaxation;
 
@@ -85,34 +86,22 @@ crate::model! {
     /// assert!((law.friction_force - 1.4715).abs() < 1e-12);
     /// ```
     SpeckerDynamic: "Smooth friction law with a velocity-dependent lag (Specker, reconstructed)" {
-        /// Sliding velocity of body 1 relative to body 2.
-        velocity: input = real("m/s", 0.0).shown_in("mm/s"),
-        /// Normal force that presses the surfaces together.
-        normal_force: input = real("N", 9.81).at_least(0.0),
-        /// Kinetic coefficient of friction.
-        mu_k: tunable = real("1", 0.1).at_least(0.0),
-        /// Static coefficient of friction; not less than mu_k.
-        mu_s: tunable = real("1", 0.15).at_least(0.0),
-        /// Velocity that sets the width of the regularised band around rest.
-        transition_velocity: tunable = real("m/s", 0.00025).positive().shown_in("mm/s"),
-        /// Velocity at which the static level is reached (default chosen).
-        peak_velocity: tunable = real("m/s", 0.0005).positive().shown_in("mm/s"),
-        /// Viscous friction coefficient.
-        viscous_coefficient: tunable = real("N.s/m", 0.0).at_least(0.0),
-        /// Stiffness of the bristles.
-        sigma_0: tunable = real("N/m", 1e5).positive().nominal(1e5),
+        velocity: input = VELOCITY,
+        normal_force: input = NORMAL_FORCE,
+        mu_k: tunable = MU_K,
+        mu_s: tunable = MU_S,
+        transition_velocity: tunable = TRANSITION_VELOCITY.start(0.00025),
+        peak_velocity: tunable = PEAK_VELOCITY,
+        viscous_coefficient: tunable = VISCOUS_COEFFICIENT,
+        sigma_0: tunable = SIGMA_0,
         /// Time constant of the force while sliding (default chosen).
         slip_time: tunable = real("s", 0.001).positive().nominal(1e-3).shown_in("ms"),
         /// Friction force behind the low-pass.
-        lagging_force: state = real("N", 0.0).reinit(),
-        /// Energy taken out of the motion since the start.
-        dissipated_energy: state_output = real("J", 0.0).nominal(1e-3),
-        /// Friction force; has the sign of the velocity when sliding. Body 1 feels its negative.
-        friction_force: output = real("N", 0.0),
-        /// Power taken out of the motion: friction force times velocity.
-        dissipated_power: output = real("W", 0.0),
-        /// Is the contact sticking?
-        sticking: output = boolean(false),
+        lagging_force: state = real("N", 0.0).reinit().odd(),
+        dissipated_energy: state_output = DISSIPATED_ENERGY,
+        friction_force: output = FRICTION_FORCE,
+        dissipated_power: output = DISSIPATED_POWER,
+        sticking: output = STICKING,
     }
 }
 

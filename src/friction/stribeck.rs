@@ -1,6 +1,7 @@
+use crate::contact::quantities::*;
 use crate::contact::time_stepping::{Curve, TimeStepping, memoryless};
 use crate::laws::{stribeck, viscous};
-use crate::model::{Fault, Model, boolean, real};
+use crate::model::{Fault, Model, real};
 use crate::number::Real;
 
 crate::choices! {
@@ -104,37 +105,25 @@ crate::model! {
     /// assert!((law.friction_force - (0.981 + 0.4905 * (-1.0f64).exp())).abs() < 1e-15);
     /// ```
     Stribeck: "Friction that falls with speed from the static to the kinetic level (Stribeck)" {
-        /// Sliding velocity of body 1 relative to body 2.
-        velocity: input = real("m/s", 0.0).shown_in("mm/s"),
-        /// Normal force that presses the surfaces together.
-        normal_force: input = real("N", 9.81).at_least(0.0),
-        /// Resultant of all other tangential forces on body 1; see Coupling if body 2 accelerates.
-        external_force: input = real("N", 0.0),
+        velocity: input = VELOCITY,
+        normal_force: input = NORMAL_FORCE,
+        external_force: input = EXTERNAL_FORCE,
         /// How the level falls with speed.
         curve: fixed = StribeckCurve::Gaussian.start(),
-        /// Kinetic coefficient of friction.
-        mu_k: tunable = real("1", 0.1).at_least(0.0),
-        /// Static coefficient of friction; not less than mu_k.
-        mu_s: tunable = real("1", 0.15).at_least(0.0),
-        /// Speed at which the excess of static over kinetic friction has fallen to 1/e, or to 1/2 where the curve is a
-        /// fraction (Armstrong, HessSoom, PoppStelter).
-        stribeck_velocity: tunable = real("m/s", 0.001).positive().shown_in("mm/s"),
-        /// Exponent of the Stribeck curve.
-        stribeck_exponent: tunable = real("1", 2.0).positive(),
-        /// Viscous friction coefficient.
-        viscous_coefficient: tunable = real("N.s/m", 0.0).at_least(0.0),
+        mu_k: tunable = MU_K,
+        mu_s: tunable = MU_S,
+        stribeck_velocity: tunable = STRIBECK_VELOCITY
+            .help("Speed at which 1/e of the excess is left; one half with HessSoom and PoppStelter."),
+        stribeck_exponent: tunable = STRIBECK_EXPONENT,
+        viscous_coefficient: tunable = VISCOUS_COEFFICIENT,
         /// Quadratic friction coefficient; used by PoppStelter.
         quadratic_coefficient: tunable = real("N.s2/m2", 0.0).at_least(0.0),
         /// Data for co-simulation with a body of known mass.
         time_stepping: (TimeStepping),
-        /// Energy taken out of the motion since the start.
-        dissipated_energy: state_output = real("J", 0.0).nominal(1e-3),
-        /// Friction force; has the sign of the velocity when sliding. Body 1 feels its negative.
-        friction_force: output = real("N", 0.0),
-        /// Power taken out of the motion: friction force times velocity.
-        dissipated_power: output = real("W", 0.0),
-        /// Is the contact sticking?
-        sticking: output = boolean(false),
+        dissipated_energy: state_output = DISSIPATED_ENERGY,
+        friction_force: output = FRICTION_FORCE,
+        dissipated_power: output = DISSIPATED_POWER,
+        sticking: output = STICKING,
     }
 }
 

@@ -1,8 +1,9 @@
 use crate::contact::branching::Branching;
 use crate::contact::motion::Motion;
+use crate::contact::quantities::*;
 use crate::laws::branches;
 use crate::model::ramp;
-use crate::model::{Fault, Law, Model, Preset, boolean, real};
+use crate::model::{Fault, Law, Model, Preset, real};
 use crate::number::{Mask, Real};
 use crate::numerics::quadrature::integral_past_peak;
 use crate::numerics::root::first_rise;
@@ -104,32 +105,21 @@ crate::model! {
     /// assert!((law.friction_force - (0.981 + 0.4905 * (-1.0f64).exp())).abs() < 1e-15);
     /// ```
     Wojewoda: "Hysteretic friction: stuck spring, two branches of sliding (reconstructed after Wojewoda)" {
-        /// Sliding velocity of body 1 relative to body 2.
-        velocity: input = real("m/s", 0.0).shown_in("mm/s"),
-        /// Normal force that presses the surfaces together.
-        normal_force: input = real("N", 9.81).at_least(0.0),
+        velocity: input = VELOCITY,
+        normal_force: input = NORMAL_FORCE,
         /// Source of the acceleration.
         branching: (Branching),
-        /// Kinetic coefficient of friction.
-        mu_k: tunable = real("1", 0.1).at_least(0.0),
-        /// Static coefficient of friction; not less than mu_k.
-        mu_s: tunable = real("1", 0.15).at_least(0.0),
-        /// Stiffness of the bristles.
-        sigma_0: tunable = real("N/m", 1e5).positive().nominal(1e5),
+        mu_k: tunable = MU_K,
+        mu_s: tunable = MU_S,
+        sigma_0: tunable = SIGMA_0,
         /// Steepness of the curves for speeding up and slowing down (default chosen).
         branch_decay: tunable = real("s/m", 500.0).positive().nominal(500.0),
-        /// Has the contact broken away?
-        slipping: state = boolean(false),
-        /// Mean elastic deflection of the bristles.
-        bristle_deflection: state = real("m", 0.0).nominal(1e-5).shown_in("um"),
-        /// Energy taken out of the motion since the start.
-        dissipated_energy: state_output = real("J", 0.0).nominal(1e-3),
-        /// Friction force; has the sign of the velocity when sliding. Body 1 feels its negative.
-        friction_force: output = real("N", 0.0),
-        /// Power taken out of the motion: friction force times velocity.
-        dissipated_power: output = real("W", 0.0),
-        /// Is the contact sticking?
-        sticking: output = boolean(false),
+        slipping: state = SLIPPING,
+        bristle_deflection: state = BRISTLE_DEFLECTION,
+        dissipated_energy: state_output = DISSIPATED_ENERGY,
+        friction_force: output = FRICTION_FORCE,
+        dissipated_power: output = DISSIPATED_POWER,
+        sticking: output = STICKING,
     }
 }
 

@@ -59,11 +59,16 @@ macro_rules! choices {
 /// 0.0); 3]`. The syntax of the fields is that of [`model!`](crate::model!).
 #[macro_export]
 macro_rules! part {
-    ($(#[doc = $doc:expr])+ $Name:ident { $($(#[doc = $help:literal])+ $field:ident: $what:tt $(= $column:expr)?,)+ }) => {
+    ($(#[doc = $doc:expr])+ $Name:ident { $($(#[doc = $help:literal])* $field:ident: $what:tt $(= $column:expr)?,)+ }) => {
         $(#[doc = $doc])+
         #[repr(C)]
         #[allow(non_snake_case, reason = "a symbol such as V0 is a name as well")]
-        pub struct $Name<T = f64> { $($(#[doc = $help])+ pub $field: $crate::part!(@type $what T),)+ }
+        pub struct $Name<T = f64> {
+            $(
+                #[doc = $crate::part!(@doc [$($help)*] $($column)?)]
+                pub $field: $crate::part!(@type $what T),
+            )+
+        }
 
         impl<T: Copy> Clone for $Name<T> {
             fn clone(&self) -> Self {
@@ -102,12 +107,15 @@ macro_rules! part {
             const TABLE: &'static [$crate::model::Variable] = &const {
                 let mut table = [$crate::model::BLANK; <$Name as $crate::model::Width>::WIDTH];
                 let mut at = 0;
-                $(at = $crate::part!(@place table at $field $what $(= $column)?, concat!($($help),+));)+
+                $(at = $crate::part!(@place table at $field $what $(= $column)?, concat!($($help),*));)+
                 assert!(at == table.len());
                 table
             };
         }
     };
+
+    (@doc [] $column:expr) => { concat!("Declared as `", stringify!($column), "`.") };
+    (@doc [$($help:literal)+] $($column:expr)?) => { concat!($($help, "\n"),+) };
 
     (@type input $T:ident) => { $T };
     (@type fixed $T:ident) => { $T };
@@ -195,7 +203,9 @@ macro_rules! part {
 ///
 /// A line reads `name: role = column` where the role is `input`, `fixed`, `tunable`, `state`, `state_output` or
 /// `output`, and the column is made by `real`, `integer`, `boolean` or a choice; or it reads
-/// `name: Part`, `name: [Part; count]` or `name: (Part)` for a [`part!`](crate::part!).
+/// `name: Part`, `name: [Part; count]` or `name: (Part)` for a [`part!`](crate::part!). The comment above a line is the
+/// help text; a column with a help text of its own, such as those of the [dictionary](crate::contact::quantities), has
+/// no comment.
 ///
 /// ```
 /// use stribeck::model::{Columns, Law, Model, real};

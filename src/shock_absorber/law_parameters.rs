@@ -39,6 +39,10 @@ const fn is_own(laws: &[&ModelType], variable: &Variable) -> bool {
     differs || same(variable.path.segments()[0].name, "variant")
 }
 
+/// Help text of the Stribeck velocity, which is not the same in all laws.
+const STRIBECK_VELOCITY: &str = "Speed at which the excess of static over kinetic friction has fallen to 1/e, or to 1/2 \
+                                 where the curve is a fraction (Armstrong, HessSoom, PoppStelter).";
+
 /// Parameter of a law as offered here; `None` if it is not offered.
 const fn offered(laws: &[&ModelType], law: &ModelType, variable: &Variable) -> Option<Variable> {
     if !is_offered(variable) {
@@ -50,6 +54,9 @@ const fn offered(laws: &[&ModelType], law: &ModelType, variable: &Variable) -> O
     }
     if same(variable.path.segments()[0].name, "element_count") {
         offered.bound = variable.bound.up_to(ELEMENTS as f64);
+    }
+    if same(variable.path.segments()[0].name, "stribeck_velocity") {
+        offered.help = STRIBECK_VELOCITY;
     }
     Some(offered)
 }

@@ -110,6 +110,8 @@ pub struct Column {
     reinit: bool,
     has_derivatives: bool,
     is_hidden: bool,
+    is_odd: bool,
+    help: &'static str,
 }
 
 impl Column {
@@ -125,6 +127,8 @@ impl Column {
             reinit: false,
             has_derivatives: true,
             is_hidden: false,
+            is_odd: false,
+            help: "",
         }
     }
 
@@ -183,9 +187,29 @@ impl Column {
         self
     }
 
-    /// The finished variable. A start value outside its own bound does not compile.
+    /// A quantity that changes its sign when the motion is mirrored.
+    pub const fn odd(mut self) -> Column {
+        self.is_odd = true;
+        self
+    }
+
+    /// Another start value.
+    pub const fn start(mut self, start: f64) -> Column {
+        self.start = start;
+        self
+    }
+
+    /// A help text that comes with the column.
+    pub const fn help(mut self, help: &'static str) -> Column {
+        self.help = help;
+        self
+    }
+
+    /// The finished variable, with this help text or, if it is empty, with that of the column. A start value outside
+    /// its own bound does not compile, nor does a column with two help texts.
     pub const fn named(self, path: Path, role: Role, help: &'static str) -> Variable {
         assert!(self.bound.admits(self.start), "the start value is outside its bound");
+        assert!(help.is_empty() || self.help.is_empty(), "the column has a help text of its own");
         Variable {
             path,
             role,
@@ -198,7 +222,8 @@ impl Column {
             reinit: self.reinit,
             has_derivatives: self.has_derivatives,
             is_hidden: self.is_hidden,
-            help: help.trim_ascii(),
+            is_odd: self.is_odd,
+            help: if help.is_empty() { self.help.trim_ascii() } else { help.trim_ascii() },
         }
     }
 }
@@ -251,6 +276,8 @@ pub struct Variable {
     pub has_derivatives: bool,
     /// Whether it is missing in the interfaces: see [`Column::hidden`].
     pub is_hidden: bool,
+    /// Whether it changes its sign when the motion is mirrored.
+    pub is_odd: bool,
     /// Description: one line of ASCII text.
     pub help: &'static str,
 }

@@ -7,7 +7,8 @@ use crate::{axes, friction_models};
 use stribeck::catalogue;
 use stribeck::model::{Role, Variable};
 
-/// One quantity, one name: if two models have the same name, its unit, type and help text are the same.
+/// One quantity, one name: if two models have the same name, its unit, type and help text are the same. Only the help
+/// of the Stribeck velocity gives the fraction of its own law.
 #[test]
 fn equal_names_mean_equal_things() {
     let mut seen: HashMap<String, (&str, &Variable)> = HashMap::new();
@@ -19,7 +20,9 @@ fn equal_names_mean_equal_things() {
             if name != "variant" {
                 assert_eq!(first.kind, variable.kind, "{name} in {other} and {}", model.name);
             }
-            assert_eq!(first.help, variable.help, "{name} in {other} and {}", model.name);
+            if name != "stribeck_velocity" {
+                assert_eq!(first.help, variable.help, "{name} in {other} and {}", model.name);
+            }
             assert_eq!(first.role, variable.role, "{name} in {other} and {}", model.name);
         }
     }

@@ -37,17 +37,17 @@ crate::part! {
         /// Step for which a parallel exchange plans: the longest recent one.
         planning_step: state = real("s", 0.0).at_least(0.0).nominal(1e-3).shown_in("ms").discrete(),
         /// Force planned for the coming step of a parallel exchange.
-        planned_force: state = real("N", 0.0).discrete(),
+        planned_force: state = real("N", 0.0).discrete().odd(),
         /// Velocity at the end of the last step.
-        end_velocity: state = real("m/s", 0.0).shown_in("mm/s").discrete(),
+        end_velocity: state = real("m/s", 0.0).shown_in("mm/s").discrete().odd(),
         /// External force at the end of the last step.
-        end_external_force: state = real("N", 0.0).discrete(),
+        end_external_force: state = real("N", 0.0).discrete().odd(),
         /// Normal force at the end of the last step.
         end_normal_force: state = real("N", 0.0).at_least(0.0).discrete(),
         /// Change of the velocity over the last step if the master gave its slope, else 0.
-        velocity_change: state = real("m/s", 0.0).shown_in("mm/s").discrete(),
+        velocity_change: state = real("m/s", 0.0).shown_in("mm/s").discrete().odd(),
         /// Change of the external force over the last step if the master gave its slope, else 0.
-        external_force_change: state = real("N", 0.0).discrete(),
+        external_force_change: state = real("N", 0.0).discrete().odd(),
         /// Change of the normal force over the last step if the master gave its slope, else 0.
         normal_force_change: state = real("N", 0.0).discrete(),
         /// Motion of the contact as found by the last event of Model Exchange.
