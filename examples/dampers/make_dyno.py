@@ -10,6 +10,8 @@ The data are computed, not measured, but have the features of measured data. Bot
     dyno_soft.csv   six tenths of that damping, 12 N of friction, as written by a dynamometer that counts compression
                     positive and records the force of the damper on the machine; semicolons and decimal commas
 
+`stribeck damper` turns them into firm.csv and soft.csv, the dampers of the four-post rig.
+
 Friction is a LuGre model with 1.2 times the level before sliding, the gas spring that of the shock absorber's defaults,
 the load cell has noise of 1 N. All sizes are chosen. The seeds are fixed, so the files are the same each time.
 """

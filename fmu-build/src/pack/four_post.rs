@@ -3,7 +3,6 @@
 use std::path::Path;
 
 use anyhow::{Context, Result};
-use lab::dyno::{Options, Test, find_damper};
 use lab::parameter_set::{ParameterSet, choice};
 use stribeck::catalogue;
 use stribeck::model::ModelType;
@@ -40,18 +39,13 @@ fn shock_absorber() -> Result<&'static ModelType> {
 /// The dampers of the variants, by the names of their parameter sets.
 fn dampers(root: &Path) -> Result<Vec<ParameterSet>> {
     let model = shock_absorber()?;
-    let measured = |name: &str, file: &str, compression_positive: bool| -> Result<ParameterSet> {
-        let path = root.join("examples/dampers").join(file);
-        let test = Test::load(&path).with_context(|| format!("cannot read {}", path.display()))?;
-        let options = Options { compression_positive, ..Options::default() };
-        Ok(find_damper(&test, &options)?.parameter_set(name)?)
-    };
+    let measured = |file: &str| ParameterSet::load(model, &root.join("examples/dampers").join(file));
     let off = choice(model, "friction.switch", "Off")?;
     Ok(vec![
         ParameterSet::new::<&str>(model, "default", [])?,
         ParameterSet::new(model, "without_friction", [("friction.switch", off)])?,
-        measured("firm", "dyno.csv", false)?,
-        measured("soft", "dyno_soft.csv", true)?,
+        measured("firm.csv")?,
+        measured("soft.csv")?,
     ])
 }
 

@@ -298,9 +298,12 @@ fn half_tests_and_bad_options_are_rejected() {
     }
 }
 
+fn examples() -> PathBuf {
+    PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../examples/dampers")
+}
+
 fn example(name: &str) -> Test {
-    let root = PathBuf::from(env!("CARGO_MANIFEST_DIR"));
-    Test::load(&root.join("../examples/dampers").join(name)).unwrap()
+    Test::load(&examples().join(name)).unwrap()
 }
 
 /// The law from which the example was computed: the damper table of the defaults.
@@ -326,6 +329,22 @@ fn shipped_examples_give_back_their_dampers() {
     assert_table(&soft, |velocity| 0.6 * default_damping(velocity), 0.02, 4.0);
     assert!((soft.friction.unwrap().level.value - 12.0).abs() < 1.0, "{:?}", soft.friction);
     assert_eq!(soft.force_sign, ForceSign::Reaction);
+}
+
+/// `firm.csv` and `soft.csv`, which the four-post rig uses, are written by `stribeck damper`.
+#[test]
+fn shipped_parameter_sets_are_those_of_the_shipped_tests() {
+    let reversed = Options { compression_positive: true, ..Options::default() };
+    for (name, file, options) in [("firm", "dyno.csv", Options::default()), ("soft", "dyno_soft.csv", reversed)] {
+        let found = find_damper(&example(file), &options).unwrap().parameter_set(name).unwrap();
+        let shipped = ParameterSet::load(found.model(), &examples().join(format!("{name}.csv"))).unwrap();
+        assert_eq!(found.values().count(), shipped.values().count());
+        for ((variable, value), (known, shipped)) in found.values().zip(shipped.values()) {
+            assert_eq!(variable.path.to_string(), known.path.to_string());
+            let difference = (value - shipped).abs();
+            assert!(difference <= 1e-9 * shipped.abs(), "{name}: {} = {value}, not {shipped}", variable.path);
+        }
+    }
 }
 
 /// The shock absorber with the set gives the force of the measured damper.
