@@ -50,7 +50,7 @@ PYTHON = PROGRAMS / ("python.exe" if WINDOWS else "python")
 
 # The parts of the library that contain code.
 CRATES = ["--package", "stribeck", "--package", "stribeck-ffi"]
-RUST_FOLDERS = ["src", "ffi", "tests", "benches", "fmu-build", "fuzz", "lab", "examples"]
+RUST_FOLDERS = ["src", "ffi", "tests", "benches", "fmu-build", "fuzz", "lab", "ssp", "examples"]
 PYTHON_FOLDERS = ["tasks.py", "examples", "fuzz", "tests"]
 C_FOLDERS = ["examples/c", "examples/cpp", "examples/mujoco", "tests/c", "tests/platforms", "benches"]
 

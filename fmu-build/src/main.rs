@@ -15,6 +15,7 @@ use std::process::ExitCode;
 
 use anyhow::{Context, Result, bail, ensure};
 use clap::{Parser, Subcommand};
+use ssp::system;
 
 use crate::build::library::{self, Library};
 use crate::build::platform::{self, Choice, Platform};
@@ -23,7 +24,7 @@ use crate::describe::generated::{self, Generated};
 use crate::describe::interface::Interface;
 use crate::describe::{compatibility, declarations, rules, xml};
 use crate::pack::package::{self, Packing};
-use crate::pack::{archive, four_post, ssp};
+use crate::pack::{archive, four_post};
 use crate::page::html;
 
 /// Generates files from the tables of Stribeck's models, and packs the FMUs.
@@ -261,7 +262,7 @@ fn ssp(root: &Path, out: &Path) -> Result<()> {
     for entry in entry::select(&models)? {
         // libcosim and Ecos do not support enumerations.
         let bytes = packing.fmu(&entry, xml::Choices::Numbered)?;
-        files.insert(ssp::fmu(entry.model.name), bytes);
+        files.insert(system::fmu(entry.model.name), bytes);
     }
     let file = format!("{}.ssp", four_post::NAME);
     let size = package::save(out, &file, &archive::zip(&files, date)?)?;

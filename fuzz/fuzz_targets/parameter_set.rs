@@ -1,8 +1,8 @@
 //! Parameter sets as CSV and as XML. The first line of the input names the model.
 #![no_main]
 
-use lab::parameter_set::{ParameterSet, choice};
 use libfuzzer_sys::fuzz_target;
+use ssp::parameter_set::{ParameterSet, choice};
 use stribeck::catalogue;
 
 fuzz_target!(|text: &str| {

@@ -1,9 +1,9 @@
 //! Tyre property files.
 #![no_main]
 
-use lab::parameter_set::ParameterSet;
 use lab::tir;
 use libfuzzer_sys::fuzz_target;
+use ssp::parameter_set::ParameterSet;
 
 fuzz_target!(|bytes: &[u8]| {
     // As `tir::read` does.

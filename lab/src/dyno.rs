@@ -44,6 +44,7 @@ mod regression;
 
 use std::fmt;
 
+use ssp::parameter_set::{ParameterSet, SetError, choice};
 use stribeck::catalogue;
 use stribeck::model::ModelType;
 use stribeck::numerics::interpolation::linear;
@@ -51,8 +52,6 @@ use thiserror::Error;
 
 pub use file::{FileError, Test};
 use regression::{isotonic, local, regress};
-
-use crate::parameter_set::{ParameterSet, SetError, choice};
 
 /// The largest table of the shock absorber.
 pub const MOST_POINTS: usize = 16;

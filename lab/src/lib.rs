@@ -1,8 +1,7 @@
-//! The bench of Stribeck: parameter sets and the files from which they are made.
+//! The bench of Stribeck: files of dampers and tyres, from which parameter sets are made.
 //!
-//! A [`parameter_set`] holds values for the variables of one model, checked against the model's table; [`dyno`] makes
-//! one from the measurements of a damper dynamometer, [`tir`] from a tyre property file.
+//! [`dyno`] makes a [`ParameterSet`](ssp::parameter_set::ParameterSet) from the measurements of a damper dynamometer,
+//! [`tir`] from a tyre property file.
 
 pub mod dyno;
-pub mod parameter_set;
 pub mod tir;

@@ -6,7 +6,7 @@ mod tyre;
 use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
-use lab::parameter_set::text_of;
+use ssp::parameter_set::text_of;
 use stribeck::catalogue;
 use stribeck::model::{Kind, ModelType, Variable};
 

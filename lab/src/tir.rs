@@ -7,11 +7,10 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use ssp::parameter_set::{ParameterSet, SetError};
 use stribeck::catalogue;
 use stribeck::model::ModelType;
 use thiserror::Error;
-
-use crate::parameter_set::{ParameterSet, SetError};
 
 /// Contents of a file.
 #[derive(Debug)]

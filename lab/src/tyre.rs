@@ -2,8 +2,8 @@
 
 use std::path::PathBuf;
 
-use lab::parameter_set::SetError;
 use lab::tir::{self, TirError, TyreFile};
+use ssp::parameter_set::SetError;
 use thiserror::Error;
 
 /// Input and output files.

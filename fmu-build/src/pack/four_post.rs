@@ -3,12 +3,12 @@
 use std::path::Path;
 
 use anyhow::{Context, Result};
-use lab::parameter_set::{ParameterSet, choice};
+use ssp::parameter_set::{ParameterSet, choice};
+use ssp::system::{Component, Port, System};
 use stribeck::catalogue;
 use stribeck::model::ModelType;
 
 use crate::pack::archive::Files;
-use crate::pack::ssp::{Component, Port, System};
 
 /// Name of the package.
 pub const NAME: &str = "FourPost";

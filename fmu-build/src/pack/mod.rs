@@ -5,4 +5,3 @@ pub mod four_post;
 pub mod licenses;
 pub mod package;
 pub mod sbom;
-pub mod ssp;

@@ -3,8 +3,6 @@
 
 mod ssv;
 
-pub use ssv::unit_definition;
-
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -12,15 +10,17 @@ use stribeck::model::{Fault, Kind, ModelType, Variable};
 use stribeck::unit::DisplayUnit;
 use thiserror::Error;
 
+use crate::units::unit_of;
+
 /// Values for variables of one model, all of which the model accepts.
 ///
 /// ```
-/// use lab::parameter_set::ParameterSet;
+/// use ssp::parameter_set::ParameterSet;
 /// let lugre = stribeck::catalogue::by_name("LuGre").unwrap();
 /// let set = ParameterSet::new(lugre, "rubber", [("mu_s", 0.9), ("mu_k", 0.8)])?;
 /// assert_eq!(set.to_csv(), "variable,value,unit\nmu_s,0.9,1\nmu_k,0.8,1\n");
 /// assert_eq!(ParameterSet::from_csv(lugre, "rubber", &set.to_csv())?, set);
-/// # Ok::<(), lab::parameter_set::SetError>(())
+/// # Ok::<(), ssp::parameter_set::SetError>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct ParameterSet {
@@ -183,7 +183,7 @@ impl ParameterSet {
         let mut table = String::from("variable,value,unit\n");
         for (variable, value) in self.values() {
             // Names, numbers and units contain neither commas nor quotes.
-            table += &format!("{},{},{}\n", variable.path, text_of(variable, value), unit_of(variable));
+            table += &format!("{},{},{}\n", variable.path, text_of(variable, value), unit_name(variable));
         }
         table
     }
@@ -281,11 +281,8 @@ pub fn choice(model: &'static ModelType, name: &str, choice: &str) -> Result<f64
 }
 
 /// Name of the unit; none if the value is not a physical quantity.
-fn unit_of(variable: &Variable) -> &'static str {
-    match variable.kind {
-        Kind::Real(unit) => unit.name,
-        _ => "",
-    }
+fn unit_name(variable: &Variable) -> &'static str {
+    unit_of(variable).map_or("", |unit| unit.name)
 }
 
 /// The number given by a text, in the variable's own unit.
@@ -324,7 +321,7 @@ fn wanted_value(variable: &Variable) -> String {
 
 /// The display unit of that name; none if the name is empty or that of the variable's own unit.
 fn display_unit(variable: &Variable, name: &str) -> Result<Option<&'static DisplayUnit>, SetError> {
-    if name.is_empty() || name == unit_of(variable) {
+    if name.is_empty() || name == unit_name(variable) {
         return Ok(None);
     }
     let display = match variable.kind {
@@ -332,7 +329,7 @@ fn display_unit(variable: &Variable, name: &str) -> Result<Option<&'static Displ
         _ => &[],
     };
     let refuse = || {
-        let units = [unit_of(variable)].into_iter().chain(display.iter().map(|display| display.name));
+        let units = [unit_name(variable)].into_iter().chain(display.iter().map(|display| display.name));
         let units: Vec<&str> = units.filter(|name| !name.is_empty()).collect();
         let wanted = if units.is_empty() { "omitted".into() } else { units.join(" or ") };
         SetError::Unit { name: variable.path.to_string(), unit: name.to_owned(), wanted }
