@@ -43,28 +43,49 @@ pub fn write(model: &ModelType, snapshot: &Snapshot, owners: [f64; OWNERS], byte
     checksum.copy_from_slice(&hash(body).to_le_bytes());
 }
 
-/// Reads a snapshot of `model` back.
-pub fn read(model: &ModelType, bytes: &[u8]) -> Result<(Snapshot, [f64; OWNERS]), Fault> {
-    let refuse = |why: fmt::Arguments| Err(Fault::new(format_args!("serialised state of {}: {why}", model.name)));
+/// Rejects the bytes of a snapshot of `model`.
+fn refuse<T>(model: &ModelType, why: fmt::Arguments) -> Result<T, Fault> {
+    Err(Fault::new(format_args!("serialised state of {}: {why}", model.name)))
+}
+
+/// The numbers in the bytes of a snapshot of `model`, if origin, size and checksum are right.
+fn numbers<'a>(model: &ModelType, bytes: &'a [u8]) -> Result<impl Iterator<Item = f64> + use<'a>, Fault> {
     // The origin is checked first: bytes of another version also have another size.
     let Some(head) = bytes.get(..HEAD).filter(|head| head.starts_with(MAGIC)) else {
-        return refuse(format_args!("not a state of this library"));
+        return refuse(model, format_args!("not a state of this library"));
     };
     if head[8..12] != FORMAT.to_le_bytes() {
-        return refuse(format_args!("written in another format by another version of this library"));
+        return refuse(model, format_args!("written in another format by another version of this library"));
     }
     if &head[12..] != model.guid().as_bytes() {
-        return refuse(format_args!("it belongs to another model or another version of it"));
+        return refuse(model, format_args!("it belongs to another model or another version of it"));
     }
     if bytes.len() != size(model) {
-        return refuse(format_args!("{} bytes, {} are expected", bytes.len(), size(model)));
+        return refuse(model, format_args!("{} bytes, {} are expected", bytes.len(), size(model)));
     }
     let (body, checksum) = bytes.split_at(bytes.len() - CHECKSUM);
-    let data = &body[HEAD..];
     if checksum != hash(body).to_le_bytes() {
-        return refuse(format_args!("damaged, the checksum differs"));
+        return refuse(model, format_args!("damaged, the checksum differs"));
     }
-    let mut numbers = data.chunks_exact(8).map(|bytes| f64::from_le_bytes(bytes.try_into().unwrap_or_default()));
+    Ok(body[HEAD..].chunks_exact(8).map(|bytes| f64::from_le_bytes(bytes.try_into().unwrap_or_default())))
+}
+
+/// Rejects a value that its variable does not admit.
+fn check_row(model: &ModelType, row: &[f64]) -> Result<(), Fault> {
+    for (variable, value) in model.table.iter().zip(row) {
+        // A solver may set states beyond their bounds on its way to a result.
+        let may_be_any = variable.role == Role::Output || (model.model_exchange && variable.is_continuous_state());
+        let sound = if may_be_any { value.is_finite() } else { variable.admits(*value) };
+        if !sound {
+            return Err(variable.fault(*value));
+        }
+    }
+    Ok(())
+}
+
+/// Reads a snapshot of `model` back.
+pub fn read(model: &ModelType, bytes: &[u8]) -> Result<(Snapshot, [f64; OWNERS]), Fault> {
+    let mut numbers = numbers(model, bytes)?;
     let mut take = || numbers.next().unwrap_or(f64::NAN);
     let [time, slopes_are_new, stale] = std::array::from_fn(|_| take());
     let owners = std::array::from_fn(|_| take());
@@ -75,24 +96,17 @@ pub fn read(model: &ModelType, bytes: &[u8]) -> Result<(Snapshot, [f64; OWNERS])
     let mut memory = memory::filled(0.0, model.memory)?;
     slope.fill_with(&mut take);
     memory.fill_with(&mut take);
-    for (variable, value) in model.table.iter().zip(&*row) {
-        // A solver may set states beyond their bounds on its way to a result.
-        let may_be_any = variable.role == Role::Output || (model.model_exchange && variable.is_continuous_state());
-        let sound = if may_be_any { value.is_finite() } else { variable.admits(*value) };
-        if !sound {
-            return Err(variable.fault(*value));
-        }
-    }
+    check_row(model, &row)?;
     let is_sound =
         |(variable, slope): (&Variable, &f64)| slope.is_finite() && (*slope == 0.0 || variable.role == Role::Input);
     if !time.is_finite() || !model.table.iter().zip(&*slope).all(is_sound) {
-        return refuse(format_args!("time or a slope is not finite, or the slope does not belong to an input"));
+        return refuse(model, format_args!("time or a slope is not finite, or the slope does not belong to an input"));
     }
     if !memory.iter().all(|value| value.is_finite()) {
-        return refuse(format_args!("a number of the memory is not finite"));
+        return refuse(model, format_args!("a number of the memory is not finite"));
     }
     let (Some(slopes_are_new), Some(stale)) = (flag(slopes_are_new), flag(stale)) else {
-        return refuse(format_args!("the flags are {slopes_are_new} and {stale}: must be 0 or 1"));
+        return refuse(model, format_args!("the flags are {slopes_are_new} and {stale}: must be 0 or 1"));
     };
     Ok((Snapshot { row, memory, slope, slopes_are_new, stale, time }, owners))
 }

@@ -76,19 +76,8 @@ impl ModelType {
             check_motion: |row| view::<M, f64>(row).check_motion(),
             warning: |row| view::<M, f64>(row).warning(),
             memory_in_use: |row| view::<M, f64>(row).memory_in_use(),
-            advance: |row, memory, room, dt| {
-                let advance = |model: &mut M, memory: &mut [f64]| model.step_and_output_with(memory, dt);
-                commit::<M>(row, memory, room, first_result(M::TABLE), advance)
-            },
-            advance_ramp: |row, memory, room, slope, dt| {
-                let slope = view::<M, f64>(slope);
-                let advance = |model: &mut M, memory: &mut [f64]| {
-                    model.step_ramp_with(memory, slope, dt);
-                    model.output_with(memory);
-                };
-                // The inputs have moved as well.
-                commit::<M>(row, memory, room, 0, advance)
-            },
+            advance: advance::<M>,
+            advance_ramp: advance_ramp::<M>,
             output: |row, memory, room| {
                 commit::<M>(row, memory, room, first_result(M::TABLE), |model, memory| model.output_with(memory))
             },
@@ -274,6 +263,19 @@ impl fmt::Debug for ModelType {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         write!(f, "{} {}", self.name, self.guid())
     }
+}
+
+fn advance<M: Model>(row: &mut [f64], memory: &mut [f64], room: Room, dt: f64) -> bool {
+    commit::<M>(row, memory, room, first_result(M::TABLE), |model, memory| model.step_and_output_with(memory, dt))
+}
+
+fn advance_ramp<M: Model>(row: &mut [f64], memory: &mut [f64], room: Room, slope: &[f64], dt: f64) -> bool {
+    let slope = view::<M, f64>(slope);
+    // The inputs have moved as well.
+    commit::<M>(row, memory, room, 0, |model, memory| {
+        model.step_ramp_with(memory, slope, dt);
+        model.output_with(memory);
+    })
 }
 
 /// The first column that a step or the outputs may change: those before it are inputs and parameters.

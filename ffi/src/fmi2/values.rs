@@ -496,6 +496,45 @@ pub unsafe extern "C-unwind" fn fmi2GetRealOutputDerivatives(
     unsafe { enter(c, Call::GetRealOutputDerivatives, body) }
 }
 
+impl Slave {
+    /// Refuses unknowns that have no derivative.
+    fn check_unknown(&self, reference: fmi2ValueReference) -> Outcome {
+        let variable = self.variable(self.column::<Real>(reference)?);
+        if !variable.role.is_output() {
+            return refuse(format_args!("{} is neither an output nor a derivative", variable.path));
+        }
+        variable.check_derivatives().map_err(|fault| Refusal::Discard(fault.0))
+    }
+
+    /// Refuses results as directions.
+    fn check_known(&self, reference: fmi2ValueReference) -> Outcome {
+        let variable = self.variable(self.column::<Real>(reference)?);
+        if variable.role == Role::Output {
+            let path = variable.path;
+            return refuse(format_args!("{path} is computed: nothing can be differentiated with respect to it"));
+        }
+        Ok(())
+    }
+
+    /// Writes the derivatives of these unknowns as computed last.
+    fn read_derivatives(&self, unknowns: &[fmi2ValueReference], result: &mut [f64]) -> Outcome {
+        let (outputs, rates) = self.instance.last_derivatives();
+        let slope = |reference: &fmi2ValueReference| match self.place(*reference) {
+            Some(Place::Derivative(state)) => rates[state].slope,
+            Some(Place::Column(column)) => outputs[column].slope,
+            Some(Place::Time) | None => 0.0,
+        };
+        if let Some(reference) = unknowns.iter().find(|unknown| !slope(unknown).is_finite()) {
+            let text = format_args!("the derivative of value reference {reference} is not finite");
+            return Err(self.out_of_domain(Fault::new(text)));
+        }
+        for (reference, value) in unknowns.iter().zip(result) {
+            *value = slope(reference);
+        }
+        Ok(())
+    }
+}
+
 /// Derivative of outputs, and of the time derivatives of the states, in a direction of inputs, parameters and states:
 /// exact, by automatic differentiation, except for the friction of ShockAbsorber before the run, which is
 /// differentiated numerically.
@@ -523,20 +562,10 @@ pub unsafe extern "C-unwind" fn fmi2GetDirectionalDerivative(
             )
         };
         for reference in unknowns.iter().filter(|reference| !slave.is_derivative(**reference)) {
-            let variable = slave.variable(slave.column::<Real>(*reference)?);
-            if !variable.role.is_output() {
-                return refuse(format_args!("{} is neither an output nor a derivative", variable.path));
-            }
-            variable.check_derivatives().map_err(|fault| Refusal::Discard(fault.0))?;
+            slave.check_unknown(*reference)?;
         }
         for reference in knowns {
-            let variable = slave.variable(slave.column::<Real>(*reference)?);
-            if variable.role == Role::Output {
-                return refuse(format_args!(
-                    "{} is computed: nothing can be differentiated with respect to it",
-                    variable.path
-                ));
-            }
+            slave.check_known(*reference)?;
         }
         if unknowns.iter().any(|reference| slave.is_computed(*reference)) {
             slave.instance.refresh().map_err(|fault| slave.out_of_domain(fault))?;
@@ -549,20 +578,7 @@ pub unsafe extern "C-unwind" fn fmi2GetDirectionalDerivative(
             slave.instance.rate_derivative(seeds());
         }
         slave.instance.derivative(seeds());
-        let (outputs, rates) = slave.instance.last_derivatives();
-        let slope = |reference: &fmi2ValueReference| match model.place(*reference) {
-            Some(Place::Derivative(state)) => rates[state].slope,
-            Some(Place::Column(column)) => outputs[column].slope,
-            Some(Place::Time) | None => 0.0,
-        };
-        if let Some(reference) = unknowns.iter().find(|unknown| !slope(unknown).is_finite()) {
-            let text = format_args!("the derivative of value reference {reference} is not finite");
-            return Err(slave.out_of_domain(Fault::new(text)));
-        }
-        for (reference, value) in unknowns.iter().zip(result) {
-            *value = slope(reference);
-        }
-        Ok(())
+        slave.read_derivatives(unknowns, result)
     };
     // SAFETY: the caller's promise about `c`.
     unsafe { enter(c, Call::GetDirectionalDerivative, body) }
