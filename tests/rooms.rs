@@ -1,4 +1,4 @@
-//! The modules of each crate import downwards only; files stay short.
+//! The modules of each crate import downwards only; files and functions stay short.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -50,6 +50,9 @@ const LONGEST_FILE: usize = 700;
 /// Files that may be longer, with the reason.
 const LONG_FILES: &[(&str, &str)] = &[("src/host/magic_formula.rs", "table of 115 coefficients")];
 
+/// Longest function, in lines from `fn` to the closing brace.
+const LONGEST_FUNCTION: usize = 45;
+
 /// Use of a room of the same crate.
 #[derive(Debug, PartialEq)]
 struct Import {
@@ -57,10 +60,19 @@ struct Import {
     line: usize,
 }
 
+/// Function with the number of its lines.
+#[derive(Debug, PartialEq)]
+struct Function {
+    name: String,
+    line: usize,
+    lines: usize,
+}
+
 /// Contents of a file, apart from comments and test code.
 #[derive(Debug, Default)]
 struct Contents {
     imports: Vec<Import>,
+    functions: Vec<Function>,
     /// Modules in files of their own that only tests have.
     test_modules: Vec<String>,
 }
@@ -84,6 +96,7 @@ impl Contents {
             if let Some(path) = path_from_root(&tokens[at..], depth) {
                 self.import(&tokens[at + path]);
             }
+            self.measure(&tokens[at..]);
             if let TokenTree::Group(group) = &tokens[at] {
                 let is_module = at >= 2 && is(&tokens[at - 2], "mod") && group.delimiter() == Delimiter::Brace;
                 self.read(group.stream(), depth + usize::from(is_module));
@@ -121,6 +134,20 @@ impl Contents {
                 }
             }
             _ => {}
+        }
+    }
+
+    /// Adds the function that begins here, if one does.
+    fn measure(&mut self, tokens: &[TokenTree]) {
+        let [keyword, name, rest @ ..] = tokens else { return };
+        if !is(keyword, "fn") || matches!(name, TokenTree::Group(_)) {
+            return;
+        }
+        let end = rest.iter().find(|token| is(token, ";") || as_block(token).is_some());
+        if let Some(body) = end.and_then(as_block) {
+            let line = keyword.span().start().line;
+            let lines = body.span_close().end().line - line + 1;
+            self.functions.push(Function { name: name.to_string(), line, lines });
         }
     }
 }
@@ -256,6 +283,24 @@ fn files_are_short() {
     }
 }
 
+#[test]
+fn functions_are_short() {
+    let mut long = Vec::new();
+    let mut seen = 0;
+    for house in HOUSES {
+        for (file, _, contents) in contents(house) {
+            seen += contents.functions.len();
+            for Function { name, line, lines } in contents.functions {
+                if lines > LONGEST_FUNCTION {
+                    long.push(format!("{file}:{line}: {name} has {lines} lines"));
+                }
+            }
+        }
+    }
+    assert!(long.is_empty(), "{}", long.join("\n"));
+    assert!(seen > 1000, "only {seen} functions were found");
+}
+
 /// A crate for the tests of the walk.
 const SMALL: House = House { folder: "src", rooms: &["cellar", "hall", "attic"] };
 
@@ -296,4 +341,10 @@ fn imports_that_run_down_and_tests_are_passed() {
         assert_eq!(refused("hall", text), [""; 0], "{text}");
     }
     assert_eq!(Contents::of("#[cfg(test)]\nmod probe;", &[]).test_modules, ["probe"]);
+}
+
+#[test]
+fn a_function_is_measured_to_its_closing_brace() {
+    let text = "type F = fn(u8);\ntrait A {\n    fn a();\n    fn b(\n    ) {\n        {\n        }\n    }\n}";
+    assert_eq!(Contents::of(text, &[]).functions, [Function { name: "b".into(), line: 4, lines: 5 }]);
 }
