@@ -1,6 +1,6 @@
 //! A model for tests: it has features that no shipped model has yet, and it can panic.
 
-use stribeck::model::{Fault, Law, Model, ModelType, boolean, integer, real};
+use stribeck::model::{CoSimulation, Fault, Law, Model, ModelType, boolean, integer, real};
 use stribeck::number::Real;
 
 stribeck::choices! {
@@ -58,6 +58,8 @@ stribeck::model! {
 }
 
 impl<T: Real> Law for Probe<T> {
+    type Interface = CoSimulation;
+
     fn output(&mut self) {
         self.doubled = self.integral + self.integral;
     }

@@ -1,6 +1,6 @@
 //! A model for tests: it has every kind of column, nested names, and texts that must be escaped.
 
-use stribeck::model::{Law, Model, ModelType, boolean, integer, real};
+use stribeck::model::{CoSimulation, Law, Model, ModelType, boolean, integer, real};
 use stribeck::number::Real;
 
 stribeck::choices! {
@@ -50,6 +50,8 @@ stribeck::model! {
 }
 
 impl<T: Real> Law for Specimen<T> {
+    type Interface = CoSimulation;
+
     fn output(&mut self) {
         let element = self.element[0];
         self.force = element.stiffness * element.deflection * self.share * self.enabled;

@@ -2,7 +2,7 @@ use crate::contact::delay_line::{DelayLine, Piece};
 use crate::contact::motion::Motion;
 use crate::contact::quantities::*;
 use crate::model::ramp;
-use crate::model::{Fault, Law, Model, Preset, real};
+use crate::model::{CoSimulation, Fault, Law, Model, Preset, real};
 use crate::number::{Mask, Real};
 use crate::numerics::quadrature::integral_past_peak;
 use crate::numerics::root::first_rise;
@@ -214,6 +214,8 @@ impl<T: Real> Armstrong<T> {
 }
 
 impl<T: Real> Law for Armstrong<T> {
+    type Interface = CoSimulation;
+
     fn output(&mut self) {
         self.friction_force = self.force();
         self.dissipated_power = self.friction_force * self.velocity;

@@ -1,7 +1,7 @@
 use crate::contact::conditions::ELASTIC_SHARE;
 use crate::contact::quantities::*;
 use crate::contact::unloading::released_without_load;
-use crate::model::{Law, Model, Preset, real};
+use crate::model::{Derivatives, Law, Model, ModelExchange, Preset, real};
 use crate::number::{Mask, Real};
 use crate::numerics::relaxation;
 
@@ -161,6 +161,8 @@ impl<T: Real> BlimanSorine<T> {
 }
 
 impl<T: Real> Law for BlimanSorine<T> {
+    type Interface = ModelExchange;
+
     fn output(&mut self) {
         self.friction_force = self.force();
         self.dissipated_power = self.friction_force * self.velocity;
@@ -168,7 +170,9 @@ impl<T: Real> Law for BlimanSorine<T> {
         let elastic = self.velocity.vanishes() | missing.above(T::from(ELASTIC_SHARE));
         self.sticking = T::truth(elastic & self.coulomb().is_positive());
     }
+}
 
+impl<T: Real> Derivatives for BlimanSorine<T> {
     #[inline(always)]
     fn derivatives(&self, rate: &mut Self) {
         let is_loaded = self.normal_force.is_positive();
@@ -182,7 +186,6 @@ impl<T: Real> Law for BlimanSorine<T> {
 }
 
 impl Model for BlimanSorine {
-    const MODEL_EXCHANGE: bool = true;
     const LINEAR: bool = true;
     const PRESETS: &'static [Preset] = &[
         Preset {

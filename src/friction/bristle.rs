@@ -1,6 +1,6 @@
 use crate::contact::quantities::*;
 use crate::model::ramp;
-use crate::model::{Fault, Law, Model, Preset, integer, real};
+use crate::model::{CoSimulation, Fault, Law, Model, Preset, integer, real};
 use crate::number::Real;
 
 /// Largest number of bristles in a contact. The authors find fewer than 50 sufficient.
@@ -164,6 +164,8 @@ impl<T: Real> Bristle<T> {
 }
 
 impl<T: Real> Law for Bristle<T> {
+    type Interface = CoSimulation;
+
     fn output(&mut self) {
         self.friction_force = self.force();
         self.dissipated_power = self.friction_force * self.velocity;

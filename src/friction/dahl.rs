@@ -1,7 +1,7 @@
 use crate::contact::conditions::ELASTIC_SHARE;
 use crate::contact::quantities::*;
 use crate::contact::unloading::released_without_load;
-use crate::model::{Fault, Law, Model, Preset, real};
+use crate::model::{Derivatives, Fault, Law, Model, ModelExchange, Preset, real};
 use crate::number::{Mask, Real};
 
 crate::model! {
@@ -113,13 +113,17 @@ impl<T: Real> Dahl<T> {
 }
 
 impl<T: Real> Law for Dahl<T> {
+    type Interface = ModelExchange;
+
     fn output(&mut self) {
         self.friction_force = self.force();
         self.dissipated_power = self.friction_force * self.velocity;
         let elastic = self.velocity.vanishes() | self.elastic_share().above(T::from(ELASTIC_SHARE));
         self.sticking = T::truth(elastic & self.coulomb().is_positive());
     }
+}
 
+impl<T: Real> Derivatives for Dahl<T> {
     /// Eq. (7.1), divided by sigma_0.
     fn derivatives(&self, rate: &mut Self) {
         let is_loaded = self.coulomb().is_positive();
@@ -129,7 +133,6 @@ impl<T: Real> Law for Dahl<T> {
 }
 
 impl Model for Dahl {
-    const MODEL_EXCHANGE: bool = true;
     const PRESETS: &'static [Preset] = &[
         Preset {
             name: "thesis",

@@ -1,7 +1,7 @@
 use crate::contact::conditions::ELASTIC_SHARE;
 use crate::contact::quantities::*;
 use crate::contact::unloading::released_without_load;
-use crate::model::{Law, Model, Preset, real};
+use crate::model::{Derivatives, Law, Model, ModelExchange, Preset, real};
 use crate::number::{Mask, Real};
 use crate::numerics::relaxation;
 
@@ -99,13 +99,17 @@ impl<T: Real> Dankowicz<T> {
 }
 
 impl<T: Real> Law for Dankowicz<T> {
+    type Interface = ModelExchange;
+
     fn output(&mut self) {
         self.friction_force = self.force();
         self.dissipated_power = self.friction_force * self.velocity;
         let elastic = self.velocity.vanishes() | self.elastic_share().above(T::from(ELASTIC_SHARE));
         self.sticking = T::truth(elastic & self.coulomb().is_positive());
     }
+}
 
+impl<T: Real> Derivatives for Dankowicz<T> {
     fn derivatives(&self, rate: &mut Self) {
         let is_loaded = self.normal_force.is_positive();
         rate.bristle_deflection = is_loaded.choose(|| self.velocity * self.elastic_share(), || T::zero());
@@ -114,7 +118,6 @@ impl<T: Real> Law for Dankowicz<T> {
 }
 
 impl Model for Dankowicz {
-    const MODEL_EXCHANGE: bool = true;
     const PRESETS: &'static [Preset] = &[Preset {
         name: "thesis",
         source: "Novais (2024), Tables 6.1 and 7.1; delta_t = f_C / sigma_0 is derived (the start values)",

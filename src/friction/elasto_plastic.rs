@@ -2,7 +2,7 @@ use crate::contact::conditions::is_elastic;
 use crate::contact::quantities::*;
 use crate::contact::unloading::released_without_load;
 use crate::laws::stribeck;
-use crate::model::{Fault, Law, Model, Preset, integer};
+use crate::model::{Derivatives, Fault, Law, Model, ModelExchange, Preset, integer};
 use crate::number::{Mask, Real};
 use crate::numerics::quadrature;
 use crate::numerics::runge_kutta::dormand_prince;
@@ -174,6 +174,8 @@ impl<T: Real> ElastoPlastic<T> {
 }
 
 impl<T: Real> Law for ElastoPlastic<T> {
+    type Interface = ModelExchange;
+
     fn output(&mut self) {
         let rate = self.deflection_rate();
         self.friction_force = self.force(rate);
@@ -181,7 +183,9 @@ impl<T: Real> Law for ElastoPlastic<T> {
         let elastic = is_elastic(rate, self.velocity);
         self.sticking = T::truth(elastic & self.normal_force.is_positive());
     }
+}
 
+impl<T: Real> Derivatives for ElastoPlastic<T> {
     fn derivatives(&self, rate: &mut Self) {
         rate.bristle_deflection = self.deflection_rate();
         rate.dissipated_energy = self.force(rate.bristle_deflection) * self.velocity;
@@ -189,7 +193,6 @@ impl<T: Real> Law for ElastoPlastic<T> {
 }
 
 impl Model for ElastoPlastic {
-    const MODEL_EXCHANGE: bool = true;
     const PRESETS: &'static [Preset] = &[
         Preset {
             name: "thesis",

@@ -5,7 +5,7 @@ use crate::contact::quantities::*;
 use crate::contact::unloading::released_without_load;
 use crate::laws::{elasto_plastic, stribeck};
 use crate::model::ramp;
-use crate::model::{Fault, Law, Model, Preset};
+use crate::model::{Derivatives, Fault, Law, Model, ModelExchange, Preset};
 use crate::number::Mask;
 use crate::numerics::runge_kutta::dormand_prince;
 use crate::numerics::vector::{Component, direction, length, only, remainder};
@@ -166,6 +166,8 @@ impl<T: Component> ElastoPlasticPlanar<T> {
 }
 
 impl<T: Component> Law for ElastoPlasticPlanar<T> {
+    type Interface = ModelExchange;
+
     fn output(&mut self) {
         let rate = self.deflection_rate(self.level());
         let force = self.force(rate);
@@ -176,7 +178,9 @@ impl<T: Component> Law for ElastoPlasticPlanar<T> {
         let elastic = speed.vanishes() | forward.above(T::from(ELASTIC_SHARE) * speed);
         self.sticking = T::truth(elastic & self.normal_force.is_positive());
     }
+}
 
+impl<T: Component> Derivatives for ElastoPlasticPlanar<T> {
     fn derivatives(&self, rate: &mut Self) {
         let change = self.deflection_rate(self.level());
         [rate.bristle_deflection_x, rate.bristle_deflection_y] = change.into();
@@ -185,7 +189,6 @@ impl<T: Component> Law for ElastoPlasticPlanar<T> {
 }
 
 impl Model for ElastoPlasticPlanar {
-    const MODEL_EXCHANGE: bool = true;
     const PRESETS: &'static [Preset] = &[Preset {
         name: "thesis",
         source: "The law along a line in Novais (2024), Tables 6.1 and 7.1, and kappa = 0.7 (the start values)",

@@ -3,7 +3,7 @@ use crate::contact::motion::Motion;
 use crate::contact::quantities::*;
 use crate::laws::stribeck;
 use crate::model::ramp;
-use crate::model::{Fault, Law, Model, Preset, boolean};
+use crate::model::{CoSimulation, Fault, Law, Model, Preset, boolean};
 use crate::number::{Mask, Real};
 use crate::numerics::quadrature::integral_past_peak;
 use crate::numerics::relaxation;
@@ -156,6 +156,8 @@ impl<T: Real> FrictionalLag<T> {
 }
 
 impl<T: Real> Law for FrictionalLag<T> {
+    type Interface = CoSimulation;
+
     fn output(&mut self) {
         self.friction_force = self.steady(self.followed_velocity(), self.normal_force) * self.velocity.sign();
         self.dissipated_power = self.friction_force * self.velocity;

@@ -1,7 +1,7 @@
 use crate::contact::conditions::is_elastic;
 use crate::contact::quantities::*;
 use crate::contact::unloading::released_without_load;
-use crate::model::{Fault, Law, Model, Preset, real};
+use crate::model::{Derivatives, Fault, Law, Model, ModelExchange, Preset, real};
 use crate::number::{Mask, Real};
 
 crate::model! {
@@ -165,6 +165,8 @@ impl<T: Real> Gonthier<T> {
 }
 
 impl<T: Real> Law for Gonthier<T> {
+    type Interface = ModelExchange;
+
     fn output(&mut self) {
         self.friction_force = self.force();
         self.dissipated_power = self.friction_force * self.velocity;
@@ -172,7 +174,9 @@ impl<T: Real> Law for Gonthier<T> {
         let elastic = self.velocity.vanishes() | within & is_elastic(self.deflection_rate(), self.velocity);
         self.sticking = T::truth(elastic & self.normal_force.is_positive());
     }
+}
 
+impl<T: Real> Derivatives for Gonthier<T> {
     fn derivatives(&self, rate: &mut Self) {
         let is_loaded = self.normal_force.is_positive();
         rate.bristle_deflection = is_loaded.choose(|| self.deflection_rate(), || T::zero());
@@ -197,7 +201,6 @@ impl Gonthier {
 }
 
 impl Model for Gonthier {
-    const MODEL_EXCHANGE: bool = true;
     const PRESETS: &'static [Preset] = &[Preset {
         name: "thesis",
         source: "Novais (2024), Tables 6.1 and 7.1, v_0 = v_S / 100 of its text (the start values)",

@@ -3,7 +3,7 @@ use crate::contact::elements::{self, Division, Ramp, Share};
 use crate::contact::quantities::*;
 use crate::laws::stribeck;
 use crate::model::ramp;
-use crate::model::{Fault, Law, Model, Preset, real};
+use crate::model::{CoSimulation, Fault, Law, Model, Preset, real};
 use crate::number::{Mask, Real};
 use crate::numerics::approach;
 
@@ -213,6 +213,8 @@ impl<T: Real> Leuven<T> {
 }
 
 impl<T: Real> Law for Leuven<T> {
+    type Interface = CoSimulation;
+
     fn output(&mut self) {
         let hysteresis = self.moving_hysteresis();
         let rate = self.rate_under(self.level(), hysteresis);

@@ -2,7 +2,7 @@ use nalgebra::Vector3;
 
 use crate::contact::quantities::*;
 use crate::contact::turning;
-use crate::model::{Fault, Law, Model, Preset, real};
+use crate::model::{CoSimulation, Fault, Law, Model, Preset, real};
 use crate::number::Mask;
 use crate::numerics::root;
 use crate::numerics::vector::{Component, direction, in_plane, length, remainder, turned_into};
@@ -224,6 +224,8 @@ impl<T: Component> Liang<T> {
 }
 
 impl<T: Component> Law for Liang<T> {
+    type Interface = CoSimulation;
+
     fn output(&mut self) {
         let is_loaded = self.normal_force.is_positive().holds();
         let (force, slides) = if is_loaded { self.force() } else { (Vector3::repeat(T::from(0.0)), true.into()) };

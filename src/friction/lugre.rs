@@ -2,7 +2,7 @@ use crate::contact::conditions::is_elastic;
 use crate::contact::quantities::*;
 use crate::contact::unloading::released_without_load;
 use crate::laws::stribeck;
-use crate::model::{Fault, Law, Model, Preset};
+use crate::model::{Derivatives, Fault, Law, Model, ModelExchange, Preset};
 use crate::number::{Mask, Real};
 use crate::numerics::relaxation;
 
@@ -145,10 +145,14 @@ impl<T: Real> LuGre<T> {
 }
 
 impl<T: Real> Law for LuGre<T> {
+    type Interface = ModelExchange;
+
     fn output(&mut self) {
         self.respond(self.level(), self.damping());
     }
+}
 
+impl<T: Real> Derivatives for LuGre<T> {
     #[inline(always)]
     fn derivatives(&self, rate: &mut Self) {
         rate.bristle_deflection = self.deflection_rate(self.level());
@@ -181,7 +185,6 @@ impl LuGre {
 }
 
 impl Model for LuGre {
-    const MODEL_EXCHANGE: bool = true;
     const LINEAR: bool = true;
     const PRESETS: &'static [Preset] = &[
         Preset { name: "thesis", source: "Novais (2024), Tables 6.1 and 7.1 (the start values)", values: &[] },

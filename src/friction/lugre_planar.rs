@@ -4,7 +4,7 @@ use crate::contact::conditions::ELASTIC_SHARE;
 use crate::contact::quantities::*;
 use crate::contact::unloading::released_without_load;
 use crate::laws::stribeck;
-use crate::model::{Fault, Law, Model, Preset};
+use crate::model::{Derivatives, Fault, Law, Model, ModelExchange, Preset};
 use crate::number::Mask;
 use crate::numerics::relaxation;
 use crate::numerics::vector::{Component, direction, length, only, remainder};
@@ -149,6 +149,8 @@ impl<T: Component> LuGrePlanar<T> {
 }
 
 impl<T: Component> Law for LuGrePlanar<T> {
+    type Interface = ModelExchange;
+
     fn output(&mut self) {
         let rate = self.deflection_rate();
         let force = self.force(rate);
@@ -159,7 +161,9 @@ impl<T: Component> Law for LuGrePlanar<T> {
         let elastic = speed.vanishes() | forward.above(T::from(ELASTIC_SHARE) * speed);
         self.sticking = T::truth(elastic & self.normal_force.is_positive());
     }
+}
 
+impl<T: Component> Derivatives for LuGrePlanar<T> {
     #[inline(always)]
     fn derivatives(&self, rate: &mut Self) {
         let change = self.deflection_rate();
@@ -169,7 +173,6 @@ impl<T: Component> Law for LuGrePlanar<T> {
 }
 
 impl Model for LuGrePlanar {
-    const MODEL_EXCHANGE: bool = true;
     const LINEAR: bool = true;
     const PRESETS: &'static [Preset] = &[Preset {
         name: "thesis",

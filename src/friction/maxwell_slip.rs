@@ -2,7 +2,7 @@ use crate::contact::elements::{self, Division, ElementDistribution, Ramp, Share}
 use crate::contact::quantities::*;
 use crate::laws::stribeck;
 use crate::model::ramp;
-use crate::model::{self, Fault, Law, Model, Preset, Width, boolean, real};
+use crate::model::{self, CoSimulation, Fault, Law, Model, Preset, Width, boolean, real};
 use crate::number::{Mask, Real};
 use crate::numerics::relaxation;
 
@@ -254,6 +254,8 @@ impl<T: Real> Springs<T> {
 }
 
 impl<T: Real> Law for MaxwellSlip<T> {
+    type Interface = CoSimulation;
+
     fn output(&mut self) {
         self.output_with(&[]);
     }

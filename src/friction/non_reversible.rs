@@ -3,7 +3,7 @@ use crate::contact::motion::Motion;
 use crate::contact::quantities::*;
 use crate::laws::branches;
 use crate::model::ramp;
-use crate::model::{Fault, Law, Model, Preset, real};
+use crate::model::{CoSimulation, Fault, Law, Model, Preset, real};
 use crate::number::{Mask, Real};
 use crate::numerics::quadrature::integral_past_peak;
 
@@ -112,6 +112,8 @@ impl<T: Real> NonReversible<T> {
 }
 
 impl<T: Real> Law for NonReversible<T> {
+    type Interface = CoSimulation;
+
     fn output(&mut self) {
         let level = self.level(self.velocity, self.normal_force, self.branching.known_acceleration());
         self.friction_force = level * self.velocity.sign();

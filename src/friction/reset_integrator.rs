@@ -1,7 +1,7 @@
 use crate::contact::motion::Motion;
 use crate::contact::quantities::*;
 use crate::model::ramp;
-use crate::model::{Fault, Law, Model, Preset, real};
+use crate::model::{CoSimulation, Fault, Law, Model, Preset, real};
 use crate::number::{Mask, Real};
 use crate::numerics::root::first_rise;
 
@@ -148,6 +148,8 @@ impl<T: Real> ResetIntegrator<T> {
 }
 
 impl<T: Real> Law for ResetIntegrator<T> {
+    type Interface = CoSimulation;
+
     fn output(&mut self) {
         self.friction_force = self.force();
         self.dissipated_power = self.friction_force * self.velocity;

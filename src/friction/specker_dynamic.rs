@@ -1,7 +1,7 @@
 use crate::contact::quantities::*;
 use crate::contact::unloading::released_without_load;
 use crate::laws::specker::SpeckerCurve;
-use crate::model::{Fault, Law, Model, Preset, real};
+use crate::model::{Derivatives, Fault, Law, Model, ModelExchange, Preset, real};
 use crate::number::{Mask, Real};
 use crate::numerics::relaxation;
 
@@ -129,13 +129,17 @@ impl<T: Real> SpeckerDynamic<T> {
 }
 
 impl<T: Real> Law for SpeckerDynamic<T> {
+    type Interface = ModelExchange;
+
     fn output(&mut self) {
         self.friction_force = self.force();
         self.dissipated_power = self.friction_force * self.velocity;
         let is_slow = self.velocity.abs().below(self.peak_velocity);
         self.sticking = T::truth(is_slow & self.normal_force.is_positive());
     }
+}
 
+impl<T: Real> Derivatives for SpeckerDynamic<T> {
     #[inline(always)]
     fn derivatives(&self, rate: &mut Self) {
         let curve = self.curve();
@@ -150,7 +154,6 @@ impl<T: Real> Law for SpeckerDynamic<T> {
 }
 
 impl Model for SpeckerDynamic {
-    const MODEL_EXCHANGE: bool = true;
     const LINEAR: bool = true;
     const PRESETS: &'static [Preset] = &[Preset {
         name: "guidance",

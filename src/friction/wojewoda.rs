@@ -3,7 +3,7 @@ use crate::contact::motion::Motion;
 use crate::contact::quantities::*;
 use crate::laws::branches;
 use crate::model::ramp;
-use crate::model::{Fault, Law, Model, Preset, real};
+use crate::model::{CoSimulation, Fault, Law, Model, Preset, real};
 use crate::number::{Mask, Real};
 use crate::numerics::quadrature::integral_past_peak;
 use crate::numerics::root::first_rise;
@@ -162,6 +162,8 @@ impl<T: Real> Wojewoda<T> {
 }
 
 impl<T: Real> Law for Wojewoda<T> {
+    type Interface = CoSimulation;
+
     fn output(&mut self) {
         self.friction_force = self.force();
         self.dissipated_power = self.friction_force * self.velocity;

@@ -1,4 +1,4 @@
-use crate::model::{Law, Model, real};
+use crate::model::{Derivatives, Law, Model, ModelExchange, real};
 use crate::number::Real;
 
 crate::model! {
@@ -71,11 +71,15 @@ crate::model! {
 }
 
 impl<T: Real> Law for BeltRig<T> {
+    type Interface = ModelExchange;
+
     fn output(&mut self) {
         self.velocity = self.block_velocity - self.belt_velocity;
         self.external_force = -self.stiffness * self.position;
     }
+}
 
+impl<T: Real> Derivatives for BeltRig<T> {
     fn derivatives(&self, rate: &mut Self) {
         rate.position = self.block_velocity;
         rate.block_velocity = self.acceleration();
@@ -107,8 +111,6 @@ impl BeltRig {
 }
 
 impl Model for BeltRig {
-    const MODEL_EXCHANGE: bool = true;
-
     fn step(&mut self, dt: f64) {
         self.advance(0.0, dt);
     }

@@ -1,7 +1,7 @@
 use crate::host::integrate;
 use crate::host::magic_formula::{Contact, MagicFormula, Side, Wrench};
 use crate::host::vertical::{Axle, Body, Car, Corner, GRAVITY, Load, Motion, Wheel};
-use crate::model::{Fault, Law, Model, real};
+use crate::model::{Derivatives, Fault, Law, Model, ModelExchange, real};
 use crate::number::Real;
 
 crate::part! {
@@ -299,6 +299,8 @@ impl<T: Real> Car<T> for DoubleTrackCar<T> {
 }
 
 impl<T: Real> Law for DoubleTrackCar<T> {
+    type Interface = ModelExchange;
+
     fn output(&mut self) {
         self.output_wheels();
         let mut sum = T::zero();
@@ -309,7 +311,9 @@ impl<T: Real> Law for DoubleTrackCar<T> {
         }
         self.lateral_acceleration = sum / self.mass();
     }
+}
 
+impl<T: Real> Derivatives for DoubleTrackCar<T> {
     fn derivatives(&self, rate: &mut Self) {
         let motion = self.plane_motion();
         let [sin, cos] = [self.yaw_angle.sin(), self.yaw_angle.cos()];
@@ -413,8 +417,6 @@ impl<T: Real> DoubleTrackCar<T> {
 }
 
 impl Model for DoubleTrackCar {
-    const MODEL_EXCHANGE: bool = true;
-
     fn check(&self) -> Result<(), Fault> {
         if self.tyre.pky2 == 0.0 {
             return Err(Fault::new("tyre.pky2 = 0: must not be 0"));

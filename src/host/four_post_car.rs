@@ -1,6 +1,6 @@
 use crate::host::integrate;
 use crate::host::vertical::{Axle, Body, Car, Corner, Motion, Wheel};
-use crate::model::{Fault, Law, Model, real};
+use crate::model::{Derivatives, Fault, Law, Model, ModelExchange, real};
 use crate::number::Real;
 
 crate::part! {
@@ -166,10 +166,14 @@ impl<T: Real> Car<T> for FourPostCar<T> {
 }
 
 impl<T: Real> Law for FourPostCar<T> {
+    type Interface = ModelExchange;
+
     fn output(&mut self) {
         self.output_wheels();
     }
+}
 
+impl<T: Real> Derivatives for FourPostCar<T> {
     fn derivatives(&self, rate: &mut Self) {
         self.body.rate(self.strut_load(), &mut rate.body);
         for corner in Corner::ALL {
@@ -181,8 +185,6 @@ impl<T: Real> Law for FourPostCar<T> {
 }
 
 impl Model for FourPostCar {
-    const MODEL_EXCHANGE: bool = true;
-
     fn check(&self) -> Result<(), Fault> {
         self.body.check()
     }

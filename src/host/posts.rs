@@ -1,6 +1,6 @@
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
-use crate::model::{Law, Model, real};
+use crate::model::{Derivatives, Law, Model, ModelExchange, real};
 use crate::number::Real;
 
 crate::part! {
@@ -93,20 +93,22 @@ impl<T: Real> Actuator<T> {
 }
 
 impl<T: Real> Law for Posts<T> {
+    type Interface = ModelExchange;
+
     fn output(&mut self) {
         for post in [&mut self.fl, &mut self.fr, &mut self.rl, &mut self.rr] {
             post.follow(self.angle, self.frequency);
         }
     }
+}
 
+impl<T: Real> Derivatives for Posts<T> {
     fn derivatives(&self, rate: &mut Self) {
         rate.angle = T::from(TAU) * self.frequency;
     }
 }
 
 impl Model for Posts {
-    const MODEL_EXCHANGE: bool = true;
-
     fn step(&mut self, dt: f64) {
         self.angle += TAU * self.frequency * dt;
     }

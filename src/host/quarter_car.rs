@@ -1,6 +1,6 @@
 use crate::host::integrate;
 use crate::host::vertical::{GRAVITY, Motion, Suspension, Wheel};
-use crate::model::{Law, Model, real};
+use crate::model::{Derivatives, Law, Model, ModelExchange, real};
 use crate::number::Real;
 
 crate::model! {
@@ -110,12 +110,16 @@ impl<T: Real> QuarterCar<T> {
 }
 
 impl<T: Real> Law for QuarterCar<T> {
+    type Interface = ModelExchange;
+
     fn output(&mut self) {
         let body = Motion { height: self.body_height, velocity: self.body_velocity };
         let (road, static_load) = (self.road(), self.static_load());
         self.wheel.output(&self.suspension, body, road, static_load);
     }
+}
 
+impl<T: Real> Derivatives for QuarterCar<T> {
     fn derivatives(&self, rate: &mut Self) {
         rate.body_height = self.body_velocity;
         rate.body_velocity = self.wheel.lift(&self.suspension) / self.body_mass;
@@ -125,8 +129,6 @@ impl<T: Real> Law for QuarterCar<T> {
 }
 
 impl Model for QuarterCar {
-    const MODEL_EXCHANGE: bool = true;
-
     fn step(&mut self, dt: f64) {
         integrate::held::<_, 4>(self, dt);
     }

@@ -208,7 +208,7 @@ macro_rules! part {
 /// no comment.
 ///
 /// ```
-/// use stribeck::model::{Columns, Law, Model, real};
+/// use stribeck::model::{CoSimulation, Columns, Law, Model, real};
 /// use stribeck::number::Real;
 ///
 /// stribeck::model! {
@@ -224,6 +224,8 @@ macro_rules! part {
 /// }
 ///
 /// impl<T: Real> Law for Slider<T> {
+///     type Interface = CoSimulation;
+///
 ///     fn output(&mut self) {
 ///         self.friction_force = self.level * self.velocity.sign();
 ///     }

@@ -62,6 +62,9 @@ pub unsafe trait Described: Columns {
 
 /// The equations of a model, written once for every number type.
 pub trait Law: Numbers {
+    /// Whether an importer may integrate the continuous states itself: [`ModelExchange`] or [`CoSimulation`].
+    type Interface: Interface<Self>;
+
     /// Computes the [`Role::Output`](crate::table::Role::Output) columns from the others.
     fn output(&mut self);
 
@@ -76,9 +79,77 @@ pub trait Law: Numbers {
     fn output_with(&mut self, _memory: &[Self::Number]) {
         self.output();
     }
+}
 
+/// The rates of the continuous states, written once for every number type. A model offered for Model Exchange does not
+/// compile without them:
+///
+/// ```compile_fail,E0277
+/// use stribeck::model::{Law, Model, ModelExchange, real};
+/// use stribeck::number::Real;
+///
+/// stribeck::model! {
+///     /// Distance, without its rate.
+///     Odometer: "Distance" {
+///         /// Velocity.
+///         velocity: input = real("m/s", 0.0),
+///         /// Distance.
+///         distance: state_output = real("m", 0.0),
+///     }
+/// }
+///
+/// impl<T: Real> Law for Odometer<T> {
+///     type Interface = ModelExchange; // `CoSimulation` compiles
+///
+///     fn output(&mut self) {}
+/// }
+///
+/// impl Model for Odometer {
+///     fn step(&mut self, dt: f64) {
+///         self.distance += self.velocity * dt;
+///     }
+/// }
+/// ```
+pub trait Derivatives: Law {
     /// Writes the time derivatives of the continuous states into their columns of `rate`.
-    fn derivatives(&self, _rate: &mut Self) {}
+    fn derivatives(&self, rate: &mut Self);
+}
+
+/// Interface type of FMI for which a model is offered beside its steps.
+pub trait Interface<M> {
+    /// Whether it is Model Exchange.
+    const IS_MODEL_EXCHANGE: bool;
+
+    /// Writes the time derivatives of the continuous states into their columns of `rate`, if there are any.
+    fn rates(model: &M, rate: &mut M);
+}
+
+/// A model whose continuous states may be integrated by an importer. They move only by their [`Derivatives`], and the
+/// rest of the state either has no effect or changes only in [`Model::at_event`].
+pub enum ModelExchange {}
+
+impl<M: Derivatives> Interface<M> for ModelExchange {
+    const IS_MODEL_EXCHANGE: bool = true;
+
+    #[inline(always)]
+    fn rates(model: &M, rate: &mut M) {
+        model.derivatives(rate);
+    }
+}
+
+/// A model that only its own steps advance.
+pub enum CoSimulation {}
+
+impl<M> Interface<M> for CoSimulation {
+    const IS_MODEL_EXCHANGE: bool = false;
+
+    #[inline(always)]
+    fn rates(_model: &M, _rate: &mut M) {}
+}
+
+/// Whether a model is offered for Model Exchange.
+pub(crate) const fn is_for_exchange<M: Law>() -> bool {
+    <M::Interface as Interface<M>>::IS_MODEL_EXCHANGE
 }
 
 /// A named set of parameter values with its source.
@@ -94,10 +165,6 @@ pub struct Preset {
 
 /// The part of a model beside its table: how it moves in time.
 pub trait Model: Described + Law<Number = f64> {
-    /// Whether an importer may integrate the continuous states itself (FMI Model Exchange). Then they move only by
-    /// [`Law::derivatives`], and the rest of the state either has no effect or changes only in [`Model::at_event`].
-    const MODEL_EXCHANGE: bool = false;
-
     /// Number of event indicators.
     const EVENT_INDICATORS: usize = 0;
 
@@ -178,10 +245,11 @@ pub trait Model: Described + Law<Number = f64> {
         0
     }
 
-    /// [`Law::derivatives`]; to be overridden by a model that has them only as plain numbers.
+    /// [`Derivatives::derivatives`]; to be overridden by a model for co-simulation only, which has its rates only as plain
+    /// numbers.
     #[inline(always)]
     fn rate(&self, rate: &mut Self) {
-        self.derivatives(rate);
+        Self::Interface::rates(self, rate);
     }
 
     /// [`Model::rate`] of a model with memory, which moves as well.

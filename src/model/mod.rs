@@ -14,7 +14,10 @@ mod row;
 pub(crate) use crate::table::Brief;
 pub use crate::table::*;
 pub use declare::{list, start};
-pub use equations::{Columns, Described, Law, Model, Numbers, Preset, Width};
+pub(crate) use equations::is_for_exchange;
+pub use equations::{
+    CoSimulation, Columns, Derivatives, Described, Interface, Law, Model, ModelExchange, Numbers, Preset, Width,
+};
 pub(crate) use family::family;
 pub use model_type::ModelType;
 pub(crate) use row::{parts, parts_mut};

@@ -4,7 +4,7 @@ use std::ffi::CStr;
 use std::fmt;
 
 use super::row::{Room, commit, view, view_mut};
-use super::{Law, Model, Preset};
+use super::{Interface, Law, Model, Preset, is_for_exchange};
 use crate::guid::{self, GuidText};
 use crate::number::Dual;
 use crate::reference::{self, Place, Reference, References};
@@ -64,13 +64,13 @@ impl ModelType {
             ports: M::PORTS,
             references: M::REFERENCES,
             presets: M::PRESETS,
-            model_exchange: M::MODEL_EXCHANGE,
+            model_exchange: is_for_exchange::<M>(),
             event_indicators: M::EVENT_INDICATORS,
             memory: M::MEMORY,
             guid: guid::fingerprint(
                 M::NAME,
                 M::TABLE,
-                if M::MODEL_EXCHANGE { Some(M::EVENT_INDICATORS) } else { None },
+                if is_for_exchange::<M>() { Some(M::EVENT_INDICATORS) } else { None },
             ),
             check: |row| view::<M, f64>(row).check(),
             check_motion: |row| view::<M, f64>(row).check_motion(),
@@ -88,7 +88,7 @@ impl ModelType {
             },
             rate_dual: |row, rate| {
                 rate.fill(Dual::default());
-                view::<M::Dual, Dual>(row).derivatives(view_mut(rate));
+                <M::Dual as Law>::Interface::rates(view(row), view_mut(rate));
             },
             check_model_exchange: |row| view::<M, f64>(row).check_model_exchange(),
             indicate: |row, indicators| view::<M, f64>(row).event_indicators(indicators),

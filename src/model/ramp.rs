@@ -12,7 +12,7 @@
 //! bristle that follows a moving level, however stiff it is, and the work of its force. Where f is not linear in y, r
 //! is the slope of the chord to the approximate new value of y.
 
-use crate::model::{Model, Path, Role, Variable, row_of, row_of_mut};
+use crate::model::{Model, Path, Role, Variable, is_for_exchange, row_of, row_of_mut};
 
 /// Error allowed in a piece, relative to the larger of the state and its nominal value (chosen). It is the error of a
 /// target taken as linear; that of a quadratic one is far smaller.
@@ -75,7 +75,7 @@ impl<M: Model> Of<M> {
     const STATES: Selection<MOST> = {
         let (mut states, mut column) = (Selection::NONE, 0);
         while column < M::TABLE.len() {
-            if M::MODEL_EXCHANGE && is_followed(&M::TABLE[column]) {
+            if is_for_exchange::<M>() && is_followed(&M::TABLE[column]) {
                 states = states.with(column);
             }
             column += 1;
@@ -114,7 +114,7 @@ impl<M: Model> Of<M> {
 
 /// Advances `model` by `dt` while its inputs change at the rates `slope`.
 pub(crate) fn advance<M: Model>(model: &mut M, slope: &M, dt: f64) {
-    if Of::<M>::HAS_STATES && !M::MODEL_EXCHANGE {
+    if Of::<M>::HAS_STATES && !is_for_exchange::<M>() {
         // Rates do not describe a model whose states jump.
         return in_pieces(model, slope, dt, PIECES);
     }

@@ -1,4 +1,4 @@
-use crate::model::{Column, Fault, Law, Model, boolean, integer, real};
+use crate::model::{Column, Derivatives, Fault, Law, Model, ModelExchange, boolean, integer, real};
 use crate::number::Real;
 use crate::numerics::interpolation;
 
@@ -156,14 +156,19 @@ crate::model! {
 }
 
 impl<T: Real> Law for CoilSpring<T> {
+    type Interface = ModelExchange;
+
     fn output(&mut self) {
         self.force = self.spring.force(self.compression);
     }
 }
 
-impl Model for CoilSpring {
-    const MODEL_EXCHANGE: bool = true;
+impl<T: Real> Derivatives for CoilSpring<T> {
+    /// No state moves with time.
+    fn derivatives(&self, _rate: &mut Self) {}
+}
 
+impl Model for CoilSpring {
     fn check(&self) -> Result<(), Fault> {
         self.spring.check()
     }

@@ -1,4 +1,4 @@
-use crate::model::{Fault, Law, Model, Preset, boolean, real};
+use crate::model::{Derivatives, Fault, Law, Model, ModelExchange, Preset, boolean, real};
 use crate::number::Real;
 use crate::numerics::relaxation;
 
@@ -118,17 +118,20 @@ crate::model! {
 }
 
 impl<T: Real> Law for DamperTemperature<T> {
+    type Interface = ModelExchange;
+
     fn output(&mut self) {
         self.force_factor = self.thermal.factor(self.temperature);
     }
+}
 
+impl<T: Real> Derivatives for DamperTemperature<T> {
     fn derivatives(&self, rate: &mut Self) {
         rate.temperature = self.thermal.rate(self.temperature, self.temperature_ambient, self.power);
     }
 }
 
 impl Model for DamperTemperature {
-    const MODEL_EXCHANGE: bool = true;
     const PRESETS: &'static [Preset] = &[Preset {
         name: "heating",
         source: "Example with 50 W, heating switched on",

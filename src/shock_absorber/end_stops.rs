@@ -1,4 +1,4 @@
-use crate::model::{Law, Model, boolean, real};
+use crate::model::{Derivatives, Law, Model, ModelExchange, boolean, real};
 use crate::number::Real;
 
 crate::choices! {
@@ -168,6 +168,8 @@ crate::model! {
 }
 
 impl<T: Real> Law for EndStops<T> {
+    type Interface = ModelExchange;
+
     fn output(&mut self) {
         self.force_bump = self.bump.force(self.compression, self.velocity);
         self.force_rebound = self.rebound.force(self.compression, self.velocity);
@@ -175,9 +177,12 @@ impl<T: Real> Law for EndStops<T> {
     }
 }
 
-impl Model for EndStops {
-    const MODEL_EXCHANGE: bool = true;
+impl<T: Real> Derivatives for EndStops<T> {
+    /// No state moves with time.
+    fn derivatives(&self, _rate: &mut Self) {}
+}
 
+impl Model for EndStops {
     fn step(&mut self, _dt: f64) {}
 }
 

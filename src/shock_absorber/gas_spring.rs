@@ -1,4 +1,4 @@
-use crate::model::{Brief, Fault, Law, Model, boolean, real};
+use crate::model::{Brief, Derivatives, Fault, Law, Model, ModelExchange, boolean, real};
 use crate::number::Real;
 
 crate::part! {
@@ -121,14 +121,19 @@ crate::model! {
 }
 
 impl<T: Real> Law for GasSpring<T> {
+    type Interface = ModelExchange;
+
     fn output(&mut self) {
         self.force = self.gas.force(self.compression);
     }
 }
 
-impl Model for GasSpring {
-    const MODEL_EXCHANGE: bool = true;
+impl<T: Real> Derivatives for GasSpring<T> {
+    /// No state moves with time.
+    fn derivatives(&self, _rate: &mut Self) {}
+}
 
+impl Model for GasSpring {
     fn check_motion(&self) -> Result<(), Fault> {
         self.gas.check_compression(self.compression)
     }

@@ -1,6 +1,6 @@
 use crate::contact::ExchangeOrder;
 use crate::model::ramp;
-use crate::model::{Fault, Law, Model, boolean, choice, real};
+use crate::model::{CoSimulation, Fault, Law, Model, boolean, choice, real};
 use crate::number::{Mask, Real};
 use crate::shock_absorber::law::{
     Answer, ChosenLaw, Evaluate, FRICTION_MODEL, Given, LUGRE, LawParameters, MEMORY, MOST_EVENTS, blank_memory,
@@ -435,6 +435,8 @@ impl<T: Evaluate> GuideContact<T> {
 }
 
 impl<T: Evaluate> Law for GuideContact<T> {
+    type Interface = CoSimulation;
+
     fn output(&mut self) {
         let touch = self.touch();
         let answer = self.with_memory(|memory| self.friction.force(&self.levels, &touch, memory));

@@ -1,5 +1,5 @@
 use crate::model::ramp;
-use crate::model::{Column, Fault, Law, Model, boolean, integer, real};
+use crate::model::{Column, Derivatives, Fault, Law, Model, ModelExchange, boolean, integer, real};
 use crate::number::{Dual, Real};
 use crate::numerics::{interpolation, root};
 use crate::shock_absorber::coil_spring::{POINTS, check_rising, points};
@@ -305,12 +305,16 @@ impl<T: Real> HydraulicDamper<T> {
 }
 
 impl<T: Real> Law for HydraulicDamper<T> {
+    type Interface = ModelExchange;
+
     fn output(&mut self) {
         let resistance = self.damper.resistance(self.piston());
         self.force = -resistance;
         self.dissipated_power = resistance * self.piston();
     }
+}
 
+impl<T: Real> Derivatives for HydraulicDamper<T> {
     fn derivatives(&self, rate: &mut Self) {
         rate.dissipated_energy = self.damper.resistance(self.piston()) * self.piston();
         rate.piston_velocity = self.damper.rate(self.piston_velocity, self.velocity, T::from(1.0));
@@ -318,8 +322,6 @@ impl<T: Real> Law for HydraulicDamper<T> {
 }
 
 impl Model for HydraulicDamper {
-    const MODEL_EXCHANGE: bool = true;
-
     fn check(&self) -> Result<(), Fault> {
         self.damper.check()
     }

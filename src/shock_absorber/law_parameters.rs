@@ -182,10 +182,14 @@ mod tests {
     }
 
     impl Law for Newcomer {
+        type Interface = crate::model::CoSimulation;
+
         fn output(&mut self) {}
     }
 
     impl crate::model::Law for Newcomer<crate::number::Dual> {
+        type Interface = crate::model::CoSimulation;
+
         fn output(&mut self) {}
     }
 

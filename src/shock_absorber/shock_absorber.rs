@@ -1,5 +1,5 @@
 use crate::model::ramp;
-use crate::model::{Fault, Law, Model, Preset, boolean, real};
+use crate::model::{Derivatives, Fault, Law, Model, ModelExchange, Preset, boolean, real};
 use crate::number::Real;
 use crate::shock_absorber::guide_contact::Touch;
 use crate::shock_absorber::law::{Answer, Evaluate, MEMORY, MOST_EVENTS, blank_memory};
@@ -276,6 +276,8 @@ impl<T: Evaluate> ShockAbsorber<T> {
 }
 
 impl<T: Evaluate> Law for ShockAbsorber<T> {
+    type Interface = ModelExchange;
+
     #[inline(never)]
     fn output(&mut self) {
         let motion = self.setting.motion();
@@ -295,7 +297,9 @@ impl<T: Evaluate> Law for ShockAbsorber<T> {
         self.bump_active = truth(self.setting.bump.is_active(self.compression));
         self.write_advice(&advice);
     }
+}
 
+impl<T: Evaluate> Derivatives for ShockAbsorber<T> {
     fn derivatives(&self, rate: &mut Self) {
         let setting = &self.setting;
         let motion = setting.motion();
@@ -390,7 +394,6 @@ impl ShockAbsorber {
 }
 
 impl Model for ShockAbsorber {
-    const MODEL_EXCHANGE: bool = true;
     const EVENT_INDICATORS: usize = 2 * MOST_EVENTS;
     const PRESETS: &'static [Preset] = presets::ALL;
 

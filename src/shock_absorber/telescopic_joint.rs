@@ -1,4 +1,4 @@
-use crate::model::{Fault, Law, Model, Preset, boolean, real};
+use crate::model::{Derivatives, Fault, Law, Model, ModelExchange, Preset, boolean, real};
 use crate::number::Real;
 
 crate::choices! {
@@ -235,6 +235,8 @@ crate::model! {
 }
 
 impl<T: Real> Law for TelescopicJoint<T> {
+    type Interface = ModelExchange;
+
     fn output(&mut self) {
         let wrench = self.side.wrench(SideConvention::of(self.convention.value()));
         self.overlap = self.geom.overlap(self.length);
@@ -246,8 +248,12 @@ impl<T: Real> Law for TelescopicJoint<T> {
     }
 }
 
+impl<T: Real> Derivatives for TelescopicJoint<T> {
+    /// No state moves with time.
+    fn derivatives(&self, _rate: &mut Self) {}
+}
+
 impl Model for TelescopicJoint {
-    const MODEL_EXCHANGE: bool = true;
     const PRESETS: &'static [Preset] = &[Preset {
         name: "side_force",
         source: "Example of a side load of 100 N at the eye of the tube",

@@ -289,7 +289,7 @@ impl Variable {
         self.bound.admits(value) && (matches!(self.kind, Kind::Real(_)) || value.fract() == 0.0)
     }
 
-    /// Whether it is a state that moves with time, as given by [`Law::derivatives`](crate::model::Law::derivatives).
+    /// Whether it is a state that moves with time, as given by [`Derivatives::derivatives`](crate::model::Derivatives::derivatives).
     pub const fn is_continuous_state(&self) -> bool {
         self.role.is_state() && !self.jumps
     }

@@ -155,6 +155,8 @@ mod tests {
             }
         }
         impl<T: Real> Law for Odd<T> {
+            type Interface = stribeck::model::CoSimulation;
+
             fn output(&mut self) {}
         }
         impl Model for Odd {

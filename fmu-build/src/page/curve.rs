@@ -386,6 +386,8 @@ mod tests {
         }
 
         impl<T: Real> stribeck::model::Law for Sluggish<T> {
+            type Interface = stribeck::model::CoSimulation;
+
             fn output(&mut self) {
                 self.friction_force = self.force;
             }
@@ -413,6 +415,8 @@ mod tests {
         }
 
         impl<T: Real> stribeck::model::Law for Planar<T> {
+            type Interface = stribeck::model::CoSimulation;
+
             fn output(&mut self) {
                 self.friction_force_x = self.velocity_x.sign();
                 self.friction_force_y = self.velocity_y.sign();

@@ -235,6 +235,8 @@ macro_rules! memoryless {
         }
 
         impl<T: Real> $crate::model::Law for $Law<T> {
+            type Interface = $crate::model::ModelExchange;
+
             #[inline]
             fn output(&mut self) {
                 let force = $crate::contact::time_stepping::force(self);
@@ -243,7 +245,9 @@ macro_rules! memoryless {
                 self.dissipated_power = force * self.velocity;
                 self.sticking = sticking;
             }
+        }
 
+        impl<T: Real> $crate::model::Derivatives for $Law<T> {
             fn derivatives(&self, rate: &mut Self) {
                 rate.dissipated_energy = $crate::contact::time_stepping::force(self) * self.velocity;
             }
@@ -251,7 +255,6 @@ macro_rules! memoryless {
     };
 
     () => {
-        const MODEL_EXCHANGE: bool = true;
         const EVENT_INDICATORS: usize = $crate::contact::time_stepping::EVENTS_ON_CURVE;
 
         fn step(&mut self, dt: f64) {

@@ -128,12 +128,16 @@ macro_rules! two_levels {
         }
 
         impl<T: Real> $crate::model::Law for $Law<T> {
+            type Interface = $crate::model::ModelExchange;
+
             fn output(&mut self) {
                 self.friction_force = $crate::contact::time_stepping::force(self);
                 self.dissipated_power = self.friction_force * self.velocity;
                 self.sticking = $crate::contact::time_stepping::sticking(self);
             }
+        }
 
+        impl<T: Real> $crate::model::Derivatives for $Law<T> {
             fn derivatives(&self, rate: &mut Self) {
                 rate.dissipated_energy = $crate::contact::time_stepping::force(self) * self.velocity;
             }
@@ -148,7 +152,6 @@ macro_rules! two_levels {
     };
 
     () => {
-        const MODEL_EXCHANGE: bool = true;
         const EVENT_INDICATORS: usize = $crate::contact::time_stepping::EVENTS_OF_TWO_LEVELS;
 
         fn check(&self) -> Result<(), $crate::model::Fault> {
