@@ -2,6 +2,7 @@
 
 mod common;
 
+use approx::{abs_diff_eq, assert_abs_diff_eq};
 use common::{Bench, Exchange, Sample, belt, belt_of_master, extrema};
 use stribeck::catalogue;
 
@@ -31,7 +32,7 @@ fn stuck(samples: &[Sample]) -> impl Iterator<Item = &[Sample]> {
 }
 
 fn assert_close(what: &str, value: f64, expected: f64, relative: f64) {
-    assert!((value / expected - 1.0).abs() <= relative, "{what}: {value}, expected {expected}");
+    assert!(abs_diff_eq!(value / expected, 1.0, epsilon = relative), "{what}: {value}, expected {expected}");
 }
 
 const EXCHANGES: [Exchange; 3] = [Exchange::Sequential, Exchange::FeedThrough, Exchange::Parallel];
@@ -41,7 +42,7 @@ fn coulomb_with_stiction_and_mass_reproduces_the_closed_form_at_1_ms() {
     for exchange in EXCHANGES {
         let samples = belt(&mut holding("CoulombStiction", exchange), 1e-3, 40.0, exchange);
         let slip = samples.iter().find(|s| (s.friction_force - s.external_force).abs() > 1e-3).expect("slip");
-        assert!((slip.time - FIRST_SLIP).abs() <= 2e-3, "{exchange:?}: first slip at {}", slip.time);
+        assert!(abs_diff_eq!(slip.time, FIRST_SLIP, epsilon = 2e-3), "{exchange:?}: first slip at {}", slip.time);
         let maxima = maxima(&samples);
         assert_eq!(maxima.len(), 5, "{exchange:?}");
         for pair in maxima.windows(2) {
@@ -107,7 +108,10 @@ fn a_load_that_is_set_after_a_slope_counts_at_once() {
         held.step(1e-3);
         assert!(force > 0.0, "{law}: {force} N drives");
         let expected = held.get("friction_force");
-        assert!((force / expected - 1.0).abs() < 1e-9, "{law}: {force} N, {expected} N after a held step");
+        assert!(
+            abs_diff_eq!(force / expected, 1.0, epsilon = 1e-9),
+            "{law}: {force} N, {expected} N after a held step"
+        );
     }
 }
 
@@ -189,13 +193,13 @@ fn with_mass_a_ramp_is_used_by_its_initial_velocity_and_its_mean_forces() {
     for acceleration in [0.0, -1e-3, 5.0] {
         let slopes = [("velocity", acceleration), ("external_force", 500.0)];
         let (force, energy) = ramp(&[("velocity", 1e-6), ("external_force", 0.1)], &slopes);
-        assert!((force - (0.1 + 0.25 + mass * 1e-6 / h)).abs() < 1e-15, "{acceleration}: {force}");
-        assert!((energy - force * 0.5e-6 * h).abs() < 1e-20);
+        assert!(abs_diff_eq!(force, 0.1 + 0.25 + mass * 1e-6 / h, epsilon = 1e-15), "{acceleration}: {force}");
+        assert_abs_diff_eq!(energy, force * 0.5e-6 * h, epsilon = 1e-20);
     }
     // A slide under a load that falls from 10 N to 4 N: 0.1 times 7 N on the mean.
     let (force, energy) = ramp(&[("velocity", 0.5), ("normal_force", 10.0)], &[("normal_force", -6000.0)]);
-    assert!((force - 0.7).abs() < 1e-15);
-    assert!((energy - 0.7 * (0.5 - 0.5 * 0.7 * h / mass) * h).abs() < 1e-18);
+    assert_abs_diff_eq!(force, 0.7, epsilon = 1e-15);
+    assert_abs_diff_eq!(energy, 0.7 * (0.5 - 0.5 * 0.7 * h / mass) * h, epsilon = 1e-18);
 }
 
 /// A master that changes its step from one to the next, by a factor of a hundred.
@@ -241,7 +245,7 @@ fn a_mass_that_comes_and_goes_leaves_no_memory() {
     law.set("mass", 1.0);
     assert!((law.get("friction_force") - 0.981).abs() < 1e-15 && law.get("sticking") == 0.0);
     law.step(1e-3);
-    assert!((law.get("friction_force") - 0.981).abs() < 1e-15);
+    assert_abs_diff_eq!(law.get("friction_force"), 0.981, epsilon = 1e-15);
 }
 
 /// The energy of a step is the work of the force that the step has delivered, also at breakaway.
@@ -257,7 +261,7 @@ fn the_energy_is_that_of_the_delivered_force() {
         let force = law.get("friction_force");
         let after = v + h * (external_force - force);
         let work = force * 0.5 * (v + after) * h;
-        assert!((law.get("dissipated_energy") - before - work).abs() < 1e-18, "at {external_force} N");
+        assert!(abs_diff_eq!(law.get("dissipated_energy") - before, work, epsilon = 1e-18), "at {external_force} N");
         v = after;
     }
 }
@@ -266,10 +270,10 @@ fn the_energy_is_that_of_the_delivered_force() {
 #[test]
 fn a_parallel_exchange_begins_with_the_printed_force() {
     let mut law = Bench::new("CoulombStiction", &[("mass", 1.0), ("exchange", 2.0), ("velocity", 0.5)]);
-    assert!((law.get("friction_force") - 0.981).abs() < 1e-15);
+    assert_abs_diff_eq!(law.get("friction_force"), 0.981, epsilon = 1e-15);
     law.step(1e-3);
     // The work of that force over the step, at the mean of 0.5 m/s and 0.5 m/s - 0.981 mm/s.
-    assert!((law.get("dissipated_energy") - 0.981 * (0.5 - 0.5 * 0.981e-3) * 1e-3).abs() < 1e-15);
+    assert_abs_diff_eq!(law.get("dissipated_energy"), 0.981 * (0.5 - 0.5 * 0.981e-3) * 1e-3, epsilon = 1e-15);
 }
 
 #[test]

@@ -2,6 +2,7 @@
 
 mod common;
 
+use approx::abs_diff_eq;
 use common::Bench;
 use stribeck::catalogue::by_name;
 use stribeck::model::Kind;
@@ -78,7 +79,7 @@ fn laws_start_in_a_contact_as_on_their_own() {
                 bench.step(1e-3);
             }
             let [here, alone] = [contact.get("friction_force"), law.get("friction_force")];
-            assert!((here - alone).abs() < 1e-9, "{name}, step {k}: {here} N, on its own {alone} N");
+            assert!(abs_diff_eq!(here, alone, epsilon = 1e-9), "{name}, step {k}: {here} N, on its own {alone} N");
         }
     }
 }
@@ -248,7 +249,7 @@ fn drag_without_a_load_dissipates_what_its_force_does() {
             let found = bench.get("dissipated_energy");
             // Levels are taken a little beside the reversal.
             assert!(
-                (found - expected).abs() <= 1e-8 * expected,
+                abs_diff_eq!(found, expected, epsilon = 1e-8 * expected),
                 "{name}, {mass} kg: {found} J instead of {expected} J"
             );
         }

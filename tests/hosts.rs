@@ -2,6 +2,7 @@
 
 mod common;
 
+use approx::abs_diff_eq;
 use std::f64::consts::{FRAC_PI_2, TAU};
 
 use common::Bench;
@@ -81,7 +82,7 @@ fn transmissibility(frequency: f64, amplitude: f64, static_force: f64, mut strut
 }
 
 fn assert_close(what: &str, value: f64, expected: f64, relative: f64) {
-    assert!((value / expected - 1.0).abs() <= relative, "{what}: {value}, expected {expected}");
+    assert!(abs_diff_eq!(value / expected, 1.0, epsilon = relative), "{what}: {value}, expected {expected}");
 }
 
 fn assert_transmits(

@@ -2,6 +2,7 @@
 
 mod common;
 
+use approx::{abs_diff_eq, assert_abs_diff_eq};
 use common::Bench;
 
 const F_S: f64 = 0.15 * 9.81;
@@ -64,10 +65,13 @@ fn branches_of_a_thousand_elements_follow_masing() {
             travel(&mut law, -4e-6);
             x -= 4e-6;
             let branch = parabola(top) - 2.0 * parabola(0.5 * (top - x));
-            assert!((law.get("friction_force") - branch).abs() < 1e-6 * F_S, "{is_ramp}, {x}");
+            assert!(abs_diff_eq!(law.get("friction_force"), branch, epsilon = 1e-6 * F_S), "{is_ramp}, {x}");
             travel(&mut law, 1.3e-6);
             travel(&mut law, -1.3e-6);
-            assert!((law.get("friction_force") - branch).abs() < 1e-6 * F_S, "{is_ramp}, {x}, after an inner loop");
+            assert!(
+                abs_diff_eq!(law.get("friction_force"), branch, epsilon = 1e-6 * F_S),
+                "{is_ramp}, {x}, after an inner loop"
+            );
         }
     }
 }
@@ -81,8 +85,8 @@ fn energy_of_a_thousand_elements_is_that_of_the_parabola() {
     for _ in 0..7 {
         travel(&mut law, slip / 7.0);
     }
-    assert!((law.get("dissipated_energy") / (2.0 / 3.0 * F_S * slip) - 1.0).abs() < 1e-6);
-    assert!((law.get("friction_force") / F_S - 1.0).abs() < 1e-12);
+    assert_abs_diff_eq!(law.get("dissipated_energy") / (2.0 / 3.0 * F_S * slip), 1.0, epsilon = 1e-6);
+    assert_abs_diff_eq!(law.get("friction_force") / F_S, 1.0, epsilon = 1e-12);
 }
 
 /// The slope of the outputs compared with a difference, while elements stick and slip.
@@ -96,7 +100,7 @@ fn derivative_with_time_of_a_thousand_elements() {
     let slope = law.instance.time_derivative()[force].slope;
     law.step(h);
     let quotient = (law.get("friction_force") - before) / h;
-    assert!((slope / quotient - 1.0).abs() < 2e-3, "{slope} {quotient}");
+    assert!(abs_diff_eq!(slope / quotient, 1.0, epsilon = 2e-3), "{slope} {quotient}");
 }
 
 /// A copy continues exactly as the original, and so does the restored original.

@@ -2,6 +2,7 @@
 
 mod common;
 
+use approx::{abs_diff_eq, assert_abs_diff_eq};
 use common::Bench;
 
 /// f_C, f_s, v_S, sigma_0, sigma_1 = sqrt(sigma_0), sigma_2 of the thesis' Table 7.1.
@@ -43,9 +44,15 @@ fn lugre_at_constant_velocity_is_its_exponential_whatever_the_steps() {
             for steps in divisions() {
                 let mut law = run("LuGre", &[("velocity", velocity)], time, &steps);
                 let deflection = law.get("bristle_deflection");
-                assert!((deflection / z - 1.0).abs() < 1e-12, "{velocity} {time}: {deflection} against {z}");
+                assert!(
+                    abs_diff_eq!(deflection / z, 1.0, epsilon = 1e-12),
+                    "{velocity} {time}: {deflection} against {z}"
+                );
                 let found = law.get("friction_force");
-                assert!((found / force - 1.0).abs() < 1e-12, "{velocity} {time}: {found} against {force}");
+                assert!(
+                    abs_diff_eq!(found / force, 1.0, epsilon = 1e-12),
+                    "{velocity} {time}: {found} against {force}"
+                );
             }
         }
     }
@@ -64,7 +71,7 @@ fn dahl_at_constant_velocity_is_its_closed_form_whatever_the_steps() {
     for (alpha, force) in forms {
         for steps in divisions() {
             let found = run("Dahl", &[("velocity", 1e-4), ("alpha", alpha)], 0.15, &steps).get("friction_force");
-            assert!((found / force - 1.0).abs() < 1e-12, "{alpha}: {found} against {force}");
+            assert!(abs_diff_eq!(found / force, 1.0, epsilon = 1e-12), "{alpha}: {found} against {force}");
         }
     }
 }
@@ -83,10 +90,10 @@ fn lugre_and_dahl_from_rest() {
     ];
     for (velocity, time, dahl, lugre, deflection) in rows {
         let found = run("Dahl", &[("velocity", velocity)], time, &[1.0]).get("friction_force");
-        assert!((found / dahl - 1.0).abs() < 2e-9, "Dahl {velocity} {time}: {found}");
+        assert!(abs_diff_eq!(found / dahl, 1.0, epsilon = 2e-9), "Dahl {velocity} {time}: {found}");
         let mut law = run("LuGre", &[("velocity", velocity)], time, &[1.0]);
-        assert!((law.get("friction_force") / lugre - 1.0).abs() < 5e-9, "{}", law.get("friction_force"));
-        assert!((law.get("bristle_deflection") / deflection - 1.0).abs() < 5e-9);
+        assert!(abs_diff_eq!(law.get("friction_force") / lugre, 1.0, epsilon = 5e-9), "{}", law.get("friction_force"));
+        assert_abs_diff_eq!(law.get("bristle_deflection") / deflection, 1.0, epsilon = 5e-9);
     }
 }
 
@@ -95,7 +102,7 @@ fn lugre_steady_force() {
     let forces = [(1e-4, 1.466629443), (5e-4, 1.363051784), (1e-3, 1.161544866), (2e-3, 0.990183821), (0.1, 0.991)];
     for (velocity, force) in forces {
         let found = run("LuGre", &[("velocity", velocity)], 10.0, &[1.0; 20]).get("friction_force");
-        assert!((found - force).abs() < 1e-9, "{velocity}: {found}");
+        assert!(abs_diff_eq!(found, force, epsilon = 1e-9), "{velocity}: {found}");
     }
 }
 
@@ -115,11 +122,11 @@ fn brown_mcphee_curve() {
         (1e-2, 0.988397493),
     ];
     for (velocity, expected) in points {
-        assert!((force(velocity) / expected - 1.0).abs() < 1e-8, "{velocity}: {}", force(velocity));
+        assert!(abs_diff_eq!(force(velocity) / expected, 1.0, epsilon = 1e-8), "{velocity}: {}", force(velocity));
     }
     let peak = (0..20_001).map(|k| force(0.9e-3 + 2e-4 * f64::from(k) / 20_000.0)).fold(0.0, f64::max);
-    assert!((peak / F_S - 0.999_565_03).abs() < 1e-8, "{peak}");
-    assert!((peak - force(1.006_818_78e-3)).abs() < 1e-12);
+    assert!(abs_diff_eq!(peak / F_S, 0.999_565_03, epsilon = 1e-8), "{peak}");
+    assert_abs_diff_eq!(peak, force(1.006_818_78e-3), epsilon = 1e-12);
 }
 
 /// Drift per load cycle 0 -> 0.8 -> 0 N, quasi-static: (f_s / sigma_0) ln(f_s^2 / (f_s^2 - F^2)), 5.15563e-6 m for
@@ -143,7 +150,7 @@ fn drift_under_a_pulsating_load() {
             assert!(cycle < 6);
         }
         let found = ends[5] - ends[4];
-        assert!((found / drift - 1.0).abs() < 0.03, "{model}: {found}");
+        assert!(abs_diff_eq!(found / drift, 1.0, epsilon = 0.03), "{model}: {found}");
     }
 }
 
@@ -173,10 +180,10 @@ fn ramped_inputs_agree_with_many_short_steps() {
         }
         dense.set("velocity", -2e-3 + 0.5 * 0.02);
         dense.set("normal_force", 9.81 + 100.0 * 0.02);
-        assert!((ramp.get("velocity") - 8e-3).abs() < 1e-15);
+        assert_abs_diff_eq!(ramp.get("velocity"), 8e-3, epsilon = 1e-15);
         for name in ["friction_force", "dissipated_energy"] {
             let (a, b) = (ramp.get(name), dense.get(name));
-            assert!((a / b - 1.0).abs() < 1e-6, "{model} {name}: {a} against {b}");
+            assert!(abs_diff_eq!(a / b, 1.0, epsilon = 1e-6), "{model} {name}: {a} against {b}");
         }
     }
 }
@@ -189,7 +196,7 @@ fn directional_derivatives_of_the_friction_force() {
         bench.instance.derivative([(with, 1.0)].into_iter())[force].slope
     };
     let agree = |found: f64, by_hand: f64| {
-        assert!((found - by_hand).abs() <= 1e-12 * by_hand.abs(), "{found} against {by_hand}");
+        assert_abs_diff_eq!(found, by_hand, epsilon = 1e-12 * by_hand.abs());
     };
 
     for v in [-3e-3, -2e-4, 7e-4, 5e-2] {
@@ -214,7 +221,7 @@ fn directional_derivatives_of_the_friction_force() {
         let by_hand = (F_C * 4.0 / (4.0 * u).cosh().powi(2) + (F_S - F_C) * (b - u * u) / b.powi(3)) / 1e-3;
         let found = slope(&mut law, "velocity");
         // tanh' = 1 - tanh^2 loses digits where tanh is 1, so the scale of the sum is what counts.
-        assert!((found - by_hand).abs() < 1e-12 * F_C * 4e3, "{found} against {by_hand}");
+        assert_abs_diff_eq!(found, by_hand, epsilon = 1e-12 * F_C * 4e3);
         agree(slope(&mut law, "viscous_coefficient"), v * (4.0f64 * 9.81).tanh());
     }
 

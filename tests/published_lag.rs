@@ -2,6 +2,7 @@
 
 mod common;
 
+use approx::{abs_diff_eq, assert_abs_diff_eq};
 use std::f64::consts::TAU;
 
 use common::{Bench, Exchange, belt};
@@ -52,7 +53,10 @@ fn lag_makes_friction_higher_while_accelerating() {
                 let mut law = Bench::new("FrictionalLag", &[("time_lag", 0.05)]);
                 oscillate(&mut law, h, end, slopes);
                 let found = law.get("friction_force");
-                assert!((found - expected).abs() < 6e-9 + STEEPEST * error, "{end} s, {h} s, {slopes}: {found}");
+                assert!(
+                    abs_diff_eq!(found, expected, epsilon = 6e-9 + STEEPEST * error),
+                    "{end} s, {h} s, {slopes}: {found}"
+                );
             }
         }
     }
@@ -71,8 +75,8 @@ fn first_order_lag_has_the_amplitude_and_the_phase_of_its_transfer_function() {
         }
         oscillate(&mut law, 1e-4, end, true);
         let w = 2e-3 + sign * 1.5e-3 * wt.atan().sin() / (1.0 + wt * wt).sqrt();
-        assert!((law.get("lagged_velocity") - w).abs() < 1e-9, "{}", law.get("lagged_velocity"));
-        assert!((law.get("friction_force") - gaussian(w)).abs() < 1e-6);
+        assert_abs_diff_eq!(law.get("lagged_velocity"), w, epsilon = 1e-9);
+        assert_abs_diff_eq!(law.get("friction_force"), gaussian(w), epsilon = 1e-6);
     }
 }
 
@@ -87,7 +91,7 @@ fn any_step_from_1_us_to_1_s_runs() {
         oscillate(&mut law, h, 0.25, false);
         let expected = gaussian(oscillation(0.2));
         let error = ACCELERATION * h + JERK * (0.05f64 / 31.0).powi(2) / 8.0;
-        assert!((law.get("friction_force") - expected).abs() < STEEPEST * error, "{h}");
+        assert!(abs_diff_eq!(law.get("friction_force"), expected, epsilon = STEEPEST * error), "{h}");
     }
     for h in [0.1, 1.0] {
         law.instance.reset();
@@ -96,7 +100,10 @@ fn any_step_from_1_us_to_1_s_runs() {
             law.instance.put(velocity, value);
             law.step(h);
             let sign = if value == 0.0 { 0.0 } else { value.signum() };
-            assert!((law.get("friction_force") - gaussian(value) * sign).abs() < 1e-15, "{h}: longer than the lag");
+            assert!(
+                abs_diff_eq!(law.get("friction_force"), gaussian(value) * sign, epsilon = 1e-15),
+                "{h}: longer than the lag"
+            );
         }
     }
 }
@@ -118,8 +125,8 @@ fn divisions_of_a_ramp_agree() {
         };
         let one = run(1);
         for n in [2, 7, 60, 3000] {
-            for (a, b) in one.iter().zip(run(n)) {
-                assert!((a / b - 1.0).abs() < 1e-8, "variant {variant}, {n} parts: {one:?} against {b}");
+            for (a, b) in one.into_iter().zip(run(n)) {
+                assert!(abs_diff_eq!(a / b, 1.0, epsilon = 1e-8), "variant {variant}, {n} parts: {one:?} against {b}");
             }
         }
     }
@@ -162,7 +169,7 @@ fn armstrong_without_lag_slides_on_the_curve_of_hess_and_soom() {
                 law.step(h);
             }
             let found = law.get("friction_force");
-            assert!((found / expected - 1.0).abs() < 1e-8, "{velocity} {h}: {found}");
+            assert!(abs_diff_eq!(found / expected, 1.0, epsilon = 1e-8), "{velocity} {h}: {found}");
         }
     }
 }
@@ -188,9 +195,9 @@ fn armstrong_events_do_not_depend_on_the_step() {
     let one = run(1.0);
     assert!(one.iter().step_by(4).all(|force| force.abs() <= F_S));
     for h in [0.5, 0.1, 1e-3, 1e-5, 1e-6] {
-        for (a, b) in one.iter().zip(run(h)) {
+        for (&a, b) in one.iter().zip(run(h)) {
             // A million additions of h leave a time with a relative error of 1e-11.
-            assert!((a - b).abs() <= 1e-10 * a.abs(), "{h}: {a} against {b}");
+            assert!(abs_diff_eq!(a, b, epsilon = 1e-10 * a.abs()), "{h}: {a} against {b}");
         }
     }
 }
@@ -230,7 +237,7 @@ fn armstrong_on_the_belt_follows_a_direct_integration() {
     let samples = belt(&mut law, 1e-4, 10.0, Exchange::Sequential);
     let after = |from: f64| samples.iter().filter(move |s| s.time > from);
     let found = after(1.0).find(|s| s.velocity < -1e-3).expect("slip").time;
-    assert!((found - fast).abs() < 2e-3, "1 mm/s at {found}, {fast}");
+    assert!(abs_diff_eq!(found, fast, epsilon = 2e-3), "1 mm/s at {found}, {fast}");
     let top = after(1.0).max_by(|a, b| a.position.total_cmp(&b.position)).expect("samples");
     assert!(
         (top.position / highest - 1.0).abs() < 1e-3 && (top.time - time).abs() < 5e-3,
@@ -262,7 +269,7 @@ fn non_reversible_with_equal_curves_is_tustin() {
             law.set("velocity", velocity);
             law.set("acceleration", acceleration);
             let found = law.get("friction_force");
-            assert!((found / expected - 1.0).abs() < 5e-9, "{velocity}: {found}");
+            assert!(abs_diff_eq!(found / expected, 1.0, epsilon = 5e-9), "{velocity}: {found}");
         }
     }
 }
@@ -277,10 +284,10 @@ fn non_reversible_loop_is_the_same_with_slopes_and_with_the_acceleration() {
         let mut law = Bench::new("NonReversible", &[]);
         oscillate(&mut law, 1e-3, end, true);
         let found = law.get("friction_force");
-        assert!((found - expected).abs() < 1e-12, "{end}: {found}");
+        assert!(abs_diff_eq!(found, expected, epsilon = 1e-12), "{end}: {found}");
         let mut law = Bench::new("NonReversible", &[("acceleration", sign * 1e-9)]);
         oscillate(&mut law, 1e-3, end, false);
-        assert!((law.get("friction_force") - expected).abs() < 1e-12, "{end}");
+        assert!(abs_diff_eq!(law.get("friction_force"), expected, epsilon = 1e-12), "{end}");
     }
 }
 
@@ -303,7 +310,7 @@ fn non_reversible_energy_per_period() {
         }
     }
     let found = law.get("dissipated_energy");
-    assert!((found / energy - 1.0).abs() < 1e-6, "{found} against {energy}");
+    assert!(abs_diff_eq!(found / energy, 1.0, epsilon = 1e-6), "{found} against {energy}");
 }
 
 /// The first slip of Wojewoda's law on the belt, integrated directly at 1 us with the two curves: highest position with
@@ -374,8 +381,8 @@ fn wojewoda_events_do_not_depend_on_the_step() {
     };
     let one = run(1.0);
     for h in [0.5, 0.1, 1e-3, 1e-5, 1e-6] {
-        for (a, b) in one.iter().zip(run(h)) {
-            assert!((a - b).abs() <= 1e-10 * a.abs(), "{h}: {a} against {b}");
+        for (&a, b) in one.iter().zip(run(h)) {
+            assert!(abs_diff_eq!(a, b, epsilon = 1e-10 * a.abs()), "{h}: {a} against {b}");
         }
     }
 }
@@ -391,7 +398,7 @@ fn wojewoda_slides_on_the_mirrored_curves_of_the_non_reversible_law() {
             let mut curves = Bench::new("NonReversible", &values);
             curves.set("mu_stop", 0.05);
             let (a, b) = (law.get("friction_force"), curves.get("friction_force"));
-            assert!((a - b).abs() < 1e-15, "{velocity} {acceleration}: {a} against {b}");
+            assert!(abs_diff_eq!(a, b, epsilon = 1e-15), "{velocity} {acceleration}: {a} against {b}");
         }
     }
 }
@@ -474,5 +481,10 @@ fn a_step_much_longer_than_the_filter_keeps_the_energy_of_the_transient() {
     let fine = run(&[1e-7; 2000]);
     let coarse = run(&[0.1 - 2e-4, 2e-4]);
     let start = 3e-3 * gaussian(3e-3) * 1e-3;
-    assert!(((coarse - start) / (fine - start) - 1.0).abs() < 1e-6, "{} against {}", coarse - start, fine - start);
+    assert!(
+        abs_diff_eq!((coarse - start) / (fine - start), 1.0, epsilon = 1e-6),
+        "{} against {}",
+        coarse - start,
+        fine - start
+    );
 }

@@ -3,6 +3,7 @@
 
 mod common;
 
+use approx::{abs_diff_eq, assert_abs_diff_eq};
 use common::random::Random;
 use common::{Bench, Exchange, belt, extrema};
 
@@ -83,7 +84,10 @@ fn force(form: Form, values: &[(&str, f64)], velocity: f64) -> f64 {
 
 /// Agreement to the nine significant digits in which the tables are given.
 fn assert_printed(what: &str, found: f64, printed: f64) {
-    assert!((found - printed).abs() <= 6e-9 * printed.abs().max(1e-4), "{what}: {found}, printed {printed}");
+    assert!(
+        abs_diff_eq!(found, printed, epsilon = 6e-9 * printed.abs().max(1e-4)),
+        "{what}: {found}, printed {printed}"
+    );
 }
 
 /// Table of the curves without stiction peak at default parameters, f_C = 0.981 N, f_s = 1.4715 N.
@@ -164,14 +168,14 @@ fn velocities() -> impl Iterator<Item = f64> {
 fn assert_identical(a: (Form, &[(&str, f64)]), b: (Form, &[(&str, f64)])) {
     for velocity in velocities() {
         let (one, other) = (force(a.0, a.1, velocity), force(b.0, b.1, velocity));
-        assert!((one - other).abs() < 2e-15, "{a:?} and {b:?} at {velocity}: {one} and {other}");
+        assert!(abs_diff_eq!(one, other, epsilon = 2e-15), "{a:?} and {b:?} at {velocity}: {one} and {other}");
     }
 }
 
 fn assert_is(a: (Form, &[(&str, f64)]), expected: impl Fn(f64) -> f64) {
     for velocity in velocities() {
         let (found, expected) = (force(a.0, a.1, velocity), expected(velocity));
-        assert!((found - expected).abs() < 2e-15, "{a:?} at {velocity}: {found} and {expected}");
+        assert!(abs_diff_eq!(found, expected, epsilon = 2e-15), "{a:?} at {velocity}: {found} and {expected}");
     }
 }
 
@@ -209,8 +213,8 @@ fn bodies_at_rest_are_held_up_to_the_level() {
     for load in [-2.0, -1.0, 0.0, 0.3, 1.4, 7.0f64] {
         let held = |form| force(form, &[("external_force", load)], 0.0);
         assert_eq!(held(AWREJCEWICZ), load.clamp(-F_S, F_S));
-        assert!((held(GAUSSIAN) - load.clamp(-F_S, F_S)).abs() < 1e-15);
-        assert!((held(COULOMB) - load.clamp(-F_C, F_C)).abs() < 1e-15);
+        assert_abs_diff_eq!(held(GAUSSIAN), load.clamp(-F_S, F_S), epsilon = 1e-15);
+        assert_abs_diff_eq!(held(COULOMB), load.clamp(-F_C, F_C), epsilon = 1e-15);
     }
 }
 
@@ -239,12 +243,12 @@ fn slopes_at_rest() {
     ];
     for (form, velocity, printed) in rows {
         let found = slope(form, &[("velocity", velocity)], "velocity");
-        assert!((found / printed - 1.0).abs() < 2e-6, "{form:?}: {found}");
+        assert!(abs_diff_eq!(found / printed, 1.0, epsilon = 2e-6), "{form:?}: {found}");
     }
     let steepest = (1..1000)
         .map(|k| slope(AWREJCEWICZ, &[("velocity", 1e-6 * f64::from(k)), ("external_force", -F_S)], "velocity"))
         .fold(0.0, f64::max);
-    assert!((steepest / 4414.5 - 1.0).abs() < 1e-5, "{steepest}");
+    assert!(abs_diff_eq!(steepest / 4414.5, 1.0, epsilon = 1e-5), "{steepest}");
 }
 
 /// A motion with mass: start velocity, load, mass and step, from the middle of every band to far outside.
@@ -363,7 +367,7 @@ const ROWS: [Row; 6] = [
 ];
 
 fn assert_close(what: &str, found: f64, expected: f64, relative: f64) {
-    assert!((found / expected - 1.0).abs() <= relative, "{what}: {found}, expected {expected}");
+    assert!(abs_diff_eq!(found / expected, 1.0, epsilon = relative), "{what}: {found}, expected {expected}");
 }
 
 /// Highest positions; the ripple of a stick phase is not among them.
@@ -503,8 +507,8 @@ fn linear_stiction_leaves_its_band_at_the_closed_form() {
     for (mass, h) in [(0.0, 1e-4), (1.0, 1e-4)] {
         let samples = belt(&mut bench(LINEAR, &[("mass", mass)]), h, 8.0, Exchange::Sequential);
         let exit = samples.iter().find(|s| s.velocity < -1e-3).expect("a slip");
-        assert!((exit.time - 7.395_207_353_82).abs() < 5e-4, "{mass}: {}", exit.time);
-        assert!((exit.position - 0.735_817_278_350).abs() < 5e-5, "{mass}: {}", exit.position);
+        assert!(abs_diff_eq!(exit.time, 7.395_207_353_82, epsilon = 5e-4), "{mass}: {}", exit.time);
+        assert!(abs_diff_eq!(exit.position, 0.735_817_278_350, epsilon = 5e-5), "{mass}: {}", exit.position);
     }
 }
 

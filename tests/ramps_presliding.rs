@@ -4,6 +4,7 @@
 
 mod common;
 
+use approx::abs_diff_eq;
 use common::Bench;
 use common::random::Random;
 use stribeck::catalogue::{self, Family};
@@ -51,7 +52,7 @@ fn a_dwell_leaves_a_law_of_the_path_as_it_is() {
                 bench.step(1e-3);
             }
             let (a, b) = (dwelt.get(force), still.get(force));
-            assert!((a - b).abs() <= 1e-12, "{}: {a} after the dwell, {b} without", model.name);
+            assert!(abs_diff_eq!(a, b, epsilon = 1e-12), "{}: {a} after the dwell, {b} without", model.name);
         }
     }
 }
@@ -66,7 +67,7 @@ fn bonds_outlast_a_rest() {
             bench.step(1e-3);
             // 5 um on 1e5 N/m.
             assert!(
-                (bench.get("friction_force") - 0.5).abs() < 1e-6,
+                abs_diff_eq!(bench.get("friction_force"), 0.5, epsilon = 1e-6),
                 "{} N at {velocity} m/s",
                 bench.get("friction_force")
             );

@@ -5,6 +5,7 @@
 
 mod common;
 
+use approx::abs_diff_eq;
 use common::Bench;
 
 /// Overlap of 50 mm: default guidance, 125 mm + 105 mm - 180 mm.
@@ -45,7 +46,7 @@ fn normal_forces(model: &str, length: f64, side_load: [f64; 4]) -> [f64; 2] {
 
 fn assert_forces(found: [f64; 2], expected: [f64; 2]) {
     for (found, expected) in found.iter().zip(expected) {
-        assert!((found - expected).abs() < 0.05, "{found} N, expected {expected} N");
+        assert!(abs_diff_eq!(found, expected, epsilon = 0.05), "{found} N, expected {expected} N");
     }
 }
 

@@ -3,6 +3,7 @@
 
 mod common;
 
+use approx::{abs_diff_eq, assert_abs_diff_eq};
 use common::Bench;
 use stribeck::catalogue::{Family, documented};
 use stribeck::model::Role;
@@ -95,8 +96,8 @@ fn a_strut_without_a_length_is_at_full_extension() {
     };
     let ((here, slope), (extended, its_slope)) = (read(0.0), read(0.2));
     assert_eq!(here, extended);
-    assert!((slope / its_slope - 1.0).abs() < 1e-9, "{slope} {its_slope}");
-    assert!((read(0.2).0[0] - 288.3403).abs() < 5.1e-5);
+    assert!(abs_diff_eq!(slope / its_slope, 1.0, epsilon = 1e-9), "{slope} {its_slope}");
+    assert_abs_diff_eq!(read(0.2).0[0], 288.3403, epsilon = 5.1e-5);
 }
 
 /// A part that is switched off acts as if its force were 0, and does not affect the rest of the strut.
@@ -122,7 +123,7 @@ fn parts_can_be_switched_off_one_by_one() {
             // A rigid damper that is switched off has no piston to keep stable: only the advice may differ.
             let compared = if switch == "damper.enabled" { 3 } else { 4 };
             for (a, b) in off.iter().zip(zeroed).take(compared) {
-                assert!((a - b).abs() <= 1e-9 * b.abs(), "{switch} at {length} m: {off:?} {zeroed:?}");
+                assert!(abs_diff_eq!(a, b, epsilon = 1e-9 * b.abs()), "{switch} at {length} m: {off:?} {zeroed:?}");
             }
         }
     }
@@ -141,9 +142,9 @@ fn damper_and_friction_alone() {
                 let mut strut = Bench::new("ShockAbsorber", &[&set[..], &motion].concat());
                 strut.step(1e-3);
                 let damper = if velocity < 0.0 { 300.0 } else { -460.0 };
-                assert!((strut.get("force") - damper - strut.get("force_friction")).abs() < 1e-9);
+                assert_abs_diff_eq!(strut.get("force") - damper, strut.get("force_friction"), epsilon = 1e-9);
                 // Only seals: 8 N and 6 N.
-                assert!((strut.get("force_friction") + 14.0 * velocity.signum()).abs() < 0.5);
+                assert_abs_diff_eq!(strut.get("force_friction"), -14.0 * velocity.signum(), epsilon = 0.5);
                 // The piston never leaves the guide and hits neither end.
                 let overlap = strut.get("overlap");
                 assert!(overlap > 0.1 * (extended - 2.0 * stroke), "{extended} {stroke} {length}: {overlap}");
@@ -152,7 +153,7 @@ fn damper_and_friction_alone() {
     }
     let mut strut = Bench::new("ShockAbsorber", &[("geom.guidance_derived", 1.0)]);
     let given = Bench::new("ShockAbsorber", &[]).get("overlap");
-    assert!((strut.get("overlap") - given).abs() < 1e-15, "the start values are derived in the same way");
+    assert!(abs_diff_eq!(strut.get("overlap"), given, epsilon = 1e-15), "the start values are derived in the same way");
     strut.set("geom.stroke", 0.1);
     let text = strut.instance.check().unwrap_err().to_string();
     assert!(text.starts_with("geom.stroke = 0.1 m: must be < 0.1 m, half of geom.length_extended"), "{text}");
@@ -193,7 +194,10 @@ fn published_levels_are_reached_in_both_directions() {
                 strut.step(1e-3);
                 friction = strut.get("force_friction");
             }
-            assert!((friction - level).abs() < 0.01, "{name}: {friction} N at {velocity} m/s, published {level} N");
+            assert!(
+                abs_diff_eq!(friction, level, epsilon = 0.01),
+                "{name}: {friction} N at {velocity} m/s, published {level} N"
+            );
         }
     }
 }

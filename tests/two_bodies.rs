@@ -4,6 +4,7 @@
 
 mod common;
 
+use approx::{abs_diff_eq, assert_abs_diff_eq};
 use common::Bench;
 
 /// Communication step in s.
@@ -81,7 +82,7 @@ fn a_pair_of_moving_bodies_sticks_by_the_reduced_force() {
             let pair = Pair { model, exchange, scale: 1.0 };
             let Motion { slip, end: [velocity, as_one] } = pair.run(reduced);
             assert!(slip < 4e-6, "{model} {exchange}: {slip} m/s");
-            assert!((velocity - as_one).abs() < 1e-5, "{model} {exchange}: {velocity}, {as_one} m/s");
+            assert!(abs_diff_eq!(velocity, as_one, epsilon = 1e-5), "{model} {exchange}: {velocity}, {as_one} m/s");
             let wrong = pair.run(|[f_1, _], _| f_1).slip;
             assert!(wrong > 3e-4, "{model} {exchange}: {wrong} m/s");
         }
@@ -104,7 +105,7 @@ fn a_pair_that_sticks_slides_with_the_force_on_body_1_alone() {
         v_1 - v_2
     };
     assert!(run(reduced([2.1, 0.0], PAIR)).abs() < 1e-12);
-    assert!((run(2.1) - (2.1 - 0.981 * 1.5)).abs() < 2e-3, "{}", run(2.1));
+    assert_abs_diff_eq!(run(2.1), 2.1 - 0.981 * 1.5, epsilon = 2e-3);
 }
 
 /// A block of 1 kg on a table shaken back and forth with 0.9 m/s^2: it moves along, because f_C allows 0.98 m/s^2.
@@ -258,6 +259,6 @@ fn a_block_slides_off_its_stack_with_half_the_mass_too() {
     for (order, scale) in [(Order::InTurn, 1.0), (Order::Parallel, 0.5)] {
         let stack = Stack { blocks: 3, order, exchange: SEQUENTIAL, scale };
         let [_, velocity] = stack.run("CoulombStiction", |_| 2.0);
-        assert!((velocity - 2.0 * (2.0 - 0.981)).abs() < 3e-3, "{order:?}: {velocity} m/s");
+        assert!(abs_diff_eq!(velocity, 2.0 * (2.0 - 0.981), epsilon = 3e-3), "{order:?}: {velocity} m/s");
     }
 }

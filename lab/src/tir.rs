@@ -423,6 +423,7 @@ impl Reader {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use approx::abs_diff_eq;
 
     const SAMPLE: &str = include_str!("../../examples/tyres/formula_student.tir");
 
@@ -451,7 +452,7 @@ mod tests {
         for variable in car().table.iter().filter(|variable| variable.path.to_string().starts_with("tyre.")) {
             let name = variable.path.to_string();
             let value = file.set.get(&name).unwrap();
-            assert!((value - variable.start).abs() <= 1e-15 * variable.start.abs(), "{name}: {value}");
+            assert!(abs_diff_eq!(value, variable.start, epsilon = 1e-15 * variable.start.abs()), "{name}: {value}");
             tyres += 1;
         }
         assert!(tyres > 100, "{tyres}");
@@ -508,7 +509,7 @@ mod tests {
             ("tyre.pky1", -30.0),
         ];
         for (name, value) in expected {
-            assert!((get(&text, name) / value - 1.0).abs() < 1e-15, "{name}: {}", get(&text, name));
+            assert!(abs_diff_eq!(get(&text, name) / value, 1.0, epsilon = 1e-15), "{name}: {}", get(&text, name));
         }
     }
 

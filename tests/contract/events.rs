@@ -2,6 +2,7 @@
 
 use crate::common::Bench;
 use crate::{axes, friction_models, set_velocity};
+use approx::abs_diff_eq;
 
 /// Without load in Model Exchange: an event indicator changes its sign where the load vanishes, and the event releases
 /// the contact. Its changes are declared.
@@ -73,7 +74,7 @@ fn a_solver_keeps_no_force_that_a_step_drops() {
         assert!(model.advance(&mut stepped, 1e-9), "{}", model.name);
         for force in axes.iter().map(|(_, force, _)| model.find(force).unwrap()) {
             let (kept, left) = (row[force], stepped[force]);
-            assert!((kept - left).abs() < 1e-4, "{} keeps {kept} N, a step leaves {left} N", model.name);
+            assert!(abs_diff_eq!(kept, left, epsilon = 1e-4), "{} keeps {kept} N, a step leaves {left} N", model.name);
         }
     }
     assert_eq!(refusing, ["Dahl", "ElastoPlastic", "SpeckerDynamic", "LuGrePlanar", "ElastoPlasticPlanar"]);

@@ -3,6 +3,7 @@
 use crate::common::Bench;
 use crate::common::random::Random;
 use crate::{axes, for_all, friction_models, limit, set_velocity};
+use approx::abs_diff_eq;
 use stribeck::catalogue;
 use stribeck::model::{Kind, Role};
 
@@ -37,7 +38,10 @@ fn two_half_steps_are_one_step() {
             let scale = 1e-3 + limit(bench, speed) + 1e4 * speed;
             for name in axes(bench).into_iter().map(|(_, force, _)| force).chain(["dissipated_energy"]) {
                 let (one, two) = (bench.get(name), halves.get(name));
-                assert!((one - two).abs() <= 1e-10 * scale.max(one.abs()), "{what}: {name} {one} against {two}");
+                assert!(
+                    abs_diff_eq!(one, two, epsilon = 1e-10 * scale.max(one.abs())),
+                    "{what}: {name} {one} against {two}"
+                );
             }
         }
     });
@@ -97,7 +101,7 @@ fn the_rate_of_the_energy_is_the_power() {
             bench.step(1e-3);
             let (energy, power) = (bench.column("dissipated_energy"), bench.get("dissipated_power"));
             let rate = bench.instance.time_derivative()[energy].slope;
-            assert!((rate - power).abs() <= 1e-12 * power.abs(), "{what}: {rate} W against {power} W");
+            assert!(abs_diff_eq!(rate, power, epsilon = 1e-12 * power.abs()), "{what}: {rate} W against {power} W");
         }
     });
 }
@@ -114,7 +118,7 @@ fn ramps_always_end() {
         bench.instance.put_slope(load, slope[1]);
         bench.instance.step(h).unwrap_or_else(|fault| panic!("{model}: {fault}"));
         let (end, expected) = (bench.get(moving), start[0] + slope[0] * h);
-        assert!((end - expected).abs() <= 1e-12 * expected.abs().max(1.0), "{model}: {end} m/s");
+        assert!(abs_diff_eq!(end, expected, epsilon = 1e-12 * expected.abs().max(1.0)), "{model}: {end} m/s");
     };
     ramp("LuGre", [-12.937681463492499, 9.81], [2.019351783521585, 0.0], 6.40688014535203);
     ramp("LuGre", [2.625636091642892, 9.81], [-3.3953052056993305, -12.685609209473386], 0.7733172162254742);

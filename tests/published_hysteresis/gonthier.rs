@@ -6,6 +6,7 @@ use crate::{
     F_C, F_S, SIGMA_0, SIGMA_1, SIGMA_2, V_S, after, assert_belt, assert_bounded, assert_passive, assert_ramp,
     euler_belt, level,
 };
+use approx::abs_diff_eq;
 
 /// Force, deflection and dwell state from rest at constant velocity, integrated independently (9 digits).
 #[test]
@@ -23,7 +24,10 @@ fn gonthier_from_rest() {
         let mut law = after("Gonthier", &[], velocity, time);
         for (name, expected) in [("friction_force", force), ("bristle_deflection", deflection), ("dwell", dwell)] {
             let found = law.get(name);
-            assert!((found - expected).abs() <= 6e-9 * expected + 1e-15, "{velocity} {time} {name}: {found}");
+            assert!(
+                abs_diff_eq!(found, expected, epsilon = 6e-9 * expected + 1e-15),
+                "{velocity} {time} {name}: {found}"
+            );
         }
     }
 }
@@ -40,7 +44,7 @@ fn gonthier_steady_force() {
             let bristle = F_C + sigma_1 * f64::abs(velocity) / (u * u).exp_m1();
             let expected = bristle.min(level(velocity)) * velocity.signum() + SIGMA_2 * velocity;
             let force = after("Gonthier", &[("sigma_1", sigma_1)], velocity, 1e3).get("friction_force");
-            assert!((force - expected).abs() < 1e-12, "{velocity}: {force} against {expected}");
+            assert!(abs_diff_eq!(force, expected, epsilon = 1e-12), "{velocity}: {force} against {expected}");
             first_counts += i32::from(bristle < level(velocity));
             assert!(sigma_1 < SIGMA_1 || bristle > level(velocity) || u.abs() > 30.0);
         }
@@ -59,7 +63,11 @@ fn gonthier_breakaway_rises_with_the_time_of_rest() {
         law.step(1e-9);
         law.set("bristle_deflection", 3e-5);
         let breakaway = F_C - (F_S - F_C) * f64::exp_m1(-rest / 2.0);
-        assert!((law.get("friction_force") - breakaway).abs() < 1e-9, "{rest}: {}", law.get("friction_force"));
+        assert!(
+            abs_diff_eq!(law.get("friction_force"), breakaway, epsilon = 1e-9),
+            "{rest}: {}",
+            law.get("friction_force")
+        );
     }
 }
 

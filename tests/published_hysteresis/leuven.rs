@@ -6,6 +6,7 @@ use crate::{
     F_C, F_S, SIGMA_0, SIGMA_1, SIGMA_2, after, assert_belt, assert_bounded, assert_passive, assert_ramp, euler_belt,
     level,
 };
+use approx::abs_diff_eq;
 
 /// Identity: one element that is strong enough, n = 1, is LuGre.
 #[test]
@@ -20,7 +21,7 @@ fn leuven_of_one_element_is_lugre() {
         }
         for name in ["friction_force", "dissipated_energy"] {
             let (a, b) = (law.get(name), lugre.get(name));
-            assert!((a - b).abs() < 1e-12 * b.abs().max(1.0), "{name}: {a} against {b} at {v} m/s");
+            assert!(abs_diff_eq!(a, b, epsilon = 1e-12 * b.abs().max(1.0)), "{name}: {a} against {b} at {v} m/s");
         }
     }
 }
@@ -32,7 +33,7 @@ fn leuven_steady_force() {
         for velocity in [1e-4, 5e-4, -1e-3, 2e-3, -0.1] {
             let force = after("Leuven", &[("approach_exponent", exponent)], velocity, 1e3).get("friction_force");
             let expected = level(velocity) * f64::signum(velocity) + SIGMA_2 * velocity;
-            assert!((force - expected).abs() < 1e-11, "{exponent} {velocity}: {force}");
+            assert!(abs_diff_eq!(force, expected, epsilon = 1e-11), "{exponent} {velocity}: {force}");
         }
     }
 }

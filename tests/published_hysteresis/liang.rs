@@ -3,6 +3,7 @@
 use crate::common::Bench;
 use crate::common::random::Random;
 use crate::{F_C, F_S, SIGMA_0, SIGMA_1, assert_passive_in_a_plane, assert_planar_belt, euler_belt};
+use approx::{abs_diff_eq, assert_abs_diff_eq};
 
 /// From rest at constant velocity, in a direction of the tangent plane (9 digits).
 #[test]
@@ -26,7 +27,10 @@ fn liang_from_rest() {
             law.step(time);
             for (name, share) in [("friction_force_x", direction[0]), ("friction_force_y", direction[1])] {
                 let found = law.get(name);
-                assert!((found - share * force).abs() < 6e-9 * force, "{velocity} {time} {name}: {found}");
+                assert!(
+                    abs_diff_eq!(found, share * force, epsilon = 6e-9 * force),
+                    "{velocity} {time} {name}: {found}"
+                );
             }
         }
     }
@@ -64,7 +68,7 @@ fn liang_is_invariant_under_rotation() {
                 .map(|bench| ["friction_force_x", "friction_force_y", "friction_force_z"].map(|name| bench.get(name)));
             let size = 1.0 + scale * SIGMA_1;
             for (a, b) in rotate(plain).into_iter().zip(rotated) {
-                assert!((a - b).abs() < 1e-9 * size, "{variant}: {a} against {b} at {scale}");
+                assert!(abs_diff_eq!(a, b, epsilon = 1e-9 * size), "{variant}: {a} against {b} at {scale}");
             }
         }
     }
@@ -82,7 +86,7 @@ fn liang_along_a_line_is_a_clamped_integral() {
         z = (z.clamp(-limit, limit) + v * h).clamp(-limit, limit);
         law.set("velocity_y", v);
         law.step(h);
-        assert!((law.get("friction_force_y") - SIGMA_0 * z).abs() < 1e-12, "{v}");
+        assert!(abs_diff_eq!(law.get("friction_force_y"), SIGMA_0 * z, epsilon = 1e-12), "{v}");
     }
 }
 
@@ -99,9 +103,9 @@ fn liang_with_equal_levels_is_elastic_and_perfectly_plastic() {
             dahl.set("velocity", v);
             law.step(2e-3);
             dahl.step(2e-3);
-            assert!((law.get("friction_force_x") - dahl.get("friction_force")).abs() < 1e-12);
+            assert_abs_diff_eq!(law.get("friction_force_x"), dahl.get("friction_force"), epsilon = 1e-12);
         }
-        assert!((law.get("dissipated_energy") / dahl.get("dissipated_energy") - 1.0).abs() < 1e-12);
+        assert_abs_diff_eq!(law.get("dissipated_energy") / dahl.get("dissipated_energy"), 1.0, epsilon = 1e-12);
     }
 }
 

@@ -10,6 +10,7 @@ mod liang;
 mod maxwell_slip;
 mod planar;
 
+use approx::abs_diff_eq;
 use common::random::Random;
 use common::{Bench, Exchange, belt};
 
@@ -68,7 +69,7 @@ fn assert_belt(model: &str, values: &[(&str, f64)], expected: [f64; 3]) {
         let samples = belt(&mut Bench::new(model, values), h, 12.0, Exchange::Sequential);
         let found = first_slip(samples.iter().map(|sample| (sample.time, sample.position)));
         for (found, expected) in found.into_iter().zip(expected) {
-            assert!((found / expected - 1.0).abs() < 0.01, "{model} {h}: {found} against {expected}");
+            assert!(abs_diff_eq!(found / expected, 1.0, epsilon = 0.01), "{model} {h}: {found} against {expected}");
         }
     }
 }
@@ -127,7 +128,7 @@ fn assert_ramp(model: &str, values: &[(&str, f64)], steps: u32, tolerance: f64) 
     dense.set(&velocity, 8e-3);
     for name in [&*force, "dissipated_energy"] {
         let (a, b) = (ramp.get(name), dense.get(name));
-        assert!((a / b - 1.0).abs() < tolerance, "{model} {name}: {a} against {b}");
+        assert!(abs_diff_eq!(a / b, 1.0, epsilon = tolerance), "{model} {name}: {a} against {b}");
     }
 }
 
@@ -170,7 +171,7 @@ fn assert_planar_belt(model: &str, expected: [f64; 3], peak: impl Fn(f64) -> f64
         let samples = planar_belt(model, values, h, 12.0);
         let found = first_slip(samples.iter().map(|[time, position, _]| (*time, *position)));
         for (found, expected) in found.into_iter().zip(expected) {
-            assert!((found / expected - 1.0).abs() < 0.01, "{model} {h}: {found} against {expected}");
+            assert!(abs_diff_eq!(found / expected, 1.0, epsilon = 0.01), "{model} {h}: {found} against {expected}");
         }
     }
     for h in [1e-3, 5e-3, 1e-2] {

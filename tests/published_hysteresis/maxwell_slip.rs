@@ -6,6 +6,7 @@ use crate::{
     F_S, SIGMA_0, SIGMA_1, SIGMA_2, after, assert_belt, assert_bounded, assert_passive, assert_ramp, euler_belt, level,
     travel,
 };
+use approx::{abs_diff_eq, assert_abs_diff_eq};
 
 /// Speed at which the level is f_s to 1e-12.
 const CREEP: f64 = 1e-9;
@@ -21,8 +22,8 @@ fn maxwell_slip_virgin_curve() {
     for (x, force) in [(1e-5, 0.64715), (2e-5, 0.94145), (3e-5, 1.1829), (6e-5, 1.4715)] {
         let mut law = Bench::new("MaxwellSlip", &[]);
         travel(&mut law, x, CREEP);
-        assert!((law.get("friction_force") - force).abs() < 1e-11, "{x}: {}", law.get("friction_force"));
-        assert!((virgin_curve(x) - force).abs() < 1e-14);
+        assert!(abs_diff_eq!(law.get("friction_force"), force, epsilon = 1e-11), "{x}: {}", law.get("friction_force"));
+        assert_abs_diff_eq!(virgin_curve(x), force, epsilon = 1e-14);
     }
 }
 
@@ -37,16 +38,16 @@ fn maxwell_slip_branches_follow_masing() {
         travel(&mut law, -2.5e-6, CREEP);
         x -= 2.5e-6;
         let branch = virgin_curve(top) - 2.0 * virgin_curve(0.5 * (top - x));
-        assert!((law.get("friction_force") - branch).abs() < 1e-12, "{x}");
+        assert!(abs_diff_eq!(law.get("friction_force"), branch, epsilon = 1e-12), "{x}");
         // An inner loop leaves no trace.
         if x < 0.0 {
             travel(&mut law, 1.3e-6, CREEP);
             travel(&mut law, -1.3e-6, CREEP);
-            assert!((law.get("friction_force") - branch).abs() < 1e-12, "{x}, after an inner loop");
+            assert!(abs_diff_eq!(law.get("friction_force"), branch, epsilon = 1e-12), "{x}, after an inner loop");
         }
     }
     travel(&mut law, 2.0 * top, CREEP);
-    assert!((law.get("friction_force") - virgin_curve(top)).abs() < 1e-12);
+    assert_abs_diff_eq!(law.get("friction_force"), virgin_curve(top), epsilon = 1e-12);
 }
 
 /// Energy of the loop between -X and X: 8 int_0^X y dx - 4 X y(X).
@@ -59,7 +60,7 @@ fn maxwell_slip_loop_energy() {
         travel(&mut law, -6e-5, CREEP);
         travel(&mut law, 6e-5, CREEP);
         let energy = law.get("dissipated_energy") - before;
-        assert!((energy / 3.839025780e-5 - 1.0).abs() < 1e-9, "{energy}");
+        assert!(abs_diff_eq!(energy / 3.839025780e-5, 1.0, epsilon = 1e-9), "{energy}");
         before += energy;
     }
 }
@@ -72,7 +73,7 @@ fn maxwell_slip_steady_force() {
             let values = [("distribution", distribution), ("element_count", 20.0), ("viscous_coefficient", SIGMA_2)];
             let force = after("MaxwellSlip", &values, velocity, 10.0).get("friction_force");
             let expected = level(velocity) * f64::signum(velocity) + SIGMA_2 * velocity;
-            assert!((force - expected).abs() < 1e-12, "{velocity}: {force}");
+            assert!(abs_diff_eq!(force, expected, epsilon = 1e-12), "{velocity}: {force}");
         }
     }
 }
@@ -87,9 +88,9 @@ fn maxwell_slip_of_one_element_is_elastic_and_perfectly_plastic() {
         let distance = 1e-5 * random.signed();
         travel(&mut law, distance, 1e-2);
         travel(&mut dahl, distance, 1e-2);
-        assert!((law.get("friction_force") - dahl.get("friction_force")).abs() < 1e-12);
+        assert_abs_diff_eq!(law.get("friction_force"), dahl.get("friction_force"), epsilon = 1e-12);
     }
-    assert!((law.get("dissipated_energy") / dahl.get("dissipated_energy") - 1.0).abs() < 1e-12);
+    assert_abs_diff_eq!(law.get("dissipated_energy") / dahl.get("dissipated_energy"), 1.0, epsilon = 1e-12);
 }
 
 #[test]

@@ -5,6 +5,7 @@ use crate::common::random::Random;
 use crate::{
     F_C, F_S, SIGMA_0, SIGMA_1, SIGMA_2, assert_passive_in_a_plane, assert_planar_belt, assert_ramp, euler_belt, level,
 };
+use approx::abs_diff_eq;
 
 const PLANAR: [&str; 2] = ["LuGrePlanar", "ElastoPlasticPlanar"];
 
@@ -31,9 +32,9 @@ fn planar_laws_from_rest_along_a_line() {
             law.step(time);
             for (axis, share) in shares {
                 let found = law.get(&format!("friction_force_{axis}")) / share;
-                assert!((found / force - 1.0).abs() < 6e-9, "{model} {velocity} {time}: {found}");
+                assert!(abs_diff_eq!(found / force, 1.0, epsilon = 6e-9), "{model} {velocity} {time}: {found}");
                 let found = law.get(&format!("bristle_deflection_{axis}")) / share;
-                assert!((found / deflection - 1.0).abs() < 6e-9, "{model} {velocity} {time}: {found}");
+                assert!(abs_diff_eq!(found / deflection, 1.0, epsilon = 6e-9), "{model} {velocity} {time}: {found}");
             }
         }
     }
@@ -125,7 +126,7 @@ fn planar_laws_on_the_belt() {
     });
     // Integrated independently: Radau at 1e-8 and LSODA at 1e-10 agree.
     for (found, expected) in lugre.into_iter().zip([7.502448, 0.739936, 0.276776]) {
-        assert!((found / expected - 1.0).abs() < 1e-4, "{found} {expected}");
+        assert!(abs_diff_eq!(found / expected, 1.0, epsilon = 1e-4), "{found} {expected}");
     }
     assert_planar_belt("LuGrePlanar", lugre, |_| 1.3 * F_S);
     let mut z = 0.0f64;

@@ -6,6 +6,7 @@ use crate::{
     BLIMAN_SORINE_SECOND, DAHL, DAHL_ROW, F_C, F_S, FIRST_ORDER, Row, SIGMA_0, after, assert_bounded_at_coarse_steps,
     assert_close, assert_closed_cycles_dissipate, assert_identical, assert_passive,
 };
+use approx::{abs_diff_eq, assert_abs_diff_eq};
 
 #[test]
 fn bliman_sorine_from_rest() {
@@ -31,14 +32,14 @@ fn bliman_sorine_has_the_calibrated_peak() {
         let f_1 = F_C + f_2;
         let s_p = eta * eps_f / (1.0 - eta) * f64::ln(f_1 / (eta * f_2));
         let peak = f_1 - f_2 + (1.0 - eta) * f_2 * f64::powf(eta * f_2 / f_1, eta / (1.0 - eta));
-        assert!((peak - F_S).abs() < 2e-8, "{eta}: {peak}");
-        assert!((force(s_p) - peak).abs() < 1e-12, "{eta}: {}", force(s_p));
+        assert!(abs_diff_eq!(peak, F_S, epsilon = 2e-8), "{eta}: {peak}");
+        assert!(abs_diff_eq!(force(s_p), peak, epsilon = 1e-12), "{eta}: {}", force(s_p));
         let scanned: Vec<f64> = (0..=2000).map(|k| force(s_p * (0.5 + f64::from(k) / 2000.0))).collect();
         let highest = scanned.iter().copied().fold(0.0, f64::max);
         assert_eq!(highest, scanned[1000], "{eta}");
         assert_close("initial stiffness", force(1e-12) / 1e-12, SIGMA_0, 1e-6);
         // Later it falls to f_C.
-        assert!((force(1e-2) - F_C).abs() < 1e-15);
+        assert_abs_diff_eq!(force(1e-2), F_C, epsilon = 1e-15);
     }
 }
 
@@ -50,7 +51,7 @@ fn bliman_sorine_defaults_and_presets_peak_at_the_static_level() {
         let mut bench = Bench::new("BlimanSorine", &[("velocity", s_p)]);
         assert!(preset.is_none_or(|preset| bench.instance.apply(preset)));
         bench.step(1.0);
-        assert!((bench.get("friction_force") - F_S).abs() < 1e-14, "{}", bench.get("friction_force"));
+        assert_abs_diff_eq!(bench.get("friction_force"), F_S, epsilon = 1e-14);
     }
 }
 
@@ -121,7 +122,7 @@ fn bliman_sorine_of_second_order_peaks_higher_after_a_reversal_but_never_above_t
     let mut bench = after("BlimanSorine", &[], -1.0, 1.0);
     bench.set("velocity", 4.665596443730539e-5);
     bench.step(1.0);
-    assert!((bench.get("friction_force") - 1.962).abs() < 1e-12, "{}", bench.get("friction_force"));
+    assert_abs_diff_eq!(bench.get("friction_force"), 1.962, epsilon = 1e-12);
     let mut random = Random(31);
     let mut highest: f64 = 0.0;
     for _ in 0..20_000 {

@@ -3,6 +3,7 @@
 use crate::common::random::Random;
 use crate::common::{Bench, Exchange, belt, extrema};
 use crate::{F_C, F_S, assert_bounded_at_coarse_steps, assert_close, assert_passive};
+use approx::{abs_diff_eq, assert_abs_diff_eq};
 
 /// N = 25 bristles with delta = Delta = 1 m and sigma = 1 N/m.
 const UNIT_BRISTLES: [(&str, f64); 4] = [("normal_force", 25.0), ("mu_s", 1.0), ("mu_k", 2.0 / 3.0), ("delta", 1.0)];
@@ -36,8 +37,8 @@ fn bristles_slide_with_the_mean_and_the_deviation_of_renewal_theory() {
         let mean = forces.iter().sum::<f64>() / n;
         let deviation = (forces.iter().map(|force| (force - mean).powi(2)).sum::<f64>() / (n - 1.0)).sqrt();
         let error = 1.17851 / n.sqrt();
-        assert!((mean.abs() - 16.6667).abs() < 4.0 * error, "{start} {path:?}: {mean}");
-        assert!((deviation - 1.17851).abs() < 4.0 * error / 2f64.sqrt(), "{start} {path:?}: {deviation}");
+        assert!(abs_diff_eq!(mean.abs(), 16.6667, epsilon = 4.0 * error), "{start} {path:?}: {mean}");
+        assert!(abs_diff_eq!(deviation, 1.17851, epsilon = 4.0 * error / 2f64.sqrt()), "{start} {path:?}: {deviation}");
         assert_eq!(mean.is_sign_positive(), path[0] > 0.0);
     }
 }
@@ -79,11 +80,11 @@ fn one_long_slide_shows_the_same_mean_and_deviation() {
     let n = forces.len() as f64;
     let mean = forces.iter().sum::<f64>() / n;
     let deviation = (forces.iter().map(|force| (force - mean).powi(2)).sum::<f64>() / (n - 1.0)).sqrt();
-    assert!((mean - 16.6667).abs() < 4.0 * 1.17851 / n.sqrt(), "{mean}");
-    assert!((deviation - 1.17851).abs() < 4.0 * 1.17851 / (2.0 * n).sqrt(), "{deviation}");
+    assert_abs_diff_eq!(mean, 16.6667, epsilon = 4.0 * 1.17851 / n.sqrt());
+    assert_abs_diff_eq!(deviation, 1.17851, epsilon = 4.0 * 1.17851 / (2.0 * n).sqrt());
     // And the energy is the mean force times the distance: 4 standard errors, with a correlation length below Delta.
     let energy = bench.get("dissipated_energy") / 20_000.0;
-    assert!((energy - 16.6667).abs() < 4.0 * 1.17851 / 20_000f64.sqrt() + 1e-3, "{energy}");
+    assert_abs_diff_eq!(energy, 16.6667, epsilon = 4.0 * 1.17851 / 20_000f64.sqrt() + 1e-3);
 }
 
 /// Bonded bristles are a spring N sigma up to delta, where the force is f_s; there all snap together.
@@ -94,14 +95,14 @@ fn bonded_bristles_break_away_at_the_static_level() {
         for (displacement, force) in [(5e-6, 0.5), (5e-6, 1.0), (4.715e-6 * (1.0 - 1e-9), F_S)] {
             bench.set("velocity", direction * displacement);
             bench.step(1.0);
-            assert!((direction * bench.get("friction_force") - force).abs() < 1e-8);
+            assert_abs_diff_eq!(direction * bench.get("friction_force"), force, epsilon = 1e-8);
             assert_eq!(bench.get("sticking"), 1.0 - f64::from(u8::from(force > 0.5 * F_C && displacement > 0.0)));
         }
         bench.set("velocity", direction * 1e-9);
         bench.step(1.0);
         // Each has moved back by a uniform fraction of Delta = delta: f_s / 2 with a deviation of f_s / sqrt(12 N).
         let force = direction * bench.get("friction_force");
-        assert!((force - 0.5 * F_S).abs() < 4.0 * F_S / 300f64.sqrt(), "{force}");
+        assert_abs_diff_eq!(force, 0.5 * F_S, epsilon = 4.0 * F_S / 300f64.sqrt());
     }
 }
 

@@ -1,6 +1,7 @@
 //! Ramped inputs and derivatives of the force, for each of the laws.
 
 use crate::{after, assert_close};
+use approx::abs_diff_eq;
 
 /// Velocity and load that vary linearly, through a reversal, compared with a dense sequence of short held steps.
 #[test]
@@ -52,7 +53,10 @@ fn derivatives_of_the_force_agree_with_differences() {
                 bench.set(name, value);
                 let scale = bench.get("friction_force").abs() / value.abs();
                 let difference = (above - below) / (2.0 * h);
-                assert!((exact - difference).abs() <= 1e-5 * scale, "{model} {name}: {exact} against {difference}");
+                assert!(
+                    abs_diff_eq!(exact, difference, epsilon = 1e-5 * scale),
+                    "{model} {name}: {exact} against {difference}"
+                );
             }
         }
     }

@@ -12,6 +12,7 @@ mod every_law;
 mod reset_integrator;
 mod specker_dynamic;
 
+use approx::abs_diff_eq;
 use common::random::Random;
 use common::{Bench, Exchange, belt, extrema};
 
@@ -31,7 +32,7 @@ fn after(model: &str, values: &[(&str, f64)], velocity: f64, time: f64) -> Bench
 }
 
 fn assert_close(what: &str, value: f64, expected: f64, relative: f64) {
-    assert!((value / expected - 1.0).abs() <= relative, "{what}: {value}, expected {expected}");
+    assert!(abs_diff_eq!(value / expected, 1.0, epsilon = relative), "{what}: {value}, expected {expected}");
 }
 
 /// A velocity of either sign, from 1 um/s to 1 m/s.
@@ -54,7 +55,12 @@ fn assert_identical(a: (&str, &[(&str, f64)]), b: (&str, &[(&str, f64)]), tolera
             [bench.get("friction_force"), bench.get("dissipated_energy")]
         });
         for (x, y) in a_found.into_iter().zip(b_found) {
-            assert!((x - y).abs() <= tolerance * y.abs().max(1.0), "{} and {}, step {step}: {x} {y}", a.0, b.0);
+            assert!(
+                abs_diff_eq!(x, y, epsilon = tolerance * y.abs().max(1.0)),
+                "{} and {}, step {step}: {x} {y}",
+                a.0,
+                b.0
+            );
         }
     }
 }

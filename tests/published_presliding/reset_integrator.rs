@@ -5,6 +5,7 @@ use crate::{
     F_C, F_S, Row, SIGMA_0, after, assert_bounded_at_coarse_steps, assert_close, assert_closed_cycles_dissipate,
     assert_identical, assert_passive,
 };
+use approx::abs_diff_eq;
 
 const RESET: [(f64, f64, f64); 7] = [
     (1e-4, 0.05, 0.781622777),
@@ -39,7 +40,7 @@ fn reset_integrator_breaks_away_at_the_static_level() {
         };
         // One of 98 000 steps up to z_m, and the damping.
         let damping = 1e5f64.sqrt() * 1e-6;
-        assert!((highest(1e-6) - breakaway - damping).abs() < 2e-5 * F_S, "{preset}: {}", highest(1e-6));
+        assert!(abs_diff_eq!(highest(1e-6) - breakaway, damping, epsilon = 2e-5 * F_S), "{preset}: {}", highest(1e-6));
     }
 }
 

@@ -1,6 +1,7 @@
 //! The same strut as other hosts see it.
 
 use crate::{LINEAR, force, laws, strut};
+use approx::{abs_diff_eq, assert_abs_diff_eq};
 
 /// The same strut seen by four hosts: metres of length, millimetres of compression, wheel travel, tension positive.
 #[test]
@@ -11,13 +12,16 @@ fn adapters_of_the_hosts() {
     let mut millimetres = strut(&[("adapter.length_offset", 0.2), ("adapter.length_gain", -1e-3)]);
     millimetres.set("velocity", 200.0);
     millimetres.set("length", 30.0);
-    assert!((millimetres.get("force") - force).abs() < 1e-9 * force);
+    assert_abs_diff_eq!(millimetres.get("force"), force, epsilon = 1e-9 * force);
     let mut wheel = strut(&[("adapter.length_offset", 0.1775), ("adapter.length_gain", -1.25)]);
     wheel.set("length", 0.006);
     wheel.set("velocity", 0.16);
-    assert!((wheel.get("force") - force).abs() < 1e-9 * force);
-    assert!((wheel.get("force_travel") + 1.25 * force).abs() < 1e-9 * force, "resists the jounce of the wheel");
-    assert!((own.get("force_tension") + force).abs() < 1e-12);
+    assert_abs_diff_eq!(wheel.get("force"), force, epsilon = 1e-9 * force);
+    assert!(
+        abs_diff_eq!(wheel.get("force_travel"), -1.25 * force, epsilon = 1e-9 * force),
+        "resists the jounce of the wheel"
+    );
+    assert_abs_diff_eq!(own.get("force_tension"), -force, epsilon = 1e-12);
     // The self-test of any host: compress, and the force grows.
     let slower = self::force(&mut own, 0.18, 0.0);
     assert!(self::force(&mut own, 0.17, 0.0) > slower && self::force(&mut own, 0.17, -0.1) > slower);

@@ -2,6 +2,7 @@
 
 use crate::common::Bench;
 use crate::{NONE, TABLE, law, strut};
+use approx::abs_diff_eq;
 
 /// Exact derivatives against central differences, with friction of both kinds, side load and all forces at work.
 #[test]
@@ -32,7 +33,10 @@ fn directional_derivatives_of_force_and_torque() {
                 strut.instance.refresh().unwrap();
                 let exact = strut.instance.derivative([(seed, 1.0)].into_iter())[answer].slope;
                 let scale = difference.abs().max(1e-3 * strut.get(output).abs() / start[at].abs()).max(1e-9);
-                assert!((exact - difference).abs() < 1e-5 * scale, "{model} {output} {input}: {exact} {difference}");
+                assert!(
+                    abs_diff_eq!(exact, difference, epsilon = 1e-5 * scale),
+                    "{model} {output} {input}: {exact} {difference}"
+                );
                 checked += usize::from(difference.abs() > 1e-6);
             }
         }
@@ -85,7 +89,7 @@ fn directional_derivatives_before_the_run() {
                     let exact = strut.instance.derivative([(seed, scale)].into_iter())[force].slope / scale;
                     let size = difference.abs().max(1e-4 / value.abs().max(1e-4));
                     let case = format!("{state}, {velocity} m/s, {input} by {scale}");
-                    assert!((exact - difference).abs() < 2e-3 * size, "{case}: {exact} {difference}");
+                    assert!(abs_diff_eq!(exact, difference, epsilon = 2e-3 * size), "{case}: {exact} {difference}");
                 }
             }
         }

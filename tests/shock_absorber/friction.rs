@@ -2,6 +2,7 @@
 
 use crate::common::Bench;
 use crate::{LINEAR, NONE, Values, bare, golden_trace, law, laws, strut};
+use approx::{abs_diff_eq, assert_abs_diff_eq};
 use stribeck::catalogue::by_name;
 
 /// Each law drives the strut: its force stays within the levels and takes energy out of a cycle.
@@ -107,7 +108,7 @@ fn area_of_a_quasi_static_loop() {
         strut.step(1e-3);
     }
     let area = energy[2] - energy[1];
-    assert!((area / (4.0 * 20.0 * amplitude) - 1.0).abs() < 0.01, "{area} J");
+    assert!(abs_diff_eq!(area / (4.0 * 20.0 * amplitude), 1.0, epsilon = 0.01), "{area} J");
 }
 
 /// Asymmetry 0.2: 24 N in compression and 16 N in extension, at any speed of sliding.
@@ -119,7 +120,11 @@ fn asymmetry_divides_the_levels() {
         for (velocity, expected) in [(0.1, 16.0), (-0.1, -24.0), (0.3, 16.0)] {
             strut.set("velocity", velocity);
             (0..100).for_each(|_| strut.step(1e-2));
-            assert!((strut.get("friction_1") - expected).abs() < 1e-6, "{model}: {}", strut.get("friction_1"));
+            assert!(
+                abs_diff_eq!(strut.get("friction_1"), expected, epsilon = 1e-6),
+                "{model}: {}",
+                strut.get("friction_1")
+            );
         }
     }
 }
@@ -167,7 +172,7 @@ fn a_load_is_held_at_rest() {
         }
         let band = [law("RooneyDeravi"), ("friction.transition_velocity", 1e-3), ("friction.viscous_coefficient", 0.0)];
         let [_, speed] = creep(&[&band[..], set].concat(), is_parallel);
-        assert!((speed / 0.625e-3 - 1.0).abs() < 1e-3, "{set:?}, {is_parallel}: {speed} m/s");
+        assert!(abs_diff_eq!(speed / 0.625e-3, 1.0, epsilon = 1e-3), "{set:?}, {is_parallel}: {speed} m/s");
     }
 }
 
@@ -206,14 +211,14 @@ fn friction_that_is_switched_on_later_begins_fresh() {
 fn state_at_the_start() {
     // 10 N in the bristles of the rod guide.
     let mut given = strut(&[("init.friction_state", 3.0), ("memory_1[1]", 1e-4)]);
-    assert!((given.get("friction_1") - 10.0).abs() < 1e-9, "{}", given.get("friction_1"));
+    assert_abs_diff_eq!(given.get("friction_1"), 10.0, epsilon = 1e-9);
     // The piston behind its stiffness already moves with the strut, or not yet.
     for (state, force) in [(1.0, -460.0), (2.0, 0.0)] {
         let set = [("damper.k_series", 1e5), ("velocity", 0.2), ("init.friction_state", state)];
         assert_eq!(strut(&set).get("force_damper"), force);
     }
     let mut hot = strut(&[("thermal.enabled", 1.0), ("temperature", 393.15), ("velocity", -0.2)]);
-    assert!((hot.get("force_damper") - 300.0 * (-0.3f64).exp()).abs() < 1e-9);
+    assert_abs_diff_eq!(hot.get("force_damper"), 300.0 * (-0.3f64).exp(), epsilon = 1e-9);
 }
 
 /// Bristles that carry 20 N carry 5 N as soon as the contact can hold no more.
@@ -223,10 +228,10 @@ fn bristles_follow_a_falling_load() {
     strut.set("velocity", 0.01);
     strut.step(1.0);
     strut.set("velocity", 0.0);
-    assert!((strut.get("friction_1") - 20.0).abs() < 0.1);
+    assert_abs_diff_eq!(strut.get("friction_1"), 20.0, epsilon = 0.1);
     strut.set("c1.preload_k", 5.0);
     strut.set("c1.preload_s", 5.0);
-    assert!((strut.get("friction_1") - 5.0).abs() < 1e-9);
+    assert_abs_diff_eq!(strut.get("friction_1"), 5.0, epsilon = 1e-9);
 }
 
 /// Where a solver integrates them, they slip within some milliseconds to what the contact can hold.
@@ -248,12 +253,12 @@ fn bristles_that_are_integrated_follow_a_falling_load() {
         model.rate(&row, &mut rate);
         row[memory] += rate[memory] * dt;
     }
-    assert!((row[memory] / begin - 0.25).abs() < 1e-3, "{} of {begin}", row[memory]);
+    assert!(abs_diff_eq!(row[memory] / begin, 0.25, epsilon = 1e-3), "{} of {begin}", row[memory]);
     for name in ["c1.preload_k", "c1.preload_s"] {
         row[strut.column(name)] = 20.0;
     }
     assert!(model.output(&mut row));
-    assert!((row[force] - 5.0).abs() < 0.02, "{}", row[force]);
+    assert_abs_diff_eq!(row[force], 5.0, epsilon = 0.02);
 }
 
 /// The factor on the friction multiplies all four levels.
@@ -296,11 +301,11 @@ fn a_contact_resists_both_motions() {
     for (axial, around) in [(1.0, 1.0), (-1.0, 1.0), (1.0, -1.0), (-1.0, -1.0)] {
         contact.set("velocity", 0.3 * axial);
         contact.set("spin_rate", 40.0 * around);
-        assert!((contact.get("friction_force") - 6.0 * axial).abs() < 1e-12);
-        assert!((contact.get("friction_torque") - 0.08 * around).abs() < 1e-12);
-        assert!((contact.get("dissipated_power") - 5.0).abs() < 1e-12);
+        assert_abs_diff_eq!(contact.get("friction_force"), 6.0 * axial, epsilon = 1e-12);
+        assert_abs_diff_eq!(contact.get("friction_torque"), 0.08 * around, epsilon = 1e-12);
+        assert_abs_diff_eq!(contact.get("dissipated_power"), 5.0, epsilon = 1e-12);
         let energy = contact.column("dissipated_energy");
-        assert!((contact.instance.time_derivative()[energy].slope - 5.0).abs() < 1e-12);
+        assert_abs_diff_eq!(contact.instance.time_derivative()[energy].slope, 5.0, epsilon = 1e-12);
     }
 }
 
@@ -316,8 +321,8 @@ fn viscous_friction_without_levels() {
     for (number, name) in laws().filter(|(_, name)| ["LuGre", "Stribeck", "ElastoPlastic"].contains(name)) {
         let mut contact = Bench::new("GuideContact", &[&set[..], &[("friction.model", number)]].concat());
         contact.step(0.5);
-        assert!((contact.get("friction_force") - 0.6).abs() < 1e-12, "{name}");
-        assert!((contact.get("dissipated_energy") - 0.6 * 0.3 * 0.5).abs() < 1e-12, "{name}");
+        assert!(abs_diff_eq!(contact.get("friction_force"), 0.6, epsilon = 1e-12), "{name}");
+        assert!(abs_diff_eq!(contact.get("dissipated_energy"), 0.6 * 0.3 * 0.5, epsilon = 1e-12), "{name}");
     }
 }
 
@@ -340,7 +345,7 @@ fn a_trace_in_a_continuous_state_changes_no_force() {
         }
         assert!(model.output(&mut row), "{name}");
         let friction = row[model.find("force_friction").unwrap()];
-        assert!((friction - force).abs() <= 1e-12 * force.abs(), "{name}: {friction} {force}");
+        assert!(abs_diff_eq!(friction, force, epsilon = 1e-12 * force.abs()), "{name}: {friction} {force}");
         assert!(name == "None" || force < -1.0, "{name}: {force}");
         tested += 1;
     }

@@ -2,6 +2,7 @@
 
 use crate::common::Bench;
 use crate::{NONE, TABLE, force, golden_trace, law, strut};
+use approx::{abs_diff_eq, assert_abs_diff_eq};
 use stribeck::friction::LuGre;
 use stribeck::model::{Law, Model};
 
@@ -19,12 +20,12 @@ fn golden_points_without_friction() {
     let (mut linear, mut table) = (strut(&[NONE]), strut(&[NONE, TABLE]));
     for (length, velocity, with_linear, with_table) in points {
         let got = [force(&mut linear, length, velocity), force(&mut table, length, velocity)];
-        assert!((got[0] - with_linear).abs() < 5.1e-5, "{length} {velocity}: {got:?}");
-        assert!((got[1] - with_table).abs() < 5.1e-5, "{length} {velocity}: {got:?}");
+        assert!(abs_diff_eq!(got[0], with_linear, epsilon = 5.1e-5), "{length} {velocity}: {got:?}");
+        assert!(abs_diff_eq!(got[1], with_table, epsilon = 5.1e-5), "{length} {velocity}: {got:?}");
     }
     let mut progressive = strut(&[NONE, ("bump.mode", 2.0)]);
     force(&mut progressive, 0.152, 0.0);
-    assert!((progressive.get("force_bump") - 918.0984).abs() < 5.1e-5);
+    assert_abs_diff_eq!(progressive.get("force_bump"), 918.0984, epsilon = 5.1e-5);
 }
 
 /// R = (80, -30) N, M = (2, 6) N.m at a length of 180 mm, Coulomb friction, no regularisation, no offset of the spring.
@@ -39,13 +40,13 @@ fn worked_example_of_sliding_friction() {
     let friction = |strut: &mut Bench| strut.get("friction_1") + strut.get("friction_2");
     strut.set("velocity", 0.2);
     assert!((strut.get("normal_1") - 5.0).abs() < 1e-6 && (strut.get("normal_2") - 87.321246).abs() < 1e-6);
-    assert!((friction(&mut strut) - 21.485700).abs() < 1e-6);
+    assert_abs_diff_eq!(friction(&mut strut), 21.485700, epsilon = 1e-6);
     strut.set("spin_rate", 3.0);
-    assert!((friction(&mut strut) - 21.216811).abs() < 1e-6);
-    assert!((strut.get("friction_torque") - 0.036127).abs() < 1e-6);
+    assert_abs_diff_eq!(friction(&mut strut), 21.216811, epsilon = 1e-6);
+    assert_abs_diff_eq!(strut.get("friction_torque"), 0.036127, epsilon = 1e-6);
     strut.set("spin_rate", 0.0);
     strut.set("velocity", -0.2);
-    assert!((friction(&mut strut) + 21.485700).abs() < 1e-6);
+    assert_abs_diff_eq!(friction(&mut strut), -21.485700, epsilon = 1e-6);
 }
 
 const TRACE: [(usize, [f64; 5]); 5] = [
@@ -64,13 +65,13 @@ fn golden_trace_to_a_micronewton() {
             let names = ["normal_1", "normal_2", "friction_1", "friction_2", "force"];
             for (name, expected) in names.iter().zip(expected) {
                 let got = strut.get(name);
-                assert!((got - expected).abs() < 1e-6, "k = {k}: {name} = {got}, expected {expected}");
+                assert!(abs_diff_eq!(got, expected, epsilon = 1e-6), "k = {k}: {name} = {got}, expected {expected}");
             }
             seen += 1;
         }
     });
     assert_eq!(seen, TRACE.len());
-    assert!((work - 1.150427).abs() < 1e-6, "{work}");
+    assert_abs_diff_eq!(work, 1.150427, epsilon = 1e-6);
 }
 
 /// Held inputs: the internal steps compose exactly.
@@ -122,10 +123,10 @@ fn golden_lugre_trace() {
         strut.set("velocity", velocity);
         strut.step(1e-3);
         if let Some((_, expected)) = expected.iter().find(|(at, _)| *at == k) {
-            assert!((law.friction_force - expected).abs() < 1e-8, "{k}: {}", law.friction_force);
+            assert!(abs_diff_eq!(law.friction_force, expected, epsilon = 1e-8), "{k}: {}", law.friction_force);
             let got = strut.get("friction_1");
-            assert!((got - expected).abs() < 1e-8, "{k}: {got}");
+            assert!(abs_diff_eq!(got, expected, epsilon = 1e-8), "{k}: {got}");
         }
     }
-    assert!((law.bristle_deflection - 4.0779333550e-6).abs() < 1e-15);
+    assert_abs_diff_eq!(law.bristle_deflection, 4.0779333550e-6, epsilon = 1e-15);
 }

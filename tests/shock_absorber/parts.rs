@@ -2,6 +2,7 @@
 
 use crate::common::Bench;
 use crate::{NONE, TABLE, force, law, strut};
+use approx::{abs_diff_eq, assert_abs_diff_eq};
 
 /// Work of all motion = change of the energy in spring and gas + energy dissipated.
 #[test]
@@ -25,7 +26,10 @@ fn energy_balance() {
         rotation += 0.5 * (turning + strut.get("friction_torque")) * 2.0 * h;
     }
     let dissipated = strut.get("dissipated_energy");
-    assert!((work + rotation - dissipated).abs() < 2e-3 * dissipated, "{work} + {rotation} = {dissipated}");
+    assert!(
+        abs_diff_eq!(work + rotation, dissipated, epsilon = 2e-3 * dissipated),
+        "{work} + {rotation} = {dissipated}"
+    );
 }
 
 /// Loads of the spring on the joint equal those that a host would give for it: the force F_s q along m, the moments
@@ -49,7 +53,7 @@ fn side_load_of_the_spring() {
         for c_geo in [1.0, 1.25] {
             let internal = normals(&[set, &[("side.c_geo", c_geo)]].concat());
             for (internal, given) in internal.iter().zip(given) {
-                assert!((internal / (c_geo * given) - 1.0).abs() < 1e-12, "{internal} {given}");
+                assert!(abs_diff_eq!(internal / (c_geo * given), 1.0, epsilon = 1e-12), "{internal} {given}");
             }
         }
     }
@@ -65,7 +69,7 @@ fn cubic_damper_table_is_smooth() {
         ((at(0.1 + h) - at(0.1)) / h - (at(0.1) - at(0.1 - h)) / h).abs()
     };
     // 160 N over 0.05 m/s below, 300 N over 0.15 m/s above.
-    assert!((bend(1.0) - (3200.0 - 2000.0)).abs() < 1e-3, "{}", bend(1.0));
+    assert_abs_diff_eq!(bend(1.0), 3200.0 - 2000.0, epsilon = 1e-3);
     assert!(bend(2.0) < 10.0, "{}", bend(2.0));
 }
 
@@ -75,7 +79,7 @@ fn progressive_spring() {
     let mut spring = Bench::new("CoilSpring", &[("spring.mode", 2.0)]);
     for (compression, force) in [(0.0, 150.0), (0.01, 600.0), (0.04, 2100.0), (0.06, 3300.0), (-0.01, -300.0)] {
         spring.set("compression", compression);
-        assert!((spring.get("force") - force).abs() < 1e-9, "{compression}: {}", spring.get("force"));
+        assert!(abs_diff_eq!(spring.get("force"), force, epsilon = 1e-9), "{compression}: {}", spring.get("force"));
     }
 }
 
@@ -88,11 +92,11 @@ fn all_that_is_dissipated_heats() {
         strut.step(0.01);
     }
     let heat = 600.0 * (strut.get("temperature") - 293.15);
-    assert!((heat / strut.get("dissipated_energy") - 1.0).abs() < 1e-9, "{heat} J");
+    assert!(abs_diff_eq!(heat / strut.get("dissipated_energy"), 1.0, epsilon = 1e-9), "{heat} J");
     let power = strut.get("dissipated_power");
     let friction = strut.get("friction_1") + strut.get("friction_2");
     let work = friction * 0.2 + strut.get("friction_torque") * 3.0 - strut.get("force_damper") * 0.2;
-    assert!((power / work - 1.0).abs() < 1e-9, "{power} {work}");
+    assert!(abs_diff_eq!(power / work, 1.0, epsilon = 1e-9), "{power} {work}");
 }
 
 /// Where the characteristic is level, the piston behind its stiffness follows the strut: an importer that integrates it

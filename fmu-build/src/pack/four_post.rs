@@ -79,6 +79,7 @@ fn system(damper: &ParameterSet) -> Result<System> {
 mod tests {
     use super::*;
     use crate::project::root;
+    use approx::abs_diff_eq;
     use roxmltree::{Document, Node};
     use std::collections::BTreeSet;
 
@@ -143,7 +144,10 @@ mod tests {
             assert_eq!(set(&format!("{damper}_rear")).name(), damper);
         }
         let top = |name: &str| set(name).get("damper.tab_f[11]").unwrap();
-        assert!((top("soft_front") / top("firm_front") - 0.6).abs() < 0.01, "the soft damper: six tenths");
+        assert!(
+            abs_diff_eq!(top("soft_front") / top("firm_front"), 0.6, epsilon = 0.01),
+            "the soft damper: six tenths"
+        );
     }
 
     #[test]

@@ -366,6 +366,7 @@ pub fn distance(a: &Curve, b: &Curve) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use approx::{abs_diff_eq, assert_abs_diff_eq};
     use stribeck::catalogue::by_name;
 
     mod laws {
@@ -441,7 +442,7 @@ mod tests {
         let steady = law("LuGre").steady(5e-3, 0.0).unwrap();
         for [v, force] in steady.growing.iter().chain(&steady.fading) {
             let level = 0.981 + 0.4905 * (-(v / 1e-3).powi(2)).exp();
-            assert!((force - level * v.signum() - 0.1 * v).abs() < 2e-4, "{v}: {force}");
+            assert!(abs_diff_eq!(force - level * v.signum(), 0.1 * v, epsilon = 2e-4), "{v}: {force}");
         }
         assert_eq!(steady.growing.len(), 600);
         assert!(steady.growing.is_sorted_by(|a, b| a[0] < b[0]));
@@ -513,12 +514,12 @@ mod tests {
     fn strokes_of_dahl_have_the_closed_form() {
         let strokes = law("Dahl").strokes(1e-5, 5e-3).unwrap();
         for [x, force] in &strokes[..=150] {
-            assert!((force - 0.981 * (1.0 - (-1e5 * x / 0.981f64).exp())).abs() < 1e-12, "{x}: {force}");
+            assert!(abs_diff_eq!(force, 0.981 * (1.0 - (-1e5 * x / 0.981f64).exp()), epsilon = 1e-12), "{x}: {force}");
         }
         let [x, force] = *strokes.last().unwrap();
-        assert!((x - 4e-5).abs() < 1e-18);
+        assert_abs_diff_eq!(x, 4e-5, epsilon = 1e-18);
         // Close to f_C tanh(sigma_0 X / f_C): after one cycle the loop has almost closed.
-        assert!((force - 0.981 * (4.0 / 0.981f64).tanh()).abs() < 1e-4, "{force}");
+        assert_abs_diff_eq!(force, 0.981 * (4.0 / 0.981f64).tanh(), epsilon = 1e-4);
     }
 
     #[test]
@@ -527,7 +528,7 @@ mod tests {
         assert!(law.has_external_force());
         let upper = law.steady(0.01, 1e3).unwrap().growing;
         let at_rest = upper.iter().find(|[v, _]| *v == 0.0).unwrap();
-        assert!((at_rest[1] - 1.4715).abs() < 1e-12);
+        assert_abs_diff_eq!(at_rest[1], 1.4715, epsilon = 1e-12);
         assert!(upper.iter().filter(|[v, _]| *v > 0.0).all(|[_, force]| (force - 0.981).abs() < 1e-12));
     }
 
@@ -564,7 +565,7 @@ mod tests {
         for (value, round) in
             [(0.0123, 0.015), (0.015, 0.015), (7e-5, 8e-5), (9.1, 10.0), (1.0, 1.0), (3.000_000_000_001, 3.0)]
         {
-            assert!((round_up(value) / round - 1.0).abs() < 1e-6, "{value}: {}", round_up(value));
+            assert!(abs_diff_eq!(round_up(value) / round, 1.0, epsilon = 1e-6), "{value}: {}", round_up(value));
         }
     }
 }

@@ -284,6 +284,7 @@ fn legend(lines: &[Line]) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use approx::abs_diff_eq;
     use roxmltree::{Document, Node};
 
     fn figure(points: Curve) -> Figure {
@@ -327,7 +328,7 @@ mod tests {
         let drawn = read_back(&svg(&figure(points)));
         assert!(drawn.len() > 10);
         for [x, y] in drawn {
-            assert!((y - 2.0 * (x / 2.0).tanh()).abs() < 1e-3, "{x} {y}");
+            assert!(abs_diff_eq!(y, 2.0 * (x / 2.0).tanh(), epsilon = 1e-3), "{x} {y}");
         }
     }
 
@@ -345,7 +346,11 @@ mod tests {
             let mut law = BrownMcPhee { velocity: velocity * 1e-3, ..Default::default() };
             law.output();
             // A fifth of a pixel upwards, and the effect of the slope for as much sideways.
-            assert!((force - law.friction_force).abs() < 0.01, "{velocity} mm/s: {force} N, {}", law.friction_force);
+            assert!(
+                abs_diff_eq!(force, law.friction_force, epsilon = 0.01),
+                "{velocity} mm/s: {force} N, {}",
+                law.friction_force
+            );
         }
     }
 
@@ -360,7 +365,7 @@ mod tests {
                 assert!(texts.windows(2).all(|pair| pair[0] != pair[1]), "{texts:?}");
                 for (tick, text) in ticks.iter().zip(&texts) {
                     let read: f64 = text.replace('\u{2212}', "-").parse().unwrap();
-                    assert!((read - tick).abs() <= 1e-9 * (high - low), "{tick} is {text}");
+                    assert!(abs_diff_eq!(read, tick, epsilon = 1e-9 * (high - low)), "{tick} is {text}");
                 }
             }
         }

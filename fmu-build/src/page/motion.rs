@@ -169,6 +169,7 @@ fn connections(from: &ModelType, to: &ModelType) -> Vec<[usize; 2]> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use approx::abs_diff_eq;
     use catalogue::by_name;
 
     #[test]
@@ -177,7 +178,7 @@ mod tests {
         assert_eq!(motion.values[0], [0.0, 0.1]);
         // It sticks until k x = f_s, that is x = 1.4715 N / 2 N/m.
         let slips = motion.values.iter().find(|value| value[1] < 0.0999).unwrap();
-        assert!((slips[0] - 0.73575).abs() < 1e-3, "{slips:?}");
+        assert!(abs_diff_eq!(slips[0], 0.73575, epsilon = 1e-3), "{slips:?}");
     }
 
     /// A released car swings back to its rest position: through it at 3.8 Hz, a quarter of a period later.

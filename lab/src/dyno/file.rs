@@ -186,6 +186,7 @@ impl Column {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use approx::assert_abs_diff_eq;
 
     fn refusal(text: &str) -> String {
         Test::parse(text).unwrap_err().to_string()
@@ -220,10 +221,10 @@ mod tests {
     fn american_units_are_converted() {
         let test =
             Test::parse("velocity [in/s],force [lbf],displacement [in],temperature [degF]\n10,100,1,68\n").unwrap();
-        assert!((test.velocity[0] - 0.254).abs() < 1e-15);
-        assert!((test.force[0] - 444.822_161_526_05).abs() < 1e-9);
-        assert!((test.displacement.unwrap()[0] - 0.0254).abs() < 1e-15);
-        assert!((test.temperature.unwrap()[0] - 293.15).abs() < 1e-9);
+        assert_abs_diff_eq!(test.velocity[0], 0.254, epsilon = 1e-15);
+        assert_abs_diff_eq!(test.force[0], 444.822_161_526_05, epsilon = 1e-9);
+        assert_abs_diff_eq!(test.displacement.unwrap()[0], 0.0254, epsilon = 1e-15);
+        assert_abs_diff_eq!(test.temperature.unwrap()[0], 293.15, epsilon = 1e-9);
     }
 
     #[test]

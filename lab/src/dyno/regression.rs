@@ -104,6 +104,7 @@ pub fn isotonic(values: &[f64]) -> Vec<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use approx::{abs_diff_eq, assert_abs_diff_eq};
 
     #[test]
     fn outliers_do_not_move_a_line() {
@@ -118,8 +119,8 @@ mod tests {
         let rows: Vec<[f64; 2]> = samples.iter().map(|sample| [1.0, sample.0]).collect();
         let values: Vec<f64> = samples.iter().map(|sample| sample.1).collect();
         let [intercept, slope] = regress(&rows, &values).unwrap();
-        assert!((intercept.value - 3.0).abs() < 0.03, "{intercept:?}");
-        assert!((slope.value - 2.0).abs() < 0.03, "{slope:?}");
+        assert!(abs_diff_eq!(intercept.value, 3.0, epsilon = 0.03), "{intercept:?}");
+        assert!(abs_diff_eq!(slope.value, 2.0, epsilon = 0.03), "{slope:?}");
     }
 
     /// The standard deviation must be the spread of the estimate over many repetitions.
@@ -137,8 +138,8 @@ mod tests {
         let mean = runs.iter().map(|run| run.value).sum::<f64>() / count;
         let spread = (runs.iter().map(|run| (run.value - mean).powi(2)).sum::<f64>() / count).sqrt();
         let claimed = runs.iter().map(|run| run.deviation).sum::<f64>() / count;
-        assert!((mean - 7.0).abs() < 3.0 * spread / count.sqrt(), "{mean}");
-        assert!((claimed / spread - 1.0).abs() < 0.2, "{claimed} {spread}");
+        assert_abs_diff_eq!(mean, 7.0, epsilon = 3.0 * spread / count.sqrt());
+        assert!(abs_diff_eq!(claimed / spread, 1.0, epsilon = 0.2), "{claimed} {spread}");
     }
 
     #[test]

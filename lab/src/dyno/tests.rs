@@ -1,5 +1,6 @@
 //! Round trip: simulate tests of known dampers and recover their parameters.
 
+use approx::{abs_diff_eq, assert_abs_diff_eq};
 use std::f64::consts::TAU;
 use std::path::PathBuf;
 
@@ -65,10 +66,13 @@ fn refusal(test: &Test, options: &Options) -> String {
 
 /// Every point of the table lies on the law, within a fraction of the force there.
 fn assert_table(damper: &Damper, law: impl Fn(f64) -> f64, part: f64, least: f64) {
-    for (velocity, force) in &damper.table {
-        let wanted = law(*velocity);
+    for &(velocity, force) in &damper.table {
+        let wanted = law(velocity);
         let tolerance = (part * wanted.abs()).max(least);
-        assert!((force - wanted).abs() <= tolerance, "{velocity} m/s: {force} N, must be {wanted} +- {tolerance} N");
+        assert!(
+            abs_diff_eq!(force, wanted, epsilon = tolerance),
+            "{velocity} m/s: {force} N, must be {wanted} +- {tolerance} N"
+        );
     }
     assert!(damper.table.windows(2).all(|pair| pair[0].0 < pair[1].0 && pair[0].1 <= pair[1].1), "{:?}", damper.table);
     assert!(damper.table.contains(&(0.0, 0.0)));
@@ -80,10 +84,10 @@ fn strokes_without_noise_give_back_table_friction_and_gas() {
     assert_table(&damper, |v| KNOWN.hydraulic(v), 0.002, 0.3);
     let friction = damper.friction.unwrap();
     // The law bends below the low speed: its third derivative causes an error of a third of a newton.
-    assert!((friction.level.value - 22.0).abs() < 0.5, "{friction:?}");
+    assert!(abs_diff_eq!(friction.level.value, 22.0, epsilon = 0.5), "{friction:?}");
     assert_eq!(friction.asymmetry, None);
-    assert!((damper.gas_force.unwrap().value - 160.0).abs() < 0.2, "{:?}", damper.gas_force);
-    assert!((damper.gradient.unwrap().value - 1200.0).abs() < 5.0, "{:?}", damper.gradient);
+    assert!(abs_diff_eq!(damper.gas_force.unwrap().value, 160.0, epsilon = 0.2), "{:?}", damper.gas_force);
+    assert!(abs_diff_eq!(damper.gradient.unwrap().value, 1200.0, epsilon = 5.0), "{:?}", damper.gradient);
     assert_eq!(damper.table.len(), 11);
     assert!(damper.warnings.is_empty(), "{:?}", damper.warnings);
 }
@@ -97,7 +101,7 @@ fn standard_deviations_cover_the_truth() {
         let damper = find(&noisy.strokes(&PEAKS, 400, seed));
         assert_table(&damper, |v| noisy.hydraulic(v), 0.02, 4.0);
         let level = damper.friction.unwrap().level;
-        assert!((level.value - 22.0).abs() < 2.0, "{level:?}");
+        assert!(abs_diff_eq!(level.value, 22.0, epsilon = 2.0), "{level:?}");
         assert!(level.deviation > 0.1 && level.deviation < 1.0, "{level:?}");
         scores.push((level.value - 22.0) / level.deviation);
     }
@@ -113,7 +117,7 @@ fn outliers_do_not_count() {
     }
     let damper = find(&test);
     assert_table(&damper, |v| KNOWN.hydraulic(v), 0.02, 4.0);
-    assert!((damper.friction.unwrap().level.value - 22.0).abs() < 1.0);
+    assert_abs_diff_eq!(damper.friction.unwrap().level.value, 22.0, epsilon = 1.0);
     assert!(damper.max_error > 350.0, "the outliers appear in the largest difference");
 }
 
@@ -123,8 +127,8 @@ fn known_gas_force_separates_the_directions() {
     let test = known.strokes(&PEAKS, 400, 4);
     let damper = find_damper(&test, &Options { gas_force: Some(160.0), ..Options::default() }).unwrap();
     let friction = damper.friction.unwrap();
-    assert!((friction.level.value - 28.0).abs() < 1.0, "{friction:?}");
-    assert!((friction.asymmetry.unwrap() - 0.25).abs() < 0.04, "{friction:?}");
+    assert!(abs_diff_eq!(friction.level.value, 28.0, epsilon = 1.0), "{friction:?}");
+    assert!(abs_diff_eq!(friction.asymmetry.unwrap(), 0.25, epsilon = 0.04), "{friction:?}");
     assert_table(&damper, |v| known.hydraulic(v), 0.02, 4.0);
     let wrong = find_damper(&test, &Options { gas_force: Some(500.0), ..Options::default() }).unwrap();
     assert_eq!(wrong.friction.unwrap().asymmetry, None);
@@ -148,9 +152,9 @@ fn lag_of_the_oil_is_not_friction() {
     }
     let damper = find(&test);
     let level = damper.friction.unwrap().level.value;
-    assert!((level - 22.0).abs() < 0.1, "{level}");
+    assert_abs_diff_eq!(level, 22.0, epsilon = 0.1);
     let lag = delay * (peak / amplitude).powi(2) * (4000.0 + 2500.0) / 2.0;
-    assert!((damper.gradient.unwrap().value / lag - 1.0).abs() < 0.01, "{:?}", damper.gradient);
+    assert!(abs_diff_eq!(damper.gradient.unwrap().value / lag, 1.0, epsilon = 0.01), "{:?}", damper.gradient);
 }
 
 /// The bristles of LuGre friction need a travel of some f / sigma_0 after each reversal, exact update for held
@@ -168,7 +172,7 @@ fn developing_friction_is_left_out() {
         test.force[at] += stiffness * bristle - level * velocity.signum();
     }
     let damper = find(&test);
-    assert!((damper.friction.unwrap().level.value - 22.0).abs() < 1.0, "{:?}", damper.friction);
+    assert!(abs_diff_eq!(damper.friction.unwrap().level.value, 22.0, epsilon = 1.0), "{:?}", damper.friction);
     let blind = Test { displacement: None, ..test };
     let without = find(&blind).friction.unwrap().level.value;
     assert!(without < 21.5, "{without}: the documentation says that it looks smaller without displacement");
@@ -197,8 +201,8 @@ fn few_monotone_points_are_kept_exactly() {
 fn peaks_of_many_speeds_give_back_friction() {
     let speeds = [0.005, 0.01, 0.02, 0.03, 0.04, 0.05, 0.1, 0.15, 0.2, 0.3, 0.4, 0.5, 0.75, 1.0];
     let damper = find(&KNOWN.peaks(&speeds));
-    assert!((damper.friction.unwrap().level.value - 22.0).abs() < 1.5, "{:?}", damper.friction);
-    assert!((damper.gas_force.unwrap().value - 160.0).abs() < 1.5, "{:?}", damper.gas_force);
+    assert!(abs_diff_eq!(damper.friction.unwrap().level.value, 22.0, epsilon = 1.5), "{:?}", damper.friction);
+    assert!(abs_diff_eq!(damper.gas_force.unwrap().value, 160.0, epsilon = 1.5), "{:?}", damper.gas_force);
     assert_eq!(damper.table.len(), 11);
     assert_table(&damper, |v| KNOWN.hydraulic(v), 0.02, 2.0);
 }
@@ -218,7 +222,7 @@ fn polyline_is_the_best_choice_of_points() {
             best = best.min(error(&[curve[first], curve[second], curve[10]]));
         }
     }
-    assert!((found - best).abs() < 1e-12, "{found} {best}");
+    assert_abs_diff_eq!(found, best, epsilon = 1e-12);
     assert_eq!(polyline(&curve, 20), curve[1..]);
 }
 
@@ -322,12 +326,12 @@ fn default_damping(velocity: f64) -> f64 {
 fn shipped_examples_give_back_their_dampers() {
     let firm = find(&example("dyno.csv"));
     assert_table(&firm, default_damping, 0.02, 6.0);
-    assert!((firm.friction.unwrap().level.value - 25.0).abs() < 1.5, "{:?}", firm.friction);
+    assert!(abs_diff_eq!(firm.friction.unwrap().level.value, 25.0, epsilon = 1.5), "{:?}", firm.friction);
     assert!(firm.warnings.is_empty() && firm.rms_error < 12.0, "{firm:?}");
     let options = Options { compression_positive: true, ..Options::default() };
     let soft = find_damper(&example("dyno_soft.csv"), &options).unwrap();
     assert_table(&soft, |velocity| 0.6 * default_damping(velocity), 0.02, 4.0);
-    assert!((soft.friction.unwrap().level.value - 12.0).abs() < 1.0, "{:?}", soft.friction);
+    assert!(abs_diff_eq!(soft.friction.unwrap().level.value, 12.0, epsilon = 1.0), "{:?}", soft.friction);
     assert_eq!(soft.force_sign, ForceSign::Reaction);
 }
 
@@ -367,9 +371,12 @@ fn the_shock_absorber_with_the_set_has_the_measured_force() {
         absorber.refresh().unwrap();
         let friction = absorber.row()[column("force_friction")];
         let hydraulic = absorber.row()[column("force_damper")];
-        assert!((friction + 25.0 * velocity.signum()).abs() < 1.5, "{velocity}: {friction}");
+        assert!(abs_diff_eq!(friction, -25.0 * velocity.signum(), epsilon = 1.5), "{velocity}: {friction}");
         let wanted = default_damping(velocity);
-        assert!((hydraulic + wanted).abs() < (0.03 * wanted.abs()).max(6.0), "{velocity}: {hydraulic} {wanted}");
+        assert!(
+            abs_diff_eq!(hydraulic, -wanted, epsilon = (0.03 * wanted.abs()).max(6.0)),
+            "{velocity}: {hydraulic} {wanted}"
+        );
     }
     assert_eq!(set.get("damper.mode"), Some(2.0));
     assert_eq!(set.get("damper.tab_n"), Some(11.0));
@@ -377,7 +384,7 @@ fn the_shock_absorber_with_the_set_has_the_measured_force() {
     assert!(
         (preloads[0] / preloads[1] - 8.0 / 6.0).abs() < 1e-12 && (preloads[2] / preloads[3] - 10.0 / 8.0).abs() < 1e-12
     );
-    assert!((preloads[0] + preloads[1] - damper.friction.unwrap().level.value).abs() < 1e-12);
+    assert_abs_diff_eq!(preloads[0] + preloads[1], damper.friction.unwrap().level.value, epsilon = 1e-12);
     let again = ParameterSet::from_ssv(model, &set.to_ssv()).unwrap();
     assert_eq!(again, set);
 }

@@ -420,6 +420,7 @@ fn letter_and_number(name: &str) -> Option<(&str, &str)> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use approx::{abs_diff_eq, assert_abs_diff_eq};
     use stribeck::friction::{BrownMcPhee, LuGre};
     use stribeck::model::{Law, Model};
 
@@ -502,7 +503,11 @@ mod tests {
             ("a (b + c)", 16.0),
             ("16/9 (b + c)", 16.0 / 9.0 * 8.0),
         ] {
-            assert!((evaluated(text, &values) - expected).abs() < 1e-12, "{text}: {}", evaluated(text, &values));
+            assert!(
+                abs_diff_eq!(evaluated(text, &values), expected, epsilon = 1e-12),
+                "{text}: {}",
+                evaluated(text, &values)
+            );
         }
     }
 
@@ -522,7 +527,7 @@ mod tests {
             law.output();
             let values = [("v", velocity), ("v_0", 1e-3), ("f_C", 0.981), ("f_s", 1.4715), ("mu_v", 3.0)];
             let values = [values.as_slice(), &[("f_n", 9.81), ("f_nt", 1.0)]].concat();
-            assert!((evaluated(text, &values) - law.friction_force).abs() < 1e-12, "{velocity}");
+            assert!(abs_diff_eq!(evaluated(text, &values), law.friction_force, epsilon = 1e-12), "{velocity}");
         }
     }
 
@@ -535,7 +540,7 @@ mod tests {
         law.step(10.0);
         law.output();
         let values = [("v", 7e-4), ("v_S", 1e-3), ("f_C", 0.981), ("f_s", 1.4715), ("delta", 2.0)];
-        assert!((evaluated(level, &values) + 0.1 * 7e-4 - law.friction_force).abs() < 1e-9);
+        assert_abs_diff_eq!(evaluated(level, &values) + 0.1 * 7e-4, law.friction_force, epsilon = 1e-9);
     }
 
     #[test]
