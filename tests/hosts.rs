@@ -2,9 +2,9 @@
 
 mod common;
 
-use approx::abs_diff_eq;
 use std::f64::consts::{FRAC_PI_2, TAU};
 
+use approx::abs_diff_eq;
 use common::Bench;
 
 /// Force of a strut over a step, which begins at this length and velocity.

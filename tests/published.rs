@@ -4,18 +4,7 @@ mod common;
 
 use approx::{abs_diff_eq, assert_abs_diff_eq};
 use common::Bench;
-
-/// f_C, f_s, v_S, sigma_0, sigma_1 = sqrt(sigma_0), sigma_2 of the thesis' Table 7.1.
-const F_C: f64 = 0.981;
-const F_S: f64 = 1.4715;
-const V_S: f64 = 0.001;
-const SIGMA_0: f64 = 1e5;
-const SIGMA_1: f64 = 316.227_766_016_837_94;
-const SIGMA_2: f64 = 0.1;
-
-fn level(velocity: f64) -> f64 {
-    F_C + (F_S - F_C) * (-(velocity / V_S).powi(2)).exp()
-}
+use common::thesis::{F_C, F_S, SIGMA_0, SIGMA_1, SIGMA_2, V_S, level};
 
 /// Divides `time` into irregular steps of a master.
 fn run(model: &str, values: &[(&str, f64)], time: f64, steps: &[f64]) -> Bench {

@@ -2,18 +2,11 @@
 
 mod common;
 
-use approx::{abs_diff_eq, assert_abs_diff_eq};
 use std::f64::consts::TAU;
 
+use approx::{abs_diff_eq, assert_abs_diff_eq};
+use common::thesis::{F_C, F_S, V_S, level as gaussian};
 use common::{Bench, Exchange, belt};
-
-const F_C: f64 = 0.981;
-const F_S: f64 = 1.4715;
-const V_S: f64 = 0.001;
-
-fn gaussian(velocity: f64) -> f64 {
-    F_C + (F_S - F_C) * (-(velocity / V_S).powi(2)).exp()
-}
 
 /// v = V + A sin(2 pi t) for V = 2 mm/s and A = 1.5 mm/s.
 fn oscillation(time: f64) -> f64 {

@@ -5,10 +5,8 @@ mod common;
 
 use approx::{abs_diff_eq, assert_abs_diff_eq};
 use common::random::Random;
+use common::thesis::{F_C, F_S};
 use common::{Bench, Exchange, belt, extrema};
-
-const F_C: f64 = 0.981;
-const F_S: f64 = 1.4715;
 
 /// A form of a law: the model and the parameters that select it.
 type Form = (&'static str, &'static [(&'static str, f64)]);

@@ -45,7 +45,7 @@ fn normal_forces(model: &str, length: f64, side_load: [f64; 4]) -> [f64; 2] {
 }
 
 fn assert_forces(found: [f64; 2], expected: [f64; 2]) {
-    for (found, expected) in found.iter().zip(expected) {
+    for (found, expected) in found.into_iter().zip(expected) {
         assert!(abs_diff_eq!(found, expected, epsilon = 0.05), "{found} N, expected {expected} N");
     }
 }

@@ -122,7 +122,7 @@ fn parts_can_be_switched_off_one_by_one() {
             let zeroed = forces(zero);
             // A rigid damper that is switched off has no piston to keep stable: only the advice may differ.
             let compared = if switch == "damper.enabled" { 3 } else { 4 };
-            for (a, b) in off.iter().zip(zeroed).take(compared) {
+            for (a, b) in off.into_iter().zip(zeroed).take(compared) {
                 assert!(abs_diff_eq!(a, b, epsilon = 1e-9 * b.abs()), "{switch} at {length} m: {off:?} {zeroed:?}");
             }
         }

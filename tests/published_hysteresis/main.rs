@@ -12,19 +12,8 @@ mod planar;
 
 use approx::abs_diff_eq;
 use common::random::Random;
+use common::thesis::{F_C, F_S, SIGMA_0, SIGMA_1, SIGMA_2, V_S, level};
 use common::{Bench, Exchange, belt};
-
-/// f_C, f_s, v_S, sigma_0, sigma_1 = sqrt(sigma_0), sigma_2 of the thesis' Tables 6.1 and 7.1.
-const F_C: f64 = 0.981;
-const F_S: f64 = 1.4715;
-const V_S: f64 = 0.001;
-const SIGMA_0: f64 = 1e5;
-const SIGMA_1: f64 = 316.227_766_016_837_94;
-const SIGMA_2: f64 = 0.1;
-
-fn level(velocity: f64) -> f64 {
-    F_C + (F_S - F_C) * (-(velocity / V_S).powi(2)).exp()
-}
 
 /// Moves by `distance` at the speed `speed`.
 fn travel(bench: &mut Bench, distance: f64, speed: f64) {

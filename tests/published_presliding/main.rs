@@ -14,12 +14,8 @@ mod specker_dynamic;
 
 use approx::abs_diff_eq;
 use common::random::Random;
+use common::thesis::{F_C, F_S, SIGMA_0};
 use common::{Bench, Exchange, belt, extrema};
-
-/// f_C, f_s, sigma_0 and sigma_1 of the thesis' Tables 6.1 and 7.1.
-const F_C: f64 = 0.981;
-const F_S: f64 = 1.4715;
-const SIGMA_0: f64 = 1e5;
 
 /// Bliman-Sorine of first order with the stiffness of Table 7.1.
 const FIRST_ORDER: &[(&str, f64)] = &[("variant", 1.0), ("eps_f", 9.81e-6)];

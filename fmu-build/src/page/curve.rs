@@ -513,7 +513,7 @@ mod tests {
     #[test]
     fn strokes_of_dahl_have_the_closed_form() {
         let strokes = law("Dahl").strokes(1e-5, 5e-3).unwrap();
-        for [x, force] in &strokes[..=150] {
+        for &[x, force] in &strokes[..=150] {
             assert!(abs_diff_eq!(force, 0.981 * (1.0 - (-1e5 * x / 0.981f64).exp()), epsilon = 1e-12), "{x}: {force}");
         }
         let [x, force] = *strokes.last().unwrap();

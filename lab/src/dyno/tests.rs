@@ -1,10 +1,10 @@
 //! Round trip: simulate tests of known dampers and recover their parameters.
 
-use approx::{abs_diff_eq, assert_abs_diff_eq};
 use std::f64::consts::TAU;
 use std::path::PathBuf;
 
 use super::*;
+use approx::{abs_diff_eq, assert_abs_diff_eq};
 
 /// A damper with a known law: degressive, with Coulomb friction and a linear gas spring.
 struct Known {
