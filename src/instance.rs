@@ -4,7 +4,7 @@ use std::fmt;
 
 use crate::consistency::{Consistency, Sample};
 use crate::memory::{self, OutOfMemory};
-use crate::model::{Brief, Fault, ModelType, Role, Variable};
+use crate::model::{Brief, Computed, Fault, ModelType, Role, Variable};
 use crate::number::Dual;
 
 /// A model instance.
@@ -21,8 +21,8 @@ pub struct Instance {
     has_slopes: bool,
     /// Whether a parameter has been set since the parameters were last checked against each other.
     unchecked: bool,
-    /// Whether the outputs lag behind the other columns.
-    stale: bool,
+    /// The outputs that do not lag behind the other columns.
+    computed: Computed,
     time: f64,
     // Workspace, so that no call allocates and rows of many elements do not fill the stack of a host.
     room: Box<[f64]>,
@@ -46,7 +46,7 @@ pub struct Instance {
 /// Everything that changes in an [`Instance`] during its life.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Snapshot {
-    /// The row.
+    /// The row. Advice, which follows from the rest, has its start values.
     pub row: Box<[f64]>,
     /// Memory of the model beside the row.
     pub memory: Box<[f64]>,
@@ -54,10 +54,19 @@ pub struct Snapshot {
     pub slope: Box<[f64]>,
     /// See [`Instance`].
     pub slopes_are_new: bool,
-    /// See [`Instance`].
+    /// Whether the outputs lag behind the other columns.
     pub stale: bool,
     /// Time of the instance.
     pub time: f64,
+}
+
+impl Snapshot {
+    /// Whether advice was read makes no difference to a saved state.
+    fn forget_advice(&mut self, model: &ModelType) {
+        for column in model.advice() {
+            self.row[column] = model.table[column].start;
+        }
+    }
 }
 
 impl Instance {
@@ -78,7 +87,7 @@ impl Instance {
             slopes_are_new: false,
             has_slopes: false,
             unchecked: true,
-            stale: true,
+            computed: Computed::Nothing,
             time: 0.0,
             room: memory::filled(0.0, columns + model.memory)?,
             rate: memory::filled(0.0, columns)?,
@@ -106,7 +115,7 @@ impl Instance {
         self.clear_slopes();
         self.slopes_are_new = false;
         self.unchecked = true;
-        self.stale = true;
+        self.computed = Computed::Nothing;
         self.is_between_events = false;
         if let Some(consistency) = &mut self.consistency {
             consistency.begin();
@@ -140,7 +149,8 @@ impl Instance {
         self.time = time;
     }
 
-    /// All values. Outputs may lag behind: see [`Instance::refresh`].
+    /// All values. Outputs may lag behind, and advice does after every step: see [`Instance::refresh`] and
+    /// [`Instance::get`].
     #[inline]
     pub fn row(&self) -> &[f64] {
         &self.row
@@ -150,7 +160,7 @@ impl Instance {
     #[inline]
     pub fn put(&mut self, column: usize, value: f64) {
         self.row[column] = value;
-        self.stale = true;
+        self.computed = Computed::Nothing;
         self.unchecked |= self.model.table[column].role.is_parameter();
     }
 
@@ -158,7 +168,7 @@ impl Instance {
     /// parameters.
     #[inline(always)]
     pub fn row_to_set(&mut self, parameters: bool) -> &mut [f64] {
-        self.stale = true;
+        self.computed = Computed::Nothing;
         self.unchecked |= parameters;
         &mut self.row
     }
@@ -205,20 +215,45 @@ impl Instance {
         Ok(())
     }
 
-    /// Whether the outputs lag behind the other columns.
+    /// The outputs that do not lag behind the other columns.
     #[inline(always)]
-    pub fn is_stale(&self) -> bool {
-        self.stale
+    pub fn computed(&self) -> Computed {
+        self.computed
     }
 
-    /// Makes the outputs follow the other columns.
+    /// Makes all outputs follow the other columns.
     #[inline]
     pub fn refresh(&mut self) -> Result<(), Fault> {
-        if self.stale {
+        self.refresh_to(Computed::All)
+    }
+
+    /// Makes these outputs follow the other columns.
+    #[inline]
+    pub fn refresh_to(&mut self, wanted: Computed) -> Result<(), Fault> {
+        if wanted > Computed::Nothing && self.computed == Computed::Nothing {
             if self.is_between_events {
-                return self.refresh_between_events();
+                self.refresh_between_events()?;
+            } else {
+                self.compute_outputs()?;
             }
-            self.compute_outputs()?;
+        }
+        if wanted > self.computed { self.compute_advice() } else { Ok(()) }
+    }
+
+    /// The value of a column, computed first if it is an output that lags behind. An error if it would not be finite.
+    #[inline]
+    pub fn get(&mut self, column: usize) -> Result<f64, Fault> {
+        self.refresh_to(self.model.table[column].needs())?;
+        Ok(self.row[column])
+    }
+
+    /// Computes the advice that belongs to the other columns, even if other outputs lag behind.
+    pub fn compute_advice(&mut self) -> Result<(), Fault> {
+        if !self.model.try_advise(&mut self.row, &mut self.room) {
+            return Err(self.not_finite(format_args!("the advice")));
+        }
+        if self.computed == Computed::Main {
+            self.computed = Computed::All;
         }
         Ok(())
     }
@@ -228,7 +263,7 @@ impl Instance {
         if !self.model.try_output(&mut self.row, &mut self.memory, &mut self.room) {
             return Err(self.not_finite(format_args!("the outputs")));
         }
-        self.stale = false;
+        self.computed = Computed::Main;
         Ok(())
     }
 
@@ -254,7 +289,7 @@ impl Instance {
 
     /// From here to the next event the results that jump keep their values.
     pub fn leave_event(&mut self) -> Result<(), Fault> {
-        self.refresh()?;
+        self.refresh_to(Computed::Main)?;
         self.go_on_between_events();
         Ok(())
     }
@@ -268,7 +303,7 @@ impl Instance {
     /// Sets all results to their present values.
     pub fn enter_event(&mut self) {
         self.is_between_events = false;
-        self.stale = true;
+        self.computed = Computed::Nothing;
     }
 
     /// Whether an event would change results.
@@ -276,7 +311,7 @@ impl Instance {
         if !self.is_between_events {
             return Ok(false);
         }
-        if self.stale || !self.latest_is_known {
+        if self.computed == Computed::Nothing || !self.latest_is_known {
             self.refresh_between_events()?;
         }
         Ok(self.jumping.iter().zip(&self.latest).any(|(column, value)| self.row[*column] != *value))
@@ -294,7 +329,7 @@ impl Instance {
         }
         // The inputs of a held step are still those of its beginning.
         self.observe(self.sample(dt));
-        self.stale = false;
+        self.computed = Computed::Main;
         self.time += dt;
         Ok(())
     }
@@ -342,7 +377,7 @@ impl Instance {
             self.clear_slopes();
         }
         self.slopes_are_new = false;
-        self.stale = false;
+        self.computed = Computed::Main;
         self.time += dt;
         Ok(())
     }
@@ -385,7 +420,7 @@ impl Instance {
         for (column, value) in self.continuous.iter().zip(values) {
             self.row[*column] = *value;
         }
-        self.stale = true;
+        self.computed = Computed::Nothing;
     }
 
     /// Computes the time derivatives of the states, for [`Instance::rates`].
@@ -426,7 +461,7 @@ impl Instance {
         if !self.model.try_at_event(&mut self.row, &mut self.memory, &mut self.room) {
             return Err(self.not_finite(format_args!("the states after an event")));
         }
-        self.stale = true;
+        self.computed = Computed::Nothing;
         Ok(self.continuous.iter().any(|column| self.rate[*column] != self.row[*column]))
     }
 
@@ -491,8 +526,9 @@ impl Instance {
         snapshot.memory.copy_from_slice(&self.memory);
         snapshot.slope.copy_from_slice(&self.slope);
         snapshot.slopes_are_new = self.slopes_are_new;
-        snapshot.stale = self.stale;
+        snapshot.stale = self.computed == Computed::Nothing;
         snapshot.time = self.time;
+        snapshot.forget_advice(self.model);
     }
 
     /// Everything that changes, for [`Instance::restore`]. Panics if memory runs out; see [`Instance::try_save`].
@@ -502,14 +538,16 @@ impl Instance {
 
     /// As [`Instance::save`], if there is memory for it.
     pub fn try_save(&self) -> Result<Snapshot, OutOfMemory> {
-        Ok(Snapshot {
+        let mut snapshot = Snapshot {
             row: memory::copied(&self.row)?,
             memory: memory::copied(&self.memory)?,
             slope: memory::copied(&self.slope)?,
             slopes_are_new: self.slopes_are_new,
-            stale: self.stale,
+            stale: self.computed == Computed::Nothing,
             time: self.time,
-        })
+        };
+        snapshot.forget_advice(self.model);
+        Ok(snapshot)
     }
 
     /// Restores a snapshot of the same model; the caller must make sure that it is one.
@@ -524,7 +562,7 @@ impl Instance {
         if let Some(consistency) = &mut self.consistency {
             consistency.give_up();
         }
-        self.stale = snapshot.stale;
+        self.computed = if snapshot.stale { Computed::Nothing } else { Computed::Main };
         self.time = snapshot.time;
     }
 }

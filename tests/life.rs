@@ -32,7 +32,7 @@ fn reals(model: &ModelType, is_wanted: impl Fn(&Variable) -> bool) -> Vec<fmi2Va
 
 /// Whether it is an output that may be differentiated. The others are advice.
 fn is_output(variable: &Variable) -> bool {
-    variable.role.is_output() && variable.has_derivatives
+    variable.role.is_output() && !variable.is_advice
 }
 
 /// An initialised instance whose inputs have their start values.

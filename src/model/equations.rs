@@ -65,8 +65,11 @@ pub trait Law: Numbers {
     /// Whether an importer may integrate the continuous states itself: [`ModelExchange`] or [`CoSimulation`].
     type Interface: Interface<Self>;
 
-    /// Computes the [`Role::Output`](crate::table::Role::Output) columns from the others.
+    /// Computes the [`Role::Output`](crate::table::Role::Output) columns from the others, except advice.
     fn output(&mut self);
+
+    /// Computes the outputs that are [advice](crate::table::Column::advice), from the columns that are not outputs.
+    fn advise(&mut self) {}
 
     /// Number of values of its [`Model::MEMORY`] that the model uses with its present parameters.
     #[inline(always)]

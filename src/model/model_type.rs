@@ -45,6 +45,8 @@ pub struct ModelType {
     advance: fn(&mut [f64], &mut [f64], Room, f64) -> bool,
     advance_ramp: AdvanceRamp,
     output: fn(&mut [f64], &mut [f64], Room) -> bool,
+    /// None for a model without advice.
+    advise: Option<fn(&mut [f64], Room) -> bool>,
     output_dual: fn(&mut [Dual], &[Dual]),
     rate: Rate,
     rate_dual: fn(&[Dual], &mut [Dual]),
@@ -81,6 +83,7 @@ impl ModelType {
             output: |row, memory, room| {
                 commit::<M>(row, memory, room, first_result(M::TABLE), |model, memory| model.output_with(memory))
             },
+            advise: if has_advice(M::TABLE) { Some(advise::<M>) } else { None },
             output_dual: |row, memory| view_mut::<M::Dual, Dual>(row).output_with(memory),
             rate: |row, memory, rate, memory_rate| {
                 rate.fill(0.0);
@@ -136,6 +139,12 @@ impl ModelType {
         variables.find(|(_, variable)| alike(variable) && variable.path.is_spelled(name)).map(|(column, _)| column)
     }
 
+    /// The columns of advice.
+    pub(crate) fn advice(&self) -> impl Iterator<Item = usize> {
+        let table = if self.advise.is_some() { self.table } else { &[] };
+        (0..table.len()).filter(|column| table[*column].is_advice)
+    }
+
     /// Refuses parameters that are admitted one by one but not together.
     pub fn check(&self, row: &[f64]) -> Result<(), Fault> {
         (self.check)(row)
@@ -162,11 +171,11 @@ impl ModelType {
     /// used then.
     #[inline]
     pub fn advance(&self, row: &mut [f64], dt: f64) -> bool {
-        (self.advance)(row, &mut [], &mut [], dt)
+        (self.advance)(row, &mut [], &mut [], dt) && self.try_advise(row, &mut [])
     }
 
-    /// As [`ModelType::advance`], but row and memory are as they were if a result is not finite, or if the model
-    /// panics.
+    /// As [`ModelType::advance`], without advice; row and memory are as they were if a result is not finite, or if the
+    /// model panics.
     #[inline(always)]
     pub(crate) fn try_advance(&self, row: &mut [f64], memory: &mut [f64], room: Room, dt: f64) -> bool {
         (self.advance)(row, memory, room, dt)
@@ -174,7 +183,7 @@ impl ModelType {
 
     /// As [`ModelType::advance`], with inputs that move linearly.
     pub fn advance_ramp(&self, row: &mut [f64], slope: &[f64], dt: f64) -> bool {
-        (self.advance_ramp)(row, &mut [], &mut [], slope, dt)
+        (self.advance_ramp)(row, &mut [], &mut [], slope, dt) && self.try_advise(row, &mut [])
     }
 
     /// As [`ModelType::try_advance`], with inputs that move linearly.
@@ -192,16 +201,23 @@ impl ModelType {
     /// Computes the outputs. False if one is not finite; the row must not be used then.
     #[inline]
     pub fn output(&self, row: &mut [f64]) -> bool {
-        (self.output)(row, &mut [], &mut [])
+        (self.output)(row, &mut [], &mut []) && self.try_advise(row, &mut [])
     }
 
-    /// As [`ModelType::output`], but the row is as it was if a result is not finite, or if the model panics.
+    /// As [`ModelType::output`], without advice; the row is as it was if a result is not finite, or if the model panics.
     #[inline(always)]
     pub(crate) fn try_output(&self, row: &mut [f64], memory: &mut [f64], room: Room) -> bool {
         (self.output)(row, memory, room)
     }
 
-    /// Computes the outputs with their derivatives in the direction that the other columns carry.
+    /// Computes the outputs that are advice. False if one is not finite; the row is then as it was, if there is workspace
+    /// for a copy.
+    #[inline(always)]
+    pub(crate) fn try_advise(&self, row: &mut [f64], room: Room) -> bool {
+        self.advise.is_none_or(|advise| advise(row, room))
+    }
+
+    /// Computes the outputs, except advice, with their derivatives in the direction that the other columns carry.
     pub fn output_dual(&self, row: &mut [Dual]) {
         self.output_dual_with(row, &[]);
     }
@@ -276,6 +292,22 @@ fn advance_ramp<M: Model>(row: &mut [f64], memory: &mut [f64], room: Room, slope
         model.step_ramp_with(memory, slope, dt);
         model.output_with(memory);
     })
+}
+
+/// Whether a table has advice. It must be a number that is not a result of events.
+const fn has_advice(table: &[Variable]) -> bool {
+    let (mut found, mut column) = (false, 0);
+    while column < table.len() {
+        let Variable { role, is_advice, jumps, .. } = table[column];
+        assert!(!is_advice || role.is_computed() && !jumps, "advice is a real output");
+        found |= is_advice;
+        column += 1;
+    }
+    found
+}
+
+fn advise<M: Model>(row: &mut [f64], room: Room) -> bool {
+    commit::<M>(row, &mut [], room, first_result(M::TABLE), |model, _| model.advise())
 }
 
 /// The first column that a step or the outputs may change: those before it are inputs and parameters.

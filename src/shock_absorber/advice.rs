@@ -18,9 +18,9 @@ const SHORTEST_PROBE: f64 = 1e-6;
 
 /// Advice to the master.
 pub(super) struct Advice {
-    dlength: f64,
-    dvelocity: f64,
-    step_limit: f64,
+    pub(super) dlength: f64,
+    pub(super) dvelocity: f64,
+    pub(super) step_limit: f64,
 }
 
 struct Tangents {
@@ -130,11 +130,5 @@ impl<T: Evaluate> ShockAbsorber<T> {
             coupling::step_limit(stiffness, held, tangents.velocity - tangents.damper, mass, exchange)
         };
         Advice { dlength: tangents.length, dvelocity: tangents.held_velocity + tangents.held_damper, step_limit: limit }
-    }
-
-    pub(super) fn write_advice(&mut self, advice: &Advice) {
-        self.dforce_dlength = T::from(advice.dlength);
-        self.dforce_dvelocity = T::from(advice.dvelocity);
-        self.step_limit = T::from(advice.step_limit);
     }
 }

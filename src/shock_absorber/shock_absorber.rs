@@ -99,7 +99,8 @@ crate::model! {
     /// velocity held over a step like the last one (before the first: `num.h_max`), which includes what bristles and
     /// series stiffness add. `step_limit` is the largest communication step that keeps `num.mass_ref` stable on the
     /// strut in its present state, for the order of exchange `friction.exchange`; with `damper.k_series` it is 0.3 to 1
-    /// of that, less with undamped bristles. The three are advice and have no derivatives. At the start friction has
+    /// of that, less with undamped bristles. The three are advice: computed when they are read (in Rust by
+    /// `Law::advise`), without derivatives. Where they would not be finite, reading them is an error. At the start friction has
     /// the state reached after one second at the initial velocity, unless `init.friction_state` selects another. The
     /// initial velocity is that of the first step; in Model Exchange it is that at the end of the initialization.
     ///
@@ -193,11 +194,11 @@ crate::model! {
         /// Distance from piston to rod guide.
         overlap: output = real("m", 0.0).shown_in("mm"),
         /// Derivative of the force with respect to the length of the strut.
-        dforce_dlength: output = real("N/m", 0.0).without_derivatives(),
+        dforce_dlength: output = real("N/m", 0.0).advice(),
         /// Derivative of the force after a step with respect to the velocity of the strut.
-        dforce_dvelocity: output = real("N.s/m", 0.0).without_derivatives(),
+        dforce_dvelocity: output = real("N.s/m", 0.0).advice(),
         /// Largest communication step that is stable for num.mass_ref; advice to the master.
-        step_limit: output = real("s", 0.0).shown_in("ms").without_derivatives(),
+        step_limit: output = real("s", 0.0).shown_in("ms").advice(),
         /// Power taken out of the motion by friction and damper.
         dissipated_power: output = real("W", 0.0),
         /// Do the contacts stick?
@@ -282,10 +283,8 @@ impl<T: Evaluate> Law for ShockAbsorber<T> {
     fn output(&mut self) {
         let motion = self.setting.motion();
         let touches = self.setting.touches(&motion);
-        let (answers, advice) = self.with_memories(|memories| {
-            let force =
-                |at: usize| self.setting.friction.force(self.setting.contacts()[at], &touches[at], memories[at]);
-            ([0, 1].map(force), self.advice(memories))
+        let answers = self.with_memories(|memories| {
+            [0, 1].map(|at| self.setting.friction.force(self.setting.contacts()[at], &touches[at], memories[at]))
         });
         let friction = [0, 1].map(|at| answers[at].force * touches[at].direction()[0]);
         self.write_forces(&motion, friction);
@@ -295,7 +294,13 @@ impl<T: Evaluate> Law for ShockAbsorber<T> {
         self.overlap = self.setting.geom.guidance().overlap(motion.length);
         self.overlap_low = truth(self.setting.geom.guidance().is_low(motion.length));
         self.bump_active = truth(self.setting.bump.is_active(self.compression));
-        self.write_advice(&advice);
+    }
+
+    fn advise(&mut self) {
+        let advice = self.with_memories(|memories| self.advice(memories));
+        self.dforce_dlength = T::from(advice.dlength);
+        self.dforce_dvelocity = T::from(advice.dvelocity);
+        self.step_limit = T::from(advice.step_limit);
     }
 }
 

@@ -12,5 +12,5 @@ pub use bound::Bound;
 pub(crate) use bound::Brief;
 pub use fault::Fault;
 pub use path::{Path, Segment};
-pub use port::{Port, ports};
+pub use port::{Computed, Port, ports};
 pub use variable::{BaseType, Column, Enumeration, Item, Kind, Role, Variable, boolean, choice, integer, real};

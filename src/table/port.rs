@@ -1,14 +1,25 @@
 //! Facts of columns for calls on every step.
 
-use super::{BLANK, BaseType, Kind, Role, Variable};
+use super::{BLANK, Kind, Role, Variable};
+
+/// The outputs of a row that follow its other columns.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Computed {
+    /// None.
+    Nothing,
+    /// All but advice.
+    Main,
+    /// All.
+    All,
+}
 
 /// The per-column facts that get and set need on every step, packed for the cache.
 #[derive(Clone, Copy, Debug)]
 pub struct Port {
     low: f64,
     high: f64,
-    /// Type of the column.
-    pub base_type: BaseType,
+    /// The first of [`Computed`], as a number, with which it can be read; none of them if it is not Real.
+    needs: u8,
 }
 
 impl Port {
@@ -19,12 +30,19 @@ impl Port {
         value >= self.low && value <= self.high
     }
 
+    /// Whether the column is Real and can be read in a row that holds so much.
+    #[inline(always)]
+    pub fn gives(&self, computed: Computed) -> bool {
+        self.needs <= computed as u8
+    }
+
     const fn of(variable: &Variable) -> Port {
         let (low, high) = match (variable.role, variable.kind) {
             (Role::Input, Kind::Real(_)) => (variable.bound.low, variable.bound.high),
             _ => (f64::INFINITY, f64::NEG_INFINITY),
         };
-        Port { low, high, base_type: variable.kind.base_type() }
+        let needs = if matches!(variable.kind, Kind::Real(_)) { variable.needs() as u8 } else { u8::MAX };
+        Port { low, high, needs }
     }
 }
 

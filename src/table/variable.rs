@@ -1,6 +1,6 @@
 //! Columns of a model and their properties: role, kind, start value, bound.
 
-use super::{Bound, Brief, Fault, Path};
+use super::{Bound, Brief, Computed, Fault, Path};
 use crate::unit::{self, Unit};
 
 /// Who writes a column, and when.
@@ -108,7 +108,7 @@ pub struct Column {
     display: Option<&'static str>,
     jumps: bool,
     reinit: bool,
-    has_derivatives: bool,
+    is_advice: bool,
     is_hidden: bool,
     is_odd: bool,
     help: &'static str,
@@ -125,7 +125,7 @@ impl Column {
             display: None,
             jumps,
             reinit: false,
-            has_derivatives: true,
+            is_advice: false,
             is_hidden: false,
             is_odd: false,
             help: "",
@@ -174,9 +174,10 @@ impl Column {
         self
     }
 
-    /// A result that is advice, computed by differences; it cannot be differentiated itself.
-    pub const fn without_derivatives(mut self) -> Column {
-        self.has_derivatives = false;
+    /// A result that is advice: [`Law::advise`](crate::model::Law::advise) computes it, only when it is read. It comes
+    /// from differences and cannot be differentiated itself.
+    pub const fn advice(mut self) -> Column {
+        self.is_advice = true;
         self
     }
 
@@ -220,7 +221,7 @@ impl Column {
             display: self.display,
             jumps: self.jumps,
             reinit: self.reinit,
-            has_derivatives: self.has_derivatives,
+            is_advice: self.is_advice,
             is_hidden: self.is_hidden,
             is_odd: self.is_odd,
             help: if help.is_empty() { self.help.trim_ascii() } else { help.trim_ascii() },
@@ -272,8 +273,8 @@ pub struct Variable {
     pub jumps: bool,
     /// Whether it is a continuous state that an event of Model Exchange may change.
     pub reinit: bool,
-    /// Whether it can be differentiated, if it is a result.
-    pub has_derivatives: bool,
+    /// Whether it is advice: see [`Column::advice`].
+    pub is_advice: bool,
     /// Whether it is missing in the interfaces: see [`Column::hidden`].
     pub is_hidden: bool,
     /// Whether it changes its sign when the motion is mirrored.
@@ -300,6 +301,15 @@ impl Variable {
         self.role.is_state() && matches!(self.kind, Kind::Enumeration(_))
     }
 
+    /// What a row must hold before the column can be read.
+    pub const fn needs(&self) -> Computed {
+        match self.role {
+            Role::Output if self.is_advice => Computed::All,
+            Role::Output => Computed::Main,
+            _ => Computed::Nothing,
+        }
+    }
+
     /// Rejects values that steps do not admit, with the message for the user.
     pub fn check_for_steps(&self, value: f64) -> Result<(), Fault> {
         if self.admits(value) { self.check_without_events(value) } else { Err(self.fault(value)) }
@@ -316,7 +326,7 @@ impl Variable {
 
     /// Rejects differentiating a result that is advice.
     pub fn check_derivatives(&self) -> Result<(), Fault> {
-        if self.has_derivatives { Ok(()) } else { Err(Fault::new(format_args!("{} has no derivatives", self.path))) }
+        if self.is_advice { Err(Fault::new(format_args!("{} has no derivatives", self.path))) } else { Ok(()) }
     }
 
     /// Rejects `value`, with the message for the user.

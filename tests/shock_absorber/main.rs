@@ -6,6 +6,7 @@
 mod common;
 
 mod adapters;
+mod advice;
 mod communication_step;
 mod derivatives;
 mod friction;

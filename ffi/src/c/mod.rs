@@ -20,7 +20,7 @@ use crate::guard::{self, Handle, Internal, pointer};
 use crate::models;
 use stribeck::instance::Instance;
 use stribeck::memory::{self, OUT_OF_MEMORY, OutOfMemory};
-use stribeck::model::{Fault, Kind, ModelType, Role};
+use stribeck::model::{Computed, Fault, Kind, ModelType, Role};
 use stribeck::reference::{Place, Reference};
 
 mod state;
@@ -217,8 +217,7 @@ impl stribeck_model {
     }
 
     fn get(&mut self, column: usize) -> Result<f64, Refusal> {
-        self.instance.refresh().map_err(fault(STRIBECK_NOT_FINITE))?;
-        Ok(self.instance.row()[column])
+        self.instance.get(column).map_err(fault(STRIBECK_NOT_FINITE))
     }
 
     /// The column of a value reference.
@@ -619,7 +618,8 @@ pub unsafe extern "C" fn stribeck_step(model: *mut stribeck_model, dt: f64) -> s
     unsafe { enter(model, body) }
 }
 
-/// Computes the results now, and checks that the parameters fit together and the results are finite.
+/// Computes the results now, and checks that the parameters fit together and the results are finite. Advice, such as a
+/// `step_limit`, is computed when it is read.
 ///
 /// # Safety
 /// As the module says of handles.
@@ -627,7 +627,7 @@ pub unsafe extern "C" fn stribeck_step(model: *mut stribeck_model, dt: f64) -> s
 pub unsafe extern "C" fn stribeck_output(model: *mut stribeck_model) -> stribeck_status {
     let body = |model: &mut stribeck_model| {
         model.instance.check().map_err(fault(STRIBECK_REFUSED_VALUE))?;
-        model.instance.refresh().map_err(fault(STRIBECK_NOT_FINITE))
+        model.instance.refresh_to(Computed::Main).map_err(fault(STRIBECK_NOT_FINITE))
     };
     // SAFETY: the caller's promise.
     unsafe { enter(model, body) }

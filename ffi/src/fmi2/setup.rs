@@ -13,7 +13,7 @@ use crate::guard::{self, Internal};
 use crate::models;
 use stribeck::instance::Instance;
 use stribeck::memory::{self, OutOfMemory};
-use stribeck::model::ModelType;
+use stribeck::model::{Computed, ModelType};
 
 /// The platform of the types: "default".
 #[unsafe(no_mangle)]
@@ -238,7 +238,7 @@ pub unsafe extern "C-unwind" fn fmi2EnterInitializationMode(c: fmi2Component) ->
 pub unsafe extern "C-unwind" fn fmi2ExitInitializationMode(c: fmi2Component) -> fmi2Status {
     let body = |slave: &mut Slave| {
         slave.check_parameters()?;
-        slave.instance.refresh()?;
+        slave.instance.refresh_to(Computed::Main)?;
         slave.begin();
         slave.state = match slave.purpose {
             Purpose::CoSimulation => State::StepComplete,

@@ -7,7 +7,7 @@ use super::lifecycle::{Call, Purpose, State};
 use super::types::fmi2Status::fmi2OK;
 use super::types::*;
 use crate::guard::pointer::{array, array_mut};
-use stribeck::model::{BaseType, Fault, ModelType, Role, Variable};
+use stribeck::model::{BaseType, Computed, Fault, ModelType, Role, Variable};
 use stribeck::reference::Place;
 
 /// View of a column as one of FMI's base types.
@@ -80,9 +80,13 @@ impl Slave {
         &self.instance.model().table[column]
     }
 
-    /// Whether it is a result, which may lag behind the other columns.
-    fn is_computed(&self, reference: fmi2ValueReference) -> bool {
-        matches!(self.place(reference), Some(Place::Column(column)) if self.variable(column).role.is_computed())
+    /// The results that must follow the other columns before these variables can be read.
+    fn needs(&self, references: &[fmi2ValueReference]) -> Computed {
+        let needs = |reference: &fmi2ValueReference| match self.place(*reference) {
+            Some(Place::Column(column)) => self.variable(column).needs(),
+            _ => Computed::Nothing,
+        };
+        references.iter().map(needs).max().unwrap_or(Computed::Nothing)
     }
 
     /// Whether it is the time derivative of a state.
@@ -166,10 +170,14 @@ unsafe fn get<B: Base>(
                 }
             }
         }
-        // After an error the last results are read, for debugging.
-        if slave.state != State::Error && references.iter().any(|reference| slave.is_computed(*reference)) {
-            slave.instance.refresh().map_err(|fault| slave.out_of_domain(fault))?;
-        }
+        let needed = slave.needs(references);
+        let refreshed = match slave.state {
+            // After an error the last results are read, for debugging; advice may not be among them yet.
+            State::Error if needed == Computed::All => slave.instance.compute_advice(),
+            State::Error => Ok(()),
+            _ => slave.instance.refresh_to(needed),
+        };
+        refreshed.map_err(|fault| slave.out_of_domain(fault))?;
         if references.iter().any(|reference| slave.is_derivative(*reference)) {
             slave.instance.compute_rates().map_err(|fault| slave.out_of_domain(fault))?;
         }
@@ -230,15 +238,15 @@ unsafe fn read_at_once(slave: &Slave, vr: *const fmi2ValueReference, n: usize, v
     }
     // SAFETY: not NULL, and the caller promises `n` elements.
     let (references, values) = unsafe { (from_raw_parts(vr, n), from_raw_parts_mut(value, n)) };
-    let (row, model) = (slave.instance.row(), slave.instance.model());
+    let (row, model, computed) = (slave.instance.row(), slave.instance.model(), slave.instance.computed());
     for (reference, value) in references.iter().zip(values) {
         let Some(column) = column_of(model, *reference) else { return false };
         match (row.get(column), model.ports.get(column)) {
-            (Some(found), Some(port)) if port.base_type == BaseType::Real => *value = *found,
+            (Some(found), Some(port)) if port.gives(computed) => *value = *found,
             _ => return false,
         }
     }
-    !slave.instance.is_stale()
+    true
 }
 
 /// The fast path of fmi2SetReal: admitted values of inputs with no rule but their range. False, with nothing changed,
@@ -480,7 +488,7 @@ pub unsafe extern "C-unwind" fn fmi2GetRealOutputDerivatives(
                 return refuse(format_args!("order {order} of {}: must be >= 1", variable.path));
             }
         }
-        slave.instance.refresh()?;
+        slave.instance.refresh_to(Computed::Main)?;
         let model = slave.instance.model();
         let derivative = slave.instance.time_derivative();
         let columns = || references.iter().filter_map(|reference| column_of(model, *reference));
@@ -567,9 +575,7 @@ pub unsafe extern "C-unwind" fn fmi2GetDirectionalDerivative(
         for reference in knowns {
             slave.check_known(*reference)?;
         }
-        if unknowns.iter().any(|reference| slave.is_computed(*reference)) {
-            slave.instance.refresh().map_err(|fault| slave.out_of_domain(fault))?;
-        }
+        slave.instance.refresh_to(slave.needs(unknowns)).map_err(|fault| slave.out_of_domain(fault))?;
         let model = slave.instance.model();
         let columns = || knowns.iter().filter_map(|reference| column_of(model, *reference));
         let seeds = || columns().zip(seed.iter().copied());
