@@ -334,7 +334,10 @@ stribeck_status stribeck_get_by_name(stribeck_model *model, const char *variable
 /** Advances the model by `dt` > 0 seconds with held inputs and computes the results. */
 stribeck_status stribeck_step(stribeck_model *model, double dt);
 
-/** Computes the results now, and checks that the parameters fit together and the results are finite. */
+/**
+ * Computes the results now, and checks that the parameters fit together and the results are finite. Advice, such as a
+ * `step_limit`, is computed when it is read.
+ */
 stribeck_status stribeck_output(stribeck_model *model);
 
 /** Time since creation or reset, in seconds; NaN for NULL. */

@@ -1,6 +1,7 @@
 //! Traits of a model: its row, its equations, how it moves in time.
 
 use std::ffi::CStr;
+use std::ops::Range;
 
 use crate::number::Dual;
 use crate::reference::References;
@@ -181,6 +182,13 @@ pub trait Model: Described + Law<Number = f64> {
     /// elements of a law that can have a thousand. They have no variables. They are 0 at the start, and saved and
     /// restored with the row.
     const MEMORY: usize = 0;
+
+    /// Columns of hidden states that nothing uses with the present parameters, in order, such as the memory of a law
+    /// that was not chosen. Steps and outputs must not change them; in return, they cost nothing.
+    #[inline(always)]
+    fn idle(&self) -> [Range<usize>; 2] {
+        [const { Self::TABLE.len()..Self::TABLE.len() }; 2]
+    }
 
     /// Rejects parameters that are admitted one by one but not together.
     fn check(&self) -> Result<(), Fault> {

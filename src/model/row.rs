@@ -1,5 +1,7 @@
 //! Rows of numbers seen as models, and steps that change all of a row or nothing.
 
+use std::ops::Range;
+
 use super::{Columns, Model, Numbers};
 
 /// Workspace for a copy of a row and its memory, or none: a row of many elements is too long for the stack of a host.
@@ -7,7 +9,7 @@ pub(crate) type Room<'a> = &'a mut [f64];
 
 /// Works on row and memory and returns whether every number from column `first` on is finite. Otherwise, and if the
 /// work panics, both are as before, provided that there is workspace for a copy. The work must not change anything
-/// before that column. The part of the memory that is not in use costs nothing.
+/// before that column. Idle columns and the part of the memory that is not in use cost nothing.
 #[inline(always)]
 pub(super) fn commit<M: Model>(
     row: &mut [f64],
@@ -20,23 +22,41 @@ pub(super) fn commit<M: Model>(
     let in_use = model.memory_in_use();
     assert!(in_use <= memory.len(), "a row that asks for the memory of an instance");
     let memory = &mut memory[..in_use];
+    let [a, b] = model.idle();
+    let spans = [first..a.start, a.end..b.start, b.end..M::TABLE.len()];
     let has_room = room.len() == M::TABLE.len() + M::MEMORY;
     if has_room {
         let (row_copy, memory_copy) = room.split_at_mut(M::TABLE.len());
-        row_copy[first..].copy_from_slice(&row_of(model)[first..]);
+        copy(row_copy, row_of(model), &spans);
         memory_copy[..memory.len()].copy_from_slice(memory);
     }
-    let mut guard = RollBack::<M> { row: model, memory, room, first, keep: !has_room };
+    let mut guard = RollBack::<M> { row: model, memory, room, spans, keep: !has_room };
     work(guard.row, guard.memory);
-    let is_finite = are_finite(&row_of(guard.row)[first..]) && are_finite(guard.memory);
+    let row = row_of(guard.row);
+    let is_finite = guard.spans.iter().all(|span| are_finite(&row[span.clone()])) && are_finite(guard.memory);
     guard.keep |= is_finite;
     is_finite
 }
 
-/// x 0 is 0 for every finite x, and NaN for the others.
+/// x 0 is 0 for every finite x, and NaN for the others. In lanes, so that the sums do not wait for each other.
 #[inline(always)]
 fn are_finite(numbers: &[f64]) -> bool {
-    numbers.iter().fold(0.0, |sum, value| sum + value * 0.0) == 0.0
+    let (lanes, rest) = numbers.as_chunks::<4>();
+    let mut sums = [0.0; 4];
+    for numbers in lanes {
+        for (sum, value) in sums.iter_mut().zip(numbers) {
+            *sum += value * 0.0;
+        }
+    }
+    rest.iter().chain(&sums).fold(0.0, |sum, value| sum + value * 0.0) == 0.0
+}
+
+/// Copies these columns.
+#[inline(always)]
+fn copy(to: &mut [f64], from: &[f64], spans: &[Range<usize>; 3]) {
+    for span in spans {
+        to[span.clone()].copy_from_slice(&from[span.clone()]);
+    }
 }
 
 /// Restores row and memory unless told to keep them. The work is done in place, not on a copy that is written back,
@@ -45,7 +65,7 @@ struct RollBack<'a, M: Model> {
     row: &'a mut M,
     memory: &'a mut [f64],
     room: Room<'a>,
-    first: usize,
+    spans: [Range<usize>; 3],
     keep: bool,
 }
 
@@ -54,7 +74,7 @@ impl<M: Model> Drop for RollBack<'_, M> {
     fn drop(&mut self) {
         if !self.keep {
             let (row, memory) = self.room.split_at(M::TABLE.len());
-            row_of_mut(self.row)[self.first..].copy_from_slice(&row[self.first..]);
+            copy(row_of_mut(self.row), row, &self.spans);
             self.memory.copy_from_slice(&memory[..self.memory.len()]);
         }
     }

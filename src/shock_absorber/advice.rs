@@ -3,7 +3,8 @@
 use crate::contact::ExchangeOrder;
 use crate::shock_absorber::ShockAbsorber;
 use crate::shock_absorber::coupling::{self, Series};
-use crate::shock_absorber::law::{Evaluate, MEMORY};
+use crate::shock_absorber::law::Evaluate;
+use crate::shock_absorber::law_plan::MEMORY;
 use crate::shock_absorber::memories::Memories;
 use crate::shock_absorber::setting::{InputMode, Motion, Setting};
 use crate::shock_absorber::shock_absorber::OtherStates;

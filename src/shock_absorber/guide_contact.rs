@@ -1,10 +1,14 @@
+use std::mem::offset_of;
+use std::ops::Range;
+
 use crate::contact::ExchangeOrder;
 use crate::model::ramp;
-use crate::model::{CoSimulation, Fault, Law, Model, boolean, choice, real};
+use crate::model::{CoSimulation, Fault, Law, Model, Width, boolean, choice, real};
 use crate::number::{Mask, Real};
-use crate::shock_absorber::law::{
-    Answer, ChosenLaw, Evaluate, FRICTION_MODEL, Given, LUGRE, LawParameters, MEMORY, MOST_EVENTS, blank_memory,
-};
+use crate::shock_absorber::law::{Answer, ChosenLaw, Evaluate, Given, MOST_EVENTS};
+use crate::shock_absorber::law_list::{FRICTION_MODEL, LUGRE};
+use crate::shock_absorber::law_parameters::LawParameters;
+use crate::shock_absorber::law_plan::{MEMORY, blank_memory};
 
 crate::choices! {
     /// Active parts of the friction.
@@ -113,6 +117,11 @@ impl<T: Real> Touch<T> {
 impl<T: Real> FrictionLaw<T> {
     pub(crate) fn chosen(&self) -> Option<ChosenLaw> {
         if self.switch() == FrictionSwitch::Off { None } else { ChosenLaw::of(self.model.value()) }
+    }
+
+    /// Number of places of a memory that the law uses, from the first.
+    pub(crate) fn memory_in_use(&self) -> usize {
+        ChosenLaw::of(self.model.value()).map_or(0, ChosenLaw::memory_in_use)
     }
 
     /// Whether the force of the law stops a mass over a whole step.
@@ -452,6 +461,13 @@ impl<T: Evaluate> Law for GuideContact<T> {
 const INSIDE: f64 = 1e-9;
 
 impl Model for GuideContact {
+    fn idle(&self) -> [Range<usize>; 2] {
+        // The start of a run writes all of the memory.
+        let in_use = if self.started == 0.0 { MEMORY } else { self.friction.memory_in_use() };
+        let (first, none) = (offset_of!(Self, memory) / size_of::<f64>(), Self::WIDTH..Self::WIDTH);
+        [first + in_use..first + MEMORY, none]
+    }
+
     fn check(&self) -> Result<(), Fault> {
         self.levels.check("levels.")?;
         self.friction.check(&self.levels)

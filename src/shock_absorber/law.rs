@@ -3,277 +3,11 @@
 //! The list of laws, their parameters and their states are taken from the tables of the friction models, so that a new
 //! law can be chosen here without any further code.
 
-use crate::friction::MODELS;
-use crate::model::{Column, Columns, Enumeration, Fault, Item, Kind, ModelType, Path, Variable, real};
+use crate::model::{Columns, Fault, ModelType, Path};
 use crate::number::{Dual, Real};
-pub use crate::shock_absorber::law_parameters::LawParameters;
-use crate::shock_absorber::law_parameters::place_of;
-use crate::unit::same;
-
-/// Whether the law is one along a line.
-const fn is_scalar(model: &ModelType) -> bool {
-    column(model, "velocity").is_some() && column(model, "friction_force").is_some()
-}
-
-/// Column named `name`, not within a part.
-const fn column(model: &ModelType, name: &str) -> Option<usize> {
-    let mut at = 0;
-    while at < model.table.len() {
-        let segments = model.table[at].path.segments();
-        if segments.len() == 1 && same(segments[0].name, name) {
-            return Some(at);
-        }
-        at += 1;
-    }
-    None
-}
-
-/// Number of laws.
-pub(super) const COUNT: usize = {
-    let (mut count, mut at) = (0, 0);
-    while at < MODELS.len() {
-        count += is_scalar(&MODELS[at]) as usize;
-        at += 1;
-    }
-    count
-};
-
-/// The laws, in the order of the catalogue.
-pub(super) const LAWS: [&ModelType; COUNT] = {
-    let mut laws = [&MODELS[0]; COUNT];
-    let (mut count, mut at) = (0, 0);
-    while at < MODELS.len() {
-        if is_scalar(&MODELS[at]) {
-            laws[count] = &MODELS[at];
-            count += 1;
-        }
-        at += 1;
-    }
-    laws
-};
-
-/// Choices of a law: none, then the laws in the order of the catalogue.
-pub static FRICTION_MODEL: Enumeration = Enumeration { name: "FrictionModel", items: &ITEMS };
-
-static ITEMS: [Item; COUNT + 1] = {
-    let mut items = [const { Item { name: "None", help: "No friction." } }; COUNT + 1];
-    let mut at = 0;
-    while at < COUNT {
-        items[at + 1] = Item { name: LAWS[at].name, help: LAWS[at].summary };
-        at += 1;
-    }
-    items
-};
-
-/// The default law.
-pub(crate) const LUGRE: i32 = position("LuGre") as i32 + 2;
-
-pub(super) const fn position(name: &str) -> usize {
-    let mut at = 0;
-    while !same(LAWS[at].name, name) {
-        at += 1;
-    }
-    at
-}
-
-/// Source of the value of a column of a law's row.
-#[derive(Clone, Copy)]
-pub(super) enum Source {
-    /// The law's own start value.
-    Start,
-    /// Input from the contact.
-    Velocity,
-    NormalForce,
-    MuK,
-    MuS,
-    Mass,
-    Exchange,
-    ExternalForce,
-    Acceleration,
-    /// A parameter of the law, by its place among those of all laws.
-    Parameter(u16),
-    /// A state of the law, by its place in the memory.
-    Memory(u16),
-}
-
-/// Columns that a contact provides to its law.
-const GIVEN: [(&str, Source); 8] = [
-    ("velocity", Source::Velocity),
-    ("normal_force", Source::NormalForce),
-    ("mu_k", Source::MuK),
-    ("mu_s", Source::MuS),
-    ("mass", Source::Mass),
-    ("exchange", Source::Exchange),
-    ("external_force", Source::ExternalForce),
-    ("acceleration", Source::Acceleration),
-];
-
-pub(super) const fn given(variable: &Variable) -> Option<Source> {
-    let segments = variable.path.segments();
-    let mut at = 0;
-    while at < GIVEN.len() {
-        if segments.len() == 1 && same(segments[0].name, GIVEN[at].0) {
-            return Some(GIVEN[at].1);
-        }
-        at += 1;
-    }
-    None
-}
-
-/// Whether the variable is a state of the law. The energy is summed by the contact.
-const fn is_remembered(variable: &Variable) -> bool {
-    variable.role.is_state() && !same(variable.path.segments()[0].name, "dissipated_energy")
-}
-
-/// Whether an importer that integrates the states itself integrates this one.
-const fn is_moving(law: &ModelType, variable: &Variable) -> bool {
-    law.model_exchange && is_remembered(variable) && variable.is_continuous_state()
-}
-
-/// Largest number of continuous states of a law that supports Model Exchange: they come first in the memory. A discrete
-/// state never has such a place, where a solver may write anything.
-const MOVING: usize = {
-    let (mut most, mut law) = (0, 0);
-    while law < COUNT {
-        let (mut count, mut at) = (0, 0);
-        while at < LAWS[law].table.len() {
-            count += is_moving(LAWS[law], &LAWS[law].table[at]) as usize;
-            at += 1;
-        }
-        if count > most {
-            most = count;
-        }
-        law += 1;
-    }
-    most
-};
-
-/// First place for the discrete states of a law.
-const fn first_jumping(law: &ModelType) -> usize {
-    if law.model_exchange { MOVING } else { 0 }
-}
-
-/// Number of places that suffices for the states of any law.
-pub const MEMORY: usize = {
-    let (mut most, mut at) = (0, 0);
-    while at < COUNT {
-        let (mut places, mut column) = (first_jumping(LAWS[at]), 0);
-        while column < LAWS[at].table.len() {
-            let variable = &LAWS[at].table[column];
-            places += (is_remembered(variable) && !is_moving(LAWS[at], variable)) as usize;
-            column += 1;
-        }
-        if places > most {
-            most = places;
-        }
-        at += 1;
-    }
-    most
-};
-
-/// Largest number of columns of any law.
-const WIDEST: usize = {
-    let (mut widest, mut at) = (0, 0);
-    while at < COUNT {
-        if LAWS[at].table.len() > widest {
-            widest = LAWS[at].table.len();
-        }
-        at += 1;
-    }
-    widest
-};
-
-/// A law and the sources of the columns of its row.
-struct Plan {
-    model: &'static ModelType,
-    sources: [Source; WIDEST],
-    friction_force: usize,
-    sticking: usize,
-    dissipated_energy: usize,
-    /// Place of its viscous coefficient among the parameters of all laws.
-    viscous: Option<usize>,
-    /// State of the carried force.
-    carrier: Carrier,
-}
-
-/// State of the force that a law carries, which may come from a larger load than the present one.
-#[derive(Clone, Copy)]
-enum Carrier {
-    /// Nothing, or a share of the load, which falls with it.
-    Share,
-    /// Columns of the mean deflection of its bristles and of their stiffness.
-    Deflection(usize, usize),
-    /// Column of the force, viscous part included.
-    Force(usize),
-    /// Forces of elements, and the column of their total strength as a multiple of the static level, if the law has
-    /// one.
-    Elements(Option<usize>),
-}
-
-static PLANS: [Plan; COUNT] = {
-    let mut plans = [const { plan(LAWS[0]) }; COUNT];
-    let mut at = 0;
-    while at < COUNT {
-        plans[at] = plan(LAWS[at]);
-        at += 1;
-    }
-    plans
-};
-
-const fn plan(law: &'static ModelType) -> Plan {
-    let mut sources = [Source::Start; WIDEST];
-    let (mut moving, mut jumping, mut at) = (0, first_jumping(law), 0);
-    while at < law.table.len() {
-        let variable = &law.table[at];
-        if let Some(source) = given(variable) {
-            sources[at] = source;
-        } else if is_moving(law, variable) {
-            sources[at] = Source::Memory(moving);
-            moving += 1;
-        } else if is_remembered(variable) {
-            sources[at] = Source::Memory(jumping as u16);
-            jumping += 1;
-        } else if let Some(place) = place_of(law, variable) {
-            sources[at] = Source::Parameter(place);
-        }
-        at += 1;
-    }
-    let viscous = match column(law, "viscous_coefficient") {
-        Some(at) => match sources[at] {
-            Source::Parameter(place) => Some(place as usize),
-            _ => None,
-        },
-        None => None,
-    };
-    let friction_force = column(law, "friction_force").expect("every law has a force");
-    let sticking = column(law, "sticking").expect("every law says whether it sticks");
-    let dissipated_energy = column(law, "dissipated_energy").expect("every law counts its energy");
-    Plan { model: law, sources, friction_force, sticking, dissipated_energy, viscous, carrier: carrier(law) }
-}
-
-/// Whether the variable is a state that holds the force of an element or the whole force.
-const fn is_carried_force(variable: &Variable) -> bool {
-    let is_force = match variable.kind {
-        Kind::Real(unit) => same(unit.name, "N"),
-        _ => false,
-    };
-    is_force && is_remembered(variable) && variable.is_continuous_state()
-}
-
-const fn carrier(law: &ModelType) -> Carrier {
-    let mut at = 0;
-    while at < law.table.len() {
-        if is_carried_force(&law.table[at]) {
-            let is_element = law.table[at].path.segments()[0].index > 0;
-            return if is_element { Carrier::Elements(column(law, "hysteresis_strength")) } else { Carrier::Force(at) };
-        }
-        at += 1;
-    }
-    match (column(law, "bristle_deflection"), column(law, "sigma_0")) {
-        (Some(deflection), Some(stiffness)) => Carrier::Deflection(deflection, stiffness),
-        _ => Carrier::Share,
-    }
-}
+use crate::shock_absorber::law_list::{COUNT, GIVENS, LAWS};
+use crate::shock_absorber::law_parameters::LawParameters;
+use crate::shock_absorber::law_plan::{Carrier, MEMORY, PLANS, Plan, WIDEST};
 
 /// Inputs of a law from its contact.
 #[derive(Clone, Copy, Debug)]
@@ -288,6 +22,21 @@ pub(crate) struct Given<T> {
     pub acceleration: T,
     /// Largest force of the contact at rest.
     pub largest: T,
+}
+
+/// Positions among [`Given::values`].
+const VELOCITY: usize = 0;
+const NORMAL_FORCE: usize = 1;
+const MASS: usize = 4;
+const EXTERNAL_FORCE: usize = 6;
+
+impl<T: Copy> Given<T> {
+    /// The columns that a law may have.
+    #[inline(always)]
+    pub(super) fn values(&self) -> [T; GIVENS] {
+        let Given { velocity, normal_force, mu_k, mu_s, mass, exchange, external_force, acceleration, .. } = *self;
+        [velocity, normal_force, mu_k, mu_s, mass, exchange, external_force, acceleration]
+    }
 }
 
 /// Result of a law.
@@ -361,14 +110,15 @@ impl ChosenLaw {
         PLANS.get((number as usize).wrapping_sub(2)).map(ChosenLaw)
     }
 
-    /// Sources of the columns of its row.
-    fn sources(self) -> &'static [Source] {
-        &self.0.sources[..self.0.model.table.len()]
-    }
-
     /// Whether it uses the mass that the contact has to stop.
     pub(crate) fn asks_for_mass(self) -> bool {
-        self.sources().iter().any(|source| matches!(source, Source::Mass))
+        usize::from(self.0.given[MASS]) < self.0.model.table.len()
+    }
+
+    /// Number of places that it uses of a memory, from the first.
+    #[inline]
+    pub(crate) fn memory_in_use(self) -> usize {
+        self.0.memory_in_use
     }
 
     /// Force at the given motion.
@@ -414,15 +164,13 @@ impl ChosenLaw {
         self.on_row(|row| {
             self.fill(row, end, parameters, memory);
             self.on_row(|slope| {
-                for ((value, slope), source) in row.iter_mut().zip(slope.iter_mut()).zip(self.sources()) {
-                    let begin = match source {
-                        Source::Velocity => begin.velocity,
-                        Source::NormalForce => begin.normal_force,
-                        Source::ExternalForce => begin.external_force,
-                        _ => continue,
-                    };
-                    *slope = (*value - begin) / dt;
-                    *value = begin;
+                let begin = begin.values();
+                for input in [VELOCITY, NORMAL_FORCE, EXTERNAL_FORCE] {
+                    let column = usize::from(self.0.given[input]);
+                    if let (Some(value), Some(slope)) = (row.get_mut(column), slope.get_mut(column)) {
+                        *slope = (*value - begin[input]) / dt;
+                        *value = begin[input];
+                    }
                 }
                 let is_finite = self.0.model.advance_ramp(row, slope, dt);
                 self.remember(row, memory);
@@ -446,20 +194,17 @@ impl ChosenLaw {
                 self.remember(rates, rate);
             });
             if let Carrier::Deflection(slipping, _) | Carrier::Force(slipping) = self.0.carrier
-                && let Source::Memory(place) = self.0.sources[slipping]
+                && let Some((_, place)) = self.0.memory.pairs().find(|(column, _)| *column == slipping)
             {
-                let (place, release_time) = (usize::from(place), T::from(RELEASE_TIME));
-                rate[place] = rate[place] - (memory[place] - row[slipping]) / release_time;
+                rate[place] = rate[place] - (memory[place] - row[slipping]) / T::from(RELEASE_TIME);
             }
         });
     }
 
     /// Writes the initial state of the law; the other places are left as they are.
     pub(crate) fn write_start<T: Real>(self, memory: &mut [T; MEMORY]) {
-        for (source, variable) in self.sources().iter().zip(self.0.model.table) {
-            if let Source::Memory(place) = source {
-                memory[usize::from(*place)] = T::from(variable.start);
-            }
+        for (column, place) in self.0.memory.pairs() {
+            memory[place] = T::from(self.0.model.table[column].start);
         }
     }
 
@@ -480,9 +225,10 @@ impl ChosenLaw {
         let named = |fault: Fault| Fault::new(format_args!("friction.model = {}: {}", self.0.model.name, fault.0));
         self.on_row(|row| {
             self.fill(row, given, parameters, &self.start());
-            for ((variable, source), value) in self.0.model.table.iter().zip(self.sources()).zip(&*row) {
-                if matches!(source, Source::Parameter(_)) && !variable.admits(*value) {
-                    return Err(named(variable.fault(*value)));
+            for (column, _) in self.0.parameters.pairs() {
+                let (variable, value) = (&self.0.model.table[column], row[column]);
+                if !variable.admits(value) {
+                    return Err(named(variable.fault(value)));
                 }
             }
             self.0.model.check(row).map_err(named)
@@ -494,11 +240,10 @@ impl ChosenLaw {
         let shared = LawParameters::TABLE.iter().zip(&parameters.values);
         let mut changed = shared.filter(|(variable, value)| **value != variable.start);
         let has_own = |path: &Path| {
-            let columns = self.0.model.table.iter().zip(self.sources());
-            columns.into_iter().any(|(variable, source)| {
-                let Source::Parameter(place) = *source else { return false };
-                variable.path.is(path) && !LawParameters::TABLE[usize::from(place)].path.is(path)
-            })
+            let is_own = |(column, place): (usize, usize)| {
+                self.0.model.table[column].path.is(path) && !LawParameters::TABLE[place].path.is(path)
+            };
+            self.0.parameters.pairs().any(is_own)
         };
         let (variable, value) = changed.find(|(variable, _)| has_own(&variable.path))?;
         let (name, law) = (variable.path, self.0.model.name);
@@ -554,29 +299,28 @@ impl ChosenLaw {
         }
     }
 
+    #[inline(always)]
     fn remember<T: Real>(self, row: &[T], memory: &mut [T; MEMORY]) {
-        for (source, value) in self.sources().iter().zip(row) {
-            if let Source::Memory(place) = source {
-                memory[usize::from(*place)] = *value;
-            }
+        for (column, place) in self.0.memory.pairs() {
+            memory[place] = row[column];
         }
     }
 
+    /// Fills a row of zeros.
     fn fill<T: Real>(self, row: &mut [T], given: &Given<T>, parameters: &LawParameters<T>, memory: &[T; MEMORY]) {
-        for ((value, source), variable) in row.iter_mut().zip(self.sources()).zip(self.0.model.table) {
-            *value = match *source {
-                Source::Start => T::from(variable.start),
-                Source::Velocity => given.velocity,
-                Source::NormalForce => given.normal_force,
-                Source::MuK => given.mu_k,
-                Source::MuS => given.mu_s,
-                Source::Mass => given.mass,
-                Source::Exchange => given.exchange,
-                Source::ExternalForce => given.external_force,
-                Source::Acceleration => given.acceleration,
-                Source::Parameter(place) => parameters.values[usize::from(place)],
-                Source::Memory(place) => memory[usize::from(place)],
-            };
+        for (column, value) in self.0.given.iter().zip(given.values()) {
+            if let Some(place) = row.get_mut(usize::from(*column)) {
+                *place = value;
+            }
+        }
+        for (column, place) in self.0.parameters.pairs() {
+            row[column] = parameters.values[place];
+        }
+        for (column, place) in self.0.memory.pairs() {
+            row[column] = memory[place];
+        }
+        for (column, _) in self.0.starts.pairs() {
+            row[column] = T::from(self.0.model.table[column].start);
         }
         self.slip(row, given, parameters);
     }
@@ -602,8 +346,7 @@ impl ChosenLaw {
 
     /// Scales the forces of the elements, which keep their shares of the total and of the forces between them.
     fn slip_elements<T: Real>(self, row: &mut [T], largest: T, add: impl Fn(T, T) -> T) {
-        let table = self.0.model.table;
-        let forces = || (0..table.len()).filter(|column| is_carried_force(&table[*column]));
+        let forces = || self.0.elements.pairs().map(|(column, _)| column);
         let total = forces().fold(T::zero(), |sum, column| add(sum, row[column])).abs();
         // Slipping elements are at their strength, apart from rounding, and stay as they are.
         if total.value() > largest.value() * (1.0 + ROUNDING) {
@@ -654,15 +397,3 @@ pub(crate) const MOST_EVENTS: usize = {
     }
     most
 };
-
-/// Columns of a memory; `nominal` is the typical size of its continuous states. Only these are variables: a law that
-/// remembers more changes no interface.
-pub(crate) const fn blank_memory(nominal: f64) -> [Column; MEMORY] {
-    let mut memory = [real("1", 0.0).discrete().hidden(); MEMORY];
-    let mut at = 0;
-    while at < MOVING {
-        memory[at] = real("1", 0.0).nominal(nominal).reinit();
-        at += 1;
-    }
-    memory
-}

@@ -1,7 +1,7 @@
 //! Parameters of all friction laws, as offered by a contact.
 
 use crate::model::{Columns, ModelType, Path, Segment, Variable, Width};
-use crate::shock_absorber::law::{LAWS, given, position};
+use crate::shock_absorber::law_list::{LAWS, given, position};
 use crate::unit::same;
 
 /// Largest number of Maxwell-slip elements of a law here.

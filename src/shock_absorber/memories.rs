@@ -2,7 +2,8 @@
 
 use crate::model::{Columns, Kind, row_of, row_of_mut};
 use crate::shock_absorber::ShockAbsorber;
-use crate::shock_absorber::law::{Evaluate, MEMORY};
+use crate::shock_absorber::law::Evaluate;
+use crate::shock_absorber::law_plan::MEMORY;
 use crate::shock_absorber::setting::Setting;
 
 crate::choices! {

@@ -1,8 +1,12 @@
+use std::mem::offset_of;
+use std::ops::Range;
+
 use crate::model::ramp;
 use crate::model::{Derivatives, Fault, Law, Model, ModelExchange, Preset, boolean, real};
 use crate::number::Real;
 use crate::shock_absorber::guide_contact::Touch;
-use crate::shock_absorber::law::{Answer, Evaluate, MEMORY, MOST_EVENTS, blank_memory};
+use crate::shock_absorber::law::{Answer, Evaluate, MOST_EVENTS};
+use crate::shock_absorber::law_plan::{MEMORY, blank_memory};
 use crate::shock_absorber::memories::{FrictionStart, Memories};
 use crate::shock_absorber::presets;
 use crate::shock_absorber::setting::{InputMode, Motion, Setting};
@@ -224,6 +228,21 @@ impl<T: Evaluate> ShockAbsorber<T> {
         }
     }
 
+    #[inline(never)]
+    fn write_outputs(&mut self, motion: &Motion<T>, touches: &[Touch<T>; 2]) {
+        let answers = self.with_memories(|memories| {
+            [0, 1].map(|at| self.setting.friction.force(self.setting.contacts()[at], &touches[at], memories[at]))
+        });
+        let friction = [0, 1].map(|at| answers[at].force * touches[at].direction()[0]);
+        self.write_forces(motion, friction);
+        self.write_friction(touches, &answers);
+        [self.normal_1, self.normal_2] = touches.map(|touch| touch.normal_force);
+        self.compression = self.setting.compression(motion);
+        self.overlap = self.setting.geom.guidance().overlap(motion.length);
+        self.overlap_low = truth(self.setting.geom.guidance().is_low(motion.length));
+        self.bump_active = truth(self.setting.bump.is_active(self.compression));
+    }
+
     fn write_forces(&mut self, motion: &Motion<T>, friction: [T; 2]) {
         let setting = &self.setting;
         let forces = setting.forces(motion);
@@ -279,21 +298,9 @@ impl<T: Evaluate> ShockAbsorber<T> {
 impl<T: Evaluate> Law for ShockAbsorber<T> {
     type Interface = ModelExchange;
 
-    #[inline(never)]
     fn output(&mut self) {
         let motion = self.setting.motion();
-        let touches = self.setting.touches(&motion);
-        let answers = self.with_memories(|memories| {
-            [0, 1].map(|at| self.setting.friction.force(self.setting.contacts()[at], &touches[at], memories[at]))
-        });
-        let friction = [0, 1].map(|at| answers[at].force * touches[at].direction()[0]);
-        self.write_forces(&motion, friction);
-        self.write_friction(&touches, &answers);
-        [self.normal_1, self.normal_2] = touches.map(|touch| touch.normal_force);
-        self.compression = self.setting.compression(&motion);
-        self.overlap = self.setting.geom.guidance().overlap(motion.length);
-        self.overlap_low = truth(self.setting.geom.guidance().is_low(motion.length));
-        self.bump_active = truth(self.setting.bump.is_active(self.compression));
+        self.write_outputs(&motion, &self.setting.touches(&motion));
     }
 
     fn advise(&mut self) {
@@ -336,6 +343,21 @@ impl ShockAbsorber {
         }
     }
 
+    /// Begins a step.
+    fn begin(&mut self, dt: f64) {
+        self.start();
+        self.step_size = dt;
+    }
+
+    /// Advances the states while the inputs are held.
+    fn hold(&mut self, touches: &[Touch<f64>; 2], dt: f64) {
+        let friction = self.slide(touches, dt);
+        let count = if self.setting.has_own_dynamics() { super::substeps(dt, self.setting.num.h_max) } else { 1 };
+        for _ in 0..count {
+            self.pump(friction, dt / f64::from(count));
+        }
+    }
+
     /// A step in which the length moves with the velocity, and the velocity with the acceleration, unless the master
     /// gives other slopes.
     #[inline(never)]
@@ -358,16 +380,15 @@ impl ShockAbsorber {
         let h = dt / f64::from(count);
         for piece in 0..count {
             ramp::set_inputs(self, &begin, slope, (f64::from(piece) + 0.5) * h);
-            let friction = stopping.unwrap_or_else(|| self.slide(h));
+            let friction = stopping.unwrap_or_else(|| self.slide(&self.setting.touches(&self.setting.motion()), h));
             self.pump(friction, h);
         }
         ramp::set_inputs(self, &begin, slope, dt);
     }
 
     /// Advances the friction at held inputs. Returns the power that it takes out of the motion.
-    fn slide(&mut self, dt: f64) -> f64 {
+    fn slide(&mut self, touches: &[Touch<f64>; 2], dt: f64) -> f64 {
         let setting = &self.setting;
-        let touches = setting.touches(&setting.motion());
         let [c_1, c_2] = setting.contacts();
         let energy = setting.friction.advance(c_1, &touches[0], &mut self.memory_1, dt).energy
             + setting.friction.advance(c_2, &touches[1], &mut self.memory_2, dt).energy;
@@ -401,6 +422,13 @@ impl ShockAbsorber {
 impl Model for ShockAbsorber {
     const EVENT_INDICATORS: usize = 2 * MOST_EVENTS;
     const PRESETS: &'static [Preset] = presets::ALL;
+
+    fn idle(&self) -> [Range<usize>; 2] {
+        // The start of a run writes all of the memories.
+        let in_use = if self.has_started() { self.setting.friction.memory_in_use() } else { MEMORY };
+        let first = [offset_of!(Self, memory_1), offset_of!(Self, memory_2)];
+        first.map(|offset| offset / size_of::<f64>()).map(|first| first + in_use..first + MEMORY)
+    }
 
     fn check(&self) -> Result<(), Fault> {
         let setting = &self.setting;
@@ -464,21 +492,29 @@ impl Model for ShockAbsorber {
     }
 
     fn step(&mut self, dt: f64) {
-        self.start();
-        self.step_size = dt;
+        self.begin(dt);
         if InputMode::of(self.setting.num.input_mode) == InputMode::Linear {
-            return self.step_along_the_motion(None, dt);
-        }
-        let friction = self.slide(dt);
-        let count = if self.setting.has_own_dynamics() { super::substeps(dt, self.setting.num.h_max) } else { 1 };
-        for _ in 0..count {
-            self.pump(friction, dt / f64::from(count));
+            self.step_along_the_motion(None, dt);
+        } else {
+            self.hold(&self.setting.touches(&self.setting.motion()), dt);
         }
     }
 
+    fn step_and_output(&mut self, dt: f64) {
+        self.begin(dt);
+        if InputMode::of(self.setting.num.input_mode) == InputMode::Linear {
+            self.step_along_the_motion(None, dt);
+            return self.output();
+        }
+        // Held inputs are the same after the step.
+        let motion = self.setting.motion();
+        let touches = self.setting.touches(&motion);
+        self.hold(&touches, dt);
+        self.write_outputs(&motion, &touches);
+    }
+
     fn step_ramp(&mut self, slope: &Self, dt: f64) {
-        self.start();
-        self.step_size = dt;
+        self.begin(dt);
         if InputMode::of(self.setting.num.input_mode) == InputMode::Linear {
             self.step_along_the_motion(Some(slope), dt);
         } else {

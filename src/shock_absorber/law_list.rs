@@ -1,0 +1,93 @@
+//! The laws that a contact can have, and the columns that it gives them.
+//!
+//! They are those models of friction that are scalar, so that a new law can be chosen without any further code.
+
+use crate::friction::MODELS;
+use crate::model::{Enumeration, Item, ModelType, Variable};
+use crate::unit::same;
+
+/// Whether the law is one along a line.
+const fn is_scalar(model: &ModelType) -> bool {
+    column(model, "velocity").is_some() && column(model, "friction_force").is_some()
+}
+
+/// Column named `name`, not within a part.
+pub(super) const fn column(model: &ModelType, name: &str) -> Option<usize> {
+    let mut at = 0;
+    while at < model.table.len() {
+        let segments = model.table[at].path.segments();
+        if segments.len() == 1 && same(segments[0].name, name) {
+            return Some(at);
+        }
+        at += 1;
+    }
+    None
+}
+
+/// Number of laws.
+pub(super) const COUNT: usize = {
+    let (mut count, mut at) = (0, 0);
+    while at < MODELS.len() {
+        count += is_scalar(&MODELS[at]) as usize;
+        at += 1;
+    }
+    count
+};
+
+/// The laws, in the order of the catalogue.
+pub(super) const LAWS: [&ModelType; COUNT] = {
+    let mut laws = [&MODELS[0]; COUNT];
+    let (mut count, mut at) = (0, 0);
+    while at < MODELS.len() {
+        if is_scalar(&MODELS[at]) {
+            laws[count] = &MODELS[at];
+            count += 1;
+        }
+        at += 1;
+    }
+    laws
+};
+
+/// Choices of a law: none, then the laws in the order of the catalogue.
+pub static FRICTION_MODEL: Enumeration = Enumeration { name: "FrictionModel", items: &ITEMS };
+
+static ITEMS: [Item; COUNT + 1] = {
+    let mut items = [const { Item { name: "None", help: "No friction." } }; COUNT + 1];
+    let mut at = 0;
+    while at < COUNT {
+        items[at + 1] = Item { name: LAWS[at].name, help: LAWS[at].summary };
+        at += 1;
+    }
+    items
+};
+
+/// The default law.
+pub(crate) const LUGRE: i32 = position("LuGre") as i32 + 2;
+
+pub(super) const fn position(name: &str) -> usize {
+    let mut at = 0;
+    while !same(LAWS[at].name, name) {
+        at += 1;
+    }
+    at
+}
+
+/// Columns that a contact provides to its law, in the order of [`Given::values`](super::law::Given::values).
+const GIVEN: [&str; 8] =
+    ["velocity", "normal_force", "mu_k", "mu_s", "mass", "exchange", "external_force", "acceleration"];
+
+/// Number of columns that a contact provides.
+pub(super) const GIVENS: usize = GIVEN.len();
+
+/// Which of the quantities of a contact the variable is, if it is one.
+pub(super) const fn given(variable: &Variable) -> Option<usize> {
+    let segments = variable.path.segments();
+    let mut at = 0;
+    while at < GIVENS {
+        if segments.len() == 1 && same(segments[0].name, GIVEN[at]) {
+            return Some(at);
+        }
+        at += 1;
+    }
+    None
+}
