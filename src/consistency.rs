@@ -176,8 +176,8 @@ mod tests {
         }
 
         fn step(&mut self, length: f64, velocity: f64, dt: f64) {
-            self.instance.put(self.columns[0], length);
-            self.instance.put(self.columns[1], velocity);
+            self.instance.set_column(self.columns[0], length).unwrap();
+            self.instance.set_column(self.columns[1], velocity).unwrap();
             self.instance.step(dt).expect("a step");
             // More often than any interface asks.
             self.warnings.extend(self.instance.warning().map(|fault| fault.to_string()));
@@ -236,12 +236,12 @@ mod tests {
         for k in 0..2000 {
             let (length, velocity) = motion(f64::from(k) * 1e-3);
             for _ in 0..3 {
-                strut.instance.put_slope(strut.columns[0], f64::MAX);
-                strut.instance.put(strut.columns[0], length);
-                strut.instance.put(strut.columns[1], velocity);
+                strut.instance.set_slope(strut.columns[0], f64::MAX).unwrap();
+                strut.instance.set_column(strut.columns[0], length).unwrap();
+                strut.instance.set_column(strut.columns[1], velocity).unwrap();
                 assert!(strut.instance.step(1e-3).is_err());
             }
-            strut.instance.put_slope(strut.columns[0], velocity);
+            strut.instance.set_slope(strut.columns[0], velocity).unwrap();
             strut.step(length, velocity, 5e-4);
             strut.step(length + 5e-4 * velocity, velocity, 5e-4);
         }
@@ -279,8 +279,8 @@ mod tests {
         let (mut strut, dt) = (Strut::new(), 1e-3);
         for k in 0..2000 {
             let ((length, velocity), next) = (motion(f64::from(k) * dt), motion(f64::from(k + 1) * dt));
-            strut.instance.put_slope(strut.columns[0], (next.0 - length) / dt);
-            strut.instance.put_slope(strut.columns[1], (next.1 - velocity) / dt);
+            strut.instance.set_slope(strut.columns[0], (next.0 - length) / dt).unwrap();
+            strut.instance.set_slope(strut.columns[1], (next.1 - velocity) / dt).unwrap();
             strut.step(length, velocity, dt);
         }
         assert!(strut.warnings.is_empty(), "slopes: {:?}", strut.warnings.first());

@@ -130,8 +130,8 @@ mod tests {
         let model = crate::catalogue::by_name(name).expect("a model of the catalogue");
         let mut instance = Instance::new(model);
         instance.set_time(1.25);
-        instance.put(0, 0.5);
-        instance.put_slope(0, -3.0);
+        instance.set_column(0, 0.5).unwrap();
+        instance.set_slope(0, -3.0).unwrap();
         let mut bytes = vec![0; size(model)];
         write(model, &instance.save(), [1.0, 2.0, 3.0, 4.0], &mut bytes);
         (model, bytes)

@@ -99,7 +99,7 @@ fn a_load_that_is_set_after_a_slope_counts_at_once() {
         let inputs = [("mass", 2.0), ("mu_k", 0.1), ("velocity", 0.5), ("normal_force", 0.0)];
         let mut block = Bench::new(law, &inputs);
         let column = block.column("normal_force");
-        block.instance.put_slope(column, 20_000.0);
+        block.instance.set_slope(column, 20_000.0).unwrap();
         block.step(1e-3);
         block.set("normal_force", 5.0);
         let force = block.get("friction_force");
@@ -184,7 +184,7 @@ fn with_mass_a_ramp_is_used_by_its_initial_velocity_and_its_mean_forces() {
         }
         for (name, slope) in slopes {
             let column = law.column(name);
-            law.instance.put_slope(column, *slope);
+            law.instance.set_slope(column, *slope).unwrap();
         }
         law.step(h);
         (law.get("friction_force"), law.get("dissipated_energy"))

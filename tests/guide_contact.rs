@@ -240,7 +240,7 @@ fn drag_without_a_load_dissipates_what_its_force_does() {
             bench.set("normal_force", 0.0);
             bench.set("velocity", -speed);
             let column = bench.column("velocity");
-            bench.instance.put_slope(column, 2.0 * speed / h);
+            bench.instance.set_slope(column, 2.0 * speed / h).unwrap();
             bench.step(h);
             // Without a viscous part there is nothing.
             let has_drag = friction(&mut bench) != 0.0;

@@ -50,8 +50,8 @@ fn exchange(car: &mut Bench, prefix: &str, road: &str, strut: &mut Strut, now: [
     car.set(&name("strut_force"), strut(length, velocity, h));
     for (what, at, after) in [("height", now[0], next[0]), ("velocity", now[1], next[1])] {
         let column = car.column(&name(&format!("{road}_{what}")));
-        car.instance.put(column, at);
-        car.instance.put_slope(column, (after - at) / h);
+        car.instance.set_column(column, at).unwrap();
+        car.instance.set_slope(column, (after - at) / h).unwrap();
     }
 }
 

@@ -52,7 +52,7 @@ fn branches_of_a_thousand_elements_follow_masing() {
             law.set("velocity", CREEP * distance.signum());
             if is_ramp {
                 // Up to twice the speed, and so 1.5 times as far.
-                law.instance.put_slope(column, CREEP * distance.signum() * 1.5 * CREEP / distance.abs());
+                law.instance.set_slope(column, CREEP * distance.signum() * 1.5 * CREEP / distance.abs()).unwrap();
                 law.step(distance.abs() / (1.5 * CREEP));
             } else {
                 law.step(distance.abs() / CREEP);

@@ -156,8 +156,8 @@ fn ramped_inputs_agree_with_many_short_steps() {
             let time = 1e-4 * f64::from(step);
             ramp.set("velocity", -2e-3 + 0.5 * time);
             ramp.set("normal_force", 9.81 + 100.0 * time);
-            ramp.instance.put_slope(velocity, 0.5);
-            ramp.instance.put_slope(load, 100.0);
+            ramp.instance.set_slope(velocity, 0.5).unwrap();
+            ramp.instance.set_slope(load, 100.0).unwrap();
             ramp.step(1e-4);
         }
         let n = 200_000;

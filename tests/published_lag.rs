@@ -19,9 +19,9 @@ fn oscillate(bench: &mut Bench, h: f64, end: f64, slopes: bool) {
     let steps = (end / h).round() as i32;
     for k in 0..steps {
         let (now, next) = (oscillation(f64::from(k) * h), oscillation(f64::from(k + 1) * h));
-        bench.instance.put(velocity, now);
+        bench.instance.set_column(velocity, now).unwrap();
         if slopes {
-            bench.instance.put_slope(velocity, (next - now) / h);
+            bench.instance.set_slope(velocity, (next - now) / h).unwrap();
         }
         bench.step(h);
     }
@@ -90,7 +90,7 @@ fn any_step_from_1_us_to_1_s_runs() {
         law.instance.reset();
         law.set("time_lag", 0.05);
         for value in [1e-3, -4e-4, 2e-3, 0.0, 5e-4] {
-            law.instance.put(velocity, value);
+            law.instance.set_column(velocity, value).unwrap();
             law.step(h);
             let sign = if value == 0.0 { 0.0 } else { value.signum() };
             assert!(
@@ -111,7 +111,7 @@ fn divisions_of_a_ramp_agree() {
             law.step(0.02);
             let column = law.column("velocity");
             for _ in 0..n {
-                law.instance.put_slope(column, 0.2);
+                law.instance.set_slope(column, 0.2).unwrap();
                 law.step(0.03 / f64::from(n));
             }
             [law.get("friction_force"), law.get("dissipated_energy"), law.get("lagged_velocity")]
@@ -416,7 +416,7 @@ fn time_derivatives_of_outputs_agree_with_a_short_ramp() {
         let (input, force) = (law.column("velocity"), law.column("friction_force"));
         // The slope of the step remains the slope of the input after it.
         let ramp = |law: &mut Bench, time: f64| {
-            law.instance.put_slope(input, 20.0 * velocity);
+            law.instance.set_slope(input, 20.0 * velocity).unwrap();
             law.step(time);
         };
         law.set("velocity", velocity);
@@ -442,8 +442,8 @@ fn a_breakaway_that_the_end_of_the_step_hides_is_found() {
             let (velocity, load) = (law.column("velocity"), law.column("normal_force"));
             for _ in 0..n {
                 // To 1 % of the velocity, and from 1 N to 10.9 N.
-                law.instance.put_slope(velocity, -2e-5);
-                law.instance.put_slope(load, 10.0);
+                law.instance.set_slope(velocity, -2e-5).unwrap();
+                law.instance.set_slope(load, 10.0).unwrap();
                 law.step(0.99 / f64::from(n));
             }
             [law.get("slipping"), law.get("dissipated_energy"), law.get("friction_force")]

@@ -539,7 +539,7 @@ fn energy_along_a_ramp_is_the_integral_over_the_distance() {
         let values = [("velocity", -2e-3), ("external_force", 0.4)];
         let mut ramp = bench(form, &values);
         let velocity = ramp.column("velocity");
-        ramp.instance.put_slope(velocity, 4e-3 / 0.01);
+        ramp.instance.set_slope(velocity, 4e-3 / 0.01).unwrap();
         ramp.step(0.01);
         let mut printed = bench(form, &values);
         let n = 200_000;

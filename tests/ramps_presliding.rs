@@ -113,7 +113,7 @@ impl Motion {
 
     fn set(&self, instance: &mut Instance, leg: &[Vec<f64>; 2], share: f64) {
         for (index, column) in self.columns.iter().enumerate() {
-            instance.put(*column, leg[0][index] + share * (leg[1][index] - leg[0][index]));
+            instance.set_column(*column, leg[0][index] + share * (leg[1][index] - leg[0][index])).unwrap();
         }
     }
 
@@ -122,7 +122,7 @@ impl Motion {
         for step in 0..steps {
             self.set(&mut bench.instance, leg, f64::from(step) / f64::from(steps));
             for (index, column) in self.columns.iter().enumerate() {
-                bench.instance.put_slope(*column, (leg[1][index] - leg[0][index]) / LEG);
+                bench.instance.set_slope(*column, (leg[1][index] - leg[0][index]) / LEG).unwrap();
             }
             bench.step(LEG / f64::from(steps));
         }
@@ -136,7 +136,7 @@ impl Motion {
             bench.step(LEG / f64::from(steps));
         }
         for (column, value) in self.columns.iter().zip(&leg[1]).take(self.columns.len() - 1) {
-            bench.instance.put(*column, *value);
+            bench.instance.set_column(*column, *value).unwrap();
         }
     }
 }
@@ -214,7 +214,7 @@ fn a_rising_load_does_not_bond_what_slides() {
         let mut bench = Bench::new("Liang", &[("velocity_x", 0.05), ("normal_force", 10.0)]);
         bench.step(0.1);
         for _ in 0..3 {
-            bench.instance.put_slope(bench.column("normal_force"), slope);
+            bench.instance.set_slope(bench.column("normal_force"), slope).unwrap();
             bench.step(1e-3);
             let expected = 0.1 * bench.get("normal_force");
             let force = bench.get("friction_force_x");
@@ -277,7 +277,7 @@ fn derivatives(bench: &mut Bench, motion: &Motion, leg: &[Vec<f64>; 2]) -> Vec<(
         .map(|step| {
             if step > 0 {
                 for (index, column) in motion.columns.iter().enumerate() {
-                    bench.instance.put_slope(*column, (leg[1][index] - leg[0][index]) / LEG);
+                    bench.instance.set_slope(*column, (leg[1][index] - leg[0][index]) / LEG).unwrap();
                 }
                 bench.step(H);
             }
@@ -307,11 +307,11 @@ fn a_load_that_a_ramp_takes_off_is_gone() {
         let [velocity, load] = [axis(&bench).0, "normal_force"].map(|name| bench.column(name));
         for _ in 0..200 {
             let (dt, from, speed) = (1e-3 * random.next(), 20.0 * random.next(), 0.05 * random.signed());
-            bench.instance.put(load, from);
-            bench.instance.put(velocity, speed);
+            bench.instance.set_column(load, from).unwrap();
+            bench.instance.set_column(velocity, speed).unwrap();
             bench.step(dt);
-            bench.instance.put_slope(load, -from / dt);
-            bench.instance.put_slope(velocity, speed / dt);
+            bench.instance.set_slope(load, -from / dt).unwrap();
+            bench.instance.set_slope(velocity, speed / dt).unwrap();
             bench.step(dt);
             let (name, left) = (model.name, bench.instance.row()[load]);
             assert_eq!(left, 0.0, "{name}: {left} N left of {from} N after {dt} s");
@@ -345,8 +345,11 @@ fn a_ramp_dissipates_what_its_parts_do() {
                             true => now[at],
                             false => from[at] + f64::from(part) / f64::from(parts) * (now[at] - from[at]),
                         };
-                        bench.instance.put(column, value(part));
-                        bench.instance.put_slope(column, (value(part + 1) - value(part)) * f64::from(parts) / h);
+                        bench.instance.set_column(column, value(part)).unwrap();
+                        bench
+                            .instance
+                            .set_slope(column, (value(part + 1) - value(part)) * f64::from(parts) / h)
+                            .unwrap();
                     }
                     bench.step(h / f64::from(parts));
                 }

@@ -15,7 +15,7 @@ fn choose(bench: &mut Bench, law: &str) {
     let column = bench.column("friction.model");
     let Kind::Enumeration(laws) = bench.instance.model().table[column].kind else { panic!("a choice") };
     let number = laws.items.iter().position(|item| item.name == law).expect("a law");
-    bench.instance.put(column, number as f64 + 1.0);
+    bench.instance.set_column(column, number as f64 + 1.0).unwrap();
 }
 
 /// Force on a body besides friction: 15 N that swing by 5 N, twice a second. Breakaway is at 30 N.
@@ -65,7 +65,7 @@ fn hold(
 
 fn slope(bench: &mut Bench, name: &str, slope: f64) {
     let column = bench.column(name);
-    bench.instance.put_slope(column, slope);
+    bench.instance.set_slope(column, slope).unwrap();
 }
 
 fn laws_with_mass() -> impl Iterator<Item = &'static str> {
@@ -230,13 +230,13 @@ fn held(bench: &mut Bench, section: &Section, pieces: u32) {
         let share = (f64::from(piece) + 0.5) / f64::from(pieces);
         for ((column, from), (_, to)) in section.from.iter().zip(&section.to) {
             let value = if moves(bench, *column) { from + share * (to - from) } else { *to };
-            bench.instance.put(*column, value);
+            bench.instance.set_column(*column, value).unwrap();
         }
         bench.step(section.h / f64::from(pieces));
     }
     for ((column, from), (_, to)) in section.from.iter().zip(&section.to) {
         if bench.column("normal_force") != *column || to < from {
-            bench.instance.put(*column, *to);
+            bench.instance.set_column(*column, *to).unwrap();
         }
     }
 }
@@ -247,8 +247,8 @@ fn ramped(bench: &mut Bench, section: &Section, pieces: u32) {
         for ((column, from), (_, to)) in section.from.iter().zip(&section.to) {
             let at = |piece: u32| from + f64::from(piece) / f64::from(pieces) * (to - from);
             let [value, end] = if moves(bench, *column) { [at(piece), at(piece + 1)] } else { [*to; 2] };
-            bench.instance.put(*column, value);
-            bench.instance.put_slope(*column, (end - value) * f64::from(pieces) / section.h);
+            bench.instance.set_column(*column, value).unwrap();
+            bench.instance.set_slope(*column, (end - value) * f64::from(pieces) / section.h).unwrap();
         }
         bench.step(section.h / f64::from(pieces));
     }

@@ -17,7 +17,7 @@ fn with_zeros(name: &str, set: &[(&str, f64)]) -> Bench {
     let model = bench.instance.model();
     for (column, variable) in model.table.iter().enumerate().filter(|(_, variable)| variable.role == Role::Input) {
         assert!(variable.admits(0.0), "{name}: {} = 0 is rejected", variable.path);
-        bench.instance.put(column, 0.0);
+        bench.instance.set_column(column, 0.0).unwrap();
     }
     bench
 }

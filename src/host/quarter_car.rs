@@ -306,7 +306,7 @@ mod tests {
     #[test]
     fn endless_steps_are_refused() {
         let mut car = Instance::new(by_name("QuarterCar").expect("a model"));
-        car.put(0, 1e-3);
+        car.set_column(0, 1e-3).unwrap();
         car.step(1.0).expect("a second is a step");
         let before = car.save();
         let fault = car.step(1e9).expect_err("30 years are not");

@@ -154,11 +154,11 @@ mod tests {
             let mut spring = Instance::new(by_name("GasSpring").expect("a model"));
             let column = |name: &str| spring.model().find(name).expect("a column");
             let [compression, n] = [column("compression"), column("gas.n")];
-            spring.put(n, exponent);
-            spring.put(compression, 0.999 * filled);
+            spring.set_column(n, exponent).unwrap();
+            spring.set_column(compression, 0.999 * filled).unwrap();
             spring.refresh().expect("there is gas left");
             for compression_there in [1.001 * filled, 2.0 * filled] {
-                spring.put(compression, compression_there);
+                spring.set_column(compression, compression_there).unwrap();
                 let text = spring.refresh().unwrap_err().to_string();
                 let named = format!("compression = {compression_there} m: must be < {filled} m, where the rod fills");
                 assert!(text.contains(&named), "n = {exponent}: {text}");

@@ -381,18 +381,18 @@ mod tests {
         let mut joint = Instance::new(by_name("TelescopicJoint").expect("a model"));
         let column = |name: &str| joint.model().find(name).expect("a column");
         let [length, moment, h_reg] = [column("length"), column("side_moment_n"), column("geom.h_reg")];
-        joint.put(moment, 1.0);
-        joint.put(h_reg, 0.0);
+        joint.set_column(moment, 1.0).unwrap();
+        joint.set_column(h_reg, 0.0).unwrap();
         for (there, is_refused) in
             [(0.23, true), (0.23f64.next_up(), true), (0.23f64.next_down(), true), (0.23 - 1e-8, false), (0.231, false)]
         {
-            joint.put(length, there);
+            joint.set_column(length, there).unwrap();
             let text = joint.refresh().err().map(|fault| fault.to_string()).unwrap_or_default();
             assert_eq!(text.contains("overlap = "), is_refused, "{there}: {text}");
             assert!(!is_refused || text.contains(" m with geom.h_reg = 0 m"), "{text}");
         }
-        joint.put(h_reg, 0.002);
-        joint.put(length, 0.23);
+        joint.set_column(h_reg, 0.002).unwrap();
+        joint.set_column(length, 0.23).unwrap();
         joint.refresh().expect("regularised");
     }
 

@@ -9,6 +9,7 @@ use std::ptr::null_mut;
 
 use stribeck::catalogue;
 use stribeck::instance::Instance;
+use stribeck::model::ModelType;
 use stribeck_ffi::fmi2::types::{fmi2CallbackFunctions, fmi2EventInfo, fmi2False};
 
 /// A struct that an importer passes to be filled in by an event.
@@ -36,9 +37,19 @@ pub struct Bench {
 }
 
 impl Bench {
+    /// A model that makes steps.
     pub fn new(model: &str, values: &[(&str, f64)]) -> Bench {
+        Bench::of(Instance::new, model, values)
+    }
+
+    /// A model whose states a solver integrates.
+    pub fn for_model_exchange(model: &str, values: &[(&str, f64)]) -> Bench {
+        Bench::of(Instance::for_model_exchange, model, values)
+    }
+
+    fn of(make: fn(&'static ModelType) -> Instance, model: &str, values: &[(&str, f64)]) -> Bench {
         let model = catalogue::by_name(model).unwrap_or_else(|| panic!("no model {model}"));
-        let mut bench = Bench { instance: Instance::new(model) };
+        let mut bench = Bench { instance: make(model) };
         for (name, value) in values {
             bench.set(name, *value);
         }
@@ -55,13 +66,11 @@ impl Bench {
     }
 
     pub fn set(&mut self, name: &str, value: f64) {
-        let column = self.column(name);
-        self.instance.put(column, value);
+        self.instance.set_by_name(name, value).unwrap_or_else(|refused| panic!("{refused}"));
     }
 
     pub fn get(&mut self, name: &str) -> f64 {
-        let column = self.column(name);
-        self.instance.get(column).unwrap_or_else(|fault| panic!("{fault}"))
+        self.instance.get_by_name(name).unwrap_or_else(|refused| panic!("{refused}"))
     }
 
     pub fn step(&mut self, dt: f64) {
@@ -120,7 +129,7 @@ pub fn belt_of_master(friction: &mut Bench, h: f64, end: f64, exchange: Exchange
         }
         for (name, slope) in slopes {
             let column = friction.column(name);
-            friction.instance.put_slope(column, slope(&mut rig));
+            friction.instance.set_slope(column, slope(&mut rig)).unwrap();
         }
         friction.step(h);
         if exchange == Exchange::Sequential {

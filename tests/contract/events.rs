@@ -117,7 +117,7 @@ fn steps_ignore_the_phase_found_by_an_event() {
 fn events_catch_and_release_contacts_at_rest() {
     let mut seen = 0;
     for model in friction_models().filter(|model| model.model_exchange && model.event_indicators >= 2) {
-        let mut bench = Bench::new(model.name, &[("normal_force", 10.0)]);
+        let mut bench = Bench::for_model_exchange(model.name, &[("normal_force", 10.0)]);
         let level = if bench.has("mu_s") { 10.0 * bench.get("mu_s") } else { 10.0 * bench.get("mu_k") };
         let goes_on = |bench: &Bench| {
             let mut indicators = vec![f64::NAN; model.event_indicators];
@@ -165,7 +165,7 @@ fn events_catch_and_release_contacts_at_rest() {
 /// The events of Karnopp's law are at the edge of its band, on the way out and on the way in.
 #[test]
 fn leaving_and_entering_the_band_are_events() {
-    let mut bench = Bench::new("Karnopp", &[]);
+    let mut bench = Bench::for_model_exchange("Karnopp", &[]);
     let edge = bench.get("transition_velocity");
     let mut indicators = vec![f64::NAN; bench.instance.model().event_indicators];
     for share in [0.5, -0.5, 1.5, -1.5] {

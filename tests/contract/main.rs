@@ -62,7 +62,7 @@ fn candidates(variable: &Variable) -> Vec<f64> {
 
 fn apply(bench: &mut Bench, set: &[(usize, f64)]) {
     for (column, value) in set {
-        bench.instance.put(*column, *value);
+        bench.instance.set_column(*column, *value).unwrap();
     }
 }
 

@@ -70,7 +70,7 @@ fn rates_are_the_derivatives_of_the_states() {
             let mut bench = Bench::new(model.name, &[]);
             for (column, _) in model.table.iter().enumerate().filter(|(_, variable)| variable.role == Role::Input) {
                 let value = bench.instance.row()[column] + 5e-3 * random.signed();
-                bench.instance.put(column, value);
+                bench.instance.set_column(column, value).unwrap();
             }
             bench.step(1e-3 * random.next());
             let rates: Vec<f64> = bench.instance.time_derivative().iter().map(|dual| dual.slope).collect();
@@ -114,8 +114,8 @@ fn ramps_always_end() {
         let moving = axes(&bench)[0].0;
         bench.set(moving, start[0]);
         let (velocity, load) = (bench.column(moving), bench.column("normal_force"));
-        bench.instance.put_slope(velocity, slope[0]);
-        bench.instance.put_slope(load, slope[1]);
+        bench.instance.set_slope(velocity, slope[0]).unwrap();
+        bench.instance.set_slope(load, slope[1]).unwrap();
         bench.instance.step(h).unwrap_or_else(|fault| panic!("{model}: {fault}"));
         let (end, expected) = (bench.get(moving), start[0] + slope[0] * h);
         assert!(abs_diff_eq!(end, expected, epsilon = 1e-12 * expected.abs().max(1.0)), "{model}: {end} m/s");
@@ -150,9 +150,9 @@ fn reset_is_fresh_and_restored_is_the_same_future() {
                     let start = model.table[*column].start;
                     let value = start + 0.01 * random.signed();
                     let value = if model.table[*column].admits(value) { value } else { 2.0 * start - value };
-                    bench.instance.put(*column, value);
+                    bench.instance.set_column(*column, value).unwrap();
                     if step % 7 == 0 {
-                        bench.instance.put_slope(*column, 1e-3 * random.next());
+                        bench.instance.set_slope(*column, 1e-3 * random.next()).unwrap();
                     }
                 }
                 bench.step(1e-3 * (0.5 + random.next()));

@@ -103,8 +103,8 @@ fn assert_ramp(model: &str, values: &[(&str, f64)], steps: u32, tolerance: f64) 
     dense.instance.restore(&ramp.instance.save());
     let (moving, load) = (ramp.column(&velocity), ramp.column("normal_force"));
     for _ in 0..steps {
-        ramp.instance.put_slope(moving, 0.5);
-        ramp.instance.put_slope(load, 100.0);
+        ramp.instance.set_slope(moving, 0.5).unwrap();
+        ramp.instance.set_slope(load, 100.0).unwrap();
         ramp.step(0.02 / f64::from(steps));
     }
     let n = 300_000;

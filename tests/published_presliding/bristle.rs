@@ -125,7 +125,7 @@ fn bristles_are_rate_independent() {
 #[test]
 fn bristles_follow_a_ramped_velocity() {
     let mut ramp = Bench::new("Bristle", &[("velocity", -2e-3)]);
-    ramp.instance.put_slope(ramp.column("velocity"), 0.5);
+    ramp.instance.set_slope(ramp.column("velocity"), 0.5).unwrap();
     ramp.step(0.02);
     let mut dense = Bench::new("Bristle", &[]);
     for k in 0..20_000 {

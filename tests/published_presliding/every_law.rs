@@ -12,7 +12,7 @@ fn ramped_inputs_agree_with_many_short_steps() {
             let time = 2e-5 * f64::from(step);
             for (name, begin, slope) in [("velocity", -2e-3, 0.5), ("normal_force", 9.81, 100.0)] {
                 ramp.set(name, begin + slope * time);
-                ramp.instance.put_slope(ramp.column(name), slope);
+                ramp.instance.set_slope(ramp.column(name), slope).unwrap();
             }
             ramp.step(2e-5);
         }

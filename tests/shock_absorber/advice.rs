@@ -94,7 +94,7 @@ fn advice_that_is_not_finite_is_an_error_of_its_own() {
     strut.step(1e-3);
     assert!(strut.get("force").is_finite());
     let row = strut.instance.row().to_vec();
-    let text = strut.instance.get(strut.column("step_limit")).unwrap_err().to_string();
+    let text = strut.instance.get_by_name("step_limit").unwrap_err().to_string();
     assert!(text.starts_with("the advice would not be finite at length = "), "{text}");
     assert_eq!(strut.instance.row(), row);
     assert_eq!(strut.instance.computed(), Computed::Main);

@@ -18,10 +18,9 @@ use libc::{c_char, c_int};
 use crate::guard::pointer::{Null, name, place};
 use crate::guard::{self, Handle, Internal, pointer};
 use crate::models;
-use stribeck::instance::Instance;
+use stribeck::instance::{Instance, Refused};
 use stribeck::memory::{self, OUT_OF_MEMORY, OutOfMemory};
 use stribeck::model::{Computed, Fault, Kind, ModelType, Role};
-use stribeck::reference::{Place, Reference};
 
 mod state;
 mod warning;
@@ -147,6 +146,19 @@ impl From<OutOfMemory> for Refusal {
     }
 }
 
+impl From<Refused> for Refusal {
+    #[cold]
+    fn from(refused: Refused) -> Refusal {
+        match refused {
+            Refused::Unknown(fault) => Refusal(STRIBECK_UNKNOWN_VARIABLE, fault.0),
+            Refused::NotSettable(fault) => Refusal(STRIBECK_NOT_SETTABLE, fault.0),
+            Refused::NotNow(_) => Refusal::of(STRIBECK_NOT_SETTABLE, refused),
+            Refused::Value(fault) => Refusal(STRIBECK_REFUSED_VALUE, fault.0),
+            Refused::NotFinite(fault) => Refusal(STRIBECK_NOT_FINITE, fault.0),
+        }
+    }
+}
+
 impl From<Null> for Refusal {
     #[cold]
     fn from(null: Null) -> Refusal {
@@ -196,42 +208,6 @@ unsafe fn enter(model: *mut stribeck_model, body: impl FnOnce(&mut stribeck_mode
 unsafe fn text<'a>(text: *const c_char, what: &'static str) -> Result<&'a str, Null> {
     // SAFETY: the caller's promise.
     unsafe { pointer::text(text) }.map(name).ok_or(Null(what))
-}
-
-impl stribeck_model {
-    fn column(&self, name: &str) -> Result<usize, Refusal> {
-        let model = self.instance.model();
-        let unknown =
-            || Refusal::of(STRIBECK_UNKNOWN_VARIABLE, format_args!("{} has no variable '{name}'", model.name));
-        model.find(name).ok_or_else(unknown)
-    }
-
-    fn set(&mut self, column: usize, value: f64) -> Outcome {
-        let variable = &self.instance.model().table[column];
-        if variable.role == Role::Output {
-            return refuse(STRIBECK_NOT_SETTABLE, format_args!("{} is computed and cannot be set", variable.path));
-        }
-        variable.check_for_steps(value).map_err(fault(STRIBECK_REFUSED_VALUE))?;
-        self.instance.put(column, value);
-        Ok(())
-    }
-
-    fn get(&mut self, column: usize) -> Result<f64, Refusal> {
-        self.instance.get(column).map_err(fault(STRIBECK_NOT_FINITE))
-    }
-
-    /// The column of a value reference.
-    #[inline]
-    fn known(&self, reference: Reference) -> Result<usize, Refusal> {
-        let model = self.instance.model();
-        match model.place(reference) {
-            Some(Place::Column(column)) => Ok(column),
-            _ => {
-                let text = format_args!("{} has no variable with the reference {reference}", model.name);
-                refuse(STRIBECK_UNKNOWN_VARIABLE, text)
-            }
-        }
-    }
 }
 
 /// Version of the library, such as "0.1.0".
@@ -414,7 +390,7 @@ pub unsafe extern "C" fn stribeck_find(
     let body = |model: &mut stribeck_model| {
         // SAFETY: the caller's promises.
         let (name, place) = unsafe { (text(variable, "variable")?, place(reference, "reference")?) };
-        *place = model.instance.model().reference(model.column(name)?);
+        *place = model.instance.model().reference(model.instance.column_by_name(name)?);
         Ok(())
     };
     // SAFETY: the caller's promise.
@@ -432,7 +408,7 @@ pub unsafe extern "C" fn stribeck_describe(
     variable: *mut stribeck_variable,
 ) -> stribeck_status {
     let body = |model: &mut stribeck_model| {
-        let column = model.known(reference)?;
+        let column = model.instance.column(reference)?;
         let known = &model.instance.model().table[column];
         // Without events no other value is accepted: see `check_for_steps`.
         let (min, max) = match known.is_settled_by_events() {
@@ -542,7 +518,7 @@ pub unsafe extern "C" fn stribeck_apply_preset(model: *mut stribeck_model, prese
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stribeck_set(model: *mut stribeck_model, reference: u32, value: f64) -> stribeck_status {
     // SAFETY: the caller's promise.
-    unsafe { enter(model, |model| model.set(model.known(reference)?, value)) }
+    unsafe { enter(model, |model| Ok(model.instance.set(reference, value)?)) }
 }
 
 /// Reads a variable; results are computed first if anything has been set since.
@@ -554,7 +530,7 @@ pub unsafe extern "C" fn stribeck_get(model: *mut stribeck_model, reference: u32
     let body = |model: &mut stribeck_model| {
         // SAFETY: the caller's promise.
         let place = unsafe { place(value, "value") }?;
-        *place = model.get(model.known(reference)?)?;
+        *place = model.instance.get(reference)?;
         Ok(())
     };
     // SAFETY: the caller's promise.
@@ -573,8 +549,8 @@ pub unsafe extern "C" fn stribeck_set_by_name(
 ) -> stribeck_status {
     let body = |model: &mut stribeck_model| {
         // SAFETY: the caller's promise.
-        let column = model.column(unsafe { text(variable, "variable") }?)?;
-        model.set(column, value)
+        let name = unsafe { text(variable, "variable") }?;
+        Ok(model.instance.set_by_name(name, value)?)
     };
     // SAFETY: the caller's promise.
     unsafe { enter(model, body) }
@@ -593,8 +569,7 @@ pub unsafe extern "C" fn stribeck_get_by_name(
     let body = |model: &mut stribeck_model| {
         // SAFETY: the caller's promises.
         let (name, place) = unsafe { (text(variable, "variable")?, place(value, "value")?) };
-        let column = model.column(name)?;
-        *place = model.get(column)?;
+        *place = model.instance.get_by_name(name)?;
         Ok(())
     };
     // SAFETY: the caller's promise.
@@ -656,7 +631,7 @@ pub unsafe extern "C" fn stribeck_derivative(
     value: *mut f64,
 ) -> stribeck_status {
     let body = |model: &mut stribeck_model| {
-        let (output, input) = (model.known(output)?, model.known(input)?);
+        let (output, input) = (model.instance.column(output)?, model.instance.column(input)?);
         let table = model.instance.model().table;
         let (result, varied) = (&table[output], &table[input]);
         if !result.role.is_output() || varied.role == Role::Output {

@@ -9,7 +9,7 @@ use crate::guard::pointer::Null;
 use crate::guard::{self, Handle, Internal};
 use crate::models;
 use stribeck::guid::GuidText;
-use stribeck::instance::Instance;
+use stribeck::instance::{Instance, Refused};
 use stribeck::memory::{self, OutOfMemory};
 use stribeck::model::Fault;
 
@@ -113,12 +113,21 @@ impl Slave {
         }
     }
 
-    /// Results that would not be finite: during a run a solver may try a smaller step or other inputs; elsewhere the
-    /// run is over.
+    /// See [`Refusal::out_of_domain`].
     pub fn out_of_domain(&self, fault: Fault) -> Refusal {
-        match self.state {
-            State::EventMode | State::ContinuousTimeMode => Refusal::Trial(fault.0),
-            _ => Refusal::Error(fault.0),
+        Refusal::out_of_domain(self.state, fault)
+    }
+
+    /// Why the instance refused to set or read a variable. Another value can be tried; anything else is an error.
+    #[cold]
+    pub fn refusal(&self, refused: Refused) -> Refusal {
+        match refused {
+            Refused::Value(fault) => Refusal::Discard(fault.0),
+            Refused::NotFinite(fault) => self.out_of_domain(fault),
+            Refused::NotNow(variable) => {
+                Refusal::error(format_args!("{} cannot be set in state {:?}", variable.path, self.state))
+            }
+            Refused::Unknown(fault) | Refused::NotSettable(fault) => Refusal::Error(fault.0),
         }
     }
 }
@@ -134,12 +143,17 @@ pub(super) enum Refusal {
 }
 
 impl Refusal {
-    pub fn discard(text: impl fmt::Display) -> Refusal {
-        Refusal::Discard(memory::text(text))
-    }
-
     pub fn error(text: impl fmt::Display) -> Refusal {
         Refusal::Error(memory::text(text))
+    }
+
+    /// Results that would not be finite: during a run a solver may try a smaller step or other inputs; elsewhere the
+    /// run is over.
+    pub fn out_of_domain(state: State, fault: Fault) -> Refusal {
+        match state {
+            State::EventMode | State::ContinuousTimeMode => Refusal::Trial(fault.0),
+            _ => Refusal::Error(fault.0),
+        }
     }
 }
 

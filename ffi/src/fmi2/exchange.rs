@@ -119,11 +119,7 @@ pub unsafe extern "C-unwind" fn fmi2SetContinuousStates(c: fmi2Component, x: *co
         check_length(nx, slave.instance.continuous_states().len(), "states")?;
         // SAFETY: the caller promises `nx` elements.
         let values = unsafe { array(x, nx, "x") }?;
-        if let Some(at) = values.iter().position(|value| !value.is_finite()) {
-            return Err(Refusal::discard(format_args!("x[{at}] = {}: must be finite", values[at])));
-        }
-        slave.instance.put_states(values);
-        Ok(())
+        slave.instance.set_continuous_states(values).map_err(|fault| Refusal::Discard(fault.0))
     };
     // SAFETY: the caller's promise about `c`.
     unsafe { enter(c, Call::SetContinuousStates, body) }
@@ -144,10 +140,10 @@ pub unsafe extern "C-unwind" fn fmi2GetDerivatives(
         check_length(nx, slave.instance.continuous_states().len(), "derivatives")?;
         // SAFETY: the caller promises `nx` elements.
         let values = unsafe { array_mut(derivatives, nx, "derivatives") }?;
-        slave.instance.compute_rates().map_err(|fault| slave.out_of_domain(fault))?;
-        let rates = slave.instance.rates();
-        for (value, column) in values.iter_mut().zip(slave.instance.continuous_states()) {
-            *value = rates[*column];
+        let model = slave.instance.model();
+        let rates = slave.instance.rates().map_err(|fault| Refusal::out_of_domain(slave.state, fault))?;
+        for (value, column) in values.iter_mut().zip(model.continuous_states()) {
+            *value = rates[column];
         }
         Ok(())
     };

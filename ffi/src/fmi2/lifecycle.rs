@@ -1,6 +1,8 @@
 //! The state machines of FMI 2.0.5 sections 3.2.3 (Model Exchange) and 4.2.4 (co-simulation), as one table: which
 //! function may be called in which state.
 
+use stribeck::instance::Phase;
+
 /// Interface type requested in fmi2Instantiate.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Purpose {
@@ -47,6 +49,15 @@ impl State {
             State::StepComplete => matches!(purpose, Purpose::CoSimulation),
             State::EventMode | State::ContinuousTimeMode => matches!(purpose, Purpose::ModelExchange),
             _ => true,
+        }
+    }
+
+    /// The phase of the instance, which decides what may be set.
+    pub(super) const fn phase(self) -> Phase {
+        match self {
+            State::Instantiated | State::Initialization => Phase::Setup,
+            State::ContinuousTimeMode => Phase::Integrating,
+            State::StepComplete | State::Terminated | State::Error | State::EventMode => Phase::Stepping,
         }
     }
 }

@@ -119,7 +119,11 @@ fn instantiate(
         ))
     })?;
     let purpose = purpose(kind, model)?;
-    Ok(memory::boxed(Slave::new(Instance::try_new(model)?, purpose, Log::new(callbacks, name, debug)?))?)
+    let instance = match purpose {
+        Purpose::CoSimulation => Instance::try_new(model)?,
+        Purpose::ModelExchange => Instance::try_for_model_exchange(model)?,
+    };
+    Ok(memory::boxed(Slave::new(instance, purpose, Log::new(callbacks, name, debug)?))?)
 }
 
 fn purpose(kind: fmi2Type, model: &ModelType) -> Result<Purpose, NoInstance> {

@@ -133,7 +133,7 @@ pub unsafe extern "C-unwind" fn fmi2SetFMUstate(c: fmi2Component, FMUstate: fmi2
         }
         slave.instance.restore(&saved.snapshot);
         if saved.state == State::ContinuousTimeMode {
-            slave.instance.go_on_between_events();
+            slave.instance.continue_between_events();
         }
         // Whether an event was reported is not saved; reading the states again is never wrong.
         slave.has_jumped = saved.state == State::EventMode;

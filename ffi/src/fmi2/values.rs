@@ -3,7 +3,7 @@
 use std::slice::{from_raw_parts, from_raw_parts_mut};
 
 use super::door::{self, Outcome, Refusal, Slave, enter, refuse};
-use super::lifecycle::{Call, Purpose, State};
+use super::lifecycle::{Call, State};
 use super::types::fmi2Status::fmi2OK;
 use super::types::*;
 use crate::guard::pointer::{array, array_mut};
@@ -104,20 +104,6 @@ fn column_of(model: &ModelType, reference: fmi2ValueReference) -> Option<usize> 
     }
 }
 
-/// FMI 2.0.5, conditions of the tables in sections 3.2.3 (1, 3, 4 and 5) and 4.2.4 (1, 3 and 6): whether the variable
-/// may be set in a state.
-fn may_set(state: State, variable: &Variable) -> bool {
-    match variable.role {
-        Role::Input => true,
-        Role::Tunable => state != State::ContinuousTimeMode,
-        Role::State | Role::StateOutput if state == State::ContinuousTimeMode => variable.is_continuous_state(),
-        Role::Fixed | Role::State | Role::StateOutput => {
-            matches!(state, State::Instantiated | State::Initialization)
-        }
-        Role::Output => false,
-    }
-}
-
 fn wrong_reference(slave: &Slave, reference: fmi2ValueReference, wanted: BaseType) -> Refusal {
     match slave.place(reference) {
         None => Refusal::error(format_args!("value reference {reference} does not belong to any variable")),
@@ -130,24 +116,6 @@ fn wrong_reference(slave: &Slave, reference: fmi2ValueReference, wanted: BaseTyp
             Refusal::error(format_args!("value reference {reference} {text}"))
         }
     }
-}
-
-/// Refuses a value that may not be set now, or that is not admitted by its variable.
-fn check_value(slave: &Slave, variable: &Variable, value: f64) -> Outcome {
-    let state = slave.state;
-    if variable.role == Role::Output {
-        return refuse(format_args!("{} is computed and cannot be set", variable.path));
-    }
-    if !may_set(state, variable) {
-        let text = "cannot be set in state";
-        return refuse(format_args!("{} {text} {state:?}", variable.path));
-    }
-    let checked = match slave.purpose {
-        Purpose::CoSimulation => variable.check_for_steps(value),
-        Purpose::ModelExchange if variable.admits(value) => Ok(()),
-        Purpose::ModelExchange => Err(variable.fault(value)),
-    };
-    checked.map_err(|fault| Refusal::Discard(fault.0))
 }
 
 /// Reads `n` variables. After an error the values must not be used.
@@ -178,16 +146,22 @@ unsafe fn get<B: Base>(
             _ => slave.instance.refresh_to(needed),
         };
         refreshed.map_err(|fault| slave.out_of_domain(fault))?;
+        let (model, time) = (slave.instance.model(), slave.instance.time());
         if references.iter().any(|reference| slave.is_derivative(*reference)) {
-            slave.instance.compute_rates().map_err(|fault| slave.out_of_domain(fault))?;
+            let rates = slave.instance.rates();
+            let rates = rates.map_err(|fault| Refusal::out_of_domain(slave.state, fault))?;
+            for (reference, value) in references.iter().zip(&mut *values) {
+                if let Some(Place::Derivative(state)) = model.place(*reference) {
+                    *value = B::from_number(rates[state]);
+                }
+            }
         }
-        let (row, rates) = (slave.instance.row(), slave.instance.rates());
         for (reference, value) in references.iter().zip(values) {
-            *value = B::from_number(match slave.place(*reference) {
-                Some(Place::Column(column)) => row[column],
-                Some(Place::Derivative(state)) => rates[state],
-                Some(Place::Time) | None => slave.instance.time(),
-            });
+            match model.place(*reference) {
+                Some(Place::Column(column)) => *value = B::from_number(slave.instance.row()[column]),
+                Some(Place::Time) => *value = B::from_number(time),
+                Some(Place::Derivative(_)) | None => {}
+            }
         }
         Ok(())
     };
@@ -207,20 +181,11 @@ unsafe fn set<B: Base>(
     let body = |slave: &mut Slave| {
         // SAFETY: the importer promises `n` value references and `n` values.
         let (references, values) = unsafe { (array(vr, n, "vr")?, array(value, n, "value")?) };
-        let mut parameters = false;
-        for (reference, value) in references.iter().zip(values) {
-            let variable = slave.variable(slave.column::<B>(*reference)?);
-            check_value(slave, variable, B::to_number(*value))?;
-            parameters |= variable.role.is_parameter();
-        }
+        references.iter().try_for_each(|reference| slave.column::<B>(*reference).map(drop))?;
         let model = slave.instance.model();
-        let row = slave.instance.row_to_set(parameters);
-        for (reference, value) in references.iter().zip(values) {
-            if let Some(column) = column_of(model, *reference) {
-                row[column] = B::to_number(*value);
-            }
-        }
-        Ok(())
+        let columns = references.iter().filter_map(|reference| column_of(model, *reference));
+        let values = columns.zip(values.iter().map(|value| B::to_number(*value)));
+        slave.instance.set_all(slave.state.phase(), values).map_err(|refused| slave.refusal(refused))
     };
     // SAFETY: the importer's promise about `c`.
     unsafe { enter(c, call, body) }
@@ -238,15 +203,7 @@ unsafe fn read_at_once(slave: &Slave, vr: *const fmi2ValueReference, n: usize, v
     }
     // SAFETY: not NULL, and the caller promises `n` elements.
     let (references, values) = unsafe { (from_raw_parts(vr, n), from_raw_parts_mut(value, n)) };
-    let (row, model, computed) = (slave.instance.row(), slave.instance.model(), slave.instance.computed());
-    for (reference, value) in references.iter().zip(values) {
-        let Some(column) = column_of(model, *reference) else { return false };
-        match (row.get(column), model.ports.get(column)) {
-            (Some(found), Some(port)) if port.gives(computed) => *value = *found,
-            _ => return false,
-        }
-    }
-    true
+    slave.instance.read_at_once(references, values)
 }
 
 /// The fast path of fmi2SetReal: admitted values of inputs with no rule but their range. False, with nothing changed,
@@ -261,22 +218,7 @@ unsafe fn write_at_once(slave: &mut Slave, vr: *const fmi2ValueReference, n: usi
     }
     // SAFETY: not NULL, and the caller promises `n` elements.
     let (references, values) = unsafe { (from_raw_parts(vr, n), from_raw_parts(value, n)) };
-    let model = slave.instance.model();
-    for (reference, value) in references.iter().zip(values) {
-        let Some(column) = column_of(model, *reference) else { return false };
-        if !model.ports.get(column).is_some_and(|port| port.takes(*value)) {
-            return false;
-        }
-    }
-    let row = slave.instance.row_to_set(false);
-    for (reference, value) in references.iter().zip(values) {
-        if let Some(column) = column_of(model, *reference)
-            && let Some(place) = row.get_mut(column)
-        {
-            *place = *value;
-        }
-    }
-    true
+    slave.instance.write_at_once(references, values)
 }
 
 /// Reads Real variables.
@@ -438,23 +380,16 @@ pub unsafe extern "C-unwind" fn fmi2SetRealInputDerivatives(
         let (references, orders, values) =
             unsafe { (array(vr, nvr, "vr")?, array(order, nvr, "order")?, array(value, nvr, "value")?) };
         for ((reference, order), value) in references.iter().zip(orders).zip(values) {
-            let variable = slave.variable(slave.column::<Real>(*reference)?);
-            if variable.role != Role::Input {
-                return refuse(format_args!("{} is not an input", variable.path));
-            }
+            let column = slave.column::<Real>(*reference)?;
+            slave.instance.check_slope(column, *value).map_err(|refused| slave.refusal(refused))?;
             if *order != 1 {
-                return refuse(format_args!("order {order} of {}: only order 1 is supported", variable.path));
-            }
-            if !value.is_finite() {
-                return Err(Refusal::discard(format_args!(
-                    "derivative of {} = {value}: must be finite",
-                    variable.path
-                )));
+                let path = slave.variable(column).path;
+                return refuse(format_args!("order {order} of {path}: only order 1 is supported"));
             }
         }
         for (reference, value) in references.iter().zip(values) {
             let column = slave.column::<Real>(*reference)?;
-            slave.instance.put_slope(column, *value);
+            slave.instance.set_slope(column, *value).map_err(|refused| slave.refusal(refused))?;
         }
         Ok(())
     };
@@ -504,43 +439,53 @@ pub unsafe extern "C-unwind" fn fmi2GetRealOutputDerivatives(
     unsafe { enter(c, Call::GetRealOutputDerivatives, body) }
 }
 
-impl Slave {
-    /// Refuses unknowns that have no derivative.
-    fn check_unknown(&self, reference: fmi2ValueReference) -> Outcome {
-        let variable = self.variable(self.column::<Real>(reference)?);
+/// Refuses derivatives that do not exist.
+fn check_directions(slave: &Slave, unknowns: &[fmi2ValueReference], knowns: &[fmi2ValueReference]) -> Outcome {
+    for reference in unknowns.iter().filter(|reference| !slave.is_derivative(**reference)) {
+        let variable = slave.variable(slave.column::<Real>(*reference)?);
         if !variable.role.is_output() {
             return refuse(format_args!("{} is neither an output nor a derivative", variable.path));
         }
-        variable.check_derivatives().map_err(|fault| Refusal::Discard(fault.0))
+        variable.check_derivatives().map_err(|fault| Refusal::Discard(fault.0))?;
     }
-
-    /// Refuses results as directions.
-    fn check_known(&self, reference: fmi2ValueReference) -> Outcome {
-        let variable = self.variable(self.column::<Real>(reference)?);
+    for reference in knowns {
+        let variable = slave.variable(slave.column::<Real>(*reference)?);
         if variable.role == Role::Output {
-            let path = variable.path;
-            return refuse(format_args!("{path} is computed: nothing can be differentiated with respect to it"));
+            let text = "is computed: nothing can be differentiated with respect to it";
+            return refuse(format_args!("{} {text}", variable.path));
         }
-        Ok(())
     }
+    Ok(())
+}
 
-    /// Writes the derivatives of these unknowns as computed last.
-    fn read_derivatives(&self, unknowns: &[fmi2ValueReference], result: &mut [f64]) -> Outcome {
-        let (outputs, rates) = self.instance.last_derivatives();
-        let slope = |reference: &fmi2ValueReference| match self.place(*reference) {
-            Some(Place::Derivative(state)) => rates[state].slope,
-            Some(Place::Column(column)) => outputs[column].slope,
-            Some(Place::Time) | None => 0.0,
-        };
-        if let Some(reference) = unknowns.iter().find(|unknown| !slope(unknown).is_finite()) {
-            let text = format_args!("the derivative of value reference {reference} is not finite");
-            return Err(self.out_of_domain(Fault::new(text)));
-        }
-        for (reference, value) in unknowns.iter().zip(result) {
-            *value = slope(reference);
-        }
-        Ok(())
+/// Writes the derivatives in the direction given by `seeds` (column, component).
+fn write_derivatives(
+    slave: &mut Slave,
+    unknowns: &[fmi2ValueReference],
+    seeds: impl Iterator<Item = (usize, f64)>,
+    result: &mut [f64],
+) -> Outcome {
+    let (model, state) = (slave.instance.model(), slave.state);
+    slave.instance.refresh_to(slave.needs(unknowns)).map_err(|fault| slave.out_of_domain(fault))?;
+    let (outputs, rates) = if unknowns.iter().any(|reference| slave.is_derivative(*reference)) {
+        slave.instance.rates().map_err(|fault| Refusal::out_of_domain(state, fault))?;
+        slave.instance.derivatives(seeds)
+    } else {
+        (slave.instance.derivative(seeds), &[][..])
+    };
+    let slope = |reference: &fmi2ValueReference| match model.place(*reference) {
+        Some(Place::Derivative(state)) => rates[state].slope,
+        Some(Place::Column(column)) => outputs[column].slope,
+        Some(Place::Time) | None => 0.0,
+    };
+    if let Some(reference) = unknowns.iter().find(|unknown| !slope(unknown).is_finite()) {
+        let text = format_args!("the derivative of value reference {reference} is not finite");
+        return Err(Refusal::out_of_domain(state, Fault::new(text)));
     }
+    for (reference, value) in unknowns.iter().zip(result) {
+        *value = slope(reference);
+    }
+    Ok(())
 }
 
 /// Derivative of outputs, and of the time derivatives of the states, in a direction of inputs, parameters and states:
@@ -569,22 +514,10 @@ pub unsafe extern "C-unwind" fn fmi2GetDirectionalDerivative(
                 array_mut(dvUnknown, nUnknown, "dvUnknown")?,
             )
         };
-        for reference in unknowns.iter().filter(|reference| !slave.is_derivative(**reference)) {
-            slave.check_unknown(*reference)?;
-        }
-        for reference in knowns {
-            slave.check_known(*reference)?;
-        }
-        slave.instance.refresh_to(slave.needs(unknowns)).map_err(|fault| slave.out_of_domain(fault))?;
+        check_directions(slave, unknowns, knowns)?;
         let model = slave.instance.model();
-        let columns = || knowns.iter().filter_map(|reference| column_of(model, *reference));
-        let seeds = || columns().zip(seed.iter().copied());
-        if unknowns.iter().any(|reference| slave.is_derivative(*reference)) {
-            slave.instance.compute_rates().map_err(|fault| slave.out_of_domain(fault))?;
-            slave.instance.rate_derivative(seeds());
-        }
-        slave.instance.derivative(seeds());
-        slave.read_derivatives(unknowns, result)
+        let columns = knowns.iter().filter_map(|reference| column_of(model, *reference));
+        write_derivatives(slave, unknowns, columns.zip(seed.iter().copied()), result)
     };
     // SAFETY: the caller's promise about `c`.
     unsafe { enter(c, Call::GetDirectionalDerivative, body) }

@@ -67,21 +67,22 @@ impl Law {
         })
     }
 
-    fn run(&self, external_force: f64) -> Run<'_> {
+    fn run(&self, external_force: f64) -> Result<Run<'_>> {
         let mut instance = Instance::new(self.model);
         if let Some(preset) = self.preset {
             instance.apply(preset.name);
         }
         if let Some(column) = self.external_force {
-            instance.put(column, external_force);
+            instance.set_column(column, external_force)?;
         }
-        Run { law: self, instance }
+        Ok(Run { law: self, instance })
     }
 
     /// The column of an input and its value while the law is observed.
     pub fn held(&self, name: &str) -> Option<(usize, f64)> {
         let column = self.model.find(name)?;
-        Some((column, self.run(0.0).instance.row()[column]))
+        let preset = self.preset.and_then(|preset| preset.values.iter().find(|(known, _)| *known == name));
+        Some((column, preset.map_or(self.model.table[column].start, |(_, value)| *value)))
     }
 
     /// Whether it has an acceleration as input, because speeding up differs from slowing down.
@@ -96,7 +97,7 @@ impl Law {
 
     /// A round velocity that includes all features of the curve.
     pub fn velocity_range(&self) -> Result<f64> {
-        let mut run = self.run(0.0);
+        let mut run = self.run(0.0)?;
         let points = (0..=50).map(|k| 1e-5 * 10f64.powf(f64::from(k) / 10.0));
         let settled = points.map(|v| Ok((v, run.settle(v)?))).collect::<Result<Vec<_>>>()?;
         let noise = settled.iter().map(|(_, settled)| settled.noise).fold(0.0, f64::max);
@@ -117,7 +118,7 @@ impl Law {
 
     /// As [`Law::steady`], from 0 to `range`.
     fn branches(&self, range: f64, external_force: f64) -> Result<Steady> {
-        let mut run = self.run(external_force);
+        let mut run = self.run(external_force)?;
         // At rest only an external force determines the friction force.
         let first = i32::from(!self.has_external_force());
         let mut noise = 0f64;
@@ -136,7 +137,7 @@ impl Law {
     /// The settling time of the force after the velocity has changed from -`velocity` / 4 to `velocity`; 0 for a law
     /// without memory.
     pub fn response_time(&self, velocity: f64) -> Result<f64> {
-        let mut run = self.run(0.0);
+        let mut run = self.run(0.0)?;
         run.settle(-0.25 * velocity)?;
         let history = run.history(velocity)?;
         let last = history.last().map_or(0.0, |point| point[1]);
@@ -154,11 +155,11 @@ impl Law {
     /// The second period of an oscillating velocity.
     pub fn oscillation(&self, amplitude: f64, period: f64) -> Result<Curve> {
         const STEPS: usize = 2000;
-        let mut run = self.run(0.0);
+        let mut run = self.run(0.0)?;
         let mut curve = Vec::new();
         for step in 0..=2 * STEPS {
             let (sine, cosine) = (TAU * step as f64 / STEPS as f64).sin_cos();
-            run.accelerate(amplitude * TAU / period * cosine);
+            run.accelerate(amplitude * TAU / period * cosine)?;
             let force = run.at(amplitude * sine)?;
             if step >= STEPS {
                 curve.push([amplitude * sine, force]);
@@ -179,7 +180,7 @@ impl Law {
             return Ok(None);
         }
         // A spring keeps its deflection when the motion reverses.
-        let mut run = self.run(0.0);
+        let mut run = self.run(0.0)?;
         run.travel(4.0 * scale, slow, 40)?;
         run.travel(-0.05 * scale, slow, 1)?;
         Ok((run.force() > 0.3 * level).then_some(scale))
@@ -187,7 +188,7 @@ impl Law {
 
     /// Displacement and force at which 63 % of the largest force is reached, if it is reached gradually.
     fn yielding(&self, velocity: f64) -> Result<Option<(f64, f64)>> {
-        let mut run = self.run(0.0);
+        let mut run = self.run(0.0)?;
         let (mut x, mut curve) = (0.0, Vec::new());
         for k in 0..=64 {
             let next = 1e-10 * 10f64.powf(f64::from(k) / 8.0);
@@ -204,7 +205,7 @@ impl Law {
 
     /// Force over displacement for growing strokes, each to both sides.
     pub fn strokes(&self, scale: f64, range: f64) -> Result<Curve> {
-        let mut run = self.run(0.0);
+        let mut run = self.run(0.0)?;
         let mut curve = vec![[0.0, run.at(0.0)?]];
         let mut x = 0.0;
         for target in [0.6, -0.6, 1.6, -1.6, 4.0, -4.0, 4.0].map(|factor| factor * scale) {
@@ -223,14 +224,15 @@ impl Law {
 
 impl Run<'_> {
     fn at(&mut self, velocity: f64) -> Result<f64> {
-        self.instance.put(self.law.velocity, velocity);
+        self.instance.set_column(self.law.velocity, velocity)?;
         self.instance.refresh()?;
         Ok(self.force())
     }
 
-    fn accelerate(&mut self, acceleration: f64) {
-        if let Some(column) = self.law.acceleration {
-            self.instance.put(column, acceleration);
+    fn accelerate(&mut self, acceleration: f64) -> Result<()> {
+        match self.law.acceleration {
+            Some(column) => Ok(self.instance.set_column(column, acceleration)?),
+            None => Ok(()),
         }
     }
 
@@ -555,8 +557,8 @@ mod tests {
         static PRESET: Preset = Preset { name: "thesis", source: "", values: &[] };
         let model = by_name("LuGre").unwrap();
         let known = model.presets.iter().find(|preset| preset.name != PRESET.name).expect("a second preset");
-        let [plain, preset] =
-            [None, Some(known)].map(|preset| Law::new(model, preset).unwrap().run(0.0).settle(0.01).unwrap().force);
+        let [plain, preset] = [None, Some(known)]
+            .map(|preset| Law::new(model, preset).unwrap().run(0.0).unwrap().settle(0.01).unwrap().force);
         assert_ne!(plain, preset);
     }
 

@@ -27,7 +27,7 @@ pub fn motion(model: &'static ModelType) -> Result<Motion> {
     let states = *states.first_chunk().context("a host needs two outputs")?;
     let mut host = Instance::new(model);
     let mut connection = Connection::of(&mut host)?;
-    host.put(states[0], host.row()[states[0]] + connection.lifted_by());
+    host.set_column(states[0], host.row()[states[0]] + connection.lifted_by())?;
     let mut motion = Motion { with: connection.name(), states, times: Vec::new(), values: Vec::new() };
     for step in 0..=connection.steps() {
         host.refresh()?;
@@ -88,7 +88,7 @@ impl Connection {
     fn act(&mut self, host: &mut Instance, dt: f64) -> Result<()> {
         match self {
             Connection::Contact(contact) => contact.act(host, dt)?,
-            Connection::Struts(struts) => struts.iter().for_each(|strut| strut.act(host)),
+            Connection::Struts(struts) => struts.iter().try_for_each(|strut| strut.act(host))?,
             Connection::Nothing => {}
         }
         Ok(())
@@ -124,10 +124,10 @@ impl Strut {
         corners.iter().map(strut).collect()
     }
 
-    fn act(&self, host: &mut Instance) {
+    fn act(&self, host: &mut Instance) -> Result<()> {
         let [force, length] = self.rest;
         let spring = force + Strut::STIFFNESS * (length - host.row()[self.length]);
-        host.put(self.force, spring - Strut::DAMPING * host.row()[self.velocity]);
+        Ok(host.set_column(self.force, spring - Strut::DAMPING * host.row()[self.velocity])?)
     }
 }
 
@@ -145,17 +145,16 @@ impl Contact {
             Contact { law: Instance::new(law), to_law: connections(host, law), to_host: connections(law, host) };
         // With the mass of the host the law can hold it at rest.
         if let (Some(of_host), Some(of_law)) = (host.find("mass"), law.find("mass")) {
-            contact.law.put(of_law, host.table[of_host].start);
+            contact.law.set_column(of_law, host.table[of_host].start)?;
         }
         Ok(contact)
     }
 
     fn act(&mut self, host: &mut Instance, dt: f64) -> Result<()> {
         host.refresh()?;
-        self.to_law.iter().for_each(|[from, to]| self.law.put(*to, host.row()[*from]));
+        self.to_law.iter().try_for_each(|[from, to]| self.law.set_column(*to, host.row()[*from]))?;
         self.law.step(dt)?;
-        self.to_host.iter().for_each(|[from, to]| host.put(*to, self.law.row()[*from]));
-        Ok(())
+        Ok(self.to_host.iter().try_for_each(|[from, to]| host.set_column(*to, self.law.row()[*from]))?)
     }
 }
 

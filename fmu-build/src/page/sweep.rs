@@ -4,7 +4,7 @@
 use std::f64::consts::TAU;
 
 use anyhow::{Context, Result};
-use stribeck::instance::Instance;
+use stribeck::instance::{Instance, Refused};
 use stribeck::model::{Kind, ModelType, Role};
 
 use crate::page::curve::Curve;
@@ -45,7 +45,7 @@ pub fn of(model: &'static ModelType) -> Result<Sweep> {
     let mut curve = Curve::new();
     // The first cycle removes the effect of the initial state.
     for step in 0..=2 * STEPS {
-        motion.put(&mut instance, &start, f64::from(step) * PERIOD / f64::from(STEPS));
+        motion.set(&mut instance, &start, f64::from(step) * PERIOD / f64::from(STEPS))?;
         instance.step(motion.time_step())?;
         if step >= STEPS {
             curve.push([instance.row()[across], instance.row()[answer]]);
@@ -82,18 +82,16 @@ impl Motion {
         }
     }
 
-    fn put(&self, instance: &mut Instance, start: &[f64], time: f64) {
+    fn set(&self, instance: &mut Instance, start: &[f64], time: f64) -> Result<(), Refused> {
         let phase = TAU * time / PERIOD;
         match *self {
             Motion::Travel { travel, velocity, amplitude, .. } => {
                 // A compression begins at full extension.
                 let middle = if start[travel] == 0.0 { 0.03 } else { start[travel] };
-                instance.put(travel, middle + amplitude * phase.sin());
-                if let Some(velocity) = velocity {
-                    instance.put(velocity, amplitude * TAU / PERIOD * phase.cos());
-                }
+                instance.set_column(travel, middle + amplitude * phase.sin())?;
+                velocity.map_or(Ok(()), |column| instance.set_column(column, amplitude * TAU / PERIOD * phase.cos()))
             }
-            Motion::Slow { input, amplitude } => instance.put(input, start[input] + amplitude * phase.sin()),
+            Motion::Slow { input, amplitude } => instance.set_column(input, start[input] + amplitude * phase.sin()),
         }
     }
 

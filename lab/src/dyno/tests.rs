@@ -362,11 +362,11 @@ fn the_shock_absorber_with_the_set_has_the_measured_force() {
     for velocity in [-0.7, -0.2, 0.03, 0.3, 0.9] {
         let mut absorber = Instance::new(model);
         for (variable, value) in set.values() {
-            absorber.put(column(&variable.path.to_string()), value);
+            absorber.set_column(column(&variable.path.to_string()), value).unwrap();
         }
         // No side load, so that only the preloads cause friction.
-        absorber.put(column("side.offset_m"), 0.0);
-        absorber.put(column("velocity"), velocity);
+        absorber.set_column(column("side.offset_m"), 0.0).unwrap();
+        absorber.set_column(column("velocity"), velocity).unwrap();
         absorber.step(0.1).unwrap();
         absorber.refresh().unwrap();
         let friction = absorber.row()[column("force_friction")];

@@ -1,0 +1,208 @@
+//! Setting and getting variables, by reference or by name: the one place that asks whether a variable may be set now and
+//! whether it admits a value.
+
+use std::fmt;
+
+use super::Instance;
+use crate::model::{Computed, Fault, Kind, Role, Variable};
+use crate::reference::{Place, Reference};
+
+/// Part of an instance's life, as far as it decides which variables may be set.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Phase {
+    /// Before a run, and wherever no interface restricts it: everything except results.
+    Setup,
+    /// Between steps and at events: inputs and tunable parameters.
+    Stepping,
+    /// Between the events of Model Exchange: inputs and the states that a solver integrates.
+    Integrating,
+}
+
+impl Phase {
+    /// Whether a variable may be set. These are the conditions of FMI 2.0.5, tables in sections 3.2.3 (1, 3, 4 and 5)
+    /// and 4.2.4 (1, 3 and 6).
+    pub fn admits(self, variable: &Variable) -> bool {
+        match variable.role {
+            Role::Input => true,
+            Role::Tunable => self != Phase::Integrating,
+            Role::State | Role::StateOutput if self == Phase::Integrating => variable.is_continuous_state(),
+            Role::Fixed | Role::State | Role::StateOutput => self == Phase::Setup,
+            Role::Output => false,
+        }
+    }
+}
+
+/// Why a variable was not set or read. Nothing was changed.
+#[derive(Debug)]
+pub enum Refused {
+    /// The model has no such variable.
+    Unknown(Fault),
+    /// The variable is computed and can never be set, or has no slope.
+    NotSettable(Fault),
+    /// The variable cannot be set in this [`Phase`].
+    NotNow(&'static Variable),
+    /// The variable does not admit the value.
+    Value(Fault),
+    /// A result would not be finite.
+    NotFinite(Fault),
+}
+
+impl fmt::Display for Refused {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        match self {
+            Refused::Unknown(fault)
+            | Refused::NotSettable(fault)
+            | Refused::Value(fault)
+            | Refused::NotFinite(fault) => fault.fmt(f),
+            Refused::NotNow(variable) => write!(f, "{} cannot be set now", variable.path),
+        }
+    }
+}
+
+impl std::error::Error for Refused {}
+
+impl Instance {
+    /// The column of a value reference.
+    #[inline]
+    pub fn column(&self, reference: Reference) -> Result<usize, Refused> {
+        match self.model.place(reference) {
+            Some(Place::Column(column)) => Ok(column),
+            _ => {
+                let text = format_args!("{} has no variable with the reference {reference}", self.model.name);
+                Err(Refused::Unknown(Fault::new(text)))
+            }
+        }
+    }
+
+    /// The column of the variable with this name.
+    pub fn column_by_name(&self, name: &str) -> Result<usize, Refused> {
+        let unknown = || Refused::Unknown(Fault::new(format_args!("{} has no variable '{name}'", self.model.name)));
+        self.model.find(name).ok_or_else(unknown)
+    }
+
+    /// Whether a column may be set to a value in this phase.
+    pub fn check_value(&self, phase: Phase, column: usize, value: f64) -> Result<(), Refused> {
+        let variable = &self.model.table[column];
+        if variable.role == Role::Output {
+            let text = format_args!("{} is computed and cannot be set", variable.path);
+            return Err(Refused::NotSettable(Fault::new(text)));
+        }
+        if !phase.admits(variable) {
+            return Err(Refused::NotNow(variable));
+        }
+        let checked = match self.exchange {
+            None => variable.check_for_steps(value),
+            Some(_) if variable.admits(value) => Ok(()),
+            Some(_) => Err(variable.fault(value)),
+        };
+        checked.map_err(Refused::Value)
+    }
+
+    /// Sets columns: all, or none if one is refused. Outputs follow at once.
+    #[inline]
+    pub fn set_all(&mut self, phase: Phase, values: impl Iterator<Item = (usize, f64)> + Clone) -> Result<(), Refused> {
+        values.clone().try_for_each(|(column, value)| self.check_value(phase, column, value))?;
+        values.for_each(|(column, value)| self.write(column, value));
+        Ok(())
+    }
+
+    /// Sets the variable with this value reference, in the phase [`Phase::Setup`].
+    #[inline]
+    pub fn set(&mut self, reference: Reference, value: f64) -> Result<(), Refused> {
+        self.set_column(self.column(reference)?, value)
+    }
+
+    /// Sets the variable with this name, in the phase [`Phase::Setup`].
+    pub fn set_by_name(&mut self, name: &str, value: f64) -> Result<(), Refused> {
+        self.set_column(self.column_by_name(name)?, value)
+    }
+
+    /// Sets the variable of a column, in the phase [`Phase::Setup`].
+    #[inline]
+    pub fn set_column(&mut self, column: usize, value: f64) -> Result<(), Refused> {
+        self.check_value(Phase::Setup, column, value)?;
+        self.write(column, value);
+        Ok(())
+    }
+
+    /// The variable with this value reference; a result is computed first if it lags behind.
+    #[inline]
+    pub fn get(&mut self, reference: Reference) -> Result<f64, Refused> {
+        self.get_column(self.column(reference)?)
+    }
+
+    /// The variable with this name; a result is computed first if it lags behind.
+    pub fn get_by_name(&mut self, name: &str) -> Result<f64, Refused> {
+        self.get_column(self.column_by_name(name)?)
+    }
+
+    /// The variable of a column; a result is computed first if it lags behind.
+    #[inline]
+    pub fn get_column(&mut self, column: usize) -> Result<f64, Refused> {
+        self.refresh_to(self.model.table[column].needs()).map_err(Refused::NotFinite)?;
+        Ok(self.row[column])
+    }
+
+    /// Gives an input a slope over the next step.
+    pub fn set_slope(&mut self, column: usize, slope: f64) -> Result<(), Refused> {
+        self.check_slope(column, slope)?;
+        self.slopes.set(column, slope);
+        Ok(())
+    }
+
+    /// Whether a column may have this slope.
+    pub fn check_slope(&self, column: usize, slope: f64) -> Result<(), Refused> {
+        let variable = &self.model.table[column];
+        if variable.role != Role::Input || !matches!(variable.kind, Kind::Real(_)) {
+            return Err(Refused::NotSettable(Fault::new(format_args!("{} is not an input", variable.path))));
+        }
+        if !slope.is_finite() {
+            let text = format_args!("derivative of {} = {slope}: must be finite", variable.path);
+            return Err(Refused::Value(Fault::new(text)));
+        }
+        Ok(())
+    }
+
+    /// Reads Real variables that need no computing. False if there is anything else among them; the values written so
+    /// far must then not be used.
+    #[inline(always)]
+    pub fn read_at_once(&self, references: &[Reference], values: &mut [f64]) -> bool {
+        for (reference, value) in references.iter().zip(values) {
+            let Some(Place::Column(column)) = self.model.place(*reference) else { return false };
+            match (self.row.get(column), self.model.ports.get(column)) {
+                (Some(found), Some(port)) if port.gives(self.computed) => *value = *found,
+                _ => return false,
+            }
+        }
+        true
+    }
+
+    /// Sets inputs with no rule but their range to admitted values. False, with nothing changed, if there is anything
+    /// else among them.
+    #[inline(always)]
+    pub fn write_at_once(&mut self, references: &[Reference], values: &[f64]) -> bool {
+        for (reference, value) in references.iter().zip(values) {
+            let Some(Place::Column(column)) = self.model.place(*reference) else { return false };
+            if !self.model.ports.get(column).is_some_and(|port| port.takes(*value)) {
+                return false;
+            }
+        }
+        for (reference, value) in references.iter().zip(values) {
+            if let Some(Place::Column(column)) = self.model.place(*reference)
+                && let Some(place) = self.row.get_mut(column)
+            {
+                *place = *value;
+            }
+        }
+        self.computed = Computed::Nothing;
+        true
+    }
+
+    /// Writes a column that may be set to an admitted value.
+    #[inline]
+    pub(super) fn write(&mut self, column: usize, value: f64) {
+        self.row[column] = value;
+        self.computed = Computed::Nothing;
+        self.unchecked |= self.model.table[column].role.is_parameter();
+    }
+}
