@@ -8,6 +8,9 @@
 //! use. The crate exports no C functions: those of FMI and of `stribeck.h` are in `stribeck-ffi`, from which the library
 //! in every FMU is made.
 
+// Tests take another road.
+#![cfg_attr(not(test), deny(clippy::disallowed_methods))]
+
 pub mod catalogue;
 mod consistency;
 pub mod contact;

@@ -2,6 +2,7 @@
 
 use crate::model::real;
 use crate::number::Real;
+use crate::number::elementary::pow;
 
 /// Largest number of elements with individual shares.
 pub(crate) const MOST: usize = 64;
@@ -156,7 +157,7 @@ impl Ramp {
         };
         bend(0.0);
         let fastest = self.velocity[0].abs().max(self.velocity_at(self.duration).abs());
-        for speed in BENDS.map(|power| stribeck_velocity * power.powf(1.0 / exponent)) {
+        for speed in BENDS.map(|power| stribeck_velocity * pow(power, 1.0 / exponent)) {
             if speed >= fastest {
                 break;
             }

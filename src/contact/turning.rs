@@ -1,5 +1,7 @@
 //! A direction that turns towards another one, which may itself turn.
 
+use crate::number::elementary::{self, atan2, exp_m1, ln_1p};
+
 /// Change of the angle from a follower to its leader.
 #[derive(Clone, Copy, Debug)]
 pub struct Turn {
@@ -40,17 +42,17 @@ pub fn follow(sin: f64, cos: f64, distance: f64, w: f64) -> Turn {
     let square = end.0 * end.0 + end.1 * end.1;
     let gain = (change.0 * (a + end.0) + change.1 * (b + end.1)) / (a * a + b * b);
     let (sin_end, cos_end) = (2.0 * end.0 * end.1 / square, (end.1 - end.0) * (end.1 + end.0) / square);
-    let turned = || f64::atan2(sin_end * cos - cos_end * sin, cos_end * cos + sin_end * sin);
+    let turned = || atan2(sin_end * cos - cos_end * sin, cos_end * cos + sin_end * sin);
     let across = if w == 0.0 {
         cos_end - cos
     } else if distance < SHORT {
         let half = 0.5 * turned();
-        let middle = sin * half.cos() + cos * half.sin();
+        let middle = sin * elementary::cos(half) + cos * elementary::sin(half);
         distance / 6.0 * (sin * sin + 4.0 * middle * middle + sin_end * sin_end)
     } else {
         w / distance * (w - turned()) + cos_end - cos
     };
-    Turn { sin: sin_end, cos: cos_end, along: 2.0 * growth + gain.ln_1p(), across }
+    Turn { sin: sin_end, cos: cos_end, along: 2.0 * growth + ln_1p(gain), across }
 }
 
 /// cosh(x) / exp(growth) - 1, sinh(x) / x / exp(growth), and growth, for x^2 = `square`, which may be negative.
@@ -59,10 +61,10 @@ fn parts(square: f64) -> (f64, f64, f64) {
     if x == 0.0 {
         (0.0, 1.0, 0.0)
     } else if square > 0.0 {
-        let fall = -(-2.0 * x).exp_m1();
+        let fall = -exp_m1(-2.0 * x);
         (-0.5 * fall, 0.5 * fall / x, x)
     } else {
-        (-2.0 * (0.5 * x).sin().powi(2), x.sin() / x, 0.0)
+        (-2.0 * elementary::square(elementary::sin(0.5 * x)), elementary::sin(x) / x, 0.0)
     }
 }
 

@@ -2,6 +2,7 @@ use crate::contact::conditions::ELASTIC_SHARE;
 use crate::contact::quantities::*;
 use crate::contact::unloading::released_without_load;
 use crate::model::{Derivatives, Fault, Law, Model, ModelExchange, Preset, real};
+use crate::number::elementary::{exp, exp_m1, ln, ln_1p, pow};
 use crate::number::{Mask, Real};
 
 crate::model! {
@@ -166,7 +167,7 @@ impl Model for Dahl {
         // Everything below is for sliding forwards; `missing` is the distance of the force from the level, f_C y.
         let missing = coulomb - direction * self.force();
         let shrinkage = log_shrinkage(missing.abs() / coulomb, self.sigma_0 * distance / coulomb, self.alpha);
-        self.bristle_deflection -= direction * missing * shrinkage.exp_m1() / self.sigma_0;
+        self.bristle_deflection -= direction * missing * exp_m1(shrinkage) / self.sigma_0;
         if distance > 0.0 {
             let elastic = missing / self.sigma_0 * mean_path(missing.abs() / coulomb, shrinkage, self.alpha);
             self.dissipated_energy += coulomb * (distance - elastic);
@@ -183,15 +184,15 @@ fn log_shrinkage(y_0: f64, q: f64, alpha: f64) -> f64 {
     if y_0 == 0.0 {
         return 0.0;
     }
-    let relative = (1.0 - alpha) * q * y_0.powf(alpha - 1.0);
+    let relative = (1.0 - alpha) * q * pow(y_0, alpha - 1.0);
     if relative >= 1.0 {
         f64::NEG_INFINITY
     } else if relative == f64::NEG_INFINITY {
         // A level far below the force, with a large exponent: ln(1 + w) is ln w, computed in parts so that w may
         // overflow.
-        -((alpha - 1.0) * q).ln() / (alpha - 1.0) - y_0.ln()
+        -ln((alpha - 1.0) * q) / (alpha - 1.0) - ln(y_0)
     } else {
-        (-relative).ln_1p() / (1.0 - alpha)
+        ln_1p(-relative) / (1.0 - alpha)
     }
 }
 
@@ -204,10 +205,10 @@ fn mean_path(y_0: f64, log_shrinkage: f64, alpha: f64) -> f64 {
         -log_shrinkage / y_0
     } else if (exponent * log_shrinkage).abs() < 1.0 {
         // The difference of two nearly equal powers.
-        -y_0.powf(1.0 - alpha) * (exponent * log_shrinkage).exp_m1() / exponent
+        -pow(y_0, 1.0 - alpha) * exp_m1(exponent * log_shrinkage) / exponent
     } else {
-        let y = y_0 * log_shrinkage.exp();
-        (y_0.powf(exponent) - y.powf(exponent)) / (exponent * y_0)
+        let y = y_0 * exp(log_shrinkage);
+        (pow(y_0, exponent) - pow(y, exponent)) / (exponent * y_0)
     }
 }
 

@@ -3,6 +3,7 @@ use crate::contact::quantities::*;
 use crate::contact::unloading::released_without_load;
 use crate::laws::stribeck;
 use crate::model::{Derivatives, Fault, Law, Model, ModelExchange, Preset, integer};
+use crate::number::elementary::{exp, exp_m1, ln, ln_1p, pow, sin};
 use crate::number::{Mask, Real};
 use crate::numerics::quadrature;
 use crate::numerics::runge_kutta::dormand_prince;
@@ -272,17 +273,17 @@ impl Slide {
     /// alpha = 1: w = u - 1 follows dw/dq = -w^i.
     fn shrink(&mut self, i: f64) {
         let (w, q) = (self.u - 1.0, self.left);
-        let x = (i - 1.0) * q * w.powf(i - 1.0);
+        let x = (i - 1.0) * q * pow(w, i - 1.0);
         let (w_end, area) = if i == 1.0 {
-            (w * (-q).exp(), -w * (-q).exp_m1())
+            (w * exp(-q), -w * exp_m1(-q))
         } else if w == 0.0 {
             (0.0, 0.0)
         } else if x < 1.0 {
-            let log = x.ln_1p() / (i - 1.0);
-            (w * (-log).exp(), w.powf(2.0 - i) * ((i - 2.0) * log).exp_m1() / (i - 2.0))
+            let log = ln_1p(x) / (i - 1.0);
+            (w * exp(-log), pow(w, 2.0 - i) * exp_m1((i - 2.0) * log) / (i - 2.0))
         } else {
-            let w_end = (w.powf(1.0 - i) + (i - 1.0) * q).powf(-1.0 / (i - 1.0));
-            (w_end, (w_end.powf(2.0 - i) - w.powf(2.0 - i)) / (i - 2.0))
+            let w_end = pow(pow(w, 1.0 - i) + (i - 1.0) * q, -1.0 / (i - 1.0));
+            (w_end, (pow(w_end, 2.0 - i) - pow(w, 2.0 - i)) / (i - 2.0))
         };
         self.u = 1.0 + w_end;
         self.area += q + area;
@@ -313,7 +314,7 @@ impl Slide {
                 // Numbers out of range: the caller refuses the step.
                 at = [f64::NAN; 2];
             }
-            let factor = 0.9 * error.powf(-0.2);
+            let factor = 0.9 * pow(error, -0.2);
             piece = q * if factor.is_nan() { 0.2 } else { factor.clamp(0.2, 5.0) };
         }
         self.u = 1.0 - transition.missing(at[0]);
@@ -333,18 +334,18 @@ struct Transition {
 impl Transition {
     /// p for y = 1 - u.
     fn variable(&self, y: f64) -> f64 {
-        if self.exponent == 1.0 { -y.ln() } else { y.powf(1.0 - self.exponent) / (self.exponent - 1.0) }
+        if self.exponent == 1.0 { -ln(y) } else { pow(y, 1.0 - self.exponent) / (self.exponent - 1.0) }
     }
 
     /// y for p.
     fn missing(&self, p: f64) -> f64 {
-        if self.exponent == 1.0 { (-p).exp() } else { ((self.exponent - 1.0) * p).powf(-1.0 / (self.exponent - 1.0)) }
+        if self.exponent == 1.0 { exp(-p) } else { pow((self.exponent - 1.0) * p, -1.0 / (self.exponent - 1.0)) }
     }
 
     /// dp/dq = ((1 - alpha u) / y)^i with 1 - alpha = sin^2(pi y / (2 - 2 kappa)), and y.
     fn rates(&self, [p, _]: [f64; 2]) -> [f64; 2] {
         let y = self.missing(p);
-        [(1.0 + (1.0 - y) * self.elastic(y) / y).powf(self.exponent), y]
+        [pow(1.0 + (1.0 - y) * self.elastic(y) / y, self.exponent), y]
     }
 
     /// For i = 1, y by the rate at which it falls.
@@ -354,13 +355,13 @@ impl Transition {
 
     /// 1 - alpha.
     fn elastic(&self, y: f64) -> f64 {
-        let sine = (std::f64::consts::FRAC_PI_2 * (y / self.width).min(1.0)).sin();
+        let sine = sin(std::f64::consts::FRAC_PI_2 * (y / self.width).min(1.0));
         sine * sine
     }
 
     /// Error of u, with dy = -y^i dp, and of the integral, relative to it where it is large.
     fn error(&self, [p, area]: [f64; 2], [error, area_error]: [f64; 2]) -> f64 {
-        (self.missing(p).powf(self.exponent) * error).abs() + area_error.abs() / area.max(1.0)
+        (pow(self.missing(p), self.exponent) * error).abs() + area_error.abs() / area.max(1.0)
     }
 }
 

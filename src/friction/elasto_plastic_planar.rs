@@ -1,3 +1,4 @@
+use crate::number::elementary::{exp_m1, hypot, pow};
 use nalgebra::Vector2;
 
 use crate::contact::conditions::ELASTIC_SHARE;
@@ -259,14 +260,14 @@ impl Bristle {
         let (mut left, mut piece) = (distance, 0.01 * (1.0 - kappa));
         while left > 0.0 {
             let [along, across, area] = at;
-            if (along - 1.0).hypot(across) < NEAR * (1.0 - kappa) {
-                let gone = -(-left).exp_m1();
+            if hypot(along - 1.0, across) < NEAR * (1.0 - kappa) {
+                let gone = -exp_m1(-left);
                 at = [along - (along - 1.0) * gone, across * (1.0 - gone), area + left + (along - 1.0) * gone];
                 break;
             }
             let length = piece.min(left);
             let (next, error) = dormand_prince(|_, at| rates(kappa, at), at, length);
-            let deflection = error[0].hypot(error[1]) / at[0].hypot(at[1]).max(1.0);
+            let deflection = hypot(error[0], error[1]) / hypot(at[0], at[1]).max(1.0);
             let error = f64::max(deflection, error[2].abs() / at[2].abs().max(1.0)) / TOLERANCE;
             // A length that vanishes means numbers out of range: the caller refuses the result.
             if error <= 1.0 || length <= 1e-14 || error.is_nan() {
@@ -276,7 +277,7 @@ impl Bristle {
             if error.is_nan() {
                 break;
             }
-            piece = length * (0.9 * error.powf(-0.2)).clamp(0.2, 5.0);
+            piece = length * (0.9 * pow(error, -0.2)).clamp(0.2, 5.0);
         }
         Bristle { along: at[0], across: at[1], area: at[2] }
     }
@@ -284,7 +285,7 @@ impl Bristle {
 
 /// Derivatives with respect to the distance.
 fn rates(kappa: f64, [along, across, _]: [f64; 3]) -> [f64; 3] {
-    let size = along.hypot(across);
+    let size = hypot(along, across);
     let plastic = if along > 0.0 { elasto_plastic::alpha(size, 1.0, kappa) * along / size } else { 0.0 };
     [1.0 - plastic * along, -plastic * across, along]
 }

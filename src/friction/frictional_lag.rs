@@ -4,6 +4,7 @@ use crate::contact::quantities::*;
 use crate::laws::stribeck;
 use crate::model::ramp;
 use crate::model::{CoSimulation, Fault, Law, Model, Preset, boolean};
+use crate::number::elementary::{exp_m1, ln_1p, pow};
 use crate::number::{Mask, Real};
 use crate::numerics::quadrature::integral_past_peak;
 use crate::numerics::relaxation;
@@ -241,7 +242,7 @@ impl FrictionalLag {
 
     /// |w| up to which the Stribeck peak counts.
     fn band(&self) -> f64 {
-        self.stribeck_velocity * NEGLIGIBLE.powf(1.0 / self.stribeck_exponent)
+        self.stribeck_velocity * pow(NEGLIGIBLE, 1.0 / self.stribeck_exponent)
     }
 }
 
@@ -312,13 +313,13 @@ impl Filter {
         let lag = self.motion.acceleration * self.time_lag;
         let relaxed = relaxation::after(self.start, self.motion.velocity, x);
         // 0 times an infinite x would not be a number.
-        if lag == 0.0 { relaxed } else { relaxed + lag * (x + (-x).exp_m1()) }
+        if lag == 0.0 { relaxed } else { relaxed + lag * (x + exp_m1(-x)) }
     }
 
     /// The instant at which dw/dt = 0, if there is one.
     fn turn(&self) -> f64 {
         let lag = self.motion.acceleration * self.time_lag;
-        ((self.start - self.motion.velocity) / lag).ln_1p() * self.time_lag
+        ln_1p((self.start - self.motion.velocity) / lag) * self.time_lag
     }
 
     /// Sections of the motion in which w is monotonic and changes on one scale: the exponential fades within a few

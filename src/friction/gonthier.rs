@@ -2,6 +2,7 @@ use crate::contact::conditions::is_elastic;
 use crate::contact::quantities::*;
 use crate::contact::unloading::released_without_load;
 use crate::model::{Derivatives, Fault, Law, Model, ModelExchange, Preset, real};
+use crate::number::elementary::{exp, exp_m1, ln};
 use crate::number::{Mask, Real};
 
 crate::model! {
@@ -192,7 +193,7 @@ impl Gonthier {
         Course {
             law: *self,
             // (1 - s) sigma_0 / sigma_1
-            rate: -(-u * u).exp_m1() * self.sigma_0 / self.sigma_1,
+            rate: -exp_m1(-u * u) * self.sigma_0 / self.sigma_1,
             deflection_rate: self.deflection_rate(),
             dwell_rate: self.dwell_rate(),
             dwell_missing: self.stick_share() - self.dwell,
@@ -245,12 +246,12 @@ impl Course {
 
     /// s_d(t).
     fn dwell(&self, t: f64) -> f64 {
-        self.law.dwell - self.dwell_missing * (-self.dwell_rate * t).exp_m1()
+        self.law.dwell - self.dwell_missing * exp_m1(-self.dwell_rate * t)
     }
 
     /// f_br(t).
     fn bristle_force(&self, t: f64) -> f64 {
-        self.law.sigma_0 * self.deflection(t) + self.law.sigma_1 * self.deflection_rate * (-self.rate * t).exp()
+        self.law.sigma_0 * self.deflection(t) + self.law.sigma_1 * self.deflection_rate * exp(-self.rate * t)
     }
 
     /// f_max(t).
@@ -302,14 +303,14 @@ impl Course {
     fn turn(&self, side: f64) -> Option<f64> {
         let rise = self.law.excess() * self.dwell_missing * self.dwell_rate;
         let bristle_rise = side * (self.law.sigma_0 - self.law.sigma_1 * self.rate) * self.deflection_rate;
-        let turn = (bristle_rise / rise).ln() / (self.rate - self.dwell_rate);
+        let turn = ln(bristle_rise / rise) / (self.rate - self.dwell_rate);
         turn.is_finite().then_some(turn)
     }
 }
 
 /// (1 - exp(-x)) / x.
 fn first(x: f64) -> f64 {
-    if x < 1e-8 { 1.0 - 0.5 * x } else { -(-x).exp_m1() / x }
+    if x < 1e-8 { 1.0 - 0.5 * x } else { -exp_m1(-x) / x }
 }
 
 /// (x - 1 + exp(-x)) / x^2.

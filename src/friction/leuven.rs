@@ -4,6 +4,7 @@ use crate::contact::quantities::*;
 use crate::laws::stribeck;
 use crate::model::ramp;
 use crate::model::{CoSimulation, Fault, Law, Model, Preset, real};
+use crate::number::elementary::{exp_m1, pow};
 use crate::number::{Mask, Real};
 use crate::numerics::approach;
 
@@ -398,7 +399,7 @@ impl Stretch {
 
 /// 1 / x - 1 / (e^x - 1): the lag of an exponential approach behind its moving level after x, in shares of the change.
 fn lag(x: f64) -> f64 {
-    if x < 1e-3 { 0.5 - x / 12.0 } else { 1.0 / x - 1.0 / x.exp_m1() }
+    if x < 1e-3 { 0.5 - x / 12.0 } else { 1.0 / x - 1.0 / exp_m1(x) }
 }
 
 /// Least level that a piece of a ramp approaches, relative to that of its middle (chosen): where the level falls by most
@@ -455,7 +456,7 @@ impl Leuven {
 
     /// |dz/dt| with the sign of a deflection in the direction of the motion, for r = F_h / |s|.
     fn rate_at(&self, r: f64) -> f64 {
-        self.velocity.abs() * (1.0 - r.sign() * r.abs().powf(self.approach_exponent))
+        self.velocity.abs() * (1.0 - r.sign() * pow(r.abs(), self.approach_exponent))
     }
 
     /// Limits over a piece of a ramp, at this speed of deflection. Lifts the elements that slip to the middle.
@@ -510,7 +511,7 @@ impl Leuven {
             let is_at_limit = |limits: &Limits, _, share, force: f64| outward * force >= share * limits.line;
             let drive = outward * direction * self.drive(&limits, stretch, is_at_limit).max(0.0);
             let missing = end - (end - begin - drive * stretch.duration) * lag(x) - aim;
-            let change = -direction * missing * (-x).exp_m1() / stiffness;
+            let change = -direction * missing * exp_m1(-x) / stiffness;
             let (_, room) = self.yielding(&limits, change.sign());
             self.deflect(&mut limits, change.sign(), change.abs().min(room), room);
         }

@@ -1,3 +1,4 @@
+use crate::number::elementary::atan2;
 use nalgebra::Vector3;
 
 use crate::contact::quantities::*;
@@ -451,7 +452,7 @@ fn slide(
     let has_plane = forward[0] != forward[1] && length(normal) > 0.0;
     let left = forward.map(|forward| if has_plane { normal.cross(&forward) } else { -direction(&side) });
     let sin = if has_plane { -start.dot(&left[0]) } else { length(&side) };
-    let w = f64::atan2(forward[1].dot(&left[0]), forward[1].dot(&forward[0]));
+    let w = atan2(forward[1].dot(&left[0]), forward[1].dot(&forward[0]));
     let turn = turning::follow(sin, start.dot(&forward[0]), distance / limit, if has_plane { w } else { 0.0 });
     *z = (forward[1] * turn.cos - left[1] * turn.sin) * limit;
     (turn.along, turn.across)

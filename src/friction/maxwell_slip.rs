@@ -3,6 +3,7 @@ use crate::contact::quantities::*;
 use crate::laws::stribeck;
 use crate::model::ramp;
 use crate::model::{self, CoSimulation, Fault, Law, Model, Preset, Width, boolean, real};
+use crate::number::elementary::exp_m1;
 use crate::number::{Mask, Real};
 use crate::numerics::relaxation;
 
@@ -492,7 +493,7 @@ impl Path {
         let (before, change) = (element.force, strength[1] - strength[0]);
         let rate = self.attraction / (0.5 * (strength[0] + strength[1]));
         let gap = before - strength[0];
-        let decay = -(-rate * time).exp_m1();
+        let decay = -exp_m1(-rate * time);
         let lag = change * (if rate * time > 0.0 { decay / (rate * time) } else { 1.0 });
         let gap_end = gap * (1.0 - decay) - lag;
         element.force = strength[1] + gap_end;

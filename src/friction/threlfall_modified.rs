@@ -2,6 +2,7 @@ use crate::contact::quantities::*;
 use crate::contact::time_stepping::{Curve, TimeStepping, memoryless};
 use crate::laws::regularised;
 use crate::model::{Model, Preset};
+use crate::number::elementary::exp_m1;
 use crate::number::{Mask, Real};
 
 crate::model! {
@@ -86,7 +87,7 @@ impl<T: Real> Curve<T> for ThrelfallModified<T> {
     /// Eq. (6.4).
     #[inline]
     fn curve(&self, velocity: T) -> T {
-        let end = T::from(-(-3.0f64).exp_m1());
+        let end = T::from(-exp_m1(-3.0));
         let rising = || self.level() * regularised::exponential(velocity, self.transition_velocity) / end;
         velocity.abs().above(self.transition_velocity).choose(|| self.level() * velocity.sign(), rising)
     }

@@ -1,5 +1,6 @@
 use crate::model::{Derivatives, Law, Model, ModelExchange, real};
 use crate::number::Real;
+use crate::number::elementary::{cos, sin};
 
 crate::model! {
     /// A block on a moving belt, held by a spring: the one-degree-of-freedom benchmark of stick-slip.
@@ -126,7 +127,7 @@ impl Model for BeltRig {
 fn stumpff(u: f64) -> [f64; 3] {
     if u > 1.0 {
         let w = u.sqrt();
-        return [w.sin() / w, (1.0 - w.cos()) / u, (w - w.sin()) / (u * w)];
+        return [sin(w) / w, (1.0 - cos(w)) / u, (w - sin(w)) / (u * w)];
     }
     // Horner's form of the power series sum (-u)^n / (2 n + k)!; ten terms leave less than 1 / 21!.
     let series = |k: u32| {

@@ -2,6 +2,7 @@
 
 use crate::model::ramp::set_inputs;
 use crate::model::{Columns, Model, row_of, row_of_mut};
+use crate::number::elementary::pow;
 use crate::numerics::runge_kutta::dormand_prince;
 
 /// Error allowed in a piece of a step, relative to the larger of the state and its nominal value (chosen).
@@ -73,7 +74,7 @@ fn advance_by<M: Model, const N: usize>(model: &mut M, slope: Option<&M>, dt: f6
         let (next, error) = dormand_prince(|since, at| motion.rates(time + since, at), at, length);
         let error = largest::<M, N>(&columns, next, error) / TOLERANCE;
         // The estimate is of fifth order; safety factor and limits as usual in step-size control.
-        let factor = 0.9 * error.powf(-0.2);
+        let factor = 0.9 * pow(error, -0.2);
         piece = length * if factor.is_nan() { 0.2 } else { factor.clamp(0.2, 5.0) };
         if error <= 1.0 {
             motion.put(end, next);

@@ -13,6 +13,7 @@
 //! is the slope of the chord to the approximate new value of y.
 
 use crate::model::{Model, Path, Role, Variable, is_for_exchange, row_of, row_of_mut};
+use crate::number::elementary::{exp, exp_m1, pow, square};
 
 /// Error allowed in a piece, relative to the larger of the state and its nominal value (chosen). It is the error of a
 /// target taken as linear; that of a quadratic one is far smaller.
@@ -303,7 +304,7 @@ const MOST_GROWTH: f64 = 4.0;
 /// Ratio of the lengths of the next piece and this one, for an error of order 2 and the usual safety factor.
 fn growth(error: f64, [least, most]: [f64; 2]) -> f64 {
     // An infinite error gives the lower limit.
-    (0.8 / error.cbrt()).min(most).max(least)
+    (0.8 / pow(error, 1.0 / 3.0)).min(most).max(least)
 }
 
 /// Beginning, middle and end of a piece.
@@ -455,8 +456,8 @@ impl Drawn {
         let [r_0, r_1, r_2] = self.pulls;
         // Decay, until the end, of the contributions of beginning and middle.
         let (first, second) = (-0.25 * self.h * (r_0 + r_1), -0.25 * self.h * (r_1 + r_2));
-        let middle = self.h / 24.0 * (5.0 * rates[0] * first.exp() + 8.0 * rates[1] - rates[2] * (-second).exp());
-        let weighted = [rates[0] * (first + second).exp(), rates[1] * second.exp(), rates[2]];
+        let middle = self.h / 24.0 * (5.0 * rates[0] * exp(first) + 8.0 * rates[1] - rates[2] * exp(-second));
+        let weighted = [rates[0] * exp(first + second), rates[1] * exp(second), rates[2]];
         let end = simpson(weighted, self.h);
         let error = (end - 0.5 * self.h * (weighted[0] + weighted[2])).abs();
         // A draw that sets in within the piece, as at the end of elastic motion, may be too strong for these rules: its
@@ -473,7 +474,8 @@ impl Drawn {
         let trapezoid = 0.5 * self.h * (self.pulls[0] + self.pulls[2]);
         // Errors of a target and of a pull that are taken as linear between the ends.
         let [_, two, three] = at_end;
-        let error = (c_2 * q[1].powi(3) * (2.0 * three - two)).abs() + ((targets[2] - end) * (q[1] - trapezoid)).abs();
+        let error =
+            (c_2 * (q[1] * square(q[1])) * (2.0 * three - two)).abs() + ((targets[2] - end) * (q[1] - trapezoid)).abs();
         Drawn { change: [0.0, middle, end], error, strong: Some((q, targets)), ..self }
     }
 
@@ -566,7 +568,7 @@ fn phi(x: f64) -> [f64; 3] {
         let two = 0.5 + x * three;
         return [1.0 + x * two, two, three];
     }
-    let one = x.exp_m1() / x;
+    let one = exp_m1(x) / x;
     let two = (one - 1.0) / x;
     [one, two, (two - 0.5) / x]
 }

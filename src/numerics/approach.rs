@@ -13,6 +13,8 @@
 //!
 //! where h is smooth and goes to n as r goes to 1: q(w) is an ordinary integral, and w(q) its inverse.
 
+use crate::number::elementary::{cosh, exp, exp_m1, ln, ln_1p, pow, sinh};
+
 /// Result of the motion.
 pub struct Travel {
     /// Change of r.
@@ -34,7 +36,7 @@ pub fn advance(r: f64, end: f64, q: f64, exponent: f64) -> Travel {
         return advance_linear(r, end, q);
     }
     let side = if r < 1.0 { 1.0 } else { -1.0 };
-    let position = |r: f64| if side > 0.0 { -(-r).ln_1p() } else { -(r - 1.0).ln() };
+    let position = |r: f64| if side > 0.0 { -ln_1p(-r) } else { -ln(r - 1.0) };
     let start = position(r);
     if start >= FULL {
         return Travel { change: 0.0, distance: q, area: q * r, arrived: false };
@@ -56,9 +58,9 @@ pub fn advance(r: f64, end: f64, q: f64, exponent: f64) -> Travel {
 /// The exponential of n = 1, where r = 1 - dr/dq.
 fn advance_linear(r: f64, end: f64, q: f64) -> Travel {
     let left = (1.0 - end) / (1.0 - r);
-    let to_end = if left > 0.0 { -left.ln() } else { f64::INFINITY };
+    let to_end = if left > 0.0 { -ln(left) } else { f64::INFINITY };
     let (change, distance, arrived) =
-        if to_end <= q { (end - r, to_end, true) } else { (-(1.0 - r) * (-q).exp_m1(), q, false) };
+        if to_end <= q { (end - r, to_end, true) } else { (-(1.0 - r) * exp_m1(-q), q, false) };
     Travel { change, distance, area: distance - change, arrived }
 }
 
@@ -81,20 +83,20 @@ const DEPTH: u32 = 24;
 impl Path {
     /// Change of r from the start to w.
     fn change(&self, w: f64) -> f64 {
-        -self.side * (-self.start).exp() * (self.start - w).exp_m1()
+        -self.side * exp(-self.start) * exp_m1(self.start - w)
     }
 
     /// r, and dq/dw = 1 / h.
     fn at(&self, w: f64) -> (f64, f64) {
-        let gap = (-w).exp();
+        let gap = exp(-w);
         // Each form keeps the digits of the small quantity: r around 0, 1 - r near 1.
-        let r = if self.side > 0.0 { -(-w).exp_m1() } else { 1.0 + gap };
+        let r = if self.side > 0.0 { -exp_m1(-w) } else { 1.0 + gap };
         let power = if r <= 0.0 {
-            1.0 + (-r).powf(self.exponent)
+            1.0 + pow(-r, self.exponent)
         } else if r < 0.5 {
-            1.0 - r.powf(self.exponent)
+            1.0 - pow(r, self.exponent)
         } else {
-            -self.side * (self.exponent * (-self.side * gap).ln_1p()).exp_m1()
+            -self.side * exp_m1(self.exponent * ln_1p(-self.side * gap))
         };
         (r, gap / power)
     }
@@ -132,8 +134,8 @@ impl Path {
         }
         (-34..=34).fold([0.0; 2], |sum, k| {
             let t = STEP * f64::from(k);
-            let share = 1.0 / (1.0 + (-std::f64::consts::PI * t.sinh()).exp());
-            let weight = STEP * to * std::f64::consts::PI * t.cosh() * share * (1.0 - share);
+            let share = 1.0 / (1.0 + exp(-std::f64::consts::PI * sinh(t)));
+            let weight = STEP * to * std::f64::consts::PI * cosh(t) * share * (1.0 - share);
             let (r, rate) = self.at(to * share);
             add(sum, [weight * rate, weight * rate * r])
         })

@@ -1,5 +1,7 @@
 //! Exact solution of a linear relaxation.
 
+use crate::number::elementary::{exp, exp_m1};
+
 /// x after a time h of `dx/dt = rate (steady - x)`, given `decay = rate h`:
 ///
 /// ```text
@@ -8,7 +10,7 @@
 #[inline]
 pub fn after(x: f64, steady: f64, decay: f64) -> f64 {
     // The first form keeps its digits if little changes, the second if nothing of x(0) remains.
-    if decay < 1.0 { x - (steady - x) * (-decay).exp_m1() } else { steady + (x - steady) * (-decay).exp() }
+    if decay < 1.0 { x - (steady - x) * exp_m1(-decay) } else { steady + (x - steady) * exp(-decay) }
 }
 
 #[cfg(test)]

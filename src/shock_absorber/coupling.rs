@@ -1,6 +1,7 @@
 //! The largest communication step at which a mass carried by a spring-damper stays stable.
 
 use crate::contact::ExchangeOrder;
+use crate::number::elementary::{hypot, square};
 
 /// Value that stands for "no limit" (chosen), so that the output is finite.
 const NO_LIMIT: f64 = 1.0;
@@ -86,9 +87,9 @@ const MARGIN: f64 = 0.85;
 
 /// The root u >= 0 of p u^2 + (p - k - k_s) u - k = 0 with p = m (k_s / c_s)^2.
 fn softness(k: f64, series: &Series, mass: f64) -> f64 {
-    let p = mass * (series.stiffness / series.damping).powi(2);
+    let p = mass * square(series.stiffness / series.damping);
     let b = p - k - series.stiffness;
-    let root = b.hypot(2.0 * (p * k).sqrt());
+    let root = hypot(b, 2.0 * (p * k).sqrt());
     // Avoids the difference of nearly equal numbers.
     if b > 0.0 { 2.0 * k / (b + root) } else { (root - b) / (2.0 * p) }
 }

@@ -1,4 +1,7 @@
-//! The number types a law is evaluated with: `f64` for values, [`Dual`] for values with an exact derivative.
+//! The number types a law is evaluated with: `f64` for values, [`Dual`] for values with an exact derivative, and their
+//! [`elementary`] functions.
+
+pub mod elementary;
 
 use std::cmp::Ordering;
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
@@ -157,25 +160,25 @@ impl Real for f64 {
         self == other
     }
     fn exp(self) -> f64 {
-        f64::exp(self)
+        elementary::exp(self)
     }
     fn tanh(self) -> f64 {
-        f64::tanh(self)
+        elementary::tanh(self)
     }
     fn sin(self) -> f64 {
-        f64::sin(self)
+        elementary::sin(self)
     }
     fn cos(self) -> f64 {
-        f64::cos(self)
+        elementary::cos(self)
     }
     fn atan(self) -> f64 {
-        f64::atan(self)
+        elementary::atan(self)
     }
     fn sqrt(self) -> f64 {
         f64::sqrt(self)
     }
     fn powf(self, exponent: f64) -> f64 {
-        f64::powf(self, exponent)
+        elementary::pow(self, exponent)
     }
     fn abs(self) -> f64 {
         f64::abs(self)
@@ -289,32 +292,32 @@ impl Real for Dual {
         Dual::from(f64::from(i8::from(self.value > 0.0) - i8::from(self.value < 0.0)))
     }
     fn exp(self) -> Dual {
-        let value = self.value.exp();
+        let value = elementary::exp(self.value);
         // If the exponential vanishes, its derivative vanishes too, however fast the exponent changes.
         if value == 0.0 { Dual::from(0.0) } else { self.chain(value, value) }
     }
     fn tanh(self) -> Dual {
-        let value = self.value.tanh();
+        let value = elementary::tanh(self.value);
         self.chain(value, 1.0 - value * value)
     }
     fn sin(self) -> Dual {
-        self.chain(self.value.sin(), self.value.cos())
+        self.chain(elementary::sin(self.value), elementary::cos(self.value))
     }
     fn cos(self) -> Dual {
-        self.chain(self.value.cos(), -self.value.sin())
+        self.chain(elementary::cos(self.value), -elementary::sin(self.value))
     }
     fn atan(self) -> Dual {
-        self.chain(self.value.atan(), 1.0 / (1.0 + self.value * self.value))
+        self.chain(elementary::atan(self.value), 1.0 / (1.0 + self.value * self.value))
     }
     fn sqrt(self) -> Dual {
         let value = self.value.sqrt();
         self.chain(value, 0.5 / value)
     }
     fn powf(self, exponent: Dual) -> Dual {
-        let value = self.value.powf(exponent.value);
-        let by_base = self.chain(value, exponent.value * self.value.powf(exponent.value - 1.0));
+        let value = elementary::pow(self.value, exponent.value);
+        let by_base = self.chain(value, exponent.value * elementary::pow(self.value, exponent.value - 1.0));
         // The limit of x^p ln x as x goes to 0 is 0 for p > 0.
-        let log = if value == 0.0 { 0.0 } else { self.value.ln() };
+        let log = if value == 0.0 { 0.0 } else { elementary::ln(self.value) };
         let by_exponent = exponent.chain(value, value * log);
         Dual { value, slope: by_base.slope + by_exponent.slope }
     }
