@@ -142,7 +142,7 @@ enum Source {
     Memory(u16),
 }
 
-const SOURCES: [[Source; WIDEST]; COUNT] = {
+static SOURCES: [[Source; WIDEST]; COUNT] = {
     let mut all = [[Source::Start; WIDEST]; COUNT];
     let mut at = 0;
     while at < COUNT {
