@@ -183,8 +183,11 @@ pub trait Model: Described + Law<Number = f64> {
     /// restored with the row.
     const MEMORY: usize = 0;
 
-    /// Columns of hidden states that nothing uses with the present parameters, in order, such as the memory of a law
-    /// that was not chosen. Steps and outputs must not change them; in return, they cost nothing.
+    /// Whether there are idle columns: hidden states that nothing uses with the present parameters, such as the memory
+    /// of a law that was not chosen. Steps and outputs must not change them; in return, they cost nothing.
+    const HAS_IDLE: bool = false;
+
+    /// The idle columns, in order, of a model that has some.
     #[inline(always)]
     fn idle(&self) -> [Range<usize>; 2] {
         [const { Self::TABLE.len()..Self::TABLE.len() }; 2]

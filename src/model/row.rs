@@ -22,20 +22,30 @@ pub(super) fn commit<M: Model>(
     let in_use = model.memory_in_use();
     assert!(in_use <= memory.len(), "a row that asks for the memory of an instance");
     let memory = &mut memory[..in_use];
-    let [a, b] = model.idle();
-    let spans = [first..a.start, a.end..b.start, b.end..M::TABLE.len()];
+    let spans = if M::HAS_IDLE { spans(model, first) } else { Default::default() };
     let has_room = room.len() == M::TABLE.len() + M::MEMORY;
     if has_room {
         let (row_copy, memory_copy) = room.split_at_mut(M::TABLE.len());
-        copy(row_copy, row_of(model), &spans);
+        copy::<M>(row_copy, row_of(model), first, &spans);
         memory_copy[..memory.len()].copy_from_slice(memory);
     }
-    let mut guard = RollBack::<M> { row: model, memory, room, spans, keep: !has_room };
+    let mut guard = RollBack::<M> { row: model, memory, room, first, spans, keep: !has_room };
     work(guard.row, guard.memory);
     let row = row_of(guard.row);
-    let is_finite = guard.spans.iter().all(|span| are_finite(&row[span.clone()])) && are_finite(guard.memory);
+    let is_finite = if M::HAS_IDLE {
+        guard.spans.iter().all(|span| are_finite(&row[span.clone()]))
+    } else {
+        are_finite(&row[first..])
+    };
+    let is_finite = is_finite && are_finite(guard.memory);
     guard.keep |= is_finite;
     is_finite
+}
+
+/// The columns from `first` on that are not idle.
+fn spans<M: Model>(model: &M, first: usize) -> [Range<usize>; 3] {
+    let [a, b] = model.idle();
+    [first..a.start, a.end..b.start, b.end..M::TABLE.len()]
 }
 
 /// x 0 is 0 for every finite x, and NaN for the others. In lanes, so that the sums do not wait for each other.
@@ -51,9 +61,12 @@ fn are_finite(numbers: &[f64]) -> bool {
     rest.iter().chain(&sums).fold(0.0, |sum, value| sum + value * 0.0) == 0.0
 }
 
-/// Copies these columns.
+/// Copies the columns from `first` on, or the spans of them that are not idle.
 #[inline(always)]
-fn copy(to: &mut [f64], from: &[f64], spans: &[Range<usize>; 3]) {
+fn copy<M: Model>(to: &mut [f64], from: &[f64], first: usize, spans: &[Range<usize>; 3]) {
+    if !M::HAS_IDLE {
+        return to[first..].copy_from_slice(&from[first..]);
+    }
     for span in spans {
         to[span.clone()].copy_from_slice(&from[span.clone()]);
     }
@@ -65,6 +78,7 @@ struct RollBack<'a, M: Model> {
     row: &'a mut M,
     memory: &'a mut [f64],
     room: Room<'a>,
+    first: usize,
     spans: [Range<usize>; 3],
     keep: bool,
 }
@@ -74,7 +88,7 @@ impl<M: Model> Drop for RollBack<'_, M> {
     fn drop(&mut self) {
         if !self.keep {
             let (row, memory) = self.room.split_at(M::TABLE.len());
-            copy(row_of_mut(self.row), row, &self.spans);
+            copy::<M>(row_of_mut(self.row), row, self.first, &self.spans);
             self.memory.copy_from_slice(&memory[..self.memory.len()]);
         }
     }

@@ -461,6 +461,8 @@ impl<T: Evaluate> Law for GuideContact<T> {
 const INSIDE: f64 = 1e-9;
 
 impl Model for GuideContact {
+    const HAS_IDLE: bool = true;
+
     fn idle(&self) -> [Range<usize>; 2] {
         // The start of a run writes all of the memory.
         let in_use = if self.started == 0.0 { MEMORY } else { self.friction.memory_in_use() };

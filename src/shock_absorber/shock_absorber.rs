@@ -423,6 +423,8 @@ impl Model for ShockAbsorber {
     const EVENT_INDICATORS: usize = 2 * MOST_EVENTS;
     const PRESETS: &'static [Preset] = presets::ALL;
 
+    const HAS_IDLE: bool = true;
+
     fn idle(&self) -> [Range<usize>; 2] {
         // The start of a run writes all of the memories.
         let in_use = if self.has_started() { self.setting.friction.memory_in_use() } else { MEMORY };
