@@ -541,7 +541,7 @@ impl<T: Real> MagicFormula<T> {
 /// The angle S of the Magic Formula.
 fn phase<T: Real>(shape: T, curvature: T, x: T) -> T {
     let one = T::from(1.0);
-    let curvature = if curvature > one { one } else { curvature };
+    let curvature = curvature.above(one).choose(|| one, || curvature);
     shape * (x - curvature * (x - x.atan())).atan()
 }
 

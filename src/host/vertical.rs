@@ -3,7 +3,7 @@
 //! All heights are deviations from rest, positive up. Axes as in ISO 8855: x forward, y left, z up.
 
 use crate::model::{Fault, real};
-use crate::number::Real;
+use crate::number::{Mask, Real};
 
 /// Acceleration of gravity in m/s2, as in the benchmark of the friction models (9.81 N for 1 kg).
 pub const GRAVITY: f64 = 9.81;
@@ -66,7 +66,7 @@ impl<T: Real> Wheel<T> {
         let load = static_load
             + with.tyre_stiffness * (ground.height - self.wheel_height)
             + with.tyre_damping * (ground.velocity - self.wheel_velocity);
-        if load > T::zero() { load } else { T::zero() }
+        load.is_positive().choose(|| load, || T::zero())
     }
 
     /// Whether the wheel is on the ground.

@@ -1,5 +1,5 @@
 use crate::model::{Brief, Derivatives, Fault, Law, Model, ModelExchange, boolean, real};
-use crate::number::Real;
+use crate::number::{Mask, Real};
 
 crate::part! {
     /// Gas compressed by the rod.
@@ -31,12 +31,12 @@ impl<T: Real> GasChamber<T> {
         }
         let area = self.rod_area();
         let volume = self.V0 - area * compression;
-        if volume.value() <= 0.0 {
-            // An integer exponent would still give a pressure, even a negative one.
-            return T::from(f64::NAN);
-        }
-        let pressure = self.p0 * (self.V0 / volume).powf(self.n);
-        (pressure - self.p_ambient) * area
+        let compressed = || {
+            let pressure = self.p0 * (self.V0 / volume).powf(self.n);
+            (pressure - self.p_ambient) * area
+        };
+        // An integer exponent would still give a pressure without a volume, even a negative one.
+        volume.at_most(T::zero()).choose(|| T::from(f64::NAN), compressed)
     }
 }
 

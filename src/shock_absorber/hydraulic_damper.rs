@@ -1,6 +1,6 @@
 use crate::model::ramp;
 use crate::model::{Column, Derivatives, Fault, Law, Model, ModelExchange, boolean, integer, real};
-use crate::number::{Dual, Real};
+use crate::number::{Dual, Mask, Real};
 use crate::numerics::{interpolation, root};
 use crate::shock_absorber::coil_spring::{POINTS, check_rising, points};
 
@@ -94,7 +94,7 @@ const fn resistances() -> [Column; POINTS] {
 impl<T: Real> Hydraulics<T> {
     /// Whether the damper has a stiffness in series.
     pub fn has_series(&self) -> bool {
-        self.enabled.value() != 0.0 && self.k_series.value() > 0.0
+        self.enabled.value() != 0.0 && self.k_series.is_positive().holds()
     }
 
     /// Resistance F_d at a velocity of the piston; it has the sign of the velocity.
@@ -102,8 +102,9 @@ impl<T: Real> Hydraulics<T> {
         if self.enabled.value() == 0.0 {
             return T::zero();
         }
-        let extends = velocity.value() > 0.0;
-        let (c, degression) = if extends { (self.c_reb, self.degr_reb) } else { (self.c_comp, self.degr_comp) };
+        let extends = velocity.is_positive();
+        let c = extends.choose(|| self.c_reb, || self.c_comp);
+        let degression = extends.choose(|| self.degr_reb, || self.degr_comp);
         let resistance = match DamperMode::of(self.mode.value()) {
             DamperMode::Linear => c * velocity,
             DamperMode::Degressive => c * velocity / (T::from(1.0) + degression * velocity.abs()),
@@ -114,8 +115,9 @@ impl<T: Real> Hydraulics<T> {
 
     /// Slope of the resistance over the velocity of the piston.
     fn slope(&self, velocity: T) -> T {
-        let extends = velocity.value() > 0.0;
-        let (c, degression) = if extends { (self.c_reb, self.degr_reb) } else { (self.c_comp, self.degr_comp) };
+        let extends = velocity.is_positive();
+        let c = extends.choose(|| self.c_reb, || self.c_comp);
+        let degression = extends.choose(|| self.degr_reb, || self.degr_comp);
         let slope = match DamperMode::of(self.mode.value()) {
             DamperMode::Linear => c,
             DamperMode::Degressive => {
@@ -142,7 +144,7 @@ impl<T: Real> Hydraulics<T> {
         // one.
         let least = self.k_series * T::from(FOLLOWING_TIME);
         let slope = factor * self.slope(piston_velocity);
-        let slope = if slope.value() > least.value() { slope } else { least };
+        let slope = slope.above(least).choose(|| slope, || least);
         self.k_series * (velocity - piston_velocity) / slope
     }
 

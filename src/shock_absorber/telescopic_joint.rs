@@ -1,5 +1,5 @@
 use crate::model::{Derivatives, Fault, Law, Model, ModelExchange, Preset, boolean, real};
-use crate::number::Real;
+use crate::number::{Mask, Real};
 
 crate::choices! {
     /// Meaning of the four side-load inputs.
@@ -74,8 +74,8 @@ impl<T: Real> Guidance<T> {
     }
 
     /// Whether the overlap is so small that the contact forces are no longer those of the rigid joint.
-    pub fn is_low(&self, length: T) -> bool {
-        self.overlap(length) < T::from(5.0) * self.h_reg
+    pub fn is_low(&self, length: T) -> T::Mask {
+        self.overlap(length).below(T::from(5.0) * self.h_reg)
     }
 
     /// Forces on the rod at the rod guide and at the piston, (1).
@@ -106,7 +106,7 @@ impl<T: Real> Guidance<T> {
     /// (h^2 + h_reg^2)^(1/2); NaN where that is only rounding of the lengths.
     fn regular_overlap(&self, length: T) -> T {
         let overlap = magnitude([self.overlap(length), self.h_reg]);
-        if overlap.value() > self.least_overlap().value() { overlap } else { T::from(f64::NAN) }
+        overlap.above(self.least_overlap()).choose(|| overlap, || T::from(f64::NAN))
     }
 
     /// Smallest overlap with at least six significant digits.
@@ -134,12 +134,12 @@ impl Guidance {
 
 fn magnitude<T: Real>([a, b]: [T; 2]) -> T {
     // Scaled, so that the squares of large and small numbers neither overflow nor vanish.
-    let size = if a.abs() > b.abs() { a.abs() } else { b.abs() };
-    if size.value() == 0.0 {
-        return T::zero();
-    }
-    let (a, b) = (a / size, b / size);
-    size * (a * a + b * b).sqrt()
+    let size = a.abs().above(b.abs()).choose(|| a.abs(), || b.abs());
+    let scaled = || {
+        let (a, b) = (a / size, b / size);
+        size * (a * a + b * b).sqrt()
+    };
+    size.vanishes().choose(|| T::zero(), scaled)
 }
 
 crate::model! {
@@ -240,7 +240,7 @@ impl<T: Real> Law for TelescopicJoint<T> {
     fn output(&mut self) {
         let wrench = self.side.wrench(SideConvention::of(self.convention.value()));
         self.overlap = self.geom.overlap(self.length);
-        self.overlap_low = T::from(f64::from(u8::from(self.geom.is_low(self.length))));
+        self.overlap_low = T::truth(self.geom.is_low(self.length));
         let sum = NormalSum::of(self.normal_sum.value());
         [self.normal_1, self.normal_2] = self.geom.normal_forces(&wrench, self.length, sum);
         [[self.force_1_m, self.force_1_n], [self.force_2_m, self.force_2_n]] =
