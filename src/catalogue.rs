@@ -1,6 +1,6 @@
 //! All models: the families one after the other; found by name or by guid.
 
-use crate::model::ModelType;
+use crate::model::{ModelType, Visitor};
 
 /// A family of models.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -16,6 +16,14 @@ pub enum Family {
 /// Every model of the library, in the order of the families.
 pub fn models() -> impl Iterator<Item = &'static ModelType> {
     crate::friction::MODELS.iter().chain(crate::shock_absorber::MODELS).chain(crate::host::MODELS)
+}
+
+/// Shows every model of the library to a visitor, in the order of the families. Not for the library in an FMU: it knows
+/// models by their records.
+pub fn visit(visitor: &mut impl Visitor) {
+    crate::friction::visit(visitor);
+    crate::shock_absorber::visit(visitor);
+    crate::host::visit(visitor);
 }
 
 /// Every model of a family with its documentation page, in Markdown.

@@ -245,7 +245,7 @@ macro_rules! model {
     ($(#[doc = $doc:expr])+ $Name:ident: $summary:literal { $($fields:tt)+ }) => {
         $crate::part! { $(#[doc = $doc])+ $Name { $($fields)+ } }
 
-        // SAFETY: `Dual` is the same generic struct, for which `part!` makes the promise of `Columns`.
+        // SAFETY: `In<T>` is the same generic struct, for which `part!` makes the promise of `Columns`.
         unsafe impl $crate::model::Described for $Name {
             const NAME: &'static str = stringify!($Name);
             const C_NAME: &'static std::ffi::CStr = match std::ffi::CStr::from_bytes_with_nul(
@@ -264,7 +264,7 @@ macro_rules! model {
                     $crate::reference::slot_count(<$Name as $crate::model::Columns>::TABLE)
                 }>(<$Name as $crate::model::Columns>::TABLE),
             );
-            type Dual = $Name<$crate::number::Dual>;
+            type In<T: $crate::model::Evaluate> = $Name<T>;
         }
 
         impl Default for $Name {

@@ -3,7 +3,7 @@
 use std::ffi::CStr;
 use std::ops::Range;
 
-use crate::number::Dual;
+use super::Evaluate;
 use crate::reference::References;
 use crate::table::{Fault, Port, Variable};
 
@@ -43,7 +43,7 @@ pub unsafe trait Numbers: Copy {
 /// The text of a model: the part of its doc comments that `model!` uses.
 ///
 /// # Safety
-/// `Dual` must be the same struct in dual numbers: `#[repr(C)]`, with a [`Dual`] for each f64.
+/// `In<T>` must be the same struct in another number: `#[repr(C)]`, with a `T` for each f64.
 pub unsafe trait Described: Columns {
     /// Name, also FMI's modelIdentifier.
     const NAME: &'static str;
@@ -57,8 +57,8 @@ pub unsafe trait Described: Columns {
     const PORTS: &'static [Port];
     /// The numbers by which FMI and C know the columns.
     const REFERENCES: References;
-    /// The same model in dual numbers, for exact derivatives.
-    type Dual: Law<Number = Dual>;
+    /// The same model in another number, such as dual numbers for exact derivatives.
+    type In<T: Evaluate>: Law<Number = T>;
 }
 
 /// The equations of a model, written once for every number type.

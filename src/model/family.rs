@@ -1,5 +1,13 @@
 //! Declaration of a family of models: its files and its list.
 
+use super::Model;
+
+/// Does something with the type of each model.
+pub trait Visitor {
+    /// Called once for each model.
+    fn visit<M: Model>(&mut self);
+}
+
 /// Declares the files of a family and lists their models: the only line that a new model adds outside its own file.
 macro_rules! family {
     ($($file:ident::$Model:ident,)+) => {
@@ -10,6 +18,11 @@ macro_rules! family {
 
         /// The models of this family.
         pub(crate) static MODELS: &[$crate::model::ModelType] = &[$($crate::model::ModelType::of::<$Model>(),)+];
+
+        /// Shows each of them to a visitor.
+        pub(crate) fn visit(visitor: &mut impl $crate::model::Visitor) {
+            $(visitor.visit::<$Model>();)+
+        }
 
         /// Their documentation pages. Kept apart from the models, so that the library in an FMU does not carry them.
         pub(crate) static PAGES: &[&str] = &[$(<$Model as $crate::model::Described>::DOCUMENTATION,)+];

@@ -6,6 +6,7 @@
 
 mod declare;
 mod equations;
+mod evaluate;
 mod family;
 mod model_type;
 pub(crate) mod ramp;
@@ -18,6 +19,8 @@ pub(crate) use equations::is_for_exchange;
 pub use equations::{
     CoSimulation, Columns, Derivatives, Described, Interface, Law, Model, ModelExchange, Numbers, Preset, Width,
 };
+pub use evaluate::{Evaluate, output_in, rate_in};
+pub use family::Visitor;
 pub(crate) use family::family;
 pub use model_type::ModelType;
 pub(crate) use row::{parts, parts_mut};

@@ -4,7 +4,7 @@ use std::ffi::CStr;
 use std::fmt;
 
 use super::row::{Room, commit, view, view_mut};
-use super::{Interface, Law, Model, Preset, is_for_exchange};
+use super::{Law, Model, Preset, is_for_exchange};
 use crate::guid::{self, GuidText};
 use crate::number::Dual;
 use crate::reference::{self, Place, Reference, References};
@@ -84,15 +84,12 @@ impl ModelType {
                 commit::<M>(row, memory, room, first_result(M::TABLE), |model, memory| model.output_with(memory))
             },
             advise: if has_advice(M::TABLE) { Some(advise::<M>) } else { None },
-            output_dual: |row, memory| view_mut::<M::Dual, Dual>(row).output_with(memory),
+            output_dual: |row, memory| view_mut::<M::In<Dual>, Dual>(row).output_with(memory),
             rate: |row, memory, rate, memory_rate| {
                 rate.fill(0.0);
                 view::<M, f64>(row).rate_with(memory, view_mut(rate), memory_rate);
             },
-            rate_dual: |row, rate| {
-                rate.fill(Dual::default());
-                <M::Dual as Law>::Interface::rates(view(row), view_mut(rate));
-            },
+            rate_dual: super::rate_in::<M, Dual>,
             check_model_exchange: |row| view::<M, f64>(row).check_model_exchange(),
             indicate: |row, indicators| view::<M, f64>(row).event_indicators(indicators),
             at_event: |row, memory, room| commit::<M>(row, memory, room, 0, |model, _| model.at_event()),

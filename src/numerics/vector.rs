@@ -3,7 +3,7 @@
 use std::ops::{AddAssign, MulAssign, SubAssign};
 
 use nalgebra::{SVector, Scalar, Vector3};
-use num_traits::{One, Zero};
+pub use num_traits::{One, Zero};
 
 use crate::number::{Dual, Mask, Real};
 

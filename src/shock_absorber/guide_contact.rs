@@ -182,11 +182,11 @@ impl<T: Real> FrictionLaw<T> {
         T: Evaluate,
     {
         let Some(law) = self.chosen() else {
-            return Answer { force: T::zero(), sticking: false, energy: 0.0 };
+            return Answer { force: T::from(0.0), sticking: false, energy: 0.0 };
         };
         let given = self.given(levels, touch);
         let mut answer = law.force(&given, &self.law, memory);
-        answer.force = answer.force + self.drag(law, &given) * given.velocity;
+        answer.force += self.drag(law, &given) * given.velocity;
         answer
     }
 
@@ -195,7 +195,7 @@ impl<T: Real> FrictionLaw<T> {
     where
         T: Evaluate,
     {
-        rate.fill(T::zero());
+        rate.fill(T::from(0.0));
         if let Some(law) = self.chosen() {
             law.write_rate(&self.given(levels, touch), &self.law, memory, rate);
         }
@@ -437,7 +437,7 @@ impl<T: Evaluate> GuideContact<T> {
 
     #[inline(never)] // so that only callers that need it have it on their stack
     fn with_fresh_memory<R>(&self, work: impl FnOnce(&[T; MEMORY]) -> R) -> R {
-        let mut memory = [T::zero(); MEMORY];
+        let mut memory = [T::from(0.0); MEMORY];
         self.friction.write_fresh(&mut memory);
         work(&memory)
     }

@@ -3,8 +3,9 @@
 //! The list of laws, their parameters and their states are taken from the tables of the friction models, so that a new
 //! law can be chosen here without any further code.
 
-use crate::model::{Columns, Fault, ModelType, Path};
-use crate::number::{Dual, Real};
+pub use crate::model::Evaluate;
+use crate::model::{Columns, Fault, Path};
+use crate::number::Real;
 use crate::shock_absorber::law_list::{COUNT, GIVENS, LAWS};
 use crate::shock_absorber::law_parameters::LawParameters;
 use crate::shock_absorber::law_plan::{Carrier, MEMORY, PLANS, Plan, WIDEST};
@@ -46,58 +47,6 @@ pub(crate) struct Answer<T> {
     pub sticking: bool,
     /// Energy dissipated over the step.
     pub energy: f64,
-}
-
-/// Evaluates a model's row in its number type. False if a result is not finite.
-pub trait Evaluate: Real {
-    /// Computes the outputs of the row.
-    fn evaluate(model: &ModelType, row: &mut [Self]) -> bool;
-
-    /// Computes the time derivatives of the states.
-    fn rate(model: &ModelType, row: &[Self], rate: &mut [Self]);
-
-    /// Slope of the number; 0 if it has none.
-    fn slope(self) -> f64;
-
-    /// A number with that slope, if the type can hold one.
-    fn with_slope(value: f64, slope: f64) -> Self;
-}
-
-impl Evaluate for f64 {
-    fn evaluate(model: &ModelType, row: &mut [f64]) -> bool {
-        model.output(row)
-    }
-
-    fn rate(model: &ModelType, row: &[f64], rate: &mut [f64]) {
-        model.rate(row, rate);
-    }
-
-    fn slope(self) -> f64 {
-        0.0
-    }
-
-    fn with_slope(value: f64, _slope: f64) -> f64 {
-        value
-    }
-}
-
-impl Evaluate for Dual {
-    fn evaluate(model: &ModelType, row: &mut [Dual]) -> bool {
-        model.output_dual(row);
-        true
-    }
-
-    fn rate(model: &ModelType, row: &[Dual], rate: &mut [Dual]) {
-        model.rate_dual(row, rate);
-    }
-
-    fn slope(self) -> f64 {
-        self.slope
-    }
-
-    fn with_slope(value: f64, slope: f64) -> Dual {
-        Dual { value, slope }
-    }
 }
 
 /// Law chosen by its number in [`FRICTION_MODEL`].
@@ -196,7 +145,7 @@ impl ChosenLaw {
             if let Carrier::Deflection(slipping, _) | Carrier::Force(slipping) = self.0.carrier
                 && let Some((_, place)) = self.0.memory.pairs().find(|(column, _)| *column == slipping)
             {
-                rate[place] = rate[place] - (memory[place] - row[slipping]) / T::from(RELEASE_TIME);
+                rate[place] -= (memory[place] - row[slipping]) / T::from(RELEASE_TIME);
             }
         });
     }

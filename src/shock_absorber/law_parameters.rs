@@ -181,13 +181,7 @@ mod tests {
         }
     }
 
-    impl Law for Newcomer {
-        type Interface = crate::model::CoSimulation;
-
-        fn output(&mut self) {}
-    }
-
-    impl crate::model::Law for Newcomer<crate::number::Dual> {
+    impl<T: Copy> Law for Newcomer<T> {
         type Interface = crate::model::CoSimulation;
 
         fn output(&mut self) {}

@@ -66,12 +66,12 @@ impl<T: Evaluate> ShockAbsorber<T> {
     fn with_first_memories<R>(&self, work: impl FnOnce(Memories<T>) -> R) -> R {
         match FrictionStart::of(self.setting.init.friction_state.value()) {
             FrictionStart::Steady => {
-                let mut memories = [[T::zero(); MEMORY]; 2];
+                let mut memories = [[T::from(0.0); MEMORY]; 2];
                 self.settle(&mut memories);
                 work([&memories[0], &memories[1]])
             }
             FrictionStart::Zero => {
-                let mut memory = [T::zero(); MEMORY];
+                let mut memory = [T::from(0.0); MEMORY];
                 self.setting.friction.write_fresh(&mut memory);
                 work([&memory; 2])
             }

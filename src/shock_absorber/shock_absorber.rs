@@ -239,7 +239,7 @@ impl<T: Evaluate> ShockAbsorber<T> {
         [self.normal_1, self.normal_2] = touches.map(|touch| touch.normal_force);
         self.compression = self.setting.compression(motion);
         self.overlap = self.setting.geom.guidance().overlap(motion.length);
-        self.overlap_low = truth(self.setting.geom.guidance().is_low(motion.length));
+        self.overlap_low = T::truth(self.setting.geom.guidance().is_low(motion.length));
         self.bump_active = truth(self.setting.bump.is_active(self.compression));
     }
 
@@ -279,7 +279,7 @@ impl<T: Evaluate> ShockAbsorber<T> {
         let torque = [0, 1].map(|at| radii[at] * answers[at].force * directions[at][1]);
         self.friction_torque = torque[0] + torque[1];
         for (touch, answer) in touches.iter().zip(answers) {
-            self.dissipated_power = self.dissipated_power + answer.force * touch.signed_speed();
+            self.dissipated_power += answer.force * touch.signed_speed();
         }
         self.sticking = truth(self.sticks(touches, answers));
     }

@@ -126,10 +126,9 @@ pub(crate) trait Holding<T: Real>: Copy {
 #[inline]
 pub(crate) fn force<T: Real>(law: &impl Holding<T>) -> T {
     let steps = law.time_stepping();
-    let over_a_step = || match steps.exchange_order() {
-        ExchangeOrder::Parallel => steps.planned_force.limited(law.contact().largest()),
-        ExchangeOrder::Sequential => law.over_last_step().contact().stepped(steps.mass, steps.step_size).force,
-    };
+    let parallel = || steps.planned_force.limited(law.contact().largest());
+    let sequential = || law.over_last_step().contact().stepped(steps.mass, steps.step_size).force;
+    let over_a_step = || steps.is_parallel().choose(parallel, sequential);
     steps.is_active().choose(over_a_step, || law.contact().printed())
 }
 
@@ -154,8 +153,8 @@ impl<T: Real> TimeStepping<T> {
         Phase::of(self.phase.value())
     }
 
-    fn exchange_order(&self) -> ExchangeOrder {
-        ExchangeOrder::of(self.exchange.value())
+    fn is_parallel(&self) -> T::Mask {
+        self.exchange.equals(T::from(f64::from(ExchangeOrder::Parallel as i32 + 1)))
     }
 }
 
@@ -240,7 +239,7 @@ fn step_with_mass(law: &mut impl Holding<f64>, begin: Inputs<f64>, dt: f64) -> D
     // not known yet.
     steps.planning_step = dt.max(PLANNING_MEMORY * steps.planning_step);
     let (steps, over) = (*steps, law.over_last_step());
-    if steps.exchange_order() == ExchangeOrder::Sequential {
+    if !steps.is_parallel() {
         let Outcome { force, is_held } = over.contact().stepped(steps.mass, dt);
         return Done { energy: work(&over, force, dt), is_held };
     }

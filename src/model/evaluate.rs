@@ -1,0 +1,69 @@
+//! Numbers in which any model can be evaluated.
+
+use super::row::{view, view_mut};
+use super::{Interface, Law, Model, ModelType};
+use crate::number::Dual;
+use crate::numerics::vector::Component;
+
+/// A number in which a model evaluates rows of other models.
+pub trait Evaluate: Component {
+    /// Computes the outputs of the row. False if one is known not to be finite.
+    fn evaluate(model: &ModelType, row: &mut [Self]) -> bool;
+
+    /// Computes the time derivatives of the states.
+    fn rate(model: &ModelType, row: &[Self], rate: &mut [Self]);
+
+    /// Slope of the number; 0 if it has none.
+    fn slope(self) -> f64;
+
+    /// A number with that slope, if the type can hold one.
+    fn with_slope(value: f64, slope: f64) -> Self;
+}
+
+impl Evaluate for f64 {
+    fn evaluate(model: &ModelType, row: &mut [f64]) -> bool {
+        model.output(row)
+    }
+
+    fn rate(model: &ModelType, row: &[f64], rate: &mut [f64]) {
+        model.rate(row, rate);
+    }
+
+    fn slope(self) -> f64 {
+        0.0
+    }
+
+    fn with_slope(value: f64, _slope: f64) -> f64 {
+        value
+    }
+}
+
+impl Evaluate for Dual {
+    fn evaluate(model: &ModelType, row: &mut [Dual]) -> bool {
+        model.output_dual(row);
+        true
+    }
+
+    fn rate(model: &ModelType, row: &[Dual], rate: &mut [Dual]) {
+        model.rate_dual(row, rate);
+    }
+
+    fn slope(self) -> f64 {
+        self.slope
+    }
+
+    fn with_slope(value: f64, slope: f64) -> Dual {
+        Dual { value, slope }
+    }
+}
+
+/// Computes the outputs of a row of a model in any number; for models without memory beside the row.
+pub fn output_in<M: Model, T: Evaluate>(row: &mut [T]) {
+    view_mut::<M::In<T>, T>(row).output();
+}
+
+/// Computes the time derivatives of the continuous states, in the columns of the states; `rate` is 0 elsewhere.
+pub fn rate_in<M: Model, T: Evaluate>(row: &[T], rate: &mut [T]) {
+    rate.fill(T::from(0.0));
+    <M::In<T> as Law>::Interface::rates(view(row), view_mut(rate));
+}
