@@ -1,20 +1,15 @@
-//! Which output depends on which other column, found by trying.
+//! Which output depends on which other column.
 //!
-//! A dependency that is declared by hand can be wrong; this one is observed. Many rows are drawn at random, with zeros,
-//! tiny and large values of both signs, limits and start values; then one column at a time is changed. An output depends
-//! on a column if changing that column alone ever changed it.
+//! A dependency that is declared by hand can be wrong; these follow from the equations.
+
+mod exact;
+mod expression;
+mod tracked;
+mod trials;
 
 use std::collections::BTreeSet;
 
-use fastrand::Rng;
-use stribeck::model::{Kind, ModelType, Role, Variable};
-
-/// Rows that are tried per model (chosen: the rarest case of the present models without arrays, a contact of
-/// `CoulombStiction` that sticks or slides for the only reason that it did so before, takes up to 2000; of those with
-/// arrays, the strut whose lower contact asks for the acceleration takes some 30,000).
-fn rows(model: &ModelType) -> usize {
-    if has_elements(model) { 60_000 } else { 20_000 }
-}
+use stribeck::model::{ModelType, Variable};
 
 /// Whether the model has arrays, itself or in a part: trying does not find every one of their elements.
 pub fn has_elements(model: &ModelType) -> bool {
@@ -22,7 +17,7 @@ pub fn has_elements(model: &ModelType) -> bool {
     model.table.iter().any(is_element)
 }
 
-/// Whether the derivatives of its states are tried, too.
+/// Whether the derivatives of its states are described, too.
 fn has_rates(model: &ModelType) -> bool {
     model.model_exchange && !has_elements(model)
 }
@@ -30,113 +25,16 @@ fn has_rates(model: &ModelType) -> bool {
 /// For each column, which of the `candidates` its value is computed from; empty for columns that are not computed. Then
 /// the same for the time derivatives of the columns, if the model is offered for Model Exchange and has no arrays.
 pub fn of(model: &ModelType, candidates: impl Fn(usize) -> bool) -> Vec<BTreeSet<usize>> {
-    let columns = model.table.len();
-    let (known, mut computed): (Vec<usize>, Vec<usize>) =
-        (0..columns).partition(|column| !model.table[*column].role.is_computed());
-    let known: Vec<usize> = known.into_iter().filter(|column| candidates(*column)).collect();
-    if has_rates(model) {
-        computed.extend(model.continuous_states().map(|state| columns + state));
-    }
-    let mut found = vec![BTreeSet::new(); 2 * columns];
-    // Any seed will do; a fixed one makes every run the same.
-    let mut rng = Rng::with_seed(1);
-    for _ in 0..rows(model) {
-        let mut row = draw_row(model, &mut rng);
-        if !evaluate(model, &mut row) {
-            continue;
-        }
-        for &column in &known {
-            let mut changed = row[..columns].to_vec();
-            changed[column] = draw(&model.table[column], &mut rng);
-            if changed[column] == row[column] || !evaluate(model, &mut changed) {
-                continue;
-            }
-            for &output in computed.iter().filter(|output| changed[**output] != row[**output]) {
-                found[output].insert(column);
-            }
-        }
-    }
+    let Some(mut found) = exact::of(model, has_rates(model)) else { return trials::of(model, candidates) };
+    found.iter_mut().for_each(|columns| columns.retain(|column| candidates(*column)));
     found
-}
-
-/// Computes the outputs of the row and appends its time derivatives; false if the model refuses it or asks for more.
-fn evaluate(model: &ModelType, row: &mut Vec<f64>) -> bool {
-    // A row by itself has no memory beside it.
-    if model.check(row).is_err() || model.memory_in_use(row) > 0 || !model.output(row) {
-        return false;
-    }
-    let columns = row.len();
-    row.resize(2 * columns, 0.0);
-    let (row, rate) = row.split_at_mut(columns);
-    if has_rates(model) {
-        model.rate(row, rate);
-    }
-    rate.iter().all(|rate| rate.is_finite())
-}
-
-/// A row in which some columns, from a few to all, have left their start values.
-fn draw_row(model: &ModelType, rng: &mut Rng) -> Vec<f64> {
-    let share = rng.f64();
-    let value = |variable: &Variable| if rng.f64() < share { draw(variable, rng) } else { variable.start };
-    let mut row: Vec<f64> = model.table.iter().map(value).collect();
-    if rng.bool() {
-        remember_inputs(model, &mut row, rng);
-    }
-    row
-}
-
-/// Gives three of four states the value of an input with the same unit: a model may do something else as long as an input
-/// is what it was at the end of a step. A state that carries the name of an input, as `end_normal_force`, gets that one.
-fn remember_inputs(model: &ModelType, row: &mut [f64], rng: &mut Rng) {
-    for (column, variable) in model.table.iter().enumerate() {
-        if !variable.role.is_state() || !matches!(variable.kind, Kind::Real(_)) || rng.u8(0..4) == 0 {
-            continue;
-        }
-        let is_alike = |other: &usize| {
-            let other = &model.table[*other];
-            other.role == Role::Input && other.kind == variable.kind
-        };
-        let mut alike: Vec<usize> = (0..row.len()).filter(is_alike).collect();
-        let is_named = |input: &usize| variable.path.to_string().ends_with(&model.table[*input].path.to_string());
-        if let Some(named) = alike.iter().copied().find(is_named) {
-            alike = vec![named];
-        }
-        if let Some(input) = rng.choice(alike).filter(|input| variable.admits(row[*input])) {
-            row[column] = row[input];
-        }
-    }
-}
-
-/// A value within the bound of the variable.
-fn draw(variable: &Variable, rng: &mut Rng) -> f64 {
-    let value = match variable.kind {
-        Kind::Real(_) => draw_real(variable, rng),
-        Kind::Integer => f64::from(rng.i32(-100..=100)),
-        Kind::Boolean => f64::from(rng.i32(0..=1)),
-        Kind::Enumeration(items) => f64::from(rng.i32(1..=items.items.len() as i32)),
-    };
-    if variable.admits(value) { value } else { variable.start }
-}
-
-fn draw_real(variable: &Variable, rng: &mut Rng) -> f64 {
-    let scale = variable.nominal.max(variable.start.abs());
-    // Half of the magnitudes are near the usual one, where the laws bend; the others reach far, mostly down.
-    let decades = if rng.bool() { 2.0 * rng.f64() - 1.0 } else { 12.0 * rng.f64() - 9.0 };
-    let magnitude = scale * 10f64.powf(decades);
-    let (min, max) = crate::describe::text::limits(variable);
-    match rng.u8(0..8) {
-        0 => 0.0,
-        1 => min.or(max).unwrap_or(-magnitude),
-        2 => max.unwrap_or(magnitude),
-        3 => min.zip(max).map_or(variable.start, |(min, max)| min + (max - min) * rng.f64()),
-        4 => -magnitude,
-        5 => variable.start * 2.0 * rng.f64(),
-        _ => magnitude,
-    }
 }
 
 #[cfg(test)]
 mod tests {
+    use stribeck::catalogue;
+    use stribeck::model::Role;
+
     use super::*;
 
     fn names(model: &ModelType, columns: Vec<usize>) -> Vec<String> {
@@ -191,6 +89,7 @@ mod tests {
             "end_external_force",
             "end_normal_force",
             "velocity_change",
+            "external_force_change",
             "normal_force_change",
         ];
         let sticking: Vec<_> = ["transition_velocity"].into_iter().chain(step).chain(["phase"]).collect();
@@ -201,8 +100,16 @@ mod tests {
     #[test]
     fn laws_with_stiction_depend_on_the_external_force() {
         let inputs = ["velocity", "normal_force", "external_force"];
-        let step =
-            ["mass", "step_size", "end_velocity", "end_external_force", "end_normal_force", "normal_force_change"];
+        let step = [
+            "mass",
+            "step_size",
+            "end_velocity",
+            "end_external_force",
+            "end_normal_force",
+            "velocity_change",
+            "external_force_change",
+            "normal_force_change",
+        ];
         for (model, band) in [("CoulombStiction", None), ("Karnopp", Some("transition_velocity"))] {
             let law: Vec<_> =
                 ["mu_k", "mu_s"].into_iter().chain(band).chain(["stuck"]).chain(STEPPING).chain(["phase"]).collect();
@@ -242,5 +149,25 @@ mod tests {
         assert_depends("LuGre", "dissipated_power", &inputs, &law);
         let sticking: Vec<_> = level.into_iter().chain(["bristle_deflection"]).collect();
         assert_depends("LuGre", "sticking", &inputs, &sticking);
+    }
+
+    /// Two roads to the same set: nothing that a change of one column changes is missing.
+    #[test]
+    fn equations_have_every_dependency_that_trials_find() {
+        for model in catalogue::models().filter(|model| !has_elements(model)) {
+            let exact = exact::of(model, has_rates(model)).unwrap();
+            for (column, (exact, tried)) in exact.iter().zip(trials::of(model, |_| true)).enumerate() {
+                let missing = tried.difference(exact).copied().collect();
+                assert!(tried.is_subset(exact), "{}: column {column}: {:?}", model.name, names(model, missing));
+            }
+        }
+    }
+
+    /// The contacts that look up a law by its record, and the law whose elements beyond the listed ones have no columns.
+    #[test]
+    fn few_models_need_trials() {
+        let models = catalogue::models().filter(|model| exact::of(model, has_rates(model)).is_none());
+        let names: Vec<_> = models.map(|model| model.name).collect();
+        assert_eq!(names, ["MaxwellSlip", "ShockAbsorber", "GuideContact"]);
     }
 }

@@ -1,0 +1,444 @@
+//! A number that knows the expression it was computed by, and the course of a computation with it.
+
+use std::cell::RefCell;
+use std::cmp::Ordering;
+use std::ops::{Add, AddAssign, BitAnd, BitOr, Div, Mul, MulAssign, Neg, Not, Sub, SubAssign};
+
+use stribeck::model::{Evaluate, Kind, ModelType, Variable};
+use stribeck::number::{Mask, Real};
+use stribeck::numerics::vector::{Component, One, Zero};
+
+use super::expression::{Expression, Expressions, Id, Operation, Order};
+use crate::describe::text::limits;
+
+/// A number, known by its expression.
+#[derive(Clone, Copy, Debug)]
+pub struct Tracked(pub Id);
+
+/// An answer, known by its expression.
+#[derive(Clone, Copy, Debug)]
+pub struct TrackedMask(Id);
+
+/// What the course of a computation may hang on.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Question {
+    /// An answer.
+    Answer(Id),
+    /// The choice in a column, of so many.
+    Choice(usize, usize),
+}
+
+impl Question {
+    /// Number of courses from here on.
+    pub fn ways(self) -> usize {
+        match self {
+            Question::Answer(_) => 2,
+            Question::Choice(_, ways) => ways,
+        }
+    }
+}
+
+/// A computation, and all expressions of those before it.
+#[derive(Default)]
+pub struct Course {
+    pub expressions: Expressions,
+    /// The values that each column can take, if it is a choice among a few: the first one and their number.
+    ways: Vec<Option<(f64, usize)>>,
+    /// Ways to take at the first questions; the first way at all others.
+    script: Vec<usize>,
+    /// Questions that have come up, in order.
+    pub questions: Vec<Question>,
+    /// Orders that hold from a question on, or within a branch that is computed for the case that it counts.
+    orders: Vec<(Id, Id, Order)>,
+    /// Other answers, in the same way.
+    answers: Vec<(Id, bool)>,
+    /// Columns with the choice that has been taken.
+    choices: Vec<(usize, f64)>,
+    /// Whether the value of a number was asked for that is no choice.
+    pub is_lost: bool,
+}
+
+thread_local! {
+    static COURSE: RefCell<Course> = RefCell::default();
+}
+
+/// Works on the present computation.
+pub fn on_course<R>(work: impl FnOnce(&mut Course) -> R) -> R {
+    COURSE.with_borrow_mut(work)
+}
+
+impl Course {
+    /// Begins the computations of a model.
+    pub fn begin(&mut self, model: &ModelType) {
+        *self = Course { ways: model.table.iter().map(ways).collect(), ..Course::default() };
+    }
+
+    /// Begins a computation that takes these ways.
+    pub fn follow(&mut self, script: &[usize]) {
+        self.script = script.to_vec();
+        self.questions.clear();
+        self.orders.clear();
+        self.answers.clear();
+        self.choices.clear();
+    }
+
+    fn next_way(&mut self, question: Question) -> usize {
+        let way = self.script.get(self.questions.len()).copied().unwrap_or(0);
+        self.questions.push(question);
+        way
+    }
+
+    /// The answer as far as the present course determines it.
+    fn settled(&self, id: Id) -> Option<bool> {
+        if let Some(answer) = self.expressions.known_answer(id) {
+            return Some(answer);
+        }
+        if let Some((_, answer)) = self.answers.iter().find(|(known, _)| *known == id) {
+            return Some(*answer);
+        }
+        match self.expressions.get(id) {
+            Expression::Not(other) => self.settled(other).map(|answer| !answer),
+            Expression::And(a, b) => match (self.settled(a), self.settled(b)) {
+                (Some(false), _) | (_, Some(false)) => Some(false),
+                (Some(true), Some(true)) => Some(true),
+                _ => None,
+            },
+            Expression::Compared(order, a, b) => {
+                let possible = self.possible(a, b);
+                if possible.and(order) == Order::NEVER {
+                    Some(false)
+                } else {
+                    (possible.and(order.not()) == Order::NEVER).then_some(true)
+                }
+            }
+            _ => None,
+        }
+    }
+
+    /// The orders of two numbers that are still possible.
+    fn possible(&self, a: Id, b: Id) -> Order {
+        let same = self.orders.iter().filter(|known| (known.0, known.1) == (a, b));
+        same.fold(Order::ANY, |possible, known| possible.and(known.2))
+    }
+
+    fn assume(&mut self, id: Id, answer: bool) {
+        match (self.expressions.get(id), answer) {
+            (Expression::Compared(order, a, b), _) => {
+                self.orders.push((a, b, if answer { order } else { order.not() }));
+            }
+            (Expression::Not(other), _) => self.assume(other, !answer),
+            (Expression::And(a, b), true) => {
+                self.assume(a, true);
+                self.assume(b, true);
+            }
+            _ => self.answers.push((id, answer)),
+        }
+    }
+
+    fn decide(&mut self, id: Id) -> bool {
+        if let Some(answer) = self.settled(id) {
+            return answer;
+        }
+        match self.expressions.get(id) {
+            Expression::Not(other) => !self.decide(other),
+            Expression::And(a, b) => self.decide(a) && self.decide(b),
+            _ => {
+                let answer = self.next_way(Question::Answer(id)) == 0;
+                self.assume(id, answer);
+                answer
+            }
+        }
+    }
+
+    /// The value of a choice; any value, which is noted, of another number.
+    fn value(&mut self, id: Id) -> f64 {
+        if let Some(value) = self.expressions.value(id) {
+            return value;
+        }
+        let chosen = self.chosen(id);
+        if let Some(value) = self.expressions.value(chosen) {
+            return value;
+        }
+        if let Expression::Column(column) = self.expressions.get(id)
+            && let Some((first, ways)) = self.ways[column]
+        {
+            let value = first + self.next_way(Question::Choice(column, ways)) as f64;
+            self.choices.push((column, value));
+            return value;
+        }
+        self.is_lost = true;
+        0.5
+    }
+
+    /// The number itself, or its value where that is a choice that has been taken.
+    fn chosen(&mut self, id: Id) -> Id {
+        let Expression::Column(column) = self.expressions.get(id) else { return id };
+        let choice = self.choices.iter().find(|choice| choice.0 == column);
+        choice.map(|choice| choice.1).map_or(id, |value| self.expressions.constant(value))
+    }
+
+    fn compared(&mut self, order: Order, a: Tracked, b: Tracked) -> TrackedMask {
+        let (a, b) = (self.chosen(a.0), self.chosen(b.0));
+        TrackedMask(self.expressions.compared(order, a, b))
+    }
+}
+
+/// Most values of an integer that are taken one after the other (chosen).
+const MOST_WAYS: f64 = 64.0;
+
+fn ways(variable: &Variable) -> Option<(f64, usize)> {
+    match (variable.kind, limits(variable)) {
+        (Kind::Boolean, _) => Some((0.0, 2)),
+        (Kind::Enumeration(items), _) => Some((1.0, items.items.len())),
+        (Kind::Integer, (Some(min), Some(max))) if max - min < MOST_WAYS => Some((min, (max - min) as usize + 1)),
+        _ => None,
+    }
+}
+
+impl Tracked {
+    pub fn column(column: usize) -> Tracked {
+        on_course(|course| Tracked(course.expressions.add(Expression::Column(column))))
+    }
+
+    fn of(operation: Operation, a: Tracked, b: Tracked) -> Tracked {
+        on_course(|course| Tracked(course.expressions.result(operation, a.0, b.0)))
+    }
+}
+
+impl From<f64> for Tracked {
+    fn from(value: f64) -> Tracked {
+        on_course(|course| Tracked(course.expressions.constant(value)))
+    }
+}
+
+impl From<bool> for TrackedMask {
+    fn from(answer: bool) -> TrackedMask {
+        on_course(|course| TrackedMask(course.expressions.answer(answer)))
+    }
+}
+
+impl BitAnd for TrackedMask {
+    type Output = TrackedMask;
+    fn bitand(self, other: TrackedMask) -> TrackedMask {
+        on_course(|course| TrackedMask(course.expressions.and(self.0, other.0)))
+    }
+}
+
+impl Not for TrackedMask {
+    type Output = TrackedMask;
+    fn not(self) -> TrackedMask {
+        on_course(|course| TrackedMask(course.expressions.not(self.0)))
+    }
+}
+
+impl BitOr for TrackedMask {
+    type Output = TrackedMask;
+    fn bitor(self, other: TrackedMask) -> TrackedMask {
+        !(!self & !other)
+    }
+}
+
+impl Mask<Tracked> for TrackedMask {
+    fn holds(self) -> bool {
+        on_course(|course| course.decide(self.0))
+    }
+
+    fn choose(self, yes: impl FnOnce() -> Tracked, no: impl FnOnce() -> Tracked) -> Tracked {
+        match on_course(|course| course.settled(self.0)) {
+            Some(true) => yes(),
+            Some(false) => no(),
+            None => {
+                let (yes, no) = (assuming(self.0, true, yes), assuming(self.0, false, no));
+                on_course(|course| Tracked(course.expressions.chosen(self.0, yes.0, no.0)))
+            }
+        }
+    }
+}
+
+/// Computes a branch for the case that it counts.
+fn assuming(id: Id, answer: bool, work: impl FnOnce() -> Tracked) -> Tracked {
+    let before = on_course(|course| {
+        let before = (course.orders.len(), course.answers.len());
+        course.assume(id, answer);
+        before
+    });
+    let after = on_course(|course| (course.orders.len(), course.answers.len()));
+    let result = work();
+    // Questions within the branch are answered for the whole computation.
+    on_course(|course| {
+        course.orders.drain(before.0..after.0);
+        course.answers.drain(before.1..after.1);
+    });
+    result
+}
+
+impl Add for Tracked {
+    type Output = Tracked;
+    fn add(self, other: Tracked) -> Tracked {
+        Tracked::of(Operation::Add, self, other)
+    }
+}
+
+impl Sub for Tracked {
+    type Output = Tracked;
+    fn sub(self, other: Tracked) -> Tracked {
+        Tracked::of(Operation::Sub, self, other)
+    }
+}
+
+impl Mul for Tracked {
+    type Output = Tracked;
+    fn mul(self, other: Tracked) -> Tracked {
+        Tracked::of(Operation::Mul, self, other)
+    }
+}
+
+impl Div for Tracked {
+    type Output = Tracked;
+    fn div(self, other: Tracked) -> Tracked {
+        Tracked::of(Operation::Div, self, other)
+    }
+}
+
+impl Neg for Tracked {
+    type Output = Tracked;
+    fn neg(self) -> Tracked {
+        Tracked::of(Operation::Neg, self, self)
+    }
+}
+
+impl PartialEq for Tracked {
+    fn eq(&self, other: &Tracked) -> bool {
+        self.equals(*other).holds()
+    }
+}
+
+impl PartialOrd for Tracked {
+    fn partial_cmp(&self, other: &Tracked) -> Option<Ordering> {
+        Some(if self.above(*other).holds() {
+            Ordering::Greater
+        } else if self.equals(*other).holds() {
+            Ordering::Equal
+        } else {
+            Ordering::Less
+        })
+    }
+    fn lt(&self, other: &Tracked) -> bool {
+        self.below(*other).holds()
+    }
+    fn le(&self, other: &Tracked) -> bool {
+        self.at_most(*other).holds()
+    }
+    fn gt(&self, other: &Tracked) -> bool {
+        self.above(*other).holds()
+    }
+    fn ge(&self, other: &Tracked) -> bool {
+        self.at_least(*other).holds()
+    }
+}
+
+impl Real for Tracked {
+    type Mask = TrackedMask;
+
+    fn value(self) -> f64 {
+        on_course(|course| course.value(self.0))
+    }
+    fn is(self, constant: f64) -> TrackedMask {
+        self.equals(Tracked::from(constant))
+    }
+    fn above(self, other: Tracked) -> TrackedMask {
+        on_course(|course| course.compared(Order::GREATER, self, other))
+    }
+    fn at_least(self, other: Tracked) -> TrackedMask {
+        on_course(|course| course.compared(Order::GREATER.or(Order::EQUAL), self, other))
+    }
+    fn equals(self, other: Tracked) -> TrackedMask {
+        on_course(|course| course.compared(Order::EQUAL, self, other))
+    }
+    fn found<const N: usize>(on: impl FnOnce() -> [Tracked; N], _search: impl FnOnce() -> [f64; 2]) -> [Tracked; 2] {
+        let on = on();
+        on_course(|course| {
+            let end = course.expressions.constant(0.0);
+            let list = on.iter().fold(end, |list, number| course.expressions.add(Expression::List(list, number.0)));
+            [0, 1].map(|place| Tracked(course.expressions.add(Expression::Found(place, list))))
+        })
+    }
+    fn sign(self) -> Tracked {
+        Tracked::of(Operation::Sign, self, self)
+    }
+    fn abs(self) -> Tracked {
+        Tracked::of(Operation::Abs, self, self)
+    }
+    fn exp(self) -> Tracked {
+        Tracked::of(Operation::Exp, self, self)
+    }
+    fn tanh(self) -> Tracked {
+        Tracked::of(Operation::Tanh, self, self)
+    }
+    fn sin(self) -> Tracked {
+        Tracked::of(Operation::Sin, self, self)
+    }
+    fn cos(self) -> Tracked {
+        Tracked::of(Operation::Cos, self, self)
+    }
+    fn atan(self) -> Tracked {
+        Tracked::of(Operation::Atan, self, self)
+    }
+    fn sqrt(self) -> Tracked {
+        Tracked::of(Operation::Sqrt, self, self)
+    }
+    fn powf(self, exponent: Tracked) -> Tracked {
+        Tracked::of(Operation::Power, self, exponent)
+    }
+}
+
+impl Zero for Tracked {
+    fn zero() -> Tracked {
+        Tracked::from(0.0)
+    }
+    fn is_zero(&self) -> bool {
+        self.equals(Tracked::from(0.0)).holds()
+    }
+}
+
+impl One for Tracked {
+    fn one() -> Tracked {
+        Tracked::from(1.0)
+    }
+}
+
+impl AddAssign for Tracked {
+    fn add_assign(&mut self, other: Tracked) {
+        *self = *self + other;
+    }
+}
+
+impl SubAssign for Tracked {
+    fn sub_assign(&mut self, other: Tracked) {
+        *self = *self - other;
+    }
+}
+
+impl MulAssign for Tracked {
+    fn mul_assign(&mut self, other: Tracked) {
+        *self = *self * other;
+    }
+}
+
+impl Component for Tracked {}
+
+impl Evaluate for Tracked {
+    fn evaluate(_model: &ModelType, _row: &mut [Tracked]) -> bool {
+        on_course(|course| course.is_lost = true);
+        true
+    }
+    fn rate(_model: &ModelType, _row: &[Tracked], _rate: &mut [Tracked]) {
+        on_course(|course| course.is_lost = true);
+    }
+    fn slope(self) -> f64 {
+        0.0
+    }
+    fn with_slope(value: f64, _slope: f64) -> Tracked {
+        Tracked::from(value)
+    }
+}
