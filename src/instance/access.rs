@@ -206,3 +206,71 @@ impl Instance {
         self.unchecked |= self.model.table[column].role.is_parameter();
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::catalogue;
+
+    fn instance(name: &str) -> Instance {
+        Instance::new(catalogue::by_name(name).expect("a model"))
+    }
+
+    #[test]
+    fn refusals_name_variable_value_and_limit() {
+        let mut law = instance("LuGre");
+        let before = law.save();
+        let text = |refused: Result<(), Refused>| refused.expect_err("a refusal").to_string();
+        assert_eq!(text(law.set_by_name("mu", 0.2)), "LuGre has no variable 'mu'");
+        assert_eq!(text(law.set(7, 0.2)), "LuGre has no variable with the reference 7");
+        assert_eq!(text(law.set_by_name("friction_force", 1.0)), "friction_force is computed and cannot be set");
+        assert_eq!(text(law.set_by_name("mu_k", -1.0)), "mu_k = -1: must be > 0 and finite");
+        assert_eq!(text(law.set_by_name("velocity", f64::NAN)), "velocity = NaN: must be a finite number");
+        let mu_k = law.column_by_name("mu_k").expect("a column");
+        assert_eq!(text(law.set_slope(mu_k, 1.0)), "mu_k is not an input");
+        assert_eq!(text(law.set_slope(0, f64::INFINITY)), "derivative of velocity = inf: must be finite");
+        let values = [(0, 0.5), (mu_k, 0.0)];
+        assert!(matches!(law.set_all(Phase::Setup, values.into_iter()), Err(Refused::Value(_))));
+        assert!(matches!(law.set_all(Phase::Integrating, [(mu_k, 0.2)].into_iter()), Err(Refused::NotNow(_))));
+        assert_eq!(law.save(), before, "nothing was changed");
+    }
+
+    /// Only an instance for Model Exchange has events, and so the states that they lead to.
+    #[test]
+    fn steps_admit_no_state_of_an_event() {
+        let model = catalogue::by_name("Coulomb").expect("a model");
+        let phase = model.find("phase").expect("a state");
+        assert!(matches!(Instance::new(model).set_column(phase, 2.0), Err(Refused::Value(_))));
+        assert!(Instance::for_model_exchange(model).set_column(phase, 2.0).is_ok());
+        assert!(Instance::new(model).at_event().is_err());
+    }
+
+    /// The short way of a call on every step and the long way agree about every variable of every model.
+    #[test]
+    fn both_ways_agree() {
+        for model in catalogue::models() {
+            let mut instance = Instance::new(model);
+            instance.refresh().expect("outputs at the start values");
+            for (column, variable) in model.variables() {
+                let (reference, mut value) = ([model.reference(column)], [f64::NAN]);
+                if instance.read_at_once(&reference, &mut value) {
+                    assert_eq!(instance.get(reference[0]).ok(), Some(value[0]), "{} {}", model.name, variable.path);
+                }
+                for value in [variable.start, 0.5, -1.0, f64::NAN, f64::INFINITY] {
+                    let (mut short, mut long) = (Instance::new(model), Instance::new(model));
+                    let done = short.write_at_once(&reference, &[value]);
+                    let result = long.set_all(Phase::Stepping, [(column, value)].into_iter());
+                    assert!(!done || result.is_ok(), "{} {} = {value}", model.name, variable.path);
+                    assert!(done || variable.role != Role::Input || result.is_err() || !is_real(variable));
+                    if done {
+                        assert_eq!(short.save(), long.save(), "{} {} = {value}", model.name, variable.path);
+                    }
+                }
+            }
+        }
+    }
+
+    fn is_real(variable: &Variable) -> bool {
+        matches!(variable.kind, Kind::Real(_))
+    }
+}

@@ -6,6 +6,7 @@ mod ssv;
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use stribeck::instance::Phase;
 use stribeck::model::{Fault, Kind, ModelType, Variable};
 use stribeck::unit::DisplayUnit;
 use thiserror::Error;
@@ -260,7 +261,7 @@ impl Form {
 fn settable(model: &'static ModelType, name: &str) -> Result<usize, SetError> {
     let unknown = || SetError::Unknown { model: model.name, name: name.to_owned() };
     let column = model.find(name).ok_or_else(unknown)?;
-    if model.table[column].role.is_computed() {
+    if !Phase::Setup.admits(&model.table[column]) {
         return Err(SetError::Computed { model: model.name, name: name.to_owned() });
     }
     Ok(column)

@@ -94,7 +94,7 @@ fn steps_ignore_the_phase_found_by_an_event() {
                     ("velocity", 0.02),
                     ("phase", phase),
                 ];
-                let mut bench = Bench::new(model.name, &values);
+                let mut bench = Bench::for_model_exchange(model.name, &values);
                 bench.step(1e-3);
                 assert_eq!(bench.get("phase"), 1.0, "{}", model.name);
                 ["friction_force", "dissipated_energy", "sticking"].map(|name| bench.get(name))

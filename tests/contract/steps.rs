@@ -68,8 +68,9 @@ fn rates_are_the_derivatives_of_the_states() {
         let mut random = Random(23);
         for _ in 0..20 {
             let mut bench = Bench::new(model.name, &[]);
-            for (column, _) in model.table.iter().enumerate().filter(|(_, variable)| variable.role == Role::Input) {
-                let value = bench.instance.row()[column] + 5e-3 * random.signed();
+            for (column, variable) in model.table.iter().enumerate().filter(|(_, known)| known.role == Role::Input) {
+                let change = 5e-3 * random.signed();
+                let value = variable.start + if variable.admits(variable.start + change) { change } else { -change };
                 bench.instance.set_column(column, value).unwrap();
             }
             bench.step(1e-3 * random.next());

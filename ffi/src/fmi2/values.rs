@@ -146,27 +146,32 @@ unsafe fn get<B: Base>(
             _ => slave.instance.refresh_to(needed),
         };
         refreshed.map_err(|fault| slave.out_of_domain(fault))?;
-        let (model, time) = (slave.instance.model(), slave.instance.time());
-        if references.iter().any(|reference| slave.is_derivative(*reference)) {
-            let rates = slave.instance.rates();
-            let rates = rates.map_err(|fault| Refusal::out_of_domain(slave.state, fault))?;
-            for (reference, value) in references.iter().zip(&mut *values) {
-                if let Some(Place::Derivative(state)) = model.place(*reference) {
-                    *value = B::from_number(rates[state]);
-                }
-            }
-        }
-        for (reference, value) in references.iter().zip(values) {
-            match model.place(*reference) {
-                Some(Place::Column(column)) => *value = B::from_number(slave.instance.row()[column]),
-                Some(Place::Time) => *value = B::from_number(time),
-                Some(Place::Derivative(_)) | None => {}
-            }
-        }
-        Ok(())
+        read::<B>(slave, references, values)
     };
     // SAFETY: the importer's promise about `c`.
     unsafe { enter(c, call, body) }
+}
+
+/// Reads variables whose results have been computed.
+fn read<B: Base>(slave: &mut Slave, references: &[fmi2ValueReference], values: &mut [B::Value]) -> Outcome {
+    let (model, time) = (slave.instance.model(), slave.instance.time());
+    if references.iter().any(|reference| slave.is_derivative(*reference)) {
+        let rates = slave.instance.rates();
+        let rates = rates.map_err(|fault| Refusal::out_of_domain(slave.state, fault))?;
+        for (reference, value) in references.iter().zip(&mut *values) {
+            if let Some(Place::Derivative(state)) = model.place(*reference) {
+                *value = B::from_number(rates[state]);
+            }
+        }
+    }
+    for (reference, value) in references.iter().zip(values) {
+        match model.place(*reference) {
+            Some(Place::Column(column)) => *value = B::from_number(slave.instance.row()[column]),
+            Some(Place::Time) => *value = B::from_number(time),
+            Some(Place::Derivative(_)) | None => {}
+        }
+    }
+    Ok(())
 }
 
 /// Writes `n` variables: all, or none if one is refused.
