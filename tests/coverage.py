@@ -46,7 +46,10 @@ def run_c_tests():
     succeed("cargo", "build", "--package", "libstribeck", "--target-dir", TARGET, RUSTC_BOOTSTRAP="1", **counted)
     compiler = [os.environ.get("CC", "cc"), "-std=gnu99", "-O1", f"-I{ROOT / 'include'}"]
     counters = str(TARGET / "c-tests-%p.profraw")
-    for name, linked, arguments in [("api_test", [LIBRARY, f"-Wl,-rpath,{LIBRARY.parent}"], []), ("fmi_test", [], [LIBRARY])]:
+    for name, linked, arguments in [
+        ("api_test", [LIBRARY, f"-Wl,-rpath,{LIBRARY.parent}"], []),
+        ("fmi_test", [], [LIBRARY]),
+    ]:
         program = TARGET / name
         succeed(*compiler, ROOT / "tests" / "c" / f"{name}.c", *linked, "-lm", "-ldl", "-o", program)
         succeed(program, *arguments, LLVM_PROFILE_FILE=counters)
