@@ -113,7 +113,7 @@ mod tests {
             name: name.into(),
             version: "1.0.0".into(),
             license: "MIT".into(),
-            sha256: None,
+            sha256: Some("0".repeat(64)),
             folder: folder.path().into(),
             needs: Default::default(),
         };

@@ -27,7 +27,9 @@ pub fn motion(model: &'static ModelType) -> Result<Motion> {
     let states = *states.first_chunk().context("a host needs two outputs")?;
     let mut host = Instance::new(model);
     let mut connection = Connection::of(&mut host)?;
-    host.set_column(states[0], host.row()[states[0]] + connection.lifted_by())?;
+    if let Some(lift) = connection.lifted_by() {
+        host.set_column(states[0], host.row()[states[0]] + lift)?;
+    }
     let mut motion = Motion { with: connection.name(), states, times: Vec::new(), values: Vec::new() };
     for step in 0..=connection.steps() {
         host.refresh()?;
@@ -70,10 +72,10 @@ impl Connection {
     }
 
     /// A belt carries its block away; a car must be lifted to move.
-    fn lifted_by(&self) -> f64 {
+    fn lifted_by(&self) -> Option<f64> {
         match self {
-            Connection::Struts(_) => 0.02,
-            Connection::Contact(_) | Connection::Nothing => 0.0,
+            Connection::Struts(_) => Some(0.02),
+            Connection::Contact(_) | Connection::Nothing => None,
         }
     }
 
