@@ -2,7 +2,7 @@
 
 use super::Model;
 
-/// Does something with the type of each model.
+/// Work on every model, each in its own type.
 pub trait Visitor {
     /// Called once for each model.
     fn visit<M: Model>(&mut self);

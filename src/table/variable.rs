@@ -301,7 +301,7 @@ impl Variable {
         self.role.is_state() && matches!(self.kind, Kind::Enumeration(_))
     }
 
-    /// What a row must hold before the column can be read.
+    /// Outputs that must be computed before the column can be read.
     pub const fn needs(&self) -> Computed {
         match self.role {
             Role::Output if self.is_advice => Computed::All,

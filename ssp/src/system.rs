@@ -40,11 +40,11 @@ pub struct Component {
 /// Reason why a system was rejected.
 #[derive(Debug, Error)]
 pub enum SystemError {
-    /// There is no component of this name.
+    /// The system has no component of this name.
     #[error("no component {0}")]
     Component(String),
     /// The library has no such model.
-    #[error("there is no model {0}")]
+    #[error("unknown model {0}")]
     Model(&'static str),
     /// The model has no such variable.
     #[error("{model} has no variable {name}")]

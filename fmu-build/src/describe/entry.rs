@@ -19,7 +19,7 @@ pub fn select(names: &[String]) -> Result<Vec<Entry>> {
     for name in names {
         if catalogue::by_name(name).is_none() {
             let known: Vec<_> = catalogue::models().map(|model| model.name).collect();
-            bail!("there is no model {name}; there are {}", known.join(", "));
+            bail!("unknown model {name}; known are {}", known.join(", "));
         }
     }
     let is_wanted = |entry: &Entry| names.is_empty() || names.iter().any(|name| name == entry.model.name);
@@ -42,7 +42,7 @@ mod tests {
     #[test]
     fn unknown_models_are_rejected_with_the_known_names() {
         let error = select(&["LuGre".into(), "Lugre".into()]).err().unwrap().to_string();
-        assert!(error.starts_with("there is no model Lugre; there are ") && error.contains("LuGre"), "{error}");
+        assert!(error.starts_with("unknown model Lugre; known are ") && error.contains("LuGre"), "{error}");
         assert_eq!(select(&["LuGre".into()]).unwrap().len(), 1);
         assert_eq!(select(&[]).unwrap().len(), catalogue::models().count());
     }

@@ -33,7 +33,7 @@ pub fn add_to(files: &mut Files, root: &Path) -> Result<Vec<&'static str>> {
 }
 
 fn shock_absorber() -> Result<&'static ModelType> {
-    catalogue::by_name("ShockAbsorber").context("there is no model ShockAbsorber")
+    catalogue::by_name("ShockAbsorber").context("unknown model ShockAbsorber")
 }
 
 /// The dampers of the variants, by the names of their parameter sets.

@@ -79,7 +79,7 @@ pub enum Expression {
     Not(Id),
     /// One of two numbers, by an answer.
     Chosen(Id, Id, Id),
-    /// What a search finds at this place of its result, from a list of numbers.
+    /// Result of a search at this place, from a list of numbers.
     Found(u8, Id),
     /// A list: its rest and its last number.
     List(Id, Id),

@@ -65,6 +65,18 @@ mod tests {
         "normal_force_change",
     ];
 
+    /// Those of them that decide whether the contact sticks.
+    const LAST_STEP: [&str; 8] = [
+        "mass",
+        "step_size",
+        "end_velocity",
+        "end_external_force",
+        "end_normal_force",
+        "velocity_change",
+        "external_force_change",
+        "normal_force_change",
+    ];
+
     /// Positions and velocities are states: a host that fed its input through would close an algebraic loop.
     #[test]
     fn belt_rig_feeds_no_input_through() {
@@ -82,17 +94,7 @@ mod tests {
         let law: Vec<_> = law.into_iter().chain(STEPPING).collect();
         assert_depends("BrownMcPhee", "friction_force", &inputs, &law);
         assert_depends("BrownMcPhee", "dissipated_power", &inputs, &law);
-        let step = [
-            "mass",
-            "step_size",
-            "end_velocity",
-            "end_external_force",
-            "end_normal_force",
-            "velocity_change",
-            "external_force_change",
-            "normal_force_change",
-        ];
-        let sticking: Vec<_> = ["transition_velocity"].into_iter().chain(step).chain(["phase"]).collect();
+        let sticking: Vec<_> = ["transition_velocity"].into_iter().chain(LAST_STEP).chain(["phase"]).collect();
         assert_depends("BrownMcPhee", "sticking", &inputs, &sticking);
     }
 
@@ -100,23 +102,13 @@ mod tests {
     #[test]
     fn laws_with_stiction_depend_on_the_external_force() {
         let inputs = ["velocity", "normal_force", "external_force"];
-        let step = [
-            "mass",
-            "step_size",
-            "end_velocity",
-            "end_external_force",
-            "end_normal_force",
-            "velocity_change",
-            "external_force_change",
-            "normal_force_change",
-        ];
         for (model, band) in [("CoulombStiction", None), ("Karnopp", Some("transition_velocity"))] {
             let law: Vec<_> =
                 ["mu_k", "mu_s"].into_iter().chain(band).chain(["stuck"]).chain(STEPPING).chain(["phase"]).collect();
             assert_depends(model, "friction_force", &inputs, &law);
             assert_depends(model, "dissipated_power", &inputs, &law);
             let sticking: Vec<_> =
-                ["mu_s"].into_iter().chain(band).chain(["stuck"]).chain(step).chain(["phase"]).collect();
+                ["mu_s"].into_iter().chain(band).chain(["stuck"]).chain(LAST_STEP).chain(["phase"]).collect();
             assert_depends(model, "sticking", &inputs, &sticking);
         }
     }

@@ -19,7 +19,7 @@ pub struct Tracked(pub Id);
 #[derive(Clone, Copy, Debug)]
 pub struct TrackedMask(Id);
 
-/// What the course of a computation may hang on.
+/// Question whose answer decides the course of a computation.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Question {
     /// An answer.
@@ -54,7 +54,7 @@ pub struct Course {
     answers: Vec<(Id, bool)>,
     /// Columns with the choice that has been taken.
     choices: Vec<(usize, f64)>,
-    /// Whether the value of a number was asked for that is no choice.
+    /// Whether the value of a number other than a choice was read, which no expression records.
     pub is_lost: bool,
 }
 
