@@ -56,10 +56,10 @@ pub(super) fn resting<T: Real>(phase: Phase, external_force: T, level: T) -> T {
 const MOVED: f64 = 1e-6;
 
 /// Part of it by which a body coming to rest must have passed zero velocity (chosen), so that no event lies at a zero.
-const PASSED: f64 = 1e-3;
+const PASSED: f64 = 1e-6;
 
 /// Part of the level by which the external force must exceed it, or fall below it (chosen).
-pub(super) const REACHED: f64 = 1e-9;
+pub(super) const REACHED: f64 = 1e-12;
 
 impl Rest {
     /// Remaining force up to the level in a direction, in parts of the larger of force and level.
@@ -99,7 +99,7 @@ impl Rest {
 }
 
 /// Width of the hysteresis at the edges of a band, in parts of it (chosen).
-const EDGE: f64 = 1e-6;
+const EDGE: f64 = 1e-10;
 
 /// A contact with a band around rest, in Model Exchange.
 pub(super) struct Band {
