@@ -1,7 +1,12 @@
-//! The bench of Stribeck: files of dampers and tyres, from which parameter sets are made.
+//! The bench of Stribeck: files of dampers and tyres, from which parameter sets are made, and systems of models, solved
+//! to a tolerance.
 //!
 //! [`dyno`] makes a [`ParameterSet`](ssp::parameter_set::ParameterSet) from the measurements of a damper dynamometer,
-//! [`tir`] from a tyre property file.
+//! [`tir`] from a tyre property file. [`system`] joins models, [`solve`] has the solvers,
+//! [`run`] runs them.
 
 pub mod dyno;
+pub mod run;
+pub mod solve;
+pub mod system;
 pub mod tir;

@@ -1,0 +1,118 @@
+//! Runs: a system, a solver, and what came of it.
+
+mod outcome;
+mod solver;
+
+use std::time::Instant;
+
+pub use outcome::{Column, Outcome, Passed};
+pub use solver::Solver;
+
+use crate::solve::{End, Grid, Options, Progress, Recorder, Statistics};
+use crate::system::{Fault, Motion, System, WireSource};
+
+/// How a system is run.
+#[derive(Clone, Copy, Debug)]
+pub struct Settings<'a> {
+    /// The solver.
+    pub solver: Solver,
+    /// Relative and absolute tolerance.
+    pub tolerance: f64,
+    /// End of the run, in s.
+    pub until: f64,
+    /// Interval of the results, in s.
+    pub every: f64,
+    /// Whether events are located.
+    pub events: bool,
+    /// Set from outside to end the run early.
+    pub cancel: Option<&'a std::sync::atomic::AtomicBool>,
+    /// Listener to the progress.
+    pub progress: Option<&'a dyn Progress>,
+}
+
+/// Largest number of output times (chosen): a table of a gigabyte.
+const MOST_ROWS: f64 = 2e7;
+
+impl Settings<'_> {
+    /// The settings of a system's description, with the default solver at 1e-8.
+    pub fn of(system: &System) -> Settings<'static> {
+        let (until, every) = (system.description.until, system.description.every);
+        Settings { solver: Solver::Auto, tolerance: 1e-8, until, every, events: true, cancel: None, progress: None }
+    }
+
+    fn check(&self) -> Result<(), Fault> {
+        for (name, value, unit) in
+            [("until", self.until, " s"), ("every", self.every, " s"), ("tolerance", self.tolerance, "")]
+        {
+            if !(value > 0.0 && value.is_finite()) {
+                return Err(Fault::value(format_args!("{name} = {value}{unit}: must be > 0 and finite")));
+            }
+        }
+        if self.tolerance < 1e-14 || self.tolerance > 0.1 {
+            let text = format_args!("tolerance = {:e}: must be between 1e-14 and 0.1", self.tolerance);
+            return Err(Fault::value(text));
+        }
+        let rows = self.until / self.every;
+        if rows > MOST_ROWS {
+            let text = format_args!("every = {} s gives {rows:.0} rows: at most {MOST_ROWS}", self.every);
+            return Err(Fault::value(text));
+        }
+        Ok(())
+    }
+
+    /// The output times: multiples of the interval, and the end.
+    fn grid(&self) -> Grid {
+        Grid { begin: 0.0, end: self.until, intervals: ((self.until / self.every).round() as usize).max(1) }
+    }
+
+    fn options(&self) -> Options<'_> {
+        Options {
+            relative: self.tolerance,
+            absolute: self.tolerance,
+            events: self.events,
+            cancel: self.cancel,
+            progress: self.progress,
+            ..Options::new(self.until, self.tolerance)
+        }
+    }
+}
+
+/// Runs a system and records the named results: variables such as `rig.position`, or `der(rig.block_velocity)`.
+pub fn run(system: &System, settings: &Settings, results: &[String]) -> Result<Outcome, Fault> {
+    settings.check()?;
+    let sources = results.iter().map(|name| system.source(name)).collect::<Result<Vec<WireSource>, Fault>>()?;
+    let solver = settings.solver.for_system(system);
+    let begin = Instant::now();
+    let (end, statistics, time, values, names) = match solver.method() {
+        Some(method) => {
+            let mut motion = Motion::new(system, &sources)?;
+            let mut recorder = Recorder::new(settings.grid(), &motion);
+            let mut states = motion.start();
+            let (end, statistics) =
+                crate::solve::solve(method, &mut motion, &mut states, &settings.options(), &mut recorder);
+            recorder.finish();
+            let names = event_names(&motion, &statistics);
+            (end, statistics, recorder.times().collect(), recorder.values, names)
+        }
+        None => return Err(Fault::value(format_args!("solver {solver}: not available"))),
+    };
+    let columns = results.iter().zip(&sources).zip(values);
+    let columns =
+        columns.map(|((name, source), values)| Column { name: name.clone(), unit: system.unit(*source).name, values });
+    let columns = columns.collect();
+    let events = statistics.events.iter().zip(names).map(|(event, part)| Passed { time: event.time, part });
+    let events = events.collect();
+    Ok(Outcome { law: system.law, solver, time, columns, end, statistics, events, elapsed: begin.elapsed() })
+}
+
+/// The part of which each event was.
+fn event_names(equations: &dyn crate::solve::Equations, statistics: &Statistics) -> Vec<String> {
+    statistics.events.iter().map(|event| equations.indicator_name(event.indicator)).collect()
+}
+
+impl Outcome {
+    /// Whether the run came to its end.
+    pub fn is_reached(&self) -> bool {
+        self.end == End::Reached
+    }
+}

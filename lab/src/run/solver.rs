@@ -1,0 +1,47 @@
+//! The solvers by name.
+
+use std::fmt;
+
+use crate::solve::Method;
+use crate::system::System;
+
+/// A solver, with the class of MATLAB's solvers that it belongs to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+pub enum Solver {
+    /// Rodas5P, or steps for systems with a law that has no rates.
+    Auto,
+    /// Rosenbrock method of order 5 with located events.
+    #[value(name = "rodas5p")]
+    Rodas5P,
+    /// Modified Rosenbrock method 2(3), the class of ode23s.
+    Rosenbrock23,
+}
+
+impl Solver {
+    /// The solver that runs a system.
+    pub fn for_system(self, _system: &System) -> Solver {
+        match self {
+            Solver::Auto => Solver::Rodas5P,
+            other => other,
+        }
+    }
+
+    /// Our method of that name.
+    pub fn method(self) -> Option<Method> {
+        match self {
+            Solver::Rodas5P => Some(Method::Rodas5P),
+            Solver::Rosenbrock23 => Some(Method::Rosenbrock23),
+            Solver::Auto => None,
+        }
+    }
+}
+
+impl fmt::Display for Solver {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        use clap::ValueEnum;
+        match self.to_possible_value() {
+            Some(value) => f.write_str(value.get_name()),
+            None => Ok(()),
+        }
+    }
+}

@@ -1,0 +1,170 @@
+//! Location of events within a step.
+
+use super::Equations;
+use super::recorder::Piece;
+
+/// Fractions of a step at which the indicators are looked at (chosen): a body that comes to rest and is driven back
+/// within one step crosses zero twice.
+const LOOKS: [f64; 4] = [0.25, 0.5, 0.75, 1.0];
+
+/// Part of a step after which an indicator that begins at zero has a sign (chosen).
+const EARLY: f64 = 1e-6;
+
+/// Parts of a step to which the polynomial's crossing is found (chosen): the steps made after it find the rest.
+const PRECISION: f64 = 1e-9;
+
+/// The indicators at the beginning of a step, and workspace.
+pub(super) struct Watch {
+    pub at_beginning: Vec<f64>,
+    now: Vec<f64>,
+    states: Vec<f64>,
+}
+
+/// Whether an indicator has changed its sign. One that begins at zero has none yet.
+fn changes(before: f64, now: f64) -> bool {
+    before > 0.0 && now <= 0.0 || before < 0.0 && now >= 0.0
+}
+
+impl Watch {
+    pub fn new(equations: &dyn Equations) -> Watch {
+        let indicators = vec![0.0; equations.indicators()];
+        Watch { at_beginning: indicators.clone(), now: indicators, states: vec![0.0; equations.states()] }
+    }
+
+    /// Whether there is anything to watch.
+    pub fn is_needed(&self) -> bool {
+        !self.now.is_empty()
+    }
+
+    /// Takes the indicators as those at the beginning of a step.
+    pub fn begin(&mut self, equations: &mut dyn Equations, time: f64, states: &[f64]) {
+        equations.indicate(time, states, &mut self.at_beginning);
+    }
+
+    /// The first indicator that has changed its sign at a state.
+    pub fn changed(&mut self, equations: &mut dyn Equations, time: f64, states: &[f64]) -> Option<usize> {
+        equations.indicate(time, states, &mut self.now);
+        (0..self.now.len()).find(|i| changes(self.at_beginning[*i], self.now[*i]))
+    }
+
+    /// Value of an indicator at the last look, in the direction in which it began positive.
+    pub fn remaining(&self, indicator: usize) -> f64 {
+        self.now[indicator] * self.at_beginning[indicator].signum()
+    }
+
+    /// Size of an indicator at the beginning of the step.
+    pub fn size(&self, indicator: usize) -> f64 {
+        self.at_beginning[indicator].abs()
+    }
+
+    fn changed_within(&mut self, equations: &mut dyn Equations, piece: &Piece, fraction: f64) -> Option<usize> {
+        let mut states = std::mem::take(&mut self.states);
+        piece.at(fraction, &mut states);
+        let changed = self.changed(equations, piece.begin + fraction * piece.length, &states);
+        self.states = states;
+        changed
+    }
+
+    /// The fraction of a step after which the first indicator changes its sign, by the polynomials of the step, and the
+    /// number of the indicator.
+    pub fn first_change(&mut self, equations: &mut dyn Equations, piece: &Piece) -> Option<(f64, usize)> {
+        let mut before = 0.0;
+        // An indicator that begins at zero shows its sign at once.
+        let early = self.at_beginning.contains(&0.0).then_some(EARLY);
+        for look in early.into_iter().chain(LOOKS) {
+            if let Some(indicator) = self.changed_within(equations, piece, look) {
+                return Some(self.narrow(equations, piece, [before, look], indicator));
+            }
+            for (beginning, now) in self.at_beginning.iter_mut().zip(&self.now) {
+                if *beginning == 0.0 {
+                    *beginning = *now;
+                }
+            }
+            before = look;
+        }
+        None
+    }
+
+    /// Halves an interval at whose end an indicator has changed its sign.
+    fn narrow(
+        &mut self,
+        equations: &mut dyn Equations,
+        piece: &Piece,
+        [mut low, mut high]: [f64; 2],
+        mut indicator: usize,
+    ) -> (f64, usize) {
+        while high - low > PRECISION {
+            let middle = 0.5 * (low + high);
+            match self.changed_within(equations, piece, middle) {
+                Some(changed) => (high, indicator) = (middle, changed),
+                None => low = middle,
+            }
+        }
+        (high, indicator)
+    }
+}
+
+/// Lengths of steps that end before and after an event, with the indicator there.
+pub(super) struct Bracket {
+    low: (f64, f64),
+    high: Option<(f64, f64)>,
+    /// Slope of the indicator as last seen, while no step has ended after the event.
+    slope: f64,
+    longest: f64,
+    precision: f64,
+    /// Side that was moved last, for the Illinois rule.
+    moved_low: Option<bool>,
+}
+
+impl Bracket {
+    /// The indicator begins a step of the longest length with this value.
+    pub fn new(at_beginning: f64, longest: f64, precision: f64) -> Bracket {
+        Bracket { low: (0.0, at_beginning), high: None, slope: 0.0, longest, precision, moved_low: None }
+    }
+
+    /// A step of length `h` ends before the event.
+    pub fn before(&mut self, h: f64, remaining: f64) {
+        self.slope = (remaining - self.low.1) / (h - self.low.0);
+        self.low = (h, remaining);
+        if let (Some(true), Some((_, value))) = (self.moved_low, &mut self.high) {
+            *value *= 0.5;
+        }
+        self.moved_low = Some(true);
+    }
+
+    /// A step of length `h` ends after the event, or at it.
+    pub fn after(&mut self, h: f64, remaining: f64) {
+        self.high = Some((h, remaining));
+        if self.moved_low == Some(false) {
+            self.low.1 *= 0.5;
+        }
+        self.moved_low = Some(false);
+    }
+
+    /// The shortest step that ends after the event, once it is as short as it can be.
+    pub fn closed(&self) -> Option<f64> {
+        self.high.map(|(high, _)| high).filter(|high| high - self.low.0 <= self.precision)
+    }
+
+    /// The length to try next.
+    pub fn next(&self) -> f64 {
+        let (low, at_low) = self.low;
+        let near = 0.5 * self.precision;
+        let Some((high, at_high)) = self.high else {
+            // Not there yet: as far as the slope says and a little further.
+            let ahead = 1.01 * at_low / -self.slope;
+            let ahead = if ahead > 0.0 { ahead } else { 1e-3 * self.longest };
+            return (low + ahead.max(self.precision)).min(self.longest);
+        };
+        let falsi = low + (high - low) * at_low / (at_low - at_high);
+        // Close to one end, as far from it as the bracket is to be wide in the end.
+        let h = if falsi < low + near {
+            low + self.precision
+        } else if falsi > high - near {
+            high - self.precision
+        } else {
+            falsi
+        };
+        if h > low + 0.1 * near && h < high - 0.1 * near { h } else { 0.5 * (low + high) }
+    }
+}

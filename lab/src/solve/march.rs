@@ -1,0 +1,262 @@
+//! Steps with error control from event to event.
+
+use super::event::{Bracket, Watch};
+use super::method::{Beginning, Step};
+use super::recorder::{Piece, Recorder};
+use super::statistics::{End, Event, Statistics};
+use super::{Equations, Options};
+
+/// Safety factor and limits of the change of a step size, as usual.
+const SAFETY: f64 = 0.9;
+const SHRINK: f64 = 0.1;
+const GROW: f64 = 6.0;
+
+/// Part of a step at which a rejected step that meets an event is tried again, beyond the event (chosen).
+const BEYOND: f64 = 1.0 + 1e-3;
+
+/// Largest number of events at one instant (chosen): parts in a chain may change one after the other.
+const MOST_EVENTS: u32 = 32;
+
+/// Largest number of steps made to end at an event (chosen).
+const MOST_TRIALS: u32 = 100;
+
+/// Steps between two looks at progress and cancellation (chosen).
+const LOOK: u64 = 256;
+
+/// A run under way.
+struct March<'a, S, const N: usize> {
+    equations: &'a mut dyn Equations,
+    options: &'a Options<'a>,
+    recorder: &'a mut Recorder,
+    scales: [f64; N],
+    begin: Beginning<N>,
+    step: S,
+    watch: Watch,
+    statistics: Statistics,
+}
+
+/// Outcome of making a step.
+struct Made {
+    end: f64,
+    /// Indicator of the event at which it ends.
+    event: Option<usize>,
+    /// Length that the error control proposes for the next step.
+    next: f64,
+}
+
+/// Runs a method. The states are those at the end afterwards.
+pub(super) fn run<S: Step<N>, const N: usize>(
+    equations: &mut dyn Equations,
+    states: &mut [f64],
+    options: &Options,
+    recorder: &mut Recorder,
+) -> (End, Statistics) {
+    let mut scales = [1.0; N];
+    scales.copy_from_slice(equations.scales());
+    let watch = Watch::new(equations);
+    let zero = [0.0; N];
+    let mut begin = Beginning { time: options.begin, states: zero, rates: zero, jacobian: [zero; N], by_time: zero };
+    begin.states.copy_from_slice(states);
+    let statistics = Statistics::default();
+    let mut march = March { equations, options, recorder, scales, begin, step: S::default(), watch, statistics };
+    let end = match march.go() {
+        Ok(end) => end,
+        Err(reason) => End::Failed { time: march.begin.time, reason },
+    };
+    states.copy_from_slice(&march.begin.states);
+    (end, march.statistics)
+}
+
+impl<S: Step<N>, const N: usize> March<'_, S, N> {
+    fn go(&mut self) -> Result<End, String> {
+        self.settle()?;
+        while self.recorder.is_due(self.begin.time) {
+            let states = self.begin.states;
+            self.recorder.point(self.equations, &states)?;
+        }
+        let mut h = self.first_step();
+        let end = self.options.end;
+        while self.begin.time < end {
+            if self.statistics.steps.is_multiple_of(LOOK) {
+                if self.options.is_cancelled() {
+                    return Ok(End::Cancelled { time: self.begin.time });
+                }
+                if let Some(progress) = self.options.progress {
+                    progress.reached(self.begin.time);
+                }
+            }
+            let made = self.advance(h)?;
+            self.accept(&made)?;
+            h = made.next;
+        }
+        Ok(End::Reached)
+    }
+
+    /// Makes events until none is due, and looks at the equations there.
+    fn settle(&mut self) -> Result<(), String> {
+        let time = self.begin.time;
+        self.equations.at_event(time, &mut self.begin.states)?;
+        if self.options.events && self.watch.is_needed() {
+            self.watch.begin(self.equations, time, &self.begin.states);
+        }
+        self.look()
+    }
+
+    /// Evaluates rates and Jacobian at the beginning of a step.
+    fn look(&mut self) -> Result<(), String> {
+        let Beginning { time, states, rates, jacobian, by_time } = &mut self.begin;
+        self.equations.rates(*time, states, rates);
+        self.equations.jacobian(*time, states, jacobian.as_flattened_mut(), by_time);
+        self.statistics.evaluations += 1;
+        self.statistics.jacobians += 1;
+        match rates.iter().chain(jacobian.as_flattened()).position(|number| !number.is_finite()) {
+            None => Ok(()),
+            Some(at) => Err(format!("the rate of {} is not finite", self.equations.state_name(at % N))),
+        }
+    }
+
+    /// Error or change, in parts of the tolerance.
+    fn norm(&self, of: &[f64; N], other: &[f64; N]) -> f64 {
+        let Options { relative, absolute, .. } = *self.options;
+        let part = |i: usize| {
+            let size = self.begin.states[i].abs().max(other[i].abs());
+            let part = of[i] / (absolute * self.scales[i] + relative * size);
+            part * part
+        };
+        ((0..N).map(part).sum::<f64>() / N as f64).sqrt()
+    }
+
+    /// A step in which the states change by a hundredth of their size; see E. Hairer, S. P. Norsett, G. Wanner, Solving
+    /// Ordinary Differential Equations I, section II.4.
+    fn first_step(&self) -> f64 {
+        let Beginning { states, rates, .. } = &self.begin;
+        let (size, pace) = (self.norm(states, states), self.norm(rates, states));
+        let span = self.options.end - self.begin.time;
+        if size < 1e-5 || pace < 1e-5 { 1e-6 * span } else { (0.01 * size / pace).min(span) }
+    }
+
+    /// The shortest step that moves the time.
+    fn shortest(&self) -> f64 {
+        16.0 * f64::EPSILON * self.begin.time.abs().max(self.options.end.abs() * f64::EPSILON)
+    }
+
+    fn attempt(&mut self, h: f64) -> bool {
+        self.statistics.evaluations += S::EVALUATIONS;
+        self.step.attempt(self.equations, &self.begin, h)
+    }
+
+    fn dense(&self) -> [[f64; 5]; N] {
+        self.step.dense(&self.begin)
+    }
+
+    /// Makes the next step, of length h or shorter.
+    fn advance(&mut self, h: f64) -> Result<Made, String> {
+        let wall = self.equations.next_break(self.begin.time).min(self.options.end);
+        let mut h = h.min(self.options.longest);
+        loop {
+            if self.statistics.steps + self.statistics.rejected >= self.options.most_steps {
+                return Err(format!("more than {} steps", self.options.most_steps));
+            }
+            let room = wall - self.begin.time;
+            // A remainder hardly longer than the step is made in one.
+            let is_last = h >= room / 1.01;
+            let length = if is_last { room } else { h };
+            let error = if self.attempt(length) { self.norm(self.step.error(), self.step.end()) } else { f64::NAN };
+            let factor = SAFETY * error.powf(-1.0 / S::ERROR_ORDER);
+            let factor = if factor.is_nan() { SHRINK } else { factor.clamp(SHRINK, GROW) };
+            let crossing = if error.is_nan() { None } else { self.first_change(length) };
+            if error <= 1.0 {
+                let next = length * factor;
+                let Some(crossing) = crossing else {
+                    let end = if is_last { wall } else { self.begin.time + length };
+                    return Ok(Made { end, event: None, next });
+                };
+                if let Some((length, event)) = self.locate(length, crossing) {
+                    return Ok(Made { end: self.begin.time + length, event: Some(event), next });
+                }
+                h = 0.5 * length;
+            } else {
+                h = length * crossing.map_or(factor, |(fraction, _)| factor.max(fraction * BEYOND).min(0.9));
+            }
+            self.statistics.rejected += 1;
+            if h < self.shortest() {
+                return Err(self.too_short(h));
+            }
+        }
+    }
+
+    fn too_short(&self, h: f64) -> String {
+        let size = |i: &usize| self.step.error()[*i].abs() / self.scales[*i];
+        let worst = (0..N).max_by(|a, b| size(a).total_cmp(&size(b))).unwrap_or(0);
+        format!("a step of {h:e} s is still too long for {}", self.equations.state_name(worst))
+    }
+
+    fn first_change(&mut self, length: f64) -> Option<(f64, usize)> {
+        if !(self.options.events && self.watch.is_needed()) {
+            return None;
+        }
+        let coefficients = self.dense();
+        let piece = Piece { begin: self.begin.time, length, coefficients: &coefficients };
+        self.watch.first_change(self.equations, &piece)
+    }
+
+    /// Shortens the step that was just made until it ends right behind an event, by regula falsi on the ends of the steps
+    /// themselves: those that end before it lie on one branch of the equations. None if no such step can be made.
+    fn locate(&mut self, length: f64, (fraction, mut event): (f64, usize)) -> Option<(f64, usize)> {
+        let precision = 4.0 * f64::EPSILON * (self.begin.time + length).abs();
+        let mut bracket = Bracket::new(self.watch.size(event), length, precision);
+        let mut h = fraction * length;
+        for _ in 0..MOST_TRIALS {
+            self.statistics.rejected += 1;
+            if !self.attempt(h) {
+                return None;
+            }
+            let end = *self.step.end();
+            match self.watch.changed(self.equations, self.begin.time + h, &end) {
+                Some(indicator) => {
+                    event = indicator;
+                    bracket.after(h, self.watch.remaining(indicator));
+                }
+                None => bracket.before(h, self.watch.remaining(event)),
+            }
+            if let Some(shortest) = bracket.closed() {
+                return self.attempt(shortest).then_some((shortest, event));
+            }
+            h = bracket.next();
+        }
+        None
+    }
+
+    fn accept(&mut self, made: &Made) -> Result<(), String> {
+        let coefficients = self.dense();
+        let length = made.end - self.begin.time;
+        let piece = Piece { begin: self.begin.time, length, coefficients: &coefficients };
+        self.recorder.piece(self.equations, &piece)?;
+        self.begin.time = made.end;
+        self.begin.states = *self.step.end();
+        self.statistics.steps += 1;
+        match made.event {
+            Some(indicator) => self.pass(indicator),
+            None => {
+                if self.options.events && self.watch.is_needed() {
+                    let states = self.begin.states;
+                    self.watch.begin(self.equations, made.end, &states);
+                }
+                self.look()
+            }
+        }
+    }
+
+    /// Makes an event.
+    fn pass(&mut self, indicator: usize) -> Result<(), String> {
+        let time = self.begin.time;
+        let same = |event: &&Event| (time - event.time).abs() <= 64.0 * f64::EPSILON * time.abs();
+        let count = self.statistics.events.iter().rev().take_while(same).count();
+        if count as u32 >= MOST_EVENTS {
+            let name = self.equations.indicator_name(indicator);
+            return Err(format!("{count} events at one instant, the last one of {name}"));
+        }
+        self.statistics.events.push(Event { time, indicator });
+        self.settle()
+    }
+}

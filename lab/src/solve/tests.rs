@@ -1,0 +1,112 @@
+//! Solvers against closed forms.
+
+use super::*;
+
+/// x'' = -x, or a ball that is thrown up again at each landing.
+struct Analytic {
+    kind: Kind,
+}
+
+#[derive(Clone, Copy, PartialEq)]
+enum Kind {
+    Oscillator,
+    /// x' = -1e6 (x - cos t) - sin t: stiff, solution cos t.
+    Stiff,
+    /// Height and velocity; the velocity is reversed on the ground.
+    Ball,
+}
+
+impl Equations for Analytic {
+    fn states(&self) -> usize {
+        if self.kind == Kind::Stiff { 1 } else { 2 }
+    }
+
+    fn state_name(&self, state: usize) -> String {
+        format!("x{state}")
+    }
+
+    fn scales(&self) -> &[f64] {
+        &[1.0, 1.0][..self.states()]
+    }
+
+    fn rates(&mut self, time: f64, x: &[f64], rates: &mut [f64]) {
+        match self.kind {
+            Kind::Oscillator => rates.copy_from_slice(&[x[1], -x[0]]),
+            Kind::Stiff => rates[0] = -1e6 * (x[0] - time.cos()) - time.sin(),
+            Kind::Ball => rates.copy_from_slice(&[x[1], -10.0]),
+        }
+    }
+
+    fn jacobian(&mut self, time: f64, _x: &[f64], jacobian: &mut [f64], by_time: &mut [f64]) {
+        match self.kind {
+            Kind::Oscillator => jacobian.copy_from_slice(&[0.0, 1.0, -1.0, 0.0]),
+            Kind::Stiff => {
+                jacobian[0] = -1e6;
+                by_time[0] = -1e6 * time.sin() - time.cos();
+                return;
+            }
+            Kind::Ball => jacobian.copy_from_slice(&[0.0, 1.0, 0.0, 0.0]),
+        }
+        by_time.fill(0.0);
+    }
+
+    fn indicators(&self) -> usize {
+        usize::from(self.kind == Kind::Ball)
+    }
+
+    fn indicator_name(&self, _indicator: usize) -> String {
+        "ground".to_owned()
+    }
+
+    fn indicate(&mut self, _time: f64, x: &[f64], indicators: &mut [f64]) {
+        if self.kind == Kind::Ball {
+            indicators[0] = x[0];
+        }
+    }
+
+    fn at_event(&mut self, _time: f64, x: &mut [f64]) -> Result<(), String> {
+        if self.kind == Kind::Ball && x[0] <= 0.0 {
+            (x[0], x[1]) = (0.0, x[1].abs());
+        }
+        Ok(())
+    }
+}
+
+fn run(kind: Kind, method: Method, tolerance: f64, end: f64, start: &[f64]) -> (Vec<f64>, Statistics, Recorder) {
+    let mut equations = Analytic { kind };
+    let mut states = start.to_vec();
+    let mut recorder = Recorder::new(Grid { begin: 0.0, end, intervals: 1000 }, &equations);
+    let (end, statistics) = solve(method, &mut equations, &mut states, &Options::new(end, tolerance), &mut recorder);
+    assert_eq!(end, End::Reached);
+    (states, statistics, recorder)
+}
+
+#[test]
+fn an_oscillator_keeps_its_circle() {
+    for (method, tolerance, bound) in [(Method::Rodas5P, 1e-10, 1e-8), (Method::Rosenbrock23, 1e-7, 3e-4)] {
+        let (_, _, recorder) = run(Kind::Oscillator, method, tolerance, 20.0, &[1.0, 0.0]);
+        for (number, time) in recorder.times().enumerate() {
+            let error = (recorder.states[0][number] - time.cos()).abs();
+            assert!(error < bound, "{method:?} at {time}: {error}");
+        }
+        assert_eq!(recorder.len(), 1001);
+    }
+}
+
+#[test]
+fn a_stiff_equation_takes_few_steps() {
+    let (states, statistics, _) = run(Kind::Stiff, Method::Rodas5P, 1e-8, 10.0, &[1.0]);
+    assert!((states[0] - 10f64.cos()).abs() < 1e-7, "{states:?}");
+    assert!(statistics.steps < 300, "{statistics:?}");
+}
+
+/// A ball thrown up at 1 m/s lands after 0.2 s and so on.
+#[test]
+fn landings_are_located() {
+    let (_, statistics, _) = run(Kind::Ball, Method::Rodas5P, 1e-9, 1.05, &[0.0, 1.0]);
+    let times: Vec<f64> = statistics.events.iter().map(|event| event.time).collect();
+    assert_eq!(times.len(), 5, "{times:?}");
+    for (number, time) in times.iter().enumerate() {
+        assert!((time - 0.2 * (number + 1) as f64).abs() < 1e-13, "{times:?}");
+    }
+}

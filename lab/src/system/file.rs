@@ -1,0 +1,122 @@
+//! Descriptions of systems, as TOML.
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+
+use serde::{Deserialize, Serialize};
+
+use super::{Fault, Signal};
+
+/// The systems that come with the program: name and description.
+pub const BUILT_IN: &[(&str, &str)] = &[("belt", include_str!("built_in/belt.toml"))];
+
+/// A system as it is written down.
+#[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
+#[serde(deny_unknown_fields)]
+pub struct Description {
+    /// One line.
+    pub title: String,
+    /// Where it comes from.
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    pub source: String,
+    /// End of a run, in s.
+    pub until: f64,
+    /// Interval of the results, in s.
+    pub every: f64,
+    /// The parts by name.
+    pub part: BTreeMap<String, PartDescription>,
+    /// Inputs with the outputs they are connected to.
+    #[serde(default)]
+    pub connect: BTreeMap<String, String>,
+    /// Inputs with their signals.
+    #[serde(default)]
+    pub input: BTreeMap<String, Signal>,
+    /// Start values that follow another variable unless they are set.
+    #[serde(default)]
+    pub start: BTreeMap<String, String>,
+    /// Values for single laws.
+    #[serde(default)]
+    pub law: BTreeMap<String, BTreeMap<String, Value>>,
+    /// Quantities of the usual pictures, with the variables that have them.
+    #[serde(default)]
+    pub show: BTreeMap<String, String>,
+}
+
+/// A part of a system.
+#[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
+#[serde(deny_unknown_fields)]
+pub struct PartDescription {
+    /// Its model.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub model: Option<String>,
+    /// For a part that any friction law can be: the law if no other one is chosen.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub law: Option<String>,
+    /// Preset of parameters.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub preset: Option<String>,
+    /// Values of variables.
+    #[serde(default)]
+    pub set: BTreeMap<String, Value>,
+}
+
+/// A value of a variable.
+#[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
+#[serde(untagged)]
+pub enum Value {
+    /// True or false.
+    Truth(bool),
+    /// A number.
+    Number(f64),
+    /// The name of a choice.
+    Choice(String),
+}
+
+impl std::fmt::Display for Value {
+    fn fmt(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
+        match self {
+            Value::Truth(value) => value.fmt(f),
+            Value::Number(value) => value.fmt(f),
+            Value::Choice(value) => value.fmt(f),
+        }
+    }
+}
+
+/// A description with the folder to which its file names are relative.
+#[derive(Clone, Debug)]
+pub struct Source {
+    /// The description.
+    pub description: Description,
+    /// The folder.
+    pub folder: PathBuf,
+}
+
+impl Source {
+    /// A built-in system by its name, or a system file by its path.
+    pub fn open(name: &str) -> Result<Source, Fault> {
+        if let Some((_, text)) = BUILT_IN.iter().find(|(known, _)| *known == name) {
+            return Ok(Source { description: Description::parse(text)?, folder: PathBuf::new() });
+        }
+        let path = Path::new(name);
+        if path.extension().is_none() {
+            return Err(Fault::unknown("system", name, BUILT_IN.iter().map(|(known, _)| *known)));
+        }
+        let text = std::fs::read_to_string(path).map_err(|error| Fault::File(format!("{name}: {error}")))?;
+        let description = Description::parse(&text).map_err(|error| Fault::File(format!("{name}: {error}")))?;
+        Ok(Source { description, folder: path.parent().unwrap_or(Path::new("")).to_owned() })
+    }
+}
+
+impl Description {
+    /// Reads a description.
+    pub fn parse(text: &str) -> Result<Description, Fault> {
+        let description: Description =
+            toml::from_str(text).map_err(|error| Fault::File(error.to_string().trim_end().to_owned()))?;
+        for (name, value) in [("until", description.until), ("every", description.every)] {
+            if !(value > 0.0 && value.is_finite()) {
+                return Err(Fault::value(format_args!("{name} = {value} s: must be > 0 and finite")));
+            }
+        }
+        Ok(description)
+    }
+}

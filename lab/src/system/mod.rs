@@ -1,0 +1,23 @@
+//! Systems: models of the catalogue joined by connections, with signals at their free inputs.
+//!
+//! A system comes from a TOML file or is built in; [`System::assemble`] checks it and joins the parts. [`Motion`] is its
+//! equations of motion, for the solvers.
+
+mod error;
+mod file;
+mod motion;
+mod order;
+mod part;
+mod signal;
+mod slot;
+mod values;
+
+pub use error::Fault;
+pub use file::{BUILT_IN, Description, Source};
+pub use motion::Motion;
+pub use part::{Part, Place, System, Wire, WireSource};
+pub use signal::Signal;
+pub use values::{Setting, closest, spelled};
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,188 @@
+//! Signals: the course of an input over time.
+
+use std::path::Path;
+
+use serde::{Deserialize, Serialize};
+
+use super::Fault;
+
+/// Course of an input over time.
+#[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
+#[serde(untagged)]
+pub enum Signal {
+    /// A constant.
+    Constant(f64),
+    /// One of the other courses.
+    Course(Course),
+}
+
+/// Course of a signal that moves.
+#[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
+#[serde(rename_all = "kebab-case", deny_unknown_fields)]
+pub enum Course {
+    /// `from` until the time `start`, then it rises with `rate` per second until it has reached `to`.
+    Ramp {
+        /// First value.
+        #[serde(default)]
+        from: f64,
+        /// Change per second.
+        rate: f64,
+        /// Time at which it begins to change.
+        #[serde(default)]
+        start: f64,
+        /// Last value; none if it goes on.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        to: Option<f64>,
+    },
+    /// mean + amplitude sin(2 pi frequency t + phase).
+    Sine {
+        /// Mean value.
+        #[serde(default)]
+        mean: f64,
+        /// Amplitude.
+        amplitude: f64,
+        /// Frequency in Hz.
+        frequency: f64,
+        /// Phase in rad.
+        #[serde(default)]
+        phase: f64,
+    },
+    /// Points joined by straight lines; the first and last value hold before and after them.
+    Points {
+        /// Times, ascending.
+        time: Vec<f64>,
+        /// Values.
+        value: Vec<f64>,
+    },
+    /// Two columns of a CSV file with headings, joined by straight lines.
+    Csv {
+        /// The file, relative to the system file.
+        file: String,
+        /// Heading of the column of times.
+        #[serde(default = "time")]
+        time: String,
+        /// Heading of the column of values.
+        column: String,
+    },
+}
+
+fn time() -> String {
+    "time".to_owned()
+}
+
+impl Signal {
+    /// The same signal with its points read from its file.
+    pub fn loaded(&self, folder: &Path) -> Result<Signal, Fault> {
+        let signal = match self {
+            Signal::Course(Course::Csv { file, time, column }) => {
+                let (time, value) = read(&folder.join(file), time, column)?;
+                Signal::Course(Course::Points { time, value })
+            }
+            other => other.clone(),
+        };
+        signal.check()?;
+        Ok(signal)
+    }
+
+    fn check(&self) -> Result<(), Fault> {
+        let numbers: Vec<f64> = match self {
+            Signal::Constant(value) => vec![*value],
+            Signal::Course(Course::Ramp { from, rate, start, to }) => vec![*from, *rate, *start, to.unwrap_or(0.0)],
+            Signal::Course(Course::Sine { mean, amplitude, frequency, phase }) => {
+                vec![*mean, *amplitude, *frequency, *phase]
+            }
+            Signal::Course(Course::Points { time, value }) => {
+                if time.len() != value.len() || time.is_empty() {
+                    return Err(Fault::value(format_args!("{} times and {} values", time.len(), value.len())));
+                }
+                if let Some(at) = (1..time.len()).find(|at| time[*at] <= time[at - 1]) {
+                    let (before, now) = (time[at - 1], time[at]);
+                    return Err(Fault::value(format_args!("time {now} after time {before}: times must ascend")));
+                }
+                time.iter().chain(value).copied().collect()
+            }
+            Signal::Course(Course::Csv { .. }) => Vec::new(),
+        };
+        match numbers.iter().find(|number| !number.is_finite()) {
+            Some(number) => Err(Fault::value(format_args!("{number} in a signal: must be a finite number"))),
+            None => Ok(()),
+        }
+    }
+
+    /// Value and rate at a time; the rate is that after the time where there is a kink.
+    pub fn at(&self, t: f64) -> (f64, f64) {
+        match self {
+            Signal::Constant(value) => (*value, 0.0),
+            Signal::Course(Course::Ramp { from, rate, start, to }) => {
+                let end = to.map_or(f64::INFINITY, |to| ramp_end(*from, *rate, *start, to));
+                if t < *start {
+                    (*from, 0.0)
+                } else if t < end {
+                    (from + rate * (t - start), *rate)
+                } else {
+                    (to.unwrap_or(*from), 0.0)
+                }
+            }
+            Signal::Course(Course::Sine { mean, amplitude, frequency, phase }) => {
+                let omega = 2.0 * std::f64::consts::PI * frequency;
+                let (sine, cosine) = (omega * t + phase).sin_cos();
+                (mean + amplitude * sine, amplitude * omega * cosine)
+            }
+            Signal::Course(Course::Points { time, value }) => {
+                let after = time.partition_point(|at| *at <= t);
+                if after == 0 {
+                    (value[0], 0.0)
+                } else if after == time.len() {
+                    (value[after - 1], 0.0)
+                } else {
+                    let slope = (value[after] - value[after - 1]) / (time[after] - time[after - 1]);
+                    (value[after - 1] + slope * (t - time[after - 1]), slope)
+                }
+            }
+            Signal::Course(Course::Csv { .. }) => (f64::NAN, f64::NAN),
+        }
+    }
+
+    /// The next time after `t` at which the rate jumps.
+    pub fn next_break(&self, t: f64) -> f64 {
+        match self {
+            Signal::Course(Course::Ramp { from, rate, start, to }) => {
+                let end = to.map_or(f64::INFINITY, |to| ramp_end(*from, *rate, *start, to));
+                [*start, end].into_iter().find(|at| *at > t).unwrap_or(f64::INFINITY)
+            }
+            Signal::Course(Course::Points { time, .. }) => {
+                time.get(time.partition_point(|at| *at <= t)).copied().unwrap_or(f64::INFINITY)
+            }
+            _ => f64::INFINITY,
+        }
+    }
+}
+
+/// Time at which a ramp reaches its last value; it never does if it moves away from it.
+fn ramp_end(from: f64, rate: f64, start: f64, to: f64) -> f64 {
+    let end = start + (to - from) / rate;
+    if end >= start { end } else { f64::INFINITY }
+}
+
+fn read(file: &Path, time: &str, column: &str) -> Result<(Vec<f64>, Vec<f64>), Fault> {
+    let wrong = |text: String| Fault::File(format!("{}: {text}", file.display()));
+    let mut reader = csv::Reader::from_path(file).map_err(|error| wrong(error.to_string()))?;
+    let headings = reader.headers().map_err(|error| wrong(error.to_string()))?.clone();
+    let find = |name: &str| {
+        let known = || headings.iter().map(str::trim);
+        known().position(|heading| heading == name).ok_or_else(|| Fault::unknown("column", name, known()))
+    };
+    let columns = [find(time)?, find(column)?];
+    let mut rows = (Vec::new(), Vec::new());
+    for (number, record) in reader.records().enumerate() {
+        let record = record.map_err(|error| wrong(error.to_string()))?;
+        let mut values = [0.0; 2];
+        for (value, column) in values.iter_mut().zip(columns) {
+            let text = record.get(column).unwrap_or("").trim();
+            *value = text.parse().map_err(|_| wrong(format!("row {}: '{text}' is not a number", number + 2)))?;
+        }
+        rows.0.push(values[0]);
+        rows.1.push(values[1]);
+    }
+    Ok(rows)
+}

@@ -1,0 +1,151 @@
+//! Systems against closed forms and published figures.
+
+use std::f64::consts::PI;
+
+use super::*;
+use crate::solve::{End, Grid, Method, Options, Recorder, Statistics, solve};
+
+/// The belt with a law: statistics, and the recorded motion (time, position of the block).
+fn belt(law: &str, tolerance: f64) -> (Statistics, Vec<(f64, f64)>) {
+    let source = Source::open("belt").unwrap();
+    let system = System::assemble(&source, Some(law), &[]).unwrap();
+    let mut motion = Motion::new(&system, &[]).unwrap();
+    let position = motion.places().iter().position(|place| *place == system.place("rig.position").unwrap()).unwrap();
+    let (mut states, until) = (motion.start(), 40.0);
+    let mut recorder = Recorder::new(Grid { begin: 0.0, end: until, intervals: 40_000 }, &motion);
+    let (end, statistics) =
+        solve(Method::Rodas5P, &mut motion, &mut states, &Options::new(until, tolerance), &mut recorder);
+    assert_eq!(end, End::Reached, "{law} {statistics:?}");
+    (statistics, recorder.times().zip(recorder.states[position].iter().copied()).collect())
+}
+
+/// Stick and slip of a block with kinetic and static friction in closed form: the block is carried by the belt until the
+/// spring pulls with f_s, slides along a cosine about f_C / k, and is caught at belt speed.
+struct StickSlip {
+    w: f64,
+    centre: f64,
+    excess: f64,
+    first_slip: f64,
+    slip: f64,
+    period: f64,
+}
+
+const BELT: f64 = 0.1;
+
+impl StickSlip {
+    fn table_6_1() -> StickSlip {
+        let (k, coulomb, breakaway): (f64, f64, f64) = (2.0, 0.981, 1.4715);
+        let w = k.sqrt();
+        let excess = (breakaway - coulomb) / k;
+        let slip = 2.0 / w * (PI - (excess * w / BELT).atan());
+        let period = 2.0 * excess / BELT + slip;
+        StickSlip { w, centre: coulomb / k, excess, first_slip: breakaway / k / BELT, slip, period }
+    }
+
+    fn position(&self, time: f64) -> f64 {
+        if time < self.first_slip {
+            return BELT * time;
+        }
+        let since = (time - self.first_slip) % self.period;
+        if since < self.slip {
+            let phase = self.w * since;
+            self.centre + self.excess * phase.cos() + BELT / self.w * phase.sin()
+        } else {
+            self.centre - self.excess + BELT * (since - self.slip)
+        }
+    }
+
+    fn events(&self) -> Vec<f64> {
+        (0..).flat_map(|n| [0.0, self.slip].map(|t| self.first_slip + f64::from(n) * self.period + t)).take(9).collect()
+    }
+}
+
+#[test]
+fn stick_slip_is_that_of_the_closed_form() {
+    let exact = StickSlip::table_6_1();
+    let (statistics, motion) = belt("CoulombStiction", 1e-12);
+    let times: Vec<f64> = statistics.events.iter().map(|event| event.time).collect();
+    assert_eq!(times.len(), 9, "{times:?}");
+    for (time, expected) in times.iter().zip(exact.events()) {
+        assert!((time - expected).abs() < 1e-9, "{time} instead of {expected}");
+    }
+    let error = motion.iter().map(|(time, x)| (x - exact.position(*time)).abs()).fold(0.0, f64::max);
+    assert!(error < 1e-10, "{error:e}");
+}
+
+/// In the band of Karnopp's law the block still moves under f_e - f_s; the block leaves the band at
+/// w tau = arccos(1 - v_0 / v_b). With linear stiction it is m x'' + c x' + k x = c v_b inside the band, c = f_s / v_0:
+/// it leaves at 7.39520735382 s.
+#[test]
+fn first_slips_of_laws_with_a_band_are_those_of_their_closed_forms() {
+    let exact = StickSlip::table_6_1();
+    let (statistics, _) = belt("Karnopp", 1e-12);
+    let leaves = exact.first_slip + (1.0f64 - 1e-3 / BELT).acos() / exact.w;
+    let times: Vec<f64> = statistics.events.iter().take(2).map(|event| event.time).collect();
+    assert!((times[0] - exact.first_slip).abs() < 1e-10 && (times[1] - leaves).abs() < 1e-10, "{times:?} {leaves}");
+    let (statistics, _) = belt("LinearStiction", 1e-12);
+    assert!((statistics.events[0].time - 7.395_207_353_82).abs() < 1e-10, "{:?}", statistics.events[0]);
+}
+
+/// First maximum, position at the end: computed with LSODA (static laws), Radau and LSODA (dynamic laws) at 1e-10 by
+/// another program from the printed equations.
+#[test]
+fn motions_are_those_of_an_independent_solver() {
+    for (law, maximum, last) in [
+        ("Hollars", 0.747_052, 0.238_553),
+        ("LinearStiction", 0.746_220, 0.236_488),
+        ("BrownMcPhee", 0.750_661, 0.266_749),
+        ("ThrelfallModified", 0.560_506, 0.447_956),
+        ("Dahl", 0.560_941, 0.448_751),
+        ("LuGre", 0.739_936, 0.463_150),
+    ] {
+        let (_, motion) = belt(law, 1e-10);
+        let first = motion.windows(2).find(|pair| pair[1].1 < pair[0].1).unwrap()[0].1;
+        assert!((first - maximum).abs() < 1.5e-6, "{law}: first maximum {first}");
+        let end = motion.last().unwrap().1;
+        assert!((end - last).abs() < 1.5e-6, "{law}: {end} at the end");
+    }
+}
+
+fn refused(text: &str) -> String {
+    let description = match Description::parse(text) {
+        Ok(description) => description,
+        Err(fault) => return fault.to_string(),
+    };
+    let source = Source { description, folder: std::path::PathBuf::new() };
+    match System::assemble(&source, None, &[]).and_then(|system| Motion::new(&system, &[]).map(|_| ())) {
+        Ok(()) => "accepted".to_owned(),
+        Err(fault) => fault.to_string(),
+    }
+}
+
+const BELT_TOML: &str = BUILT_IN[0].1;
+
+#[test]
+fn mistakes_in_a_file_are_named() {
+    assert_eq!(refused(BELT_TOML), "accepted");
+    for (from, to, expected) in [
+        ("\"BeltRig\"", "\"BeltRg\"", "model 'BeltRg' does not exist (did you mean 'BeltRig'?)"),
+        (
+            "\"rig.velocity\"",
+            "\"rig.velocty\"",
+            "variable of rig (BeltRig) 'velocty' does not exist (did you mean 'velocity'?)",
+        ),
+        (
+            "= \"rig.velocity\"",
+            "= \"rig.position\"",
+            "friction.velocity [m/s] cannot be connected to rig.position [m]: the units differ",
+        ),
+        (
+            "\"friction.velocity\" = \"rig.velocity\"\n",
+            "",
+            "friction.velocity is open: it needs a connection or a signal",
+        ),
+        ("until = 40.0", "until = nan", "until = NaN s: must be > 0 and finite"),
+        ("every = 0.01", "every = -0.01", "every = -0.01 s: must be > 0 and finite"),
+        ("\"CoulombStiction\"", "\"BeltRig\"", "friction law 'BeltRig' does not exist"),
+    ] {
+        assert!(BELT_TOML.contains(from), "{from}");
+        assert_eq!(refused(&BELT_TOML.replacen(from, to, 1)), expected);
+    }
+}
