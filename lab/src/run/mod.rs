@@ -8,7 +8,8 @@ use std::time::Instant;
 pub use outcome::{Column, Outcome, Passed};
 pub use solver::Solver;
 
-use crate::solve::{End, Grid, Options, Progress, Recorder, Statistics};
+use crate::couple::{Exchange, Master, by_steps, co_simulation};
+use crate::solve::{End, Equations, Grid, Options, Progress, Recorder, Statistics};
 use crate::system::{Fault, Motion, System, WireSource};
 
 /// How a system is run.
@@ -24,6 +25,8 @@ pub struct Settings<'a> {
     pub every: f64,
     /// Whether events are located.
     pub events: bool,
+    /// The master, for co-simulation.
+    pub master: Master,
     /// Set from outside to end the run early.
     pub cancel: Option<&'a std::sync::atomic::AtomicBool>,
     /// Listener to the progress.
@@ -37,7 +40,9 @@ impl Settings<'_> {
     /// The settings of a system's description, with the default solver at 1e-8.
     pub fn of(system: &System) -> Settings<'static> {
         let (until, every) = (system.description.until, system.description.every);
-        Settings { solver: Solver::Auto, tolerance: 1e-8, until, every, events: true, cancel: None, progress: None }
+        let master = Master { step: 1e-3, exchange: Exchange::Sequential, jitter: 0.0 };
+        let (solver, tolerance) = (Solver::Auto, 1e-8);
+        Settings { solver, tolerance, until, every, events: true, master, cancel: None, progress: None }
     }
 
     fn check(&self) -> Result<(), Fault> {
@@ -83,31 +88,42 @@ pub fn run(system: &System, settings: &Settings, results: &[String]) -> Result<O
     let sources = results.iter().map(|name| system.source(name)).collect::<Result<Vec<WireSource>, Fault>>()?;
     let solver = settings.solver.for_system(system);
     let begin = Instant::now();
-    let (end, statistics, time, values, names) = match solver.method() {
-        Some(method) => {
-            let mut motion = Motion::new(system, &sources)?;
-            let mut recorder = Recorder::new(settings.grid(), &motion);
-            let mut states = motion.start();
-            let (end, statistics) =
-                crate::solve::solve(method, &mut motion, &mut states, &settings.options(), &mut recorder);
-            recorder.finish();
-            let names = event_names(&motion, &statistics);
-            (end, statistics, recorder.times().collect(), recorder.values, names)
-        }
-        None => return Err(Fault::value(format_args!("solver {solver}: not available"))),
-    };
+    let Ran { end, statistics, time, values, parts } = start(system, solver, settings, &sources)?;
     let columns = results.iter().zip(&sources).zip(values);
     let columns =
         columns.map(|((name, source), values)| Column { name: name.clone(), unit: system.unit(*source).name, values });
     let columns = columns.collect();
-    let events = statistics.events.iter().zip(names).map(|(event, part)| Passed { time: event.time, part });
+    let events = statistics.events.iter().zip(parts).map(|(event, part)| Passed { time: event.time, part });
     let events = events.collect();
     Ok(Outcome { law: system.law, solver, time, columns, end, statistics, events, elapsed: begin.elapsed() })
 }
 
-/// The part of which each event was.
-fn event_names(equations: &dyn crate::solve::Equations, statistics: &Statistics) -> Vec<String> {
-    statistics.events.iter().map(|event| equations.indicator_name(event.indicator)).collect()
+/// What a solver gives back.
+struct Ran {
+    end: End,
+    statistics: Statistics,
+    time: Vec<f64>,
+    values: Vec<Vec<f64>>,
+    /// The part of which each event was.
+    parts: Vec<String>,
+}
+
+fn start(system: &System, solver: Solver, settings: &Settings, sources: &[WireSource]) -> Result<Ran, Fault> {
+    let (grid, options) = (settings.grid(), settings.options());
+    let Some(method) = solver.method() else {
+        let (end, statistics, (time, values)) = match solver {
+            Solver::CoSimulation => co_simulation(system, &settings.master, grid, &options, sources)?,
+            _ => by_steps(system, grid, &options, sources)?,
+        };
+        return Ok(Ran { end, statistics, time, values, parts: Vec::new() });
+    };
+    let mut motion = Motion::new(system, sources)?;
+    let mut recorder = Recorder::new(grid, &motion);
+    let mut states = motion.start();
+    let (end, statistics) = crate::solve::solve(method, &mut motion, &mut states, &options, &mut recorder);
+    recorder.finish();
+    let parts = statistics.events.iter().map(|event| motion.indicator_name(event.indicator)).collect();
+    Ok(Ran { end, statistics, time: recorder.times().collect(), values: recorder.values, parts })
 }
 
 impl Outcome {

@@ -3,7 +3,7 @@
 use std::fmt;
 
 use crate::solve::Method;
-use crate::system::System;
+use crate::system::{Motion, System};
 
 /// A solver, with the class of MATLAB's solvers that it belongs to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
@@ -15,13 +15,18 @@ pub enum Solver {
     Rodas5P,
     /// Modified Rosenbrock method 2(3), the class of ode23s.
     Rosenbrock23,
+    /// Steps of all models together, halved until two halves agree.
+    Steps,
+    /// A master of co-simulation with a fixed step.
+    CoSimulation,
 }
 
 impl Solver {
-    /// The solver that runs a system.
-    pub fn for_system(self, _system: &System) -> Solver {
+    /// The solver that runs a system: steps if a part has no rates.
+    pub fn for_system(self, system: &System) -> Solver {
         match self {
-            Solver::Auto => Solver::Rodas5P,
+            Solver::Auto if Motion::new(system, &[]).is_ok() => Solver::Rodas5P,
+            Solver::Auto => Solver::Steps,
             other => other,
         }
     }
@@ -31,7 +36,7 @@ impl Solver {
         match self {
             Solver::Rodas5P => Some(Method::Rodas5P),
             Solver::Rosenbrock23 => Some(Method::Rosenbrock23),
-            Solver::Auto => None,
+            Solver::Auto | Solver::Steps | Solver::CoSimulation => None,
         }
     }
 }

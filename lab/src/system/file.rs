@@ -34,6 +34,9 @@ pub struct Description {
     /// Start values that follow another variable unless they are set.
     #[serde(default)]
     pub start: BTreeMap<String, String>,
+    /// Parameters that a law for co-simulation takes from another part, such as the mass of the body it holds.
+    #[serde(default)]
+    pub hold: BTreeMap<String, String>,
     /// Values for single laws.
     #[serde(default)]
     pub law: BTreeMap<String, BTreeMap<String, Value>>,

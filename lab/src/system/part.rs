@@ -274,11 +274,9 @@ impl System {
     fn follow(&mut self) -> Result<(), Fault> {
         for (to, from) in self.description.start.clone() {
             let [to, from] = [self.place(&to)?, self.place(&from)?];
-            if !self.parts[to.part].set.contains(&to.column) {
-                let signal = self.signals.iter().find(|(place, _)| *place == from).map(|(_, signal)| signal.at(0.0).0);
-                let value = signal.unwrap_or(self.parts[from.part].row[from.column]);
-                self.parts[to.part].row[to.column] = value;
-            }
+            let signal = self.signals.iter().find(|(place, _)| *place == from).map(|(_, signal)| signal.at(0.0).0);
+            let value = signal.unwrap_or(self.parts[from.part].row[from.column]);
+            self.parts[to.part].follow(to.column, value);
         }
         Ok(())
     }
@@ -321,6 +319,13 @@ fn model_named(name: &str) -> Result<&'static ModelType, Fault> {
 }
 
 impl Part {
+    /// Gives a column a value unless it was set.
+    pub fn follow(&mut self, column: usize, value: f64) {
+        if !self.set.contains(&column) {
+            self.row[column] = value;
+        }
+    }
+
     fn set(&mut self, variable: &str, value: &str) -> Result<(), Fault> {
         let column = column(self.model, &self.name, variable)?;
         let declared = &self.model.table[column];

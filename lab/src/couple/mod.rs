@@ -1,0 +1,12 @@
+//! Systems advanced by the steps of their own models: for laws that have no rates, and as a master of co-simulation does.
+
+mod by_steps;
+mod co_simulation;
+mod train;
+
+pub use by_steps::by_steps;
+pub use co_simulation::{Exchange, Master, co_simulation};
+pub use train::{Recorded, Train};
+
+#[cfg(test)]
+mod tests;
