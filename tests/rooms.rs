@@ -37,7 +37,10 @@ const HOUSES: &[House] = &[
     },
     House { folder: "ffi/src", rooms: &["guard", "models", "fmi2", "c"] },
     House { folder: "ssp/src", rooms: &["xml", "units", "parameter_set", "system"] },
-    House { folder: "lab/src", rooms: &["dyno", "tir", "solve", "system", "couple", "run", "damper", "tyre"] },
+    House {
+        folder: "lab/src",
+        rooms: &["dyno", "tir", "solve", "system", "couple", "run", "damper", "tyre", "command"],
+    },
     House { folder: "fmu-build/src", rooms: &["project", "build", "describe", "page", "pack"] },
 ];
 

@@ -1,16 +1,18 @@
-//! `stribeck`: the bench. Lists and shows models without an importer, and reads files of dampers and tyres.
+//! `stribeck`: the bench. Lists and shows models, runs systems of them, and reads files of dampers and tyres.
 
+mod command;
 mod damper;
 mod tyre;
 
 use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
+use lab::system::{BUILT_IN, Description, Fault};
 use ssp::parameter_set::text_of;
 use stribeck::catalogue;
 use stribeck::model::{Kind, ModelType, Variable};
 
-/// Lists and shows friction force models without an importer, and reads files of dampers and tyres.
+/// Lists and shows friction force models, runs systems of them, and reads files of dampers and tyres.
 #[derive(Parser)]
 #[command(name = "stribeck", version)]
 struct Arguments {
@@ -27,6 +29,15 @@ enum Task {
         /// Name of the model, as `stribeck models` lists it.
         model: String,
     },
+    /// Lists the built-in systems, or prints the file of one.
+    Systems {
+        /// Name of the system whose file is printed.
+        name: Option<String>,
+    },
+    /// Runs a system, once or for each value of a variable.
+    Run(command::Arguments),
+    /// Runs a system with several friction laws, or with all of them.
+    Compare(command::Arguments),
     /// Makes a parameter set of the ShockAbsorber from a damper test: damper table, friction.
     Damper(damper::Arguments),
     /// Makes a parameter set of the tyres of DoubleTrackCar from a tyre property file (.tir).
@@ -48,6 +59,9 @@ fn main() -> ExitCode {
                 return ExitCode::FAILURE;
             }
         },
+        Task::Systems { name } => return systems(name.as_deref()),
+        Task::Run(arguments) => return ended(command::run(&arguments)),
+        Task::Compare(arguments) => return ended(command::compare(&arguments)),
         Task::Damper(arguments) => {
             if let Err(error) = damper::run(&arguments) {
                 eprintln!("stribeck: {}: {error}", arguments.file.display());
@@ -62,6 +76,38 @@ fn main() -> ExitCode {
         }
     }
     ExitCode::SUCCESS
+}
+
+fn ended(result: Result<command::Verdict, command::Failure>) -> ExitCode {
+    match result {
+        Ok(verdict) => verdict.into(),
+        Err(error) => {
+            eprintln!("stribeck: {error}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn systems(name: Option<&str>) -> ExitCode {
+    let Some(name) = name else {
+        for (name, text) in BUILT_IN {
+            if let Ok(system) = Description::parse(text) {
+                println!("{name:<16} {}", system.title);
+            }
+        }
+        return ExitCode::SUCCESS;
+    };
+    match BUILT_IN.iter().find(|(known, _)| *known == name) {
+        Some((_, text)) => {
+            print!("{text}");
+            ExitCode::SUCCESS
+        }
+        None => {
+            let known = BUILT_IN.iter().map(|(known, _)| *known);
+            eprintln!("stribeck: {}", Fault::unknown("system", name, known));
+            ExitCode::FAILURE
+        }
+    }
 }
 
 fn show(model: &ModelType) {

@@ -1,8 +1,10 @@
 //! Steps of all models together, as long as two halves agree with the whole.
 //!
 //! Over a step every input moves linearly. What acts on a host depends on how the host moves within the same step: the
-//! values at its end are found by iteration (Broyden's method), so that a stiff contact does not limit the step. The
-//! coupling is of second order; a step is made as a whole and in two halves, and divided where they differ.
+//! values at its end are found by iteration (Broyden's method), so that a stiff contact does not limit the step. Where a
+//! law jumps at rest, no force of its equations brings the body to rest within a step; the force between the two sides of
+//! the jump does, and it is found by bisection (the solution in the sense of Filippov). The coupling is of second order; a
+//! step is made as a whole and in two halves, and divided where they differ.
 
 use stribeck::instance::Snapshot;
 
@@ -18,6 +20,8 @@ const MOST_ITERATIONS: u32 = 25;
 
 /// Part of the tolerance to which the iteration converges (chosen).
 const CLOSURE: f64 = 1e-3;
+
+const NO_CONVERGENCE: &str = "the iteration between the parts does not converge";
 
 /// A run under way.
 struct Coupling<'a> {
@@ -41,6 +45,14 @@ pub fn by_steps(
     options: &Options,
     recorded: &[WireSource],
 ) -> Result<(End, Statistics, Recorded), Fault> {
+    for part in &system.parts {
+        if part.model.table.iter().any(|variable| variable.is_settled_by_events()) {
+            let (name, model) = (&part.name, part.model.name);
+            return Err(Fault::value(format_args!(
+                "{name}: {model} sticks and slips at events, which steps do not see"
+            )));
+        }
+    }
     let mut coupling = Coupling::new(system, options)?;
     let mut table = (Vec::new(), vec![Vec::new(); recorded.len()]);
     let end = match coupling.go(grid, options, recorded, &mut table) {
@@ -100,7 +112,9 @@ impl<'a> Coupling<'a> {
     fn record(&mut self, recorded: &[WireSource], (times, values): &mut Recorded) -> Result<(), String> {
         times.push(self.train.time);
         for (column, source) in values.iter_mut().zip(recorded) {
-            column.push(self.train.value(*source)?);
+            // What was found by bisection is between two values of its source.
+            let found = self.back.iter().find(|wire| wire.from == *source).map(|wire| self.train.state(wire.to));
+            column.push(found.map_or_else(|| self.train.value(*source), Ok)?);
         }
         Ok(())
     }
@@ -203,7 +217,35 @@ impl<'a> Coupling<'a> {
             return self.close();
         }
         self.inverse = identity(self.back.len());
-        Err("the iteration between the parts does not converge".to_owned())
+        if let [guess] = guess { self.bisect(h, *guess) } else { Err(NO_CONVERGENCE.to_owned()) }
+    }
+
+    /// Finds the one force at whose sides the law asks for less and for more.
+    fn bisect(&mut self, h: f64, guess: f64) -> Result<(), String> {
+        let time = self.train.time;
+        let residual = |coupling: &mut Self, end: f64| -> Result<f64, String> {
+            coupling.restore(time);
+            Ok(coupling.pass_through(h, &[end])?[0])
+        };
+        let nominal = self.train.system.variable(self.back[0].to).nominal;
+        let mut width = nominal + guess.abs();
+        let (mut low, mut high) = (guess - width, guess + width);
+        while residual(self, low)? > 0.0 || residual(self, high)? < 0.0 {
+            width *= 4.0;
+            (low, high) = (guess - width, guess + width);
+            if width > 1e12 * (nominal + guess.abs()) {
+                return Err(NO_CONVERGENCE.to_owned());
+            }
+        }
+        while high - low > 1e-14 * (nominal + low.abs()) {
+            let middle = 0.5 * (low + high);
+            if middle <= low || middle >= high {
+                break;
+            }
+            if residual(self, middle)? < 0.0 { low = middle } else { high = middle }
+        }
+        residual(self, high)?;
+        self.train.put(self.back[0].to, high)
     }
 
     fn is_closed(&self, ends: &[f64], residual: &[f64]) -> bool {

@@ -72,3 +72,28 @@ fn steps_that_make_no_sense_are_refused() {
         assert_eq!(fault.to_string(), expected);
     }
 }
+
+/// A law that jumps at rest holds the block at belt speed until the spring exceeds its level, and then repeats itself.
+/// The periods are those of co-simulation as its step falls to 1 us.
+#[test]
+fn laws_that_jump_at_rest_hold_the_block() {
+    for (law, period) in [("FrictionalLag", 7.627), ("Wojewoda", 7.565)] {
+        let system = belt(law, &[]);
+        let recorded = [system.source("rig.position").unwrap()];
+        let (end, _, (time, values)) = by_steps(&system, GRID, &Options::new(40.0, 1e-6), &recorded).unwrap();
+        assert!(end.is_reached(), "{law}: {end}");
+        let x = &values[0];
+        let at_five = x[time.iter().position(|t| *t >= 5.0).unwrap()];
+        assert!((at_five - 0.5).abs() < 1e-4, "{law}: {at_five}");
+        let maxima: Vec<f64> =
+            (1..x.len() - 1).filter(|n| x[*n] > x[n - 1] && x[*n] >= x[n + 1]).map(|n| time[n]).collect();
+        let last = maxima[maxima.len() - 1] - maxima[maxima.len() - 2];
+        assert!((last - period).abs() < 0.02, "{law}: {maxima:?}");
+    }
+}
+
+#[test]
+fn laws_with_events_are_not_run_by_steps() {
+    let fault = by_steps(&belt("CoulombStiction", &[]), GRID, &Options::new(40.0, 1e-6), &[]).unwrap_err();
+    assert_eq!(fault.to_string(), "friction: CoulombStiction sticks and slips at events, which steps do not see");
+}

@@ -55,15 +55,23 @@ impl Outcome {
         self.columns.iter().find(|column| column.name == name).map(|column| column.values.as_slice())
     }
 
+    /// Headings of the table, with units.
+    pub fn headings(&self) -> impl Iterator<Item = String> + '_ {
+        let names = self.columns.iter().map(|column| format!("{} [{}]", column.name, column.unit));
+        std::iter::once("time [s]".to_owned()).chain(names)
+    }
+
+    /// A row of the table.
+    pub fn row(&self, number: usize) -> impl Iterator<Item = String> + '_ {
+        let values = self.columns.iter().map(move |column| column.values[number].to_string());
+        std::iter::once(self.time[number].to_string()).chain(values)
+    }
+
     /// Writes the table: a heading with units, a row per output time.
     pub fn write_csv(&self, to: impl Write) -> io::Result<()> {
         let mut table = csv::Writer::from_writer(to);
-        let names = self.columns.iter().map(|column| format!("{} [{}]", column.name, column.unit));
-        table.write_record(std::iter::once("time [s]".to_owned()).chain(names))?;
-        for (row, time) in self.time.iter().enumerate() {
-            let values = self.columns.iter().map(|column| column.values[row].to_string());
-            table.write_record(std::iter::once(time.to_string()).chain(values))?;
-        }
+        table.write_record(self.headings())?;
+        (0..self.time.len()).try_for_each(|number| table.write_record(self.row(number)))?;
         table.flush()
     }
 }

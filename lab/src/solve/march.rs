@@ -20,6 +20,10 @@ const MOST_EVENTS: u32 = 32;
 /// Largest number of steps made to end at an event (chosen).
 const MOST_TRIALS: u32 = 100;
 
+/// Number of events (chosen) that are chatter if they lie within this part of a run (chosen).
+const CHATTER: usize = 1000;
+const CHATTER_SPAN: f64 = 1e-3;
+
 /// Steps between two looks at progress and cancellation (chosen).
 const LOOK: u64 = 256;
 
@@ -257,6 +261,21 @@ impl<S: Step<N>, const N: usize> March<'_, S, N> {
             return Err(format!("{count} events at one instant, the last one of {name}"));
         }
         self.statistics.events.push(Event { time, indicator });
+        self.refuse_chatter()?;
         self.settle()
+    }
+
+    /// Ends a run whose events come ever closer: a law that jumps where no force between the two sides is a solution of
+    /// its equations.
+    fn refuse_chatter(&self) -> Result<(), String> {
+        let events = &self.statistics.events;
+        let Some(first) = events.len().checked_sub(CHATTER).map(|at| &events[at]) else { return Ok(()) };
+        let Some(last) = events.last() else { return Ok(()) };
+        let span = last.time - first.time;
+        if span > CHATTER_SPAN * (self.options.end - self.options.begin) {
+            return Ok(());
+        }
+        let name = self.equations.indicator_name(last.indicator);
+        Err(format!("{name} chatters: {CHATTER} events within {span:.3e} s"))
     }
 }

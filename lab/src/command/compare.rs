@@ -1,0 +1,92 @@
+//! `stribeck compare`: a system with several laws.
+
+use std::io::Write;
+
+use lab::run::{Outcome, Settings, run as run_system};
+use lab::solve::End;
+use lab::system::Fault;
+use serde_json::json;
+use stribeck::catalogue::{self, Family};
+
+use super::choice::{Arguments, Choice};
+use super::one::{as_json, line, verdict};
+use super::watch::{Bar, CANCELLED, heed_interrupts};
+use super::{Failure, Verdict};
+
+/// Runs a system with each of several laws; with all of the catalogue if none is named.
+pub fn compare(arguments: &Arguments) -> Result<Verdict, Failure> {
+    let choice = arguments.choice()?;
+    if choice.vary.is_some() {
+        return Err(Fault::value("--vary: use `stribeck run`, for one law at a time").into());
+    }
+    let laws: Vec<String> = if choice.laws.is_empty() {
+        catalogue::documented(Family::Friction).map(|(model, _)| model.name.to_owned()).collect()
+    } else {
+        choice.laws.clone()
+    };
+    heed_interrupts();
+    check(&choice, &laws)?;
+    let mut outcomes: Vec<Outcome> = Vec::new();
+    let mut bar = None;
+    for (number, law) in laws.iter().enumerate() {
+        let system = choice.system(Some(law), None)?;
+        let settings = choice.run_settings(&system)?;
+        let bar = bar.get_or_insert_with(|| Bar::new(laws.len(), settings.until));
+        bar.begin(number, law);
+        let settings = Settings { cancel: Some(&CANCELLED), progress: Some(&*bar), ..settings };
+        let outcome = run_system(&system, &settings, &choice.results())?;
+        let is_cancelled = matches!(outcome.end, End::Cancelled { .. });
+        outcomes.push(outcome);
+        if is_cancelled {
+            break;
+        }
+    }
+    if let Some(bar) = bar {
+        bar.finish();
+    }
+    if let Some(path) = &arguments.out {
+        let file = std::fs::File::create(path).map_err(|source| Failure::File { path: path.clone(), source })?;
+        let file = std::io::BufWriter::new(file);
+        table(&outcomes, file).map_err(|source| Failure::File { path: path.clone(), source })?;
+    }
+    let stdout = std::io::stdout();
+    let mut out = stdout.lock();
+    // A closed pipe is no failure of the runs.
+    let _ = if arguments.json {
+        let runs: Vec<_> = outcomes.iter().map(|outcome| as_json(&choice, None, outcome)).collect();
+        writeln!(out, "{}", json!({ "runs": runs }))
+    } else {
+        outcomes.iter().try_for_each(|outcome| writeln!(out, "{}", line(&choice, None, outcome)))
+    };
+    Ok(outcomes.iter().map(verdict).max().unwrap_or(Verdict::Done))
+}
+
+/// Refuses what none of the laws can do, before the first run.
+fn check(choice: &Choice, laws: &[String]) -> Result<(), Failure> {
+    let mut unused = choice.settings.clone();
+    for law in laws {
+        let system = choice.system(Some(law), None)?;
+        unused.retain(|setting| system.unused.contains(setting));
+    }
+    match unused.first() {
+        None => Ok(()),
+        Some(setting) => {
+            Err(Fault::value(format_args!("no part of the system has a variable '{}'", setting.name)).into())
+        }
+    }
+}
+
+/// The results of all laws, one below the other, with the law in the first column.
+fn table(outcomes: &[Outcome], to: impl Write) -> std::io::Result<()> {
+    let mut to = csv::Writer::from_writer(to);
+    for (number, outcome) in outcomes.iter().enumerate() {
+        if number == 0 {
+            to.write_record(["law".to_owned()].into_iter().chain(outcome.headings()))?;
+        }
+        let law = outcome.law.map_or("", |law| law.name);
+        for row in 0..outcome.time.len() {
+            to.write_record([law.to_owned()].into_iter().chain(outcome.row(row)))?;
+        }
+    }
+    to.flush()
+}

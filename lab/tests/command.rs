@@ -1,0 +1,82 @@
+//! The command line as a user meets it.
+
+use std::path::Path;
+use std::process::{Command, Output};
+
+fn stribeck(arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_stribeck")).args(arguments).output().expect("the program starts")
+}
+
+fn refusal(arguments: &[&str]) -> String {
+    let output = stribeck(arguments);
+    assert_eq!(output.status.code(), Some(1), "{arguments:?}");
+    String::from_utf8(output.stderr).expect("text").trim().to_owned()
+}
+
+fn text(path: &Path) -> String {
+    std::fs::read_to_string(path).expect("a file")
+}
+
+#[test]
+fn refusals_name_what_is_wrong_and_what_was_meant() {
+    for (arguments, expected) in [
+        (vec!["run", "--law", "LuGr"], "friction law 'LuGr' does not exist (did you mean 'LuGre'?)"),
+        (vec!["run", "--system", "bellt"], "system 'bellt' does not exist (did you mean 'belt'?)"),
+        (vec!["run", "--set", "mas=2"], "variable of the system 'mas' does not exist (did you mean 'mass'?)"),
+        (vec!["run", "--set", "mass=-1"], "rig: mass = -1: must be > 0 and finite"),
+        (vec!["run", "--set", "friction.velocity=1"], "friction.velocity comes from rig.velocity and cannot be set"),
+        (vec!["run", "--tol", "0"], "tolerance = 0: must be > 0 and finite"),
+        (vec!["run", "--every=-1"], "every = -1 s: must be > 0 and finite"),
+        (vec!["run", "--every", "1e-9"], "every = 0.000000001 s gives 40000000000 rows: at most 20000000"),
+        (vec!["run", "--law", "LuGre", "Dahl"], "several laws: use `stribeck compare`"),
+        (vec!["compare", "--law", "LuGre", "Dahl", "--set", "x=1"], "no part of the system has a variable 'x'"),
+    ] {
+        assert_eq!(refusal(&arguments), format!("stribeck: {expected}"));
+    }
+    assert_eq!(stribeck(&["run", "--vary", "mass=1:2:1"]).status.code(), Some(2), "a usage error of the arguments");
+}
+
+#[test]
+fn a_run_that_does_not_converge_says_why_and_keeps_its_results() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let out = folder.path().join("out.csv");
+    let output =
+        stribeck(&["run", "--law", "RooneyDeravi", "--set", "variant=Printed", "--out", out.to_str().expect("text")]);
+    assert_eq!(output.status.code(), Some(3));
+    let line = String::from_utf8(output.stdout).expect("text");
+    assert!(line.contains("did not converge at 3.7") && line.contains("friction chatters"), "{line}");
+    assert!(text(&out).lines().count() > 300, "what was computed before is there");
+}
+
+#[test]
+fn a_saved_configuration_gives_the_same_bits() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = |name: &str| folder.path().join(name).to_str().expect("text").to_owned();
+    let [config, first, second] = [file("run.toml"), file("first.csv"), file("second.csv")];
+    let values = ["--set", "mu_s=0.2", "--set", "rig.belt_velocity=0.05", "--until", "10", "--tol", "1e-6"];
+    let run = [&["run", "--law", "LuGre", "--out", &first, "--save-config", &config], &values[..]].concat();
+    assert!(stribeck(&run).status.success());
+    assert!(stribeck(&["run", "--config", &config, "--out", &second]).status.success());
+    assert_eq!(text(Path::new(&first)), text(Path::new(&second)));
+    let heading = text(Path::new(&first)).lines().next().expect("a heading").to_owned();
+    assert!(heading.starts_with("time [s],") && heading.contains("rig.position [m]"), "{heading}");
+}
+
+#[test]
+fn a_variable_takes_each_of_its_values() {
+    let output = stribeck(&["run", "--law", "Dahl", "--vary", "mu_k=0.1:0.2:3", "--until", "1", "--json"]);
+    assert!(output.status.success());
+    let value: serde_json::Value = serde_json::from_slice(&output.stdout).expect("JSON");
+    let runs = value["runs"].as_array().expect("runs");
+    let varied: Vec<f64> = runs.iter().map(|run| run["varied"]["value"].as_f64().expect("a number")).collect();
+    assert_eq!(varied, [0.1, 0.15000000000000002, 0.2]);
+    assert_eq!(runs[0]["results"]["rig.position"]["unit"], "m");
+}
+
+#[test]
+fn built_in_systems_are_listed_and_printed() {
+    let list = String::from_utf8(stribeck(&["systems"]).stdout).expect("text");
+    assert!(list.starts_with("belt "), "{list}");
+    let file = String::from_utf8(stribeck(&["systems", "belt"]).stdout).expect("text");
+    assert!(file.contains("[part.rig]"), "{file}");
+}
