@@ -170,6 +170,11 @@ fn named<T: ValueEnum>(what: &str, name: &str) -> Result<T, Fault> {
 }
 
 impl Choice {
+    /// Name of the system.
+    pub fn name(&self) -> &str {
+        self.configuration.system.as_deref().unwrap_or("belt")
+    }
+
     /// The system with a law, or with its own, and with a value of the variable that varies.
     pub fn system(&self, law: Option<&str>, varied: Option<f64>) -> Result<System, Failure> {
         let mut settings = self.settings.clone();

@@ -19,11 +19,7 @@ pub fn compare(arguments: &Arguments) -> Result<Verdict, Failure> {
     if choice.vary.is_some() {
         return Err(Fault::value("--vary: use `stribeck run`, for one law at a time").into());
     }
-    let laws: Vec<String> = if choice.laws.is_empty() {
-        catalogue::documented(Family::Friction).map(|(model, _)| model.name.to_owned()).collect()
-    } else {
-        choice.laws.clone()
-    };
+    let laws = laws(&choice);
     heed_interrupts();
     check(&choice, &laws)?;
     let mut outcomes: Vec<Outcome> = Vec::new();
@@ -59,6 +55,12 @@ pub fn compare(arguments: &Arguments) -> Result<Verdict, Failure> {
         outcomes.iter().try_for_each(|outcome| writeln!(out, "{}", line(&choice, None, outcome)))
     };
     Ok(outcomes.iter().map(verdict).max().unwrap_or(Verdict::Done))
+}
+
+/// The chosen laws, or all.
+fn laws(choice: &Choice) -> Vec<String> {
+    let all = || catalogue::documented(Family::Friction).map(|(model, _)| model.name.to_owned()).collect();
+    if choice.laws.is_empty() { all() } else { choice.laws.clone() }
 }
 
 /// Refuses what none of the laws can do, before the first run.

@@ -107,7 +107,7 @@ fn table(choice: &Choice, outcomes: &[(Option<f64>, Outcome)], to: impl Write) -
 
 /// One line on a run.
 pub(super) fn line(choice: &Choice, value: Option<f64>, outcome: &Outcome) -> String {
-    let law = outcome.law.map_or("", |law| law.name);
+    let law = outcome.law.map_or_else(|| choice.name(), |law| law.name);
     let varied = match (&choice.vary, value) {
         (Some(vary), Some(value)) => format!(" {} = {value}", vary.name),
         _ => String::new(),

@@ -28,7 +28,7 @@ fn changes(before: f64, now: f64) -> bool {
 impl Watch {
     pub fn new(equations: &dyn Equations) -> Watch {
         let indicators = vec![0.0; equations.indicators()];
-        Watch { at_beginning: indicators.clone(), now: indicators, states: vec![0.0; equations.states()] }
+        Watch { at_beginning: indicators.clone(), now: indicators, states: Vec::new() }
     }
 
     /// Whether there is anything to watch.
@@ -59,6 +59,7 @@ impl Watch {
 
     fn changed_within(&mut self, equations: &mut dyn Equations, piece: &Piece, fraction: f64) -> Option<usize> {
         let mut states = std::mem::take(&mut self.states);
+        states.resize(piece.coefficients.len(), 0.0);
         piece.at(fraction, &mut states);
         let changed = self.changed(equations, piece.begin + fraction * piece.length, &states);
         self.states = states;

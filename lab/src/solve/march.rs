@@ -60,14 +60,15 @@ pub(super) fn run<S: Step<N>, const N: usize>(
     let watch = Watch::new(equations);
     let zero = [0.0; N];
     let mut begin = Beginning { time: options.begin, states: zero, rates: zero, jacobian: [zero; N], by_time: zero };
-    begin.states.copy_from_slice(states);
+    let count = states.len();
+    begin.states[..count].copy_from_slice(states);
     let statistics = Statistics::default();
     let mut march = March { equations, options, recorder, scales, begin, step: S::default(), watch, statistics };
     let end = match march.go() {
         Ok(end) => end,
         Err(reason) => End::Failed { time: march.begin.time, reason },
     };
-    states.copy_from_slice(&march.begin.states);
+    states.copy_from_slice(&march.begin.states[..count]);
     (end, march.statistics)
 }
 
@@ -127,7 +128,7 @@ impl<S: Step<N>, const N: usize> March<'_, S, N> {
             let part = of[i] / (absolute * self.scales[i] + relative * size);
             part * part
         };
-        ((0..N).map(part).sum::<f64>() / N as f64).sqrt()
+        ((0..N).map(part).sum::<f64>() / self.equations.states() as f64).sqrt()
     }
 
     /// A step in which the states change by a hundredth of their size; see E. Hairer, S. P. Norsett, G. Wanner, Solving

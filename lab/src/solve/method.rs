@@ -52,24 +52,105 @@ impl Method {
         options: &Options,
         recorder: &mut Recorder,
     ) -> (End, Statistics) {
+        macro_rules! run {
+            ($equations:expr, $n:literal) => {
+                match self {
+                    Method::Rodas5P => march::run::<rodas5p::Rodas5P<$n>, $n>($equations, states, options, recorder),
+                    Method::Rosenbrock23 => {
+                        march::run::<rosenbrock23::Rosenbrock23<$n>, $n>($equations, states, options, recorder)
+                    }
+                }
+            };
+        }
         macro_rules! sizes {
-            ($($n:literal)+) => {
+            (exactly: $($n:literal)+; up to: $($most:literal)+) => {
                 match states.len() {
-                    $($n => match self {
-                        Method::Rodas5P => march::run::<rodas5p::Rodas5P<$n>, $n>(equations, states, options, recorder),
-                        Method::Rosenbrock23 =>
-                            march::run::<rosenbrock23::Rosenbrock23<$n>, $n>(equations, states, options, recorder),
-                    },)+
+                    $($n => run!(equations, $n),)+
+                    $(count if count <= $most => run!(&mut Padded::new(equations, $most), $most),)+
                     count => {
-                        let reason = format!("{count} states; the limit is {MOST_STATES}");
+                        let reason = format!("{count} states; the limit is 64");
                         (End::Failed { time: options.begin, reason }, Statistics::default())
                     }
                 }
             };
         }
-        sizes!(1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20 21 22 23 24 25 26 27 28 29 30 31 32)
+        sizes!(exactly: 1 2 3 4 5 6 8; up to: 12 16 24 32 48 64)
     }
 }
 
-/// Largest number of states.
-const MOST_STATES: usize = 32;
+/// Equations with further states that rest at 0, so that not every number of states needs code of its own.
+struct Padded<'a> {
+    inner: &'a mut dyn Equations,
+    scales: Vec<f64>,
+    jacobian: Vec<f64>,
+}
+
+impl<'a> Padded<'a> {
+    fn new(inner: &'a mut dyn Equations, size: usize) -> Padded<'a> {
+        let count = inner.states();
+        let mut scales = inner.scales().to_vec();
+        scales.resize(size, 1.0);
+        Padded { inner, scales, jacobian: vec![0.0; count * count] }
+    }
+}
+
+impl Equations for Padded<'_> {
+    fn states(&self) -> usize {
+        self.inner.states()
+    }
+
+    fn state_name(&self, state: usize) -> String {
+        self.inner.state_name(state)
+    }
+
+    fn scales(&self) -> &[f64] {
+        &self.scales
+    }
+
+    fn rates(&mut self, time: f64, states: &[f64], rates: &mut [f64]) {
+        let count = self.inner.states();
+        self.inner.rates(time, &states[..count], &mut rates[..count]);
+        rates[count..].fill(0.0);
+    }
+
+    fn jacobian(&mut self, time: f64, states: &[f64], jacobian: &mut [f64], by_time: &mut [f64]) {
+        let (count, size) = (self.inner.states(), states.len());
+        self.inner.jacobian(time, &states[..count], &mut self.jacobian, &mut by_time[..count]);
+        jacobian.fill(0.0);
+        by_time[count..].fill(0.0);
+        for (to, from) in jacobian.chunks_mut(size).zip(self.jacobian.chunks(count)) {
+            to[..count].copy_from_slice(from);
+        }
+    }
+
+    fn indicators(&self) -> usize {
+        self.inner.indicators()
+    }
+
+    fn indicator_name(&self, indicator: usize) -> String {
+        self.inner.indicator_name(indicator)
+    }
+
+    fn indicate(&mut self, time: f64, states: &[f64], indicators: &mut [f64]) {
+        let count = self.inner.states();
+        self.inner.indicate(time, &states[..count], indicators);
+    }
+
+    fn at_event(&mut self, time: f64, states: &mut [f64]) -> Result<(), String> {
+        let count = self.inner.states();
+        self.inner.at_event(time, &mut states[..count])
+    }
+
+    fn next_break(&self, time: f64) -> f64 {
+        self.inner.next_break(time)
+    }
+
+    fn recorded(&self) -> usize {
+        self.inner.recorded()
+    }
+
+    fn record(&mut self, time: f64, states: &[f64], values: &mut [f64]) -> Result<(), String> {
+        let count = self.inner.states();
+        self.inner.record(time, &states[..count], values)
+    }
+}

@@ -5,6 +5,7 @@ use super::*;
 /// x'' = -x, or a ball that is thrown up again at each landing.
 struct Analytic {
     kind: Kind,
+    scales: Vec<f64>,
 }
 
 #[derive(Clone, Copy, PartialEq)]
@@ -12,13 +13,19 @@ enum Kind {
     Oscillator,
     /// x' = -1e6 (x - cos t) - sin t: stiff, solution cos t.
     Stiff,
+    /// Nine oscillators of frequencies 1, 2 ... 9, one after the other.
+    Nine,
     /// Height and velocity; the velocity is reversed on the ground.
     Ball,
 }
 
 impl Equations for Analytic {
     fn states(&self) -> usize {
-        if self.kind == Kind::Stiff { 1 } else { 2 }
+        match self.kind {
+            Kind::Stiff => 1,
+            Kind::Nine => 18,
+            Kind::Oscillator | Kind::Ball => 2,
+        }
     }
 
     fn state_name(&self, state: usize) -> String {
@@ -26,12 +33,18 @@ impl Equations for Analytic {
     }
 
     fn scales(&self) -> &[f64] {
-        &[1.0, 1.0][..self.states()]
+        &self.scales
     }
 
     fn rates(&mut self, time: f64, x: &[f64], rates: &mut [f64]) {
         match self.kind {
             Kind::Oscillator => rates.copy_from_slice(&[x[1], -x[0]]),
+            Kind::Nine => {
+                for (number, (rates, x)) in rates.chunks_mut(2).zip(x.chunks(2)).enumerate() {
+                    let w = (number + 1) as f64;
+                    rates.copy_from_slice(&[w * x[1], -w * x[0]]);
+                }
+            }
             Kind::Stiff => rates[0] = -1e6 * (x[0] - time.cos()) - time.sin(),
             Kind::Ball => rates.copy_from_slice(&[x[1], -10.0]),
         }
@@ -46,6 +59,14 @@ impl Equations for Analytic {
                 return;
             }
             Kind::Ball => jacobian.copy_from_slice(&[0.0, 1.0, 0.0, 0.0]),
+            Kind::Nine => {
+                jacobian.fill(0.0);
+                for number in 0..9 {
+                    let (w, at) = ((number + 1) as f64, 2 * number);
+                    jacobian[at * 18 + at + 1] = w;
+                    jacobian[(at + 1) * 18 + at] = -w;
+                }
+            }
         }
         by_time.fill(0.0);
     }
@@ -73,7 +94,7 @@ impl Equations for Analytic {
 }
 
 fn run(kind: Kind, method: Method, tolerance: f64, end: f64, start: &[f64]) -> (Vec<f64>, Statistics, Recorder) {
-    let mut equations = Analytic { kind };
+    let mut equations = Analytic { kind, scales: vec![1.0; start.len()] };
     let mut states = start.to_vec();
     let mut recorder = Recorder::new(Grid { begin: 0.0, end, intervals: 1000 }, &equations);
     let (end, statistics) = solve(method, &mut equations, &mut states, &Options::new(end, tolerance), &mut recorder);
@@ -90,6 +111,17 @@ fn an_oscillator_keeps_its_circle() {
             assert!(error < bound, "{method:?} at {time}: {error}");
         }
         assert_eq!(recorder.len(), 1001);
+    }
+}
+
+/// More states than any size has code of its own for.
+#[test]
+fn many_states_move_as_each_by_itself() {
+    let start: Vec<f64> = [1.0, 0.0].repeat(9);
+    let (states, _, _) = run(Kind::Nine, Method::Rodas5P, 1e-10, 7.0, &start);
+    for (number, x) in states.chunks(2).enumerate() {
+        let expected = ((number + 1) as f64 * 7.0).cos();
+        assert!((x[0] - expected).abs() < 1e-7, "{number}: {} {expected}", x[0]);
     }
 }
 

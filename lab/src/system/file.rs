@@ -8,7 +8,12 @@ use serde::{Deserialize, Serialize};
 use super::{Fault, Signal};
 
 /// The systems that come with the program: name and description.
-pub const BUILT_IN: &[(&str, &str)] = &[("belt", include_str!("built_in/belt.toml"))];
+pub const BUILT_IN: &[(&str, &str)] = &[
+    ("belt", include_str!("built_in/belt.toml")),
+    ("motion", include_str!("built_in/motion.toml")),
+    ("quarter-car", include_str!("built_in/quarter-car.toml")),
+    ("four-post", include_str!("built_in/four-post.toml")),
+];
 
 /// A system as it is written down.
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
@@ -37,6 +42,9 @@ pub struct Description {
     /// Parameters that a law for co-simulation takes from another part, such as the mass of the body it holds.
     #[serde(default)]
     pub hold: BTreeMap<String, String>,
+    /// Choices of parts that contain a law, such as `strut.friction.model`.
+    #[serde(default, rename = "choose-law")]
+    pub choose_law: Vec<String>,
     /// Values for single laws.
     #[serde(default)]
     pub law: BTreeMap<String, BTreeMap<String, Value>>,

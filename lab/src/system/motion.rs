@@ -157,17 +157,20 @@ fn states(system: &System, recorded: &[WireSource]) -> Vec<Place> {
     let is_read = |place: Place| {
         sources.contains(&WireSource::Variable(place)) || sources.contains(&WireSource::Derivative(place))
     };
-    let mut states = Vec::new();
+    let (mut states, mut unread) = (Vec::new(), Vec::new());
     for (part, made) in system.parts.iter().enumerate() {
         for column in made.model.continuous_states() {
             let place = Place { part, column };
             let last = made.model.table[column].path.segments().last().map_or("", |segment| segment.name);
             if last != "dissipated_energy" || is_read(place) {
                 states.push(place);
+            } else {
+                unread.push(place);
             }
         }
     }
-    states
+    // A motion that is given has no other state.
+    if states.is_empty() { unread } else { states }
 }
 
 impl Equations for Motion {

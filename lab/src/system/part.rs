@@ -5,6 +5,7 @@ use std::collections::BTreeSet;
 use stribeck::model::{Kind, ModelType, Role, Variable};
 
 use super::file::{Description, PartDescription, Source};
+use super::signal::Course;
 use super::values::{column, spelled};
 use super::{Fault, Setting, Signal, slot};
 
@@ -83,11 +84,22 @@ impl System {
             system.add(name, part, law)?;
         }
         if let (Some(law), None) = (law, system.law) {
-            return Err(Fault::value(format_args!("the law {law} has no place: no part of the system is a law")));
+            system.choose(law)?;
         }
         for (input, signal) in &description.input {
             let to = system.input(input)?;
-            let signal = signal.loaded(&source.folder).map_err(|error| prefixed(input, error))?;
+            let signal = match signal {
+                Signal::Course(Course::RateOf(other)) => {
+                    let known = description.input.keys().map(String::as_str);
+                    let found = description.input.get(other).ok_or_else(|| Fault::unknown("signal", other, known))?;
+                    if matches!(found, Signal::Course(Course::RateOf(_))) {
+                        return Err(Fault::value(format_args!("{input}: {other} is itself the rate of a signal")));
+                    }
+                    let found = found.loaded(&source.folder).map_err(|error| prefixed(other, error))?;
+                    Signal::Course(Course::Derivative(Box::new(found)))
+                }
+                signal => signal.loaded(&source.folder).map_err(|error| prefixed(input, error))?,
+            };
             system.signals.extend(to.map(|to| (to, signal)));
         }
         for (input, output) in &description.connect {
@@ -131,6 +143,19 @@ impl System {
             }
         }
         self.parts.push(made);
+        Ok(())
+    }
+
+    /// Chooses the law of parts that contain one, such as a strut.
+    fn choose(&mut self, law: &str) -> Result<(), Fault> {
+        if self.description.choose_law.is_empty() {
+            return Err(Fault::value(format_args!("the law {law} has no place: no part of the system is a law")));
+        }
+        for choice in self.description.choose_law.clone() {
+            let (part, variable) = self.split(&choice)?;
+            self.parts[part].set(variable, law)?;
+        }
+        self.law = Some(slot::law(law)?);
         Ok(())
     }
 

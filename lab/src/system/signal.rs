@@ -47,6 +47,12 @@ pub enum Course {
         #[serde(default)]
         phase: f64,
     },
+    /// The rate of a signal.
+    #[serde(skip)]
+    Derivative(Box<Signal>),
+    /// The rate of the signal of another input, by its name.
+    #[serde(rename = "rate-of")]
+    RateOf(String),
     /// Points joined by straight lines; the first and last value hold before and after them.
     Points {
         /// Times, ascending.
@@ -101,7 +107,8 @@ impl Signal {
                 }
                 time.iter().chain(value).copied().collect()
             }
-            Signal::Course(Course::Csv { .. }) => Vec::new(),
+            Signal::Course(Course::Csv { .. } | Course::RateOf(_)) => Vec::new(),
+            Signal::Course(Course::Derivative(signal)) => return signal.check(),
         };
         match numbers.iter().find(|number| !number.is_finite()) {
             Some(number) => Err(Fault::value(format_args!("{number} in a signal: must be a finite number"))),
@@ -139,7 +146,19 @@ impl Signal {
                     (value[after - 1] + slope * (t - time[after - 1]), slope)
                 }
             }
-            Signal::Course(Course::Csv { .. }) => (f64::NAN, f64::NAN),
+            Signal::Course(Course::Derivative(signal)) => (signal.at(t).1, signal.second_rate(t)),
+            Signal::Course(Course::Csv { .. } | Course::RateOf(_)) => (f64::NAN, f64::NAN),
+        }
+    }
+
+    /// Rate of the rate; that of straight lines is 0.
+    fn second_rate(&self, t: f64) -> f64 {
+        match self {
+            Signal::Course(Course::Sine { amplitude, frequency, phase, .. }) => {
+                let omega = 2.0 * std::f64::consts::PI * frequency;
+                -amplitude * omega * omega * (omega * t + phase).sin()
+            }
+            _ => 0.0,
         }
     }
 
@@ -153,6 +172,7 @@ impl Signal {
             Signal::Course(Course::Points { time, .. }) => {
                 time.get(time.partition_point(|at| *at <= t)).copied().unwrap_or(f64::INFINITY)
             }
+            Signal::Course(Course::Derivative(signal)) => signal.next_break(t),
             _ => f64::INFINITY,
         }
     }

@@ -149,3 +149,29 @@ fn mistakes_in_a_file_are_named() {
         assert_eq!(refused(&BELT_TOML.replacen(from, to, 1)), expected);
     }
 }
+
+#[test]
+fn every_built_in_system_is_accepted_with_its_own_law() {
+    for (name, _) in BUILT_IN {
+        let source = Source::open(name).unwrap();
+        let system = System::assemble(&source, None, &[]).unwrap_or_else(|fault| panic!("{name}: {fault}"));
+        Motion::new(&system, &[]).unwrap_or_else(|fault| panic!("{name}: {fault}"));
+        for show in source.description.show.values() {
+            system.source(show).unwrap_or_else(|fault| panic!("{name}: {fault}"));
+        }
+    }
+}
+
+/// A part of any law's inputs that a contact lacks is refused, not set to 0: the laws of the catalogue find all they
+/// need in each system with a place for a law.
+#[test]
+fn every_law_runs_in_every_system() {
+    for (name, _) in BUILT_IN {
+        let source = Source::open(name).unwrap();
+        for (law, _) in stribeck::catalogue::documented(stribeck::catalogue::Family::Friction) {
+            let made = System::assemble(&source, Some(law.name), &[]);
+            let is_planar = law.find("friction_force").is_none();
+            assert!(made.is_ok() || is_planar && !source.description.choose_law.is_empty(), "{name} {}", law.name);
+        }
+    }
+}
