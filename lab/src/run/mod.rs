@@ -118,12 +118,24 @@ fn start(system: &System, solver: Solver, settings: &Settings, sources: &[WireSo
         return Ok(Ran { end, statistics, time, values, parts: Vec::new() });
     };
     let mut motion = Motion::new(system, sources)?;
+    // States come from the polynomials of the steps, everything else from the models.
+    let state = |source: &WireSource| motion.places().iter().position(|place| WireSource::Variable(*place) == *source);
+    let states: Vec<Option<usize>> = sources.iter().map(state).collect();
+    let others = sources.iter().zip(&states).filter(|(_, state)| state.is_none()).map(|(source, _)| *source);
+    motion.record_only(others.collect());
     let mut recorder = Recorder::new(grid, &motion);
-    let mut states = motion.start();
-    let (end, statistics) = crate::solve::solve(method, &mut motion, &mut states, &options, &mut recorder);
+    let mut now = motion.start();
+    let (end, statistics) = crate::solve::solve(method, &mut motion, &mut now, &options, &mut recorder);
     recorder.finish();
     let parts = statistics.events.iter().map(|event| motion.indicator_name(event.indicator)).collect();
-    Ok(Ran { end, statistics, time: recorder.times().collect(), values: recorder.values, parts })
+    let time = recorder.times().collect();
+    let Recorder { states: mut moved, values: computed, .. } = recorder;
+    let mut computed = computed.into_iter();
+    let values = states.iter().map(|state| match state {
+        Some(state) => std::mem::take(&mut moved[*state]),
+        None => computed.next().unwrap_or_default(),
+    });
+    Ok(Ran { end, statistics, time, values: values.collect(), parts })
 }
 
 impl Outcome {

@@ -16,6 +16,8 @@ struct Mover {
     dual: Vec<Dual>,
     dual_rate: Vec<Dual>,
     name: String,
+    /// Whether one of its states is integrated.
+    moves: bool,
 }
 
 /// The equations of motion of a system.
@@ -47,7 +49,7 @@ impl Motion {
         let tasks = tasks(system)?;
         let states = states(system, recorded);
         let scales = states.iter().map(|place| system.variable(*place).nominal).collect();
-        let movers = system.parts.iter().map(|part| {
+        let movers = system.parts.iter().enumerate().map(|(number, part)| {
             let zero = vec![Dual::default(); part.row.len()];
             Mover {
                 model: part.model,
@@ -56,6 +58,7 @@ impl Motion {
                 dual: zero.clone(),
                 dual_rate: zero,
                 name: part.name.clone(),
+                moves: states.iter().any(|place| place.part == number),
             }
         });
         let moving_signals = system.signals.iter().any(|(_, signal)| !matches!(signal, Signal::Constant(_)));
@@ -70,6 +73,11 @@ impl Motion {
         };
         motion.spread();
         Ok(motion)
+    }
+
+    /// Records these results and no others.
+    pub fn record_only(&mut self, recorded: Vec<WireSource>) {
+        self.recorded = recorded;
     }
 
     /// The states at the start.
@@ -127,7 +135,7 @@ impl Motion {
                 }
             }
         }
-        for mover in &mut self.movers {
+        for mover in self.movers.iter_mut().filter(|mover| mover.moves) {
             mover.model.rate_dual(&mover.dual, &mut mover.dual_rate);
         }
         for (number, place) in self.states.iter().enumerate() {
@@ -136,7 +144,7 @@ impl Motion {
     }
 
     fn find_rates(&mut self) {
-        for mover in &mut self.movers {
+        for mover in self.movers.iter_mut().filter(|mover| mover.moves) {
             mover.model.rate(&mover.row, &mut mover.rate);
         }
     }
