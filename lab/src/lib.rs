@@ -5,6 +5,7 @@
 //! [`tir`] from a tyre property file. [`system`] joins models, [`solve`] has the solvers,
 //! [`run`] runs them.
 
+pub mod benchmark;
 pub mod couple;
 pub mod dyno;
 pub mod run;

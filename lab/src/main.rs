@@ -38,6 +38,8 @@ enum Task {
     Run(command::Arguments),
     /// Runs a system with several friction laws, or with all of them.
     Compare(command::Arguments),
+    /// Measures all laws with all solvers, as the thesis does, and writes a page and a table.
+    Bench(command::BenchArguments),
     /// Makes a parameter set of the ShockAbsorber from a damper test: damper table, friction.
     Damper(damper::Arguments),
     /// Makes a parameter set of the tyres of DoubleTrackCar from a tyre property file (.tir).
@@ -62,6 +64,7 @@ fn main() -> ExitCode {
         Task::Systems { name } => return systems(name.as_deref()),
         Task::Run(arguments) => return ended(command::run(&arguments)),
         Task::Compare(arguments) => return ended(command::compare(&arguments)),
+        Task::Bench(arguments) => return ended(command::bench(&arguments)),
         Task::Damper(arguments) => {
             if let Err(error) = damper::run(&arguments) {
                 eprintln!("stribeck: {}: {error}", arguments.file.display());

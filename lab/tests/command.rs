@@ -80,3 +80,20 @@ fn built_in_systems_are_listed_and_printed() {
     let file = String::from_utf8(stribeck(&["systems", "belt"]).stdout).expect("text");
     assert!(file.contains("[part.rig]"), "{file}");
 }
+
+#[test]
+fn the_benchmark_writes_a_page_and_a_table() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let out = folder.path().to_str().expect("text");
+    assert!(
+        stribeck(&["bench", "thesis", "--law", "CoulombStiction", "--repeats", "1", "--out", out]).status.success()
+    );
+    let table = text(&folder.path().join("benchmark.csv"));
+    let mut rows = csv::Reader::from_reader(table.as_bytes());
+    let located = rows.records().map(|row| row.expect("a row")).find(|row| &row[1] == "rodas5p" && &row[3] == "true");
+    let located = located.expect("a run with rodas5p");
+    let number = |column: usize| located[column].parse::<f64>().expect("a number");
+    assert!(number(10) < 1e-7 && number(11) < 1e-7, "errors of motion and switching: {located:?}");
+    assert_eq!(&located[12], "right");
+    assert!(text(&folder.path().join("benchmark.md")).contains("| CoulombStiction | "));
+}

@@ -1,5 +1,6 @@
 //! The commands that run systems.
 
+mod bench;
 mod choice;
 mod compare;
 mod configuration;
@@ -11,6 +12,7 @@ use std::process::ExitCode;
 
 use lab::system::Fault;
 
+pub use bench::{Arguments as BenchArguments, bench};
 pub use choice::Arguments;
 pub use compare::compare;
 pub use one::run;

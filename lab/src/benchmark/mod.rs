@@ -1,0 +1,107 @@
+//! The benchmark of the thesis: the belt with all laws and all classes of solvers, and how accuracy is paid for.
+
+mod page;
+mod reference;
+mod table;
+
+use std::time::Duration;
+
+pub use page::page;
+pub use reference::Reference;
+pub use table::csv;
+
+use crate::run::{Outcome, Settings, Solver, run};
+use crate::solve::End;
+use crate::system::{Fault, Source, System};
+
+/// Results that are compared.
+const POSITION: &str = "rig.position";
+
+/// Interval of the results of the thesis, in s: 400,001 rows over 40 s.
+pub const EVERY: f64 = 1e-4;
+
+/// Error of the position, in m, up to which a motion is right (chosen: a percent of the amplitude of a few decimetres).
+pub const RIGHT: f64 = 2.5e-3;
+
+/// A run of a law with a solver.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Trial {
+    /// The solver.
+    pub solver: Solver,
+    /// Relative and absolute tolerance.
+    pub tolerance: f64,
+    /// Whether events are located.
+    pub events: bool,
+}
+
+/// What a trial gave.
+#[derive(Clone, Debug)]
+pub struct Measurement {
+    /// Name of the law.
+    pub law: String,
+    /// What was run.
+    pub trial: Trial,
+    /// Steps, rejected steps, evaluations of the rates, Jacobians, events.
+    pub counts: [u64; 5],
+    /// Median time on the clock.
+    pub time: Duration,
+    /// Largest error of the position, in m; none if the run did not come to its end.
+    pub error: Option<f64>,
+    /// Largest error of a time of switching, in s; none if their number differs from that of the reference.
+    pub switching: Option<f64>,
+    /// How the run ended.
+    pub end: End,
+}
+
+impl Measurement {
+    /// The verdict of the thesis' tables.
+    pub fn verdict(&self) -> &'static str {
+        match self.error {
+            None => "DNC",
+            Some(error) if error <= RIGHT => "right",
+            Some(_) => "wrong",
+        }
+    }
+}
+
+/// Runs a law with a solver several times.
+pub fn measure(
+    system: &System,
+    reference: &Reference,
+    trial: Trial,
+    settings: &Settings,
+    repeats: usize,
+) -> Result<Measurement, Fault> {
+    let Trial { solver, tolerance, events } = trial;
+    let settings = Settings { solver, tolerance, events, ..*settings };
+    let results = [POSITION.to_owned()];
+    let mut times = Vec::new();
+    let mut outcome = run(system, &settings, &results)?;
+    times.push(outcome.elapsed);
+    for _ in 1..repeats {
+        outcome = run(system, &settings, &results)?;
+        times.push(outcome.elapsed);
+    }
+    times.sort();
+    let statistics = &outcome.statistics;
+    let (steps, rejected) = (statistics.steps, statistics.rejected);
+    let counts = [steps, rejected, statistics.evaluations, statistics.jacobians, outcome.events.len() as u64];
+    Ok(Measurement {
+        law: system.law.map_or(String::new(), |law| law.name.to_owned()),
+        trial,
+        counts,
+        time: times[times.len() / 2],
+        error: outcome.is_reached().then(|| reference.error(position(&outcome))),
+        switching: reference.switching(&outcome.events),
+        end: outcome.end,
+    })
+}
+
+fn position(outcome: &Outcome) -> &[f64] {
+    outcome.values(POSITION).unwrap_or(&[])
+}
+
+/// The belt with a law.
+pub fn belt(law: &str) -> Result<System, Fault> {
+    System::assemble(&Source::open("belt")?, Some(law), &[])
+}

@@ -1,0 +1,135 @@
+//! Measurements as a page.
+
+use std::collections::BTreeSet;
+
+use super::{Measurement, RIGHT, Reference};
+use crate::run::Solver;
+
+/// Average times of the thesis, Table 6.5, in s: ode45, ode15s, ode23s, ode78. None where it did not converge.
+const TABLE_6_5: &[(&str, [Option<f64>; 4])] = &[
+    ("Karnopp", [Some(1.4239), Some(1.9092), None, Some(2.2380)]),
+    ("BengisuAkay", [Some(1.7400), Some(2.4848), Some(1.3448), Some(2.6984)]),
+    ("Andersson", [Some(2.6665), Some(2.3516), Some(1.2756), Some(4.2416)]),
+    ("Awrejcewicz", [Some(1.4188), Some(2.2201), Some(1.1813), Some(2.1865)]),
+    ("Specker", [Some(1.5924), Some(2.2854), Some(1.4331), Some(2.4739)]),
+    ("LinearStiction", [Some(1.7217), Some(2.3644), Some(1.1405), Some(2.6100)]),
+    ("Hollars", [Some(1.6364), Some(2.2919), Some(1.2626), Some(2.5369)]),
+    ("BrownMcPhee", [Some(1.8278), Some(2.5609), Some(1.4607), Some(2.8658)]),
+];
+
+/// Solvers of the thesis by the class of ours.
+const CLASSES: [(&str, &str); 4] =
+    [("dopri5", "ode45"), ("bdf", "ode15s"), ("rosenbrock23", "ode23s"), ("dop853", "ode78")];
+
+/// The page of a benchmark: its table at the tolerance of the thesis, and the runs that were not right.
+pub fn page(measurements: &[Measurement], references: &[(String, Option<Reference>)], tolerance: f64) -> String {
+    let mut text = format!("{HEAD}\n");
+    text += &format!(
+        "A motion is *right* if its position is never off by more than {} mm, *DNC* means that the solver did not come to \
+         the end.\n\n",
+        RIGHT * 1e3
+    );
+    text += &table(measurements, tolerance);
+    text += &thesis();
+    text += &failures(measurements, tolerance);
+    text += &uncertain(references);
+    text
+}
+
+const HEAD: &str = "# Benchmark
+
+Every law of the catalogue on the belt of Table 6.1 (40 s, 400,001 results, relative and absolute tolerance 1e-8), with
+the solver classes of F. Novais (2024), Tables 6.3, 6.5 and 7.2, and with ours. `stribeck bench thesis` writes this page
+and `benchmark.csv`, which also has the work-precision data: nine tolerances, events located and not.
+
+Times are medians on the machine that made the page: compare them with each other, not with those of the thesis. They
+include the 400,001 results.
+";
+
+fn solvers(measurements: &[Measurement]) -> Vec<Solver> {
+    let mut found: Vec<Solver> = Vec::new();
+    for one in measurements {
+        if !found.contains(&one.trial.solver) {
+            found.push(one.trial.solver);
+        }
+    }
+    found
+}
+
+fn laws(measurements: &[Measurement]) -> Vec<&str> {
+    let mut seen = BTreeSet::new();
+    measurements.iter().map(|one| one.law.as_str()).filter(|law| seen.insert(*law)).collect()
+}
+
+fn find<'a>(all: &'a [Measurement], law: &str, solver: Solver, tolerance: f64) -> Option<&'a Measurement> {
+    let fits = |one: &&Measurement| one.law == law && one.trial.solver == solver && one.trial.tolerance == tolerance;
+    // Where both were run, the run that locates events.
+    all.iter().filter(fits).max_by_key(|one| one.trial.events)
+}
+
+/// Evaluations, milliseconds and verdict of each law and solver.
+fn table(measurements: &[Measurement], tolerance: f64) -> String {
+    let solvers = solvers(measurements);
+    let mut text =
+        String::from("## All laws, all solvers\n\nEvaluations of the rates / ms / largest error in m.\n\n| law |");
+    for solver in &solvers {
+        let class = CLASSES.iter().find(|(name, _)| *name == solver.to_string());
+        text += &class.map_or_else(|| format!(" {solver} |"), |(_, class)| format!(" {solver} ({class}) |"));
+    }
+    text += &format!("\n|---|{}\n", "---|".repeat(solvers.len()));
+    for law in laws(measurements) {
+        text += &format!("| {law} |");
+        for solver in &solvers {
+            text += &find(measurements, law, *solver, tolerance).map_or_else(|| " |".to_owned(), cell);
+        }
+        text += "\n";
+    }
+    text + "\n"
+}
+
+fn cell(one: &Measurement) -> String {
+    let ms = one.time.as_secs_f64() * 1e3;
+    match one.error {
+        Some(error) if one.verdict() == "right" => format!(" {} / {ms:.1} / {error:.0e} |", one.counts[2]),
+        Some(error) => format!(" {} / {ms:.1} / **{error:.0e}** |", one.counts[2]),
+        None => " DNC |".to_owned(),
+    }
+}
+
+fn thesis() -> String {
+    let mut text = String::from(
+        "## Table 6.5 of the thesis\n\nAverage times in s in MATLAB, on a machine that the thesis does not name.\n\n| law | ode45 | ode15s | ode23s | ode78 |\n|---|---|---|---|---|\n",
+    );
+    for (law, times) in TABLE_6_5 {
+        let times = times.map(|time| time.map_or("DNC".to_owned(), |time| format!("{time:.4}")));
+        text += &format!("| {law} | {} |\n", times.join(" | "));
+    }
+    text + "\n"
+}
+
+/// The runs that were wrong or did not come to their end, with the reason.
+fn failures(measurements: &[Measurement], tolerance: f64) -> String {
+    let mut text = String::from(
+        "## Runs that were not right\n\n| law | solver | events | verdict | how it ended |\n|---|---|---|---|---|\n",
+    );
+    let at = |one: &&Measurement| one.trial.tolerance == tolerance && one.verdict() != "right";
+    for one in measurements.iter().filter(at) {
+        let events = if one.trial.events { "located" } else { "stepped over" };
+        text += &format!("| {} | {} | {events} | {} | {} |\n", one.law, one.trial.solver, one.verdict(), one.end);
+    }
+    text + "\n"
+}
+
+/// Laws whose reference is uncertain.
+fn uncertain(references: &[(String, Option<Reference>)]) -> String {
+    let mut text = String::from(
+        "## References\n\nEach motion is compared with a run at the tolerance named here; the uncertainty is its largest difference from a\nrun at ten times that tolerance.\n\n| law | tolerance | uncertainty in m |\n|---|---|---|\n",
+    );
+    for (law, reference) in references {
+        text += &match reference {
+            Some(reference) => format!("| {law} | {:e} | {:.0e} |\n", reference.tolerance, reference.uncertainty),
+            None => format!("| {law} | - | no reference: the solver does not come to the end |\n"),
+        };
+    }
+    text
+}

@@ -1,0 +1,116 @@
+//! `stribeck bench`: the benchmark of the thesis.
+
+use std::path::PathBuf;
+
+use clap::{Args, ValueEnum};
+use lab::benchmark::{EVERY, Measurement, Reference, Trial, belt, csv, measure, page};
+use lab::run::{Settings, Solver};
+use lab::system::{Fault, System};
+use stribeck::catalogue::{Family, documented};
+
+use super::watch::{Bar, CANCELLED, heed_interrupts};
+use super::{Failure, Verdict, write};
+
+/// What is measured and where it is written.
+#[derive(Args, Clone, Debug)]
+pub struct Arguments {
+    /// The benchmark
+    #[arg(value_enum)]
+    benchmark: Benchmark,
+    /// Friction laws; all if none is named
+    #[arg(long, num_args = 1.., value_delimiter = ',')]
+    law: Vec<String>,
+    /// Tolerance of the thesis' table
+    #[arg(long, default_value_t = 1e-8)]
+    tol: f64,
+    /// Runs of each law and solver, of which the median time counts
+    #[arg(long, default_value_t = 3)]
+    repeats: usize,
+    /// Also nine tolerances from 1e-3 to 1e-11, with events located and not
+    #[arg(long)]
+    work_precision: bool,
+    /// Folder for benchmark.md and benchmark.csv
+    #[arg(long, short, default_value = "out")]
+    out: PathBuf,
+}
+
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum Benchmark {
+    /// Tables 6.3, 6.5 and 7.2
+    Thesis,
+}
+
+/// Measures all laws with all solvers.
+pub fn bench(arguments: &Arguments) -> Result<Verdict, Failure> {
+    let Benchmark::Thesis = arguments.benchmark;
+    let laws: Vec<String> = if arguments.law.is_empty() {
+        documented(Family::Friction).map(|(law, _)| law.name.to_owned()).collect()
+    } else {
+        arguments.law.clone()
+    };
+    let systems = laws.iter().map(|law| belt(law)).collect::<Result<Vec<System>, Fault>>()?;
+    heed_interrupts();
+    let bar = Bar::new(laws.len(), systems.first().map_or(1.0, |system| system.description.until));
+    let (mut measurements, mut references) = (Vec::new(), Vec::new());
+    let mut verdict = Verdict::Done;
+    for (number, (law, system)) in laws.iter().zip(&systems).enumerate() {
+        bar.begin(number, law);
+        let settings = Settings { every: EVERY, cancel: Some(&CANCELLED), progress: None, ..Settings::of(system) };
+        let reference = Reference::of(system, &settings)?;
+        if let Some(reference) = &reference {
+            measurements.extend(one_law(arguments, system, reference, &settings)?);
+        }
+        references.push((law.clone(), reference));
+        if CANCELLED.load(std::sync::atomic::Ordering::Relaxed) {
+            verdict = Verdict::Cancelled;
+            break;
+        }
+    }
+    bar.finish();
+    std::fs::create_dir_all(&arguments.out).map_err(|source| Failure::File { path: arguments.out.clone(), source })?;
+    write(&arguments.out.join("benchmark.csv"), csv(&measurements))?;
+    write(&arguments.out.join("benchmark.md"), page(&measurements, &references, arguments.tol))?;
+    println!("{}", arguments.out.join("benchmark.md").display());
+    println!("{}", arguments.out.join("benchmark.csv").display());
+    Ok(verdict)
+}
+
+/// A law with each solver that can run it.
+fn one_law(
+    arguments: &Arguments,
+    system: &System,
+    reference: &Reference,
+    settings: &Settings,
+) -> Result<Vec<Measurement>, Failure> {
+    let mut measurements = Vec::new();
+    let has_rates = Solver::Auto.for_system(system) != Solver::Steps;
+    for solver in Solver::value_variants() {
+        let is_for_it = match solver {
+            Solver::Auto | Solver::CoSimulation => false,
+            Solver::Steps => !has_rates,
+            _ => has_rates,
+        };
+        if !is_for_it {
+            continue;
+        }
+        for trial in trials(arguments, *solver) {
+            let repeats = if trial.tolerance == arguments.tol { arguments.repeats.max(1) } else { 1 };
+            match measure(system, reference, trial, settings, repeats) {
+                Ok(measurement) => measurements.push(measurement),
+                // A solver that cannot locate events says so; it is measured without.
+                Err(_) if trial.events => {}
+                Err(fault) => return Err(fault.into()),
+            }
+        }
+    }
+    Ok(measurements)
+}
+
+fn trials(arguments: &Arguments, solver: Solver) -> Vec<Trial> {
+    let mut tolerances = vec![arguments.tol];
+    if arguments.work_precision && solver != Solver::Steps {
+        tolerances.extend((3..=11).map(|power| 10f64.powi(-power)).filter(|other| *other != arguments.tol));
+    }
+    let both = |tolerance: f64| [true, false].map(|events| Trial { solver, tolerance, events });
+    tolerances.into_iter().flat_map(both).collect()
+}
