@@ -5795,7 +5795,7 @@ typedef enum stribeck_damper_temperature_variable {
 } stribeck_damper_temperature_variable;
 
 /** Guid of BeltRig for fmi2Instantiate. */
-#define STRIBECK_BELT_RIG_GUID "{8afd28c8-91fa-cade-2d68-b28fdb2690f2}"
+#define STRIBECK_BELT_RIG_GUID "{4dbd381e-7de3-7af7-278f-fee18eaadf1c}"
 
 /** BeltRig: Block on a moving belt, held by a spring. Variables of "BeltRig". */
 typedef enum stribeck_belt_rig_variable {
@@ -5815,6 +5815,10 @@ typedef enum stribeck_belt_rig_variable {
   STRIBECK_BELT_RIG_VELOCITY = 846470194,
   /** out [N]: Spring force on the block. */
   STRIBECK_BELT_RIG_EXTERNAL_FORCE = 1336490458,
+  /** tunable [m/s2]: Acceleration of gravity. (>= 0, default 9.81) */
+  STRIBECK_BELT_RIG_GRAVITY = 1376386885,
+  /** out [N]: Weight of the block on the belt. */
+  STRIBECK_BELT_RIG_NORMAL_FORCE = 5891938,
 } stribeck_belt_rig_variable;
 
 /** Guid of QuarterCar for fmi2Instantiate. */

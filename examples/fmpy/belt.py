@@ -24,7 +24,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy
-from analysis import AGREEMENT, GRAVITY, Cycle, compared_time, measure
+from analysis import AGREEMENT, Cycle, compared_time, measure
 from coupling import (
     FMUS,
     CouplingError,
@@ -143,19 +143,22 @@ def rig_values(rig_path: Path, chosen: Mapping[str, object]) -> dict[str, float]
     """Start values of the rig; the block starts at rest on the belt unless `chosen` gives it another velocity."""
     connected(chosen, ["friction_force"], "the friction model")
     variables = variables_of(rig_path)
-    values = {name: float(variables[name].start) for name in ("mass", "stiffness", "belt_velocity", "position")}
+    names = ("mass", "stiffness", "belt_velocity", "gravity", "position")
+    values = {name: float(variables[name].start) for name in names}
     values |= numbers_of(rig_path, chosen)
     return {"block_velocity": values["belt_velocity"]} | values
 
 
-def friction_values(friction_path: Path, mass: float, exchange: str, chosen: Mapping[str, object]) -> dict[str, object]:
+def friction_values(
+    friction_path: Path, rig: Mapping[str, float], exchange: str, chosen: Mapping[str, object]
+) -> dict[str, object]:
     """Values of the law: the weight of the block and, for a law that holds a body at rest, its mass and the order of
     exchange; `chosen` takes precedence.
     """
     connected(chosen, [*CONNECTIONS, "velocity_x"], "BeltRig")
-    values = {"normal_force": mass * GRAVITY}
+    values = {"normal_force": rig["mass"] * rig["gravity"]}
     if "mass" in variables_of(friction_path):
-        values |= {"mass": mass, "exchange": "Parallel" if exchange == "parallel" else "Sequential"}
+        values |= {"mass": rig["mass"], "exchange": "Parallel" if exchange == "parallel" else "Sequential"}
     return values | dict(chosen)
 
 
@@ -176,14 +179,14 @@ def limit_of_step(
     below 2 m / (df/dv), with the slope of the law at rest.
     """
     friction_path = friction_path_of(model, fmu_dir)
-    mass = rig_values(path_of("BeltRig", fmu_dir), rig or {})["mass"]
-    chosen = friction_values(friction_path, mass, "sequential", parameters or {})
+    start = rig_values(path_of("BeltRig", fmu_dir), rig or {})
+    chosen = friction_values(friction_path, start, "sequential", parameters or {})
     if float(chosen.get("mass", 0.0)) > 0.0:
         return math.inf
     with open_fmu(friction_path, chosen) as friction:
         force, velocity = (friction.references(*friction.along_x(name)) for name in ("friction_force", "velocity"))
         slope = friction.slave.getDirectionalDerivative(force, velocity, [1.0])[0]
-    return 2.0 * mass / slope if slope > 0.0 else math.inf
+    return 2.0 * start["mass"] / slope if slope > 0.0 else math.inf
 
 
 def run_belt(
@@ -204,7 +207,7 @@ def run_belt(
         raise CouplingError(f"time = {time} s: must be at least one step of {step} s")
     rig_path, friction_path = path_of("BeltRig", fmu_dir), friction_path_of(model, fmu_dir)
     start = rig_values(rig_path, rig or {})
-    chosen = friction_values(friction_path, start["mass"], exchange, parameters or {})
+    chosen = friction_values(friction_path, start, exchange, parameters or {})
     with open_fmu(rig_path, start) as block, open_fmu(friction_path, chosen) as friction:
         rows = Coupling(block, friction, step).run(exchange, steps, every)
     position, block_velocity, velocity, external_force, acceleration, force, sticking = rows.T
@@ -222,7 +225,7 @@ def arguments() -> argparse.Namespace:
         action="append",
         default=[],
         metavar="NAME=VALUE",
-        help="mass, stiffness, belt_velocity, position or block_velocity of BeltRig; repeatable",
+        help="mass, stiffness, belt_velocity, gravity, position or block_velocity of BeltRig; repeatable",
     )
     parser.add_argument("--step", type=positive, default=1e-3, help="communication step in s (default: 1e-3)")
     parser.add_argument("--time", type=positive, default=40.0, help="simulated time in s (default: 40)")

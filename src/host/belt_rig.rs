@@ -1,3 +1,4 @@
+use crate::host::vertical::GRAVITY;
 use crate::model::{Derivatives, Law, Model, ModelExchange, real};
 use crate::number::Real;
 use crate::number::elementary::{cos, sin};
@@ -11,6 +12,7 @@ crate::model! {
     /// m d2x/dt2 = -k x - f_f       (6.32)
     /// v   = dx/dt - v_b
     /// f_e = -k x
+    /// f_n = m g
     /// ```
     ///
     /// | symbol | variable         | unit | meaning                                    |
@@ -19,10 +21,12 @@ crate::model! {
     /// | m      | `mass`           | kg   | mass of the block                          |
     /// | k      | `stiffness`      | N/m  | stiffness of the spring                    |
     /// | v_b    | `belt_velocity`  | m/s  | velocity of the belt                       |
+    /// | g      | `gravity`        | m/s2 | acceleration of gravity                    |
     /// | x      | `position`       | m    | position of the block, spring relaxed at 0 |
     /// | dx/dt  | `block_velocity` | m/s  | velocity of the block                      |
     /// | v      | `velocity`       | m/s  | velocity of the block relative to the belt |
     /// | f_e    | `external_force` | N    | spring force on the block                  |
+    /// | f_n    | `normal_force`   | N    | weight of the block on the belt            |
     ///
     /// # Sign
     /// `friction_force` has the sign of `velocity` when sliding; the block feels `-friction_force`. While the block
@@ -41,7 +45,8 @@ crate::model! {
     ///
     /// # Source
     /// Equation (6.32) and Table 6.1 of F. Novais, "A critical analysis on friction force models in dynamical systems",
-    /// MSc thesis, University of Minho (2024): m = 1 kg, k = 2 N/m, v_b = 0.1 m/s, x(0) = 0, dx/dt(0) = 0.1 m/s.
+    /// MSc thesis, University of Minho (2024): m = 1 kg, g = 9.81 m/s2, k = 2 N/m, v_b = 0.1 m/s, x(0) = 0,
+    /// dx/dt(0) = 0.1 m/s.
     ///
     /// # Example
     /// ```
@@ -68,6 +73,10 @@ crate::model! {
         velocity: output = real("m/s", 0.0),
         /// Spring force on the block.
         external_force: output = real("N", 0.0),
+        /// Acceleration of gravity.
+        gravity: tunable = real("m/s2", GRAVITY).at_least(0.0),
+        /// Weight of the block on the belt.
+        normal_force: output = real("N", 0.0),
     }
 }
 
@@ -77,6 +86,7 @@ impl<T: Real> Law for BeltRig<T> {
     fn output(&mut self) {
         self.velocity = self.block_velocity - self.belt_velocity;
         self.external_force = -self.stiffness * self.position;
+        self.normal_force = self.mass * self.gravity;
     }
 }
 
@@ -142,6 +152,13 @@ fn stumpff(u: f64) -> [f64; 3] {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn weight_presses_the_block_on_the_belt() {
+        let mut rig = BeltRig { mass: 2.0, gravity: 1.62, ..Default::default() };
+        rig.output();
+        assert_eq!(rig.normal_force, 3.24);
+    }
 
     #[test]
     fn stumpff_functions_satisfy_their_recurrence_on_both_sides_of_the_switch() {
