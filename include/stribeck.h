@@ -6434,4 +6434,124 @@ typedef enum stribeck_posts_variable {
   STRIBECK_POSTS_ANGLE = 760497176,
 } stribeck_posts_variable;
 
+/** Guid of BeltDrive for fmi2Instantiate. */
+#define STRIBECK_BELT_DRIVE_GUID "{411c432b-48f1-ae7c-1ad7-7fe582974656}"
+
+/** BeltDrive: Block on a belt of prescribed motion, held by a spring. Variables of "BeltDrive". */
+typedef enum stribeck_belt_drive_variable {
+  /** in [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. (default 0) */
+  STRIBECK_BELT_DRIVE_FRICTION_FORCE = 1713976319,
+  /** in [m/s]: Velocity of the belt. (default 0.1) */
+  STRIBECK_BELT_DRIVE_BELT_VELOCITY = 805761162,
+  /** in [m/s2]: Acceleration of the belt. (default 0) */
+  STRIBECK_BELT_DRIVE_BELT_ACCELERATION = 898572181,
+  /** fixed [kg]: Mass of the block. (> 0, default 1) */
+  STRIBECK_BELT_DRIVE_MASS = 1601648849,
+  /** fixed [N/m]: Stiffness of the spring. (>= 0, default 2) */
+  STRIBECK_BELT_DRIVE_STIFFNESS = 1230999982,
+  /** tunable [m/s2]: Acceleration of gravity. (>= 0, default 9.81) */
+  STRIBECK_BELT_DRIVE_GRAVITY = 1376386885,
+  /** state, out [m]: Position of the block; the spring is relaxed at 0. (default 0) */
+  STRIBECK_BELT_DRIVE_POSITION = 323964426,
+  /** state, out [m/s]: Velocity of the block. (default 0.1) */
+  STRIBECK_BELT_DRIVE_BLOCK_VELOCITY = 27527328,
+  /** out [m/s]: Velocity of the block relative to the belt. */
+  STRIBECK_BELT_DRIVE_VELOCITY = 846470194,
+  /** out [N]: Spring force and force of inertia on the block, in the frame of the belt. */
+  STRIBECK_BELT_DRIVE_EXTERNAL_FORCE = 1336490458,
+  /** out [N]: Weight of the block on the belt. */
+  STRIBECK_BELT_DRIVE_NORMAL_FORCE = 5891938,
+} stribeck_belt_drive_variable;
+
+/** Guid of TwoBlocks for fmi2Instantiate. */
+#define STRIBECK_TWO_BLOCKS_GUID "{30f132e3-07c3-dd14-7057-d55cfd26e56e}"
+
+/** TwoBlocks: Two blocks, one on the other, under forces and on springs. Variables of "TwoBlocks". */
+typedef enum stribeck_two_blocks_variable {
+  /** in [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. (default 0) */
+  STRIBECK_TWO_BLOCKS_FRICTION_FORCE = 1713976319,
+  /** in [N]: Force on block 1. (default 0) */
+  STRIBECK_TWO_BLOCKS_FORCE_1 = 1954007504,
+  /** in [N]: Force on block 2. (default 0) */
+  STRIBECK_TWO_BLOCKS_FORCE_2 = 2004340361,
+  /** fixed [kg]: Mass of block 1, which lies on block 2. (> 0, default 1) */
+  STRIBECK_TWO_BLOCKS_MASS_1 = 787884897,
+  /** fixed [kg]: Mass of block 2 (default chosen). (> 0, default 2) */
+  STRIBECK_TWO_BLOCKS_MASS_2 = 737552040,
+  /** fixed [N/m]: Stiffness of the spring from block 1 to the ground; 0 = none. (>= 0, default 0) */
+  STRIBECK_TWO_BLOCKS_STIFFNESS_1 = 2090965782,
+  /** fixed [N/m]: Stiffness of the spring from block 2 to the ground; 0 = none. (>= 0, default 0) */
+  STRIBECK_TWO_BLOCKS_STIFFNESS_2 = 2074188163,
+  /** tunable [m/s2]: Acceleration of gravity. (>= 0, default 9.81) */
+  STRIBECK_TWO_BLOCKS_GRAVITY = 1376386885,
+  /** state, out [m]: Position of block 1; its spring is relaxed at 0. (default 0) */
+  STRIBECK_TWO_BLOCKS_POSITION_1 = 545647834,
+  /** state, out [m/s]: Velocity of block 1. (default 0) */
+  STRIBECK_TWO_BLOCKS_VELOCITY_1 = 2097525330,
+  /** state, out [m]: Position of block 2; its spring is relaxed at 0. (default 0) */
+  STRIBECK_TWO_BLOCKS_POSITION_2 = 528870215,
+  /** state, out [m/s]: Velocity of block 2. (default 0) */
+  STRIBECK_TWO_BLOCKS_VELOCITY_2 = 2080747711,
+  /** out [m/s]: Velocity of block 1 relative to block 2. */
+  STRIBECK_TWO_BLOCKS_VELOCITY = 846470194,
+  /** out [N]: Force that the contact must carry so that both blocks move together. */
+  STRIBECK_TWO_BLOCKS_EXTERNAL_FORCE = 1336490458,
+  /** out [N]: Weight of block 1 on block 2. */
+  STRIBECK_TWO_BLOCKS_NORMAL_FORCE = 5891938,
+  /** out [kg]: Effective mass of the relative motion. */
+  STRIBECK_TWO_BLOCKS_EFFECTIVE_MASS = 633907963,
+} stribeck_two_blocks_variable;
+
+/** Guid of Incline for fmi2Instantiate. */
+#define STRIBECK_INCLINE_GUID "{becf5482-a421-f9f9-1c1c-6b9a9a05ff81}"
+
+/** Incline: Block on an inclined plane. Variables of "Incline". */
+typedef enum stribeck_incline_variable {
+  /** in [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. (default 0) */
+  STRIBECK_INCLINE_FRICTION_FORCE = 1713976319,
+  /** in [rad]: Angle of the plane above the horizontal. (>= -1.5707963267948966, <= 1.5707963267948966, default 0) */
+  STRIBECK_INCLINE_ANGLE = 760497176,
+  /** fixed [kg]: Mass of the block. (> 0, default 1) */
+  STRIBECK_INCLINE_MASS = 1601648849,
+  /** tunable [m/s2]: Acceleration of gravity. (>= 0, default 9.81) */
+  STRIBECK_INCLINE_GRAVITY = 1376386885,
+  /** state, out [m]: Position of the block, positive down the slope. (default 0) */
+  STRIBECK_INCLINE_POSITION = 323964426,
+  /** state, out [m/s]: Velocity of the block, positive down the slope. (default 0) */
+  STRIBECK_INCLINE_VELOCITY = 846470194,
+  /** out [N]: Weight of the block along the plane. */
+  STRIBECK_INCLINE_EXTERNAL_FORCE = 1336490458,
+  /** out [N]: Weight of the block across the plane. */
+  STRIBECK_INCLINE_NORMAL_FORCE = 5891938,
+} stribeck_incline_variable;
+
+/** Guid of PulledMass for fmi2Instantiate. */
+#define STRIBECK_PULLED_MASS_GUID "{7f1ee994-af9f-6c78-920a-9026cd14ee4f}"
+
+/** PulledMass: Mass pulled by a spring. Variables of "PulledMass". */
+typedef enum stribeck_pulled_mass_variable {
+  /** in [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. (default 0) */
+  STRIBECK_PULLED_MASS_FRICTION_FORCE = 1713976319,
+  /** in [m/s]: Velocity of the end of the spring (default chosen). (default 0.1) */
+  STRIBECK_PULLED_MASS_PULL_VELOCITY = 1105717764,
+  /** fixed [kg]: Mass. (> 0, default 1) */
+  STRIBECK_PULLED_MASS_MASS = 1601648849,
+  /** fixed [N/m]: Stiffness of the spring (default chosen). (>= 0, default 2) */
+  STRIBECK_PULLED_MASS_STIFFNESS = 1230999982,
+  /** fixed [N.s/m]: Damping beside the spring. (>= 0, default 0) */
+  STRIBECK_PULLED_MASS_DAMPING = 996259989,
+  /** tunable [m/s2]: Acceleration of gravity. (>= 0, default 9.81) */
+  STRIBECK_PULLED_MASS_GRAVITY = 1376386885,
+  /** state, out [m]: Position of the mass. (default 0) */
+  STRIBECK_PULLED_MASS_POSITION = 323964426,
+  /** state, out [m/s]: Velocity of the mass. (default 0) */
+  STRIBECK_PULLED_MASS_VELOCITY = 846470194,
+  /** state, out [m]: Elongation of the spring. (default 0) */
+  STRIBECK_PULLED_MASS_ELONGATION = 1909885199,
+  /** out [N]: Force of spring and damper on the mass. */
+  STRIBECK_PULLED_MASS_EXTERNAL_FORCE = 1336490458,
+  /** out [N]: Weight of the mass. */
+  STRIBECK_PULLED_MASS_NORMAL_FORCE = 5891938,
+} stribeck_pulled_mass_variable;
+
 #endif /* STRIBECK_H */

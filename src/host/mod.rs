@@ -1,6 +1,7 @@
 //! Hosts: the mechanical systems that carry friction models and struts in a test.
 
 mod integrate;
+mod oscillator;
 pub mod vertical;
 
 crate::model::family! {
@@ -9,6 +10,10 @@ crate::model::family! {
     four_post_car::FourPostCar,
     double_track_car::DoubleTrackCar,
     posts::Posts,
+    belt_drive::BeltDrive,
+    two_blocks::TwoBlocks,
+    incline::Incline,
+    pulled_mass::PulledMass,
 }
 
 mod magic_formula;

@@ -561,7 +561,7 @@ impl Chord {
 }
 
 /// phi_1, phi_2 and phi_3 of x: `phi_0 = e^x`, `phi_k = (phi_(k-1) - 1 / (k - 1)!) / x`.
-fn phi(x: f64) -> [f64; 3] {
+pub(crate) fn phi(x: f64) -> [f64; 3] {
     if x.abs() < 0.5 {
         // Horner's form of the series sum x^n / (n + 3)!; the remainder is below rounding.
         let three = (1..=11).rev().fold(1.0, |sum, n| 1.0 + x * sum / f64::from(n + 3)) / 6.0;

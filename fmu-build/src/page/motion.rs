@@ -1,16 +1,18 @@
 //! Motion of a host, driven by a contact, by struts, or by itself.
 
+use std::f64::consts::TAU;
+
 use anyhow::{Context, Result, ensure};
 use stribeck::catalogue;
 use stribeck::instance::Instance;
-use stribeck::model::{ModelType, Role};
+use stribeck::model::{Kind, ModelType, Role};
 
 use crate::page::curve::{Curve, limits};
 
 /// The motion of a host.
 pub struct Motion {
     /// The excitation, in words.
-    pub with: &'static str,
+    pub with: String,
     /// Columns of its first two outputs, which are states if it has states.
     pub states: [usize; 2],
     /// Times.
@@ -30,7 +32,7 @@ pub fn motion(model: &'static ModelType) -> Result<Motion> {
     if let Some(lift) = connection.lifted_by() {
         host.set_column(states[0], host.row()[states[0]] + lift)?;
     }
-    let mut motion = Motion { with: connection.name(), states, times: Vec::new(), values: Vec::new() };
+    let mut motion = Motion { with: connection.name(model), states, times: Vec::new(), values: Vec::new() };
     for step in 0..=connection.steps() {
         host.refresh()?;
         motion.times.push(f64::from(step) * STEP);
@@ -60,14 +62,14 @@ impl Connection {
         if !struts.is_empty() {
             return Ok(Connection::Struts(struts));
         }
-        Ok(Connection::Contact(Box::new(Contact::of(host.model())?)))
+        Ok(Connection::Contact(Box::new(Contact::of(host)?)))
     }
 
-    fn name(&self) -> &'static str {
+    fn name(&self, host: &ModelType) -> String {
         match self {
-            Connection::Contact(_) => "with Coulomb friction and stiction in the contact",
-            Connection::Struts(_) => "on linear struts (45 kN/m, 1900 N.s/m), released 20 mm above rest",
-            Connection::Nothing => "without external excitation",
+            Connection::Contact(contact) => contact.name(host),
+            Connection::Struts(_) => "on linear struts (45 kN/m, 1900 N.s/m), released 20 mm above rest".to_owned(),
+            Connection::Nothing => "without external excitation".to_owned(),
         }
     }
 
@@ -138,21 +140,63 @@ struct Contact {
     law: Instance,
     to_law: Vec<[usize; 2]>,
     to_host: Vec<[usize; 2]>,
+    swung: Option<Swung>,
+    time: f64,
+}
+
+/// An input of the host that swings between two values.
+struct Swung {
+    input: usize,
+    amplitude: f64,
+}
+
+impl Swung {
+    /// Those inputs without which a host would rest, and amplitudes at which its contact slips for a part of the time.
+    const INPUTS: [(&str, f64); 2] = [("angle", 0.2), ("force_1", 3.0)];
+    /// Period in s.
+    const PERIOD: f64 = 10.0;
+
+    fn of(host: &ModelType) -> Option<Swung> {
+        let mut inputs = Swung::INPUTS.iter();
+        inputs.find_map(|(name, amplitude)| Some(Swung { input: host.find(name)?, amplitude: *amplitude }))
+    }
+
+    fn at(&self, time: f64) -> f64 {
+        self.amplitude * (TAU * time / Swung::PERIOD).cos()
+    }
 }
 
 impl Contact {
-    fn of(host: &'static ModelType) -> Result<Contact> {
+    fn of(host: &mut Instance) -> Result<Contact> {
+        host.refresh()?;
+        let model = host.model();
         let law = catalogue::by_name("CoulombStiction").context("no model CoulombStiction")?;
-        let mut contact =
-            Contact { law: Instance::new(law), to_law: connections(host, law), to_host: connections(law, host) };
+        let (to_law, to_host) = (connections(model, law), connections(law, model));
+        let mut contact = Contact { law: Instance::new(law), to_law, to_host, swung: Swung::of(model), time: 0.0 };
         // With the mass of the host the law can hold it at rest.
-        if let (Some(of_host), Some(of_law)) = (host.find("mass"), law.find("mass")) {
-            contact.law.set_column(of_law, host.table[of_host].start)?;
+        let mass = model.find("effective_mass").or_else(|| model.find("mass"));
+        if let (Some(of_host), Some(of_law)) = (mass, law.find("mass")) {
+            contact.law.set_column(of_law, host.row()[of_host])?;
         }
+        contact.swing(host)?;
         Ok(contact)
     }
 
+    fn name(&self, host: &ModelType) -> String {
+        let what = "with Coulomb friction and stiction in the contact";
+        let Some(Swung { input, amplitude }) = &self.swung else { return what.to_owned() };
+        let variable = &host.table[*input];
+        let Kind::Real(unit) = variable.kind else { return what.to_owned() };
+        format!("{what}, {} swinging by {amplitude} {} in {} s", variable.path, unit.name, Swung::PERIOD)
+    }
+
+    fn swing(&self, host: &mut Instance) -> Result<()> {
+        self.swung.as_ref().map_or(Ok(()), |swung| Ok(host.set_column(swung.input, swung.at(self.time))?))
+    }
+
     fn act(&mut self, host: &mut Instance, dt: f64) -> Result<()> {
+        self.swing(host)?;
+        self.time += dt;
         host.refresh()?;
         self.to_law.iter().try_for_each(|[from, to]| self.law.set_column(*to, host.row()[*from]))?;
         self.law.step(dt)?;
@@ -180,6 +224,19 @@ mod tests {
         // It sticks until k x = f_s, that is x = 1.4715 N / 2 N/m.
         let slips = motion.values.iter().find(|value| value[1] < 0.0999).unwrap();
         assert!(abs_diff_eq!(slips[0], 0.73575, epsilon = 1e-3), "{slips:?}");
+    }
+
+    /// On a plane that swings by 0.2 rad the block slides near both ends (tan(0.2) = 0.203 > 0.15) and rests before it
+    /// turns round: 2.98 s in all, by explicit steps that stop it where its velocity changes sign.
+    #[test]
+    fn hosts_that_rest_by_themselves_are_swung() {
+        for name in ["Incline", "TwoBlocks"] {
+            let motion = motion(by_name(name).unwrap()).unwrap();
+            assert!(motion.with.contains(" in 10 s"), "{name}: {}", motion.with);
+        }
+        let block = motion(by_name("Incline").unwrap()).unwrap();
+        let at_rest = block.values.iter().filter(|value| value[1].abs() < 1e-5).count();
+        assert!((2_800..3_200).contains(&at_rest), "{at_rest} ms");
     }
 
     /// A released car swings back to its rest position: through it at 3.8 Hz, a quarter of a period later.
