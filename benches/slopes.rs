@@ -28,7 +28,7 @@ fn main() {
         if inputs.is_empty() {
             continue;
         }
-        let is_velocity = |column: &usize| model.table[*column].path.segments()[0].name.starts_with("velocity");
+        let is_velocity = |column: &usize| model.table.at(*column).path.segments()[0].name.starts_with("velocity");
         let mixtures: [Vec<usize>; 3] = [
             inputs.iter().copied().filter(is_velocity).collect(),
             inputs.iter().copied().filter(|column| !is_velocity(column)).collect(),
@@ -52,14 +52,15 @@ fn main() {
 }
 
 fn inputs(model: &ModelType) -> Vec<usize> {
-    let is_moving =
-        |column: &usize| model.table[*column].role == Role::Input && matches!(model.table[*column].kind, Kind::Real(_));
+    let is_moving = |column: &usize| {
+        model.table.at(*column).role == Role::Input && matches!(model.table.at(*column).kind, Kind::Real(_))
+    };
     (0..model.table.len()).filter(is_moving).collect()
 }
 
 /// Usual range of an input.
 fn range(model: &ModelType, column: usize) -> f64 {
-    let Kind::Real(unit) = model.table[column].kind else { return 0.0 };
+    let Kind::Real(unit) = model.table.at(column).kind else { return 0.0 };
     match unit.name {
         "m" => 5e-3,
         "m/s" => 0.2,
@@ -84,7 +85,7 @@ fn measure(model: &ModelType, inputs: &[usize], sloped: &[usize]) -> (Vec<f64>, 
     while ratios.len() < STATES {
         let mut slope = vec![0.0; row.len()];
         for column in inputs {
-            let (variable, range) = (&model.table[*column], range(model, *column));
+            let (variable, range) = (&model.table.at(*column), range(model, *column));
             // Speeds of all sizes, at rest too.
             let size = if variable.path.segments()[0].name.starts_with("velocity") {
                 range * 10f64.powf(-4.0 * random.next())

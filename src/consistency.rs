@@ -68,7 +68,7 @@ impl Consistency {
     pub fn of(model: &ModelType) -> Option<Consistency> {
         let input = |name: &str| {
             let is_input = |column: &usize| {
-                model.table[*column].role == Role::Input && matches!(model.table[*column].kind, Kind::Real(_))
+                model.table.at(*column).role == Role::Input && matches!(model.table.at(*column).kind, Kind::Real(_))
             };
             model.find(name).filter(is_input)
         };

@@ -40,10 +40,13 @@ pub fn copied<T: Copy>(slice: &[T]) -> Result<Box<[T]>, OutOfMemory> {
     Ok(values.into_boxed_slice())
 }
 
-/// The results of `make` for each element of a slice.
-pub fn each<T, U>(slice: &[T], mut make: impl FnMut(&T) -> Result<U, OutOfMemory>) -> Result<Vec<U>, OutOfMemory> {
-    let mut made = room(slice.len())?;
-    for element in slice {
+/// The results of `make` for each element.
+pub fn each<T, U>(
+    elements: impl ExactSizeIterator<Item = T>,
+    mut make: impl FnMut(T) -> Result<U, OutOfMemory>,
+) -> Result<Vec<U>, OutOfMemory> {
+    let mut made = room(elements.len())?;
+    for element in elements {
         made.push(make(element)?);
     }
     Ok(made)
@@ -112,8 +115,8 @@ mod tests {
         assert_eq!(text(format_args!("{} {}", 1, "two")), "1 two");
         assert_eq!(c_text("cut\0here").expect("memory"), c"cut".to_owned());
         assert_eq!(c_copy(c"text").expect("memory"), c"text".to_owned());
-        assert_eq!(each(&[1, 2], |n| Ok(n + 1)), Ok(vec![2, 3]));
-        assert_eq!(each(&[1, 2], |n| if *n == 1 { Ok(*n) } else { Err(OutOfMemory) }), Err(OutOfMemory));
+        assert_eq!(each([1, 2].iter(), |n| Ok(n + 1)), Ok(vec![2, 3]));
+        assert_eq!(each([1, 2].iter(), |n| if *n == 1 { Ok(*n) } else { Err(OutOfMemory) }), Err(OutOfMemory));
     }
 
     /// Miri aborts where a host would run out of memory.

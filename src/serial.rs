@@ -98,7 +98,7 @@ pub fn read(model: &ModelType, bytes: &[u8]) -> Result<(Snapshot, [f64; OWNERS])
     memory.fill_with(&mut take);
     check_row(model, &row)?;
     let is_sound =
-        |(variable, slope): (&Variable, &f64)| slope.is_finite() && (*slope == 0.0 || variable.role == Role::Input);
+        |(variable, slope): (Variable, &f64)| slope.is_finite() && (*slope == 0.0 || variable.role == Role::Input);
     if !time.is_finite() || !model.table.iter().zip(&*slope).all(is_sound) {
         return refuse(model, format_args!("time or a slope is not finite, or the slope does not belong to an input"));
     }

@@ -103,10 +103,15 @@ pub static UNITS: [Unit; 30] = [
 
 /// The unit of this name. A column with an unknown unit does not compile.
 pub(crate) const fn named(name: &str) -> &'static Unit {
+    &UNITS[place(name)]
+}
+
+/// Place among [`UNITS`] of the unit of this name.
+pub(crate) const fn place(name: &str) -> usize {
     let mut at = 0;
     while at < UNITS.len() {
         if same(UNITS[at].name, name) {
-            return &UNITS[at];
+            return at;
         }
         at += 1;
     }

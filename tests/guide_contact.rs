@@ -10,7 +10,7 @@ use stribeck::model::Kind;
 /// Numbers and names of the friction laws, without "None".
 fn laws() -> impl Iterator<Item = (f64, &'static str)> {
     let model = by_name("GuideContact").unwrap();
-    let Kind::Enumeration(laws) = model.table[model.find("friction.model").unwrap()].kind else { panic!() };
+    let Kind::Enumeration(laws) = model.table.at(model.find("friction.model").unwrap()).kind else { panic!() };
     laws.items.iter().enumerate().skip(1).map(|(at, law)| (at as f64 + 1.0, law.name))
 }
 
@@ -100,7 +100,7 @@ fn parameters_of_a_law_start_at_its_own_values() {
                 let own = model.find(&format!("friction.{name}.{path}"));
                 let column = own.or_else(|| model.find(&format!("friction.{path}")));
                 let column = column.unwrap_or_else(|| panic!("{}: no {path} for {name}", model.name));
-                assert_eq!(model.table[column].start, variable.start, "{}: {path} of {name}", model.name);
+                assert_eq!(model.table.at(column).start, variable.start, "{}: {path} of {name}", model.name);
             }
         }
     }

@@ -37,7 +37,7 @@ fn the_stribeck_velocity_is_what_its_help_says() {
     let mut seen = 0;
     for model in catalogue::models().filter(|model| model.find("mu_k").is_some()) {
         let Some(column) = model.find("stribeck_velocity") else { continue };
-        let help = model.table[column].help;
+        let help = model.table.at(column).help;
         let (expected, text) = match model.name {
             "Armstrong" => (0.5, "half of the excess of static over kinetic friction is left."),
             "Stribeck" => (e, "1/e of the excess is left; one half with HessSoom and PoppStelter."),
@@ -51,7 +51,7 @@ fn the_stribeck_velocity_is_what_its_help_says() {
     assert!(seen >= 10, "{seen}");
     for strut in ["GuideContact", "ShockAbsorber"] {
         let bench = Bench::new(strut, &[]);
-        let help = bench.instance.model().table[bench.column("friction.stribeck_velocity")].help;
+        let help = bench.instance.model().table.at(bench.column("friction.stribeck_velocity")).help;
         assert!(help.ends_with("1/2 where the curve is a fraction (Armstrong, HessSoom, PoppStelter)."), "{help}");
     }
     // Tustin, BoPavelescu, HessSoom, PoppStelter, Gaussian.
@@ -72,7 +72,7 @@ fn values_from_a_table_of_the_thesis_are_not_called_chosen() {
         ("Bernard", "transition_slope", 2000.0),
     ] {
         let bench = Bench::new(model, &[]);
-        let column = &bench.instance.model().table[bench.column(name)];
+        let column = &bench.instance.model().table.at(bench.column(name));
         assert!(column.start == value && !column.help.contains("chosen"), "{model}: {}", column.help);
     }
 }

@@ -43,7 +43,7 @@ unsafe fn begin(model: &ModelType, kind: fmi2Type) -> fmi2Component {
     let guid = CString::new(model.guid()).expect("no zero byte");
     let is_input = |variable: &Variable| variable.role == Role::Input;
     let inputs = reals(model, is_input);
-    let is_real = |variable: &&Variable| is_input(variable) && matches!(variable.kind, Kind::Real(_));
+    let is_real = |variable: &Variable| is_input(variable) && matches!(variable.kind, Kind::Real(_));
     let starts: Vec<f64> = model.table.iter().filter(is_real).map(|variable| variable.start).collect();
     // SAFETY: valid texts, callbacks and arrays.
     unsafe {

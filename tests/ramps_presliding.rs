@@ -237,7 +237,7 @@ fn time_derivatives_are_those_of_the_run() {
 #[test]
 fn time_derivatives_are_those_of_a_bond_that_is_pushed_back() {
     let guide = catalogue::by_name("GuideContact").expect("a contact");
-    let Kind::Enumeration(laws) = guide.table[guide.find("friction.model").expect("its law")].kind else { panic!() };
+    let Kind::Enumeration(laws) = guide.table.at(guide.find("friction.model").expect("its law")).kind else { panic!() };
     for law in ["Armstrong", "Wojewoda", "ResetIntegrator"] {
         let place = laws.items.iter().position(|item| item.name == law).expect("a choice");
         for seed in [17, 24, 45] {
@@ -329,7 +329,7 @@ fn a_ramp_dissipates_what_its_parts_do() {
         let mut random = Random(77);
         let mut bench = Bench::new(model.name, &[]);
         let columns = [axis(&bench).0, "normal_force"].map(|name| bench.column(name));
-        let (mut now, mut sum, mut largest) = ([0.0, model.table[columns[1]].start], 0.0, 0f64);
+        let (mut now, mut sum, mut largest) = ([0.0, model.table.at(columns[1]).start], 0.0, 0f64);
         let sections = 300;
         for section in 0..sections {
             let from = now;

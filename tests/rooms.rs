@@ -45,7 +45,7 @@ const HOUSES: &[House] = &[
 ];
 
 /// Macros that are exported from the root of their crate, and the rooms that declare them.
-const MACROS: &[(&str, &str)] = &[("choices", "model"), ("part", "model")];
+const MACROS: &[(&str, &str)] = &[("choices", "model"), ("packed", "table"), ("part", "model")];
 
 /// Longest file, in lines.
 const LONGEST_FILE: usize = 700;

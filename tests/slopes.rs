@@ -13,7 +13,7 @@ const STEP: f64 = 1e-3;
 /// Sets the friction law by its name.
 fn choose(bench: &mut Bench, law: &str) {
     let column = bench.column("friction.model");
-    let Kind::Enumeration(laws) = bench.instance.model().table[column].kind else { panic!("a choice") };
+    let Kind::Enumeration(laws) = bench.instance.model().table.at(column).kind else { panic!("a choice") };
     let number = laws.items.iter().position(|item| item.name == law).expect("a law");
     bench.instance.set_column(column, number as f64 + 1.0).unwrap();
 }
@@ -187,16 +187,16 @@ struct Section {
 /// A random motion: slides of all speeds, reversals, dwells, loads that rise, fall and vanish.
 fn motion(bench: &Bench, sections: usize, seed: u64) -> Vec<Section> {
     let model = bench.instance.model();
-    let inputs: Vec<usize> = (0..model.table.len()).filter(|c| model.table[*c].role == Role::Input).collect();
+    let inputs: Vec<usize> = (0..model.table.len()).filter(|c| model.table.at(*c).role == Role::Input).collect();
     let mut random = Random(seed);
-    let mut now: Vec<(usize, f64)> = inputs.iter().map(|column| (*column, model.table[*column].start)).collect();
+    let mut now: Vec<(usize, f64)> = inputs.iter().map(|column| (*column, model.table.at(*column).start)).collect();
     let mut motion = Vec::new();
     for _ in 0..sections {
         let dwells = random.next() < 0.2;
         let keeps_load = random.next() < 0.3;
         let from = now.clone();
         for (column, value) in &mut now {
-            let name = model.table[*column].path.to_string();
+            let name = model.table.at(*column).path.to_string();
             *value = if name.starts_with("velocity") {
                 if dwells { 0.0 } else { random.signed() * 10f64.powf(-4.0 * random.next()) * 0.1 }
             } else if name == "normal_force" {
@@ -209,7 +209,7 @@ fn motion(bench: &Bench, sections: usize, seed: u64) -> Vec<Section> {
         }
         // Where a law asks for the acceleration, it is that of the velocity.
         let h = 1e-3 * (0.2 + random.next());
-        let find = |name: &str| inputs.iter().position(|column| model.table[*column].path.to_string() == name);
+        let find = |name: &str| inputs.iter().position(|column| model.table.at(*column).path.to_string() == name);
         if let (Some(velocity), Some(acceleration)) = (find("velocity"), find("acceleration")) {
             now[acceleration].1 = (now[velocity].1 - from[velocity].1) / h;
         }
@@ -220,7 +220,7 @@ fn motion(bench: &Bench, sections: usize, seed: u64) -> Vec<Section> {
 
 /// Which inputs move within a section: an acceleration that is given is that of the velocity.
 fn moves(bench: &Bench, column: usize) -> bool {
-    bench.instance.model().table[column].path.to_string() != "acceleration"
+    bench.instance.model().table.at(column).path.to_string() != "acceleration"
 }
 
 /// Makes a section in `pieces` steps whose inputs are held at their values in the middle of each, and leaves them at

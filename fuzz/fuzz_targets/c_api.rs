@@ -244,7 +244,7 @@ impl World {
         self.made(who, status, false);
         if status == STRIBECK_OK {
             let column = column.expect("a column that was set");
-            let variable = &self.handles[who].model.table[column];
+            let variable = &self.handles[who].model.table.at(column);
             assert!(variable.admits(value) && variable.role != Role::Output, "{} = {value}", variable.path);
             assert_eq!(self.seen[who][saved::ROW + column].to_bits(), value.to_bits());
         }
@@ -347,7 +347,7 @@ impl World {
     /// A call with a NULL where there must be none.
     fn call_with_null(&mut self, who: usize, which: u8) {
         let Handle { pointer, model } = self.handles[who];
-        let (first, name) = (model.reference(0), model.table[0].path.to_string());
+        let (first, name) = (model.reference(0), model.table.at(0).path.to_string());
         let name = CString::new(name).expect("no zero byte");
         let (mut value, nobody, no_value) = (0.0, null_mut(), null_mut::<f64>());
         // SAFETY: these calls must reject NULL; the other arguments are valid.

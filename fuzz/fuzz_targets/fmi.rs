@@ -404,7 +404,7 @@ impl World {
         let model = self.slaves[who].model;
         for (place, (reference, value)) in references.iter().zip(values).enumerate() {
             let column = column(model, *reference).expect("a column that was set");
-            assert!(model.table[column].admits(*value), "{reference} = {value}");
+            assert!(model.table.at(column).admits(*value), "{reference} = {value}");
             if !references[place + 1..].contains(reference) {
                 assert_eq!(self.seen[who][ROW + column].to_bits(), value.to_bits());
             }
@@ -521,7 +521,7 @@ impl World {
         let columns = self.states(who);
         let count = length(columns.len(), more);
         let number = |place: usize| match (columns.get(place), numbers.get(place)) {
-            (Some(column), Some(number)) => number.of(&self.slaves[who].model.table[*column]),
+            (Some(column), Some(number)) => number.of(&self.slaves[who].model.table.at(*column)),
             (Some(column), None) => self.seen[who][ROW + column],
             _ => 0.0,
         };

@@ -67,7 +67,7 @@ impl Input {
         let mut bytes = slave.bytes();
         for (wanted, number) in &self.values {
             let Some(column) = column(model, wanted.of(model)) else { continue };
-            let (variable, place) = (&model.table[column], saved::ROW + column);
+            let (variable, place) = (&model.table.at(column), saved::ROW + column);
             if variable.admits(number.of(variable)) {
                 put(&mut bytes, place, number.of(variable));
             }

@@ -177,8 +177,8 @@ impl Wanted {
 }
 
 /// The variable of a value reference, if there is one.
-pub fn variable(model: &ModelType, reference: u32) -> Option<&'static Variable> {
-    column(model, reference).map(|column| &model.table[column])
+pub fn variable(model: &ModelType, reference: u32) -> Option<Variable> {
+    column(model, reference).map(|column| model.table.at(column))
 }
 
 /// The column of a value reference, if there is one.
@@ -201,7 +201,7 @@ impl Column {
             }
             Column::With(wanted, which) => {
                 let columns: Vec<usize> =
-                    (0..model.table.len()).filter(|column| wanted.is(model.table[*column].role)).collect();
+                    (0..model.table.len()).filter(|column| wanted.is(model.table.at(*column).role)).collect();
                 columns.get(usize::from(which) % columns.len().max(1)).map_or(0, |column| model.reference(*column))
             }
             Column::Any(number) => number,

@@ -117,7 +117,7 @@ fn show(model: &ModelType) {
     println!("{}: {}", model.name, model.summary);
     println!("guid {}\n", model.guid());
     let rows = model.table.iter().map(|variable| {
-        [variable.path.to_string(), format!("{:?}", variable.role), value(variable), variable.help.to_string()]
+        [variable.path.to_string(), format!("{:?}", variable.role), value(&variable), variable.help.to_string()]
     });
     let rows: Vec<[String; 4]> = rows.collect();
     let width = |column: usize| rows.iter().map(|row| row[column].len()).max().unwrap_or(0);
@@ -134,7 +134,7 @@ fn presets(model: &ModelType) -> String {
     for preset in model.presets {
         text += &format!("\npreset {}: {}\n", preset.name, preset.source);
         for (name, number) in preset.values {
-            let shown = model.find(name).map_or(number.to_string(), |column| in_unit(&model.table[column], *number));
+            let shown = model.find(name).map_or(number.to_string(), |column| in_unit(&model.table.at(column), *number));
             text += &format!("    {name} = {shown}\n");
         }
     }
@@ -174,7 +174,7 @@ mod tests {
     #[test]
     fn choices_are_named() {
         let model = catalogue::by_name("CoulombStiction").unwrap();
-        let exchange = &model.table[model.find("exchange").unwrap()];
+        let exchange = &model.table.at(model.find("exchange").unwrap());
         assert_eq!([in_unit(exchange, 1.0), in_unit(exchange, 2.0)], ["Sequential", "Parallel"]);
     }
 }

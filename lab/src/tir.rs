@@ -365,7 +365,7 @@ impl Reader {
     fn put(&mut self, name: String, value: f64) -> Result<(), String> {
         let car = car();
         let column = car.find(&name).ok_or("unknown key")?;
-        let variable = &car.table[column];
+        let variable = &car.table.at(column);
         if !variable.admits(value) {
             return Err(variable.fault(value).to_string());
         }
@@ -457,7 +457,7 @@ mod tests {
         }
         assert!(tyres > 100, "{tyres}");
         for name in ["front.tyre_stiffness", "rear.tyre_stiffness", "front.tyre_damping", "rear.tyre_damping"] {
-            assert_eq!(file.set.get(name), Some(car().table[car().find(name).unwrap()].start), "{name}");
+            assert_eq!(file.set.get(name), Some(car().table.at(car().find(name).unwrap()).start), "{name}");
         }
         assert_eq!(file.notes, ["PROPERTY_FILE_FORMAT = PAC2002: read as Magic Formula 5.2"]);
     }

@@ -1,7 +1,7 @@
 //! Integration of a host whose rates follow from its states and its inputs.
 
 use crate::model::ramp::set_inputs;
-use crate::model::{Columns, Model, row_of, row_of_mut};
+use crate::model::{Described, Model, row_of, row_of_mut};
 use crate::number::elementary::pow;
 use crate::numerics::runge_kutta::dormand_prince;
 
@@ -103,16 +103,16 @@ fn advance_by<M: Model, const N: usize>(model: &mut M, slope: Option<&M>, dt: f6
 }
 
 /// Columns of the states.
-fn states<M: Columns, const N: usize>() -> [usize; N] {
-    let mut states = (0..M::TABLE.len()).filter(|column| M::TABLE[*column].role.is_state());
+fn states<M: Described, const N: usize>() -> [usize; N] {
+    let mut states = (0..M::TABLE.len()).filter(|column| M::COLUMNS.role(*column).is_state());
     let columns = std::array::from_fn(|_| states.next().unwrap_or(usize::MAX));
     debug_assert!(states.next().is_none() && columns.last() < Some(&usize::MAX), "not {N} states");
     columns
 }
 
 /// The largest error of a state, relative to the larger of its value and its nominal value.
-fn largest<M: Columns, const N: usize>(columns: &[usize; N], at: [f64; N], error: [f64; N]) -> f64 {
-    let relative = |i: usize| (error[i] / at[i].abs().max(M::TABLE[columns[i]].nominal)).abs();
+fn largest<M: Described, const N: usize>(columns: &[usize; N], at: [f64; N], error: [f64; N]) -> f64 {
+    let relative = |i: usize| (error[i] / at[i].abs().max(M::COLUMNS.nominal(columns[i]))).abs();
     // `f64::max` would hide NaN.
     (0..N).map(relative).fold(0.0, |largest, error| if error > largest || error.is_nan() { error } else { largest })
 }

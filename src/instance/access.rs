@@ -4,7 +4,7 @@
 use std::fmt;
 
 use super::Instance;
-use crate::model::{Computed, Fault, Kind, Role, Variable};
+use crate::model::{Computed, Fault, Kind, Path, Role, Variable};
 use crate::reference::{Place, Reference};
 
 /// Part of an instance's life, as far as it decides which variables may be set.
@@ -40,7 +40,7 @@ pub enum Refused {
     /// The variable is computed and can never be set, or has no slope.
     NotSettable(Fault),
     /// The variable cannot be set in this [`Phase`].
-    NotNow(&'static Variable),
+    NotNow(Path),
     /// The variable does not admit the value.
     Value(Fault),
     /// A result would not be finite.
@@ -54,7 +54,7 @@ impl fmt::Display for Refused {
             | Refused::NotSettable(fault)
             | Refused::Value(fault)
             | Refused::NotFinite(fault) => fault.fmt(f),
-            Refused::NotNow(variable) => write!(f, "{} cannot be set now", variable.path),
+            Refused::NotNow(path) => write!(f, "{path} cannot be set now"),
         }
     }
 }
@@ -82,13 +82,13 @@ impl Instance {
 
     /// Whether a column may be set to a value in this phase.
     pub fn check_value(&self, phase: Phase, column: usize, value: f64) -> Result<(), Refused> {
-        let variable = &self.model.table[column];
+        let variable = &self.model.table.at(column);
         if variable.role == Role::Output {
             let text = format_args!("{} is computed and cannot be set", variable.path);
             return Err(Refused::NotSettable(Fault::new(text)));
         }
         if !phase.admits(variable) {
-            return Err(Refused::NotNow(variable));
+            return Err(Refused::NotNow(variable.path));
         }
         let checked = match self.exchange {
             None => variable.check_for_steps(value),
@@ -139,7 +139,7 @@ impl Instance {
     /// The variable of a column; a result is computed first if it lags behind.
     #[inline]
     pub fn get_column(&mut self, column: usize) -> Result<f64, Refused> {
-        self.refresh_to(self.model.table[column].needs()).map_err(Refused::NotFinite)?;
+        self.refresh_to(self.model.table.needs(column)).map_err(Refused::NotFinite)?;
         Ok(self.row[column])
     }
 
@@ -152,7 +152,7 @@ impl Instance {
 
     /// Whether a column may have this slope.
     pub fn check_slope(&self, column: usize, slope: f64) -> Result<(), Refused> {
-        let variable = &self.model.table[column];
+        let variable = &self.model.table.at(column);
         if variable.role != Role::Input || !matches!(variable.kind, Kind::Real(_)) {
             return Err(Refused::NotSettable(Fault::new(format_args!("{} is not an input", variable.path))));
         }
@@ -203,7 +203,7 @@ impl Instance {
     pub(super) fn write(&mut self, column: usize, value: f64) {
         self.row[column] = value;
         self.computed = Computed::Nothing;
-        self.unchecked |= self.model.table[column].role.is_parameter();
+        self.unchecked |= self.model.table.role(column).is_parameter();
     }
 }
 
@@ -261,7 +261,7 @@ mod tests {
                     let done = short.write_at_once(&reference, &[value]);
                     let result = long.set_all(Phase::Stepping, [(column, value)].into_iter());
                     assert!(!done || result.is_ok(), "{} {} = {value}", model.name, variable.path);
-                    assert!(done || variable.role != Role::Input || result.is_err() || !is_real(variable));
+                    assert!(done || variable.role != Role::Input || result.is_err() || !is_real(&variable));
                     if done {
                         assert_eq!(short.save(), long.save(), "{} {} = {value}", model.name, variable.path);
                     }

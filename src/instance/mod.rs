@@ -89,8 +89,8 @@ impl Instance {
 
     /// Resets to the start values and to time 0.
     pub fn reset(&mut self) {
-        for (value, variable) in self.row.iter_mut().zip(self.model.table) {
-            *value = variable.start;
+        for (column, value) in self.row.iter_mut().enumerate() {
+            *value = self.model.table.start(column);
         }
         self.memory.fill(0.0);
         self.slopes.clear();
@@ -117,7 +117,7 @@ impl Instance {
 
     /// The variable of a column, if the column exists.
     #[inline]
-    pub fn variable(&self, column: usize) -> Option<&'static Variable> {
+    pub fn variable(&self, column: usize) -> Option<Variable> {
         self.model.table.get(column)
     }
 
@@ -275,7 +275,7 @@ impl Instance {
     /// Rejects slopes that lead an input out of its bounds within the step, apart from rounding.
     fn check_ramps(&self, dt: f64) -> Result<(), Fault> {
         for (column, slope) in self.slopes.values().iter().enumerate().filter(|(_, slope)| **slope != 0.0) {
-            let (variable, start, change) = (&self.model.table[column], self.row[column], slope * dt);
+            let (variable, start, change) = (&self.model.table.at(column), self.row[column], slope * dt);
             let end = start + change;
             let rounding = 4.0 * f64::EPSILON * (start.abs() + change.abs());
             let is_outside = (end - variable.bound.nearest(end)).abs() > rounding;

@@ -25,7 +25,7 @@ impl Snapshot {
     /// Whether advice was read makes no difference to a saved state.
     fn forget_advice(&mut self, model: &ModelType) {
         for column in model.advice() {
-            self.row[column] = model.table[column].start;
+            self.row[column] = model.table.at(column).start;
         }
     }
 }

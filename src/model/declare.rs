@@ -256,6 +256,7 @@ macro_rules! model {
             };
             const SUMMARY: &'static str = $summary;
             const DOCUMENTATION: &'static str = concat!($($doc, "\n"),+);
+            const COLUMNS: $crate::model::Table = $crate::packed!(<$Name as $crate::model::Columns>::TABLE);
             const PORTS: &'static [$crate::model::Port] =
                 &$crate::model::ports::<{ <$Name as $crate::model::Width>::WIDTH }>(
                     <$Name as $crate::model::Columns>::TABLE);

@@ -5,7 +5,7 @@ use std::ops::Range;
 
 use super::Evaluate;
 use crate::reference::References;
-use crate::table::{Fault, Port, Variable};
+use crate::table::{Fault, Port, Table, Variable};
 
 /// Number of columns of a field in a `model!` block: one for a number, those of its table for a part.
 pub trait Width {
@@ -53,6 +53,8 @@ pub unsafe trait Described: Columns {
     const SUMMARY: &'static str;
     /// The documentation page, in Markdown.
     const DOCUMENTATION: &'static str;
+    /// The table, as the library keeps it.
+    const COLUMNS: Table;
     /// The facts about the columns that get and set need on every step.
     const PORTS: &'static [Port];
     /// The numbers by which FMI and C know the columns.

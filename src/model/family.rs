@@ -19,6 +19,11 @@ macro_rules! family {
         /// The models of this family.
         pub(crate) static MODELS: &[$crate::model::ModelType] = &[$($crate::model::ModelType::of::<$Model>(),)+];
 
+        /// Their tables as declared, for constants: at run time each model has its packed one.
+        #[allow(dead_code, reason = "only laws are choices of other models")]
+        pub(crate) const TABLES: &[&[$crate::model::Variable]] =
+            &[$(<$Model as $crate::model::Columns>::TABLE,)+];
+
         /// Shows each of them to a visitor.
         pub(crate) fn visit(visitor: &mut impl $crate::model::Visitor) {
             $(visitor.visit::<$Model>();)+

@@ -8,7 +8,7 @@ use super::{Law, Model, Preset, is_for_exchange};
 use crate::guid::{self, GuidText};
 use crate::number::Dual;
 use crate::reference::{self, Place, Reference, References};
-use crate::table::{Fault, Port, Role, Variable};
+use crate::table::{Fault, Port, Role, Table, Variable};
 
 /// Arguments: row, memory, workspace for a copy, slopes and time.
 type AdvanceRamp = fn(&mut [f64], &mut [f64], Room, &[f64], f64) -> bool;
@@ -25,7 +25,7 @@ pub struct ModelType {
     /// One-line description.
     pub summary: &'static str,
     /// Its columns.
-    pub table: &'static [Variable],
+    pub table: Table,
     /// The facts about the columns that get and set need on every step.
     pub ports: &'static [Port],
     references: References,
@@ -62,7 +62,7 @@ impl ModelType {
             name: M::NAME,
             c_name: M::C_NAME,
             summary: M::SUMMARY,
-            table: M::TABLE,
+            table: M::COLUMNS,
             ports: M::PORTS,
             references: M::REFERENCES,
             presets: M::PRESETS,
@@ -81,7 +81,9 @@ impl ModelType {
             advance: advance::<M>,
             advance_ramp: advance_ramp::<M>,
             output: |row, memory, room| {
-                commit::<M>(row, memory, room, first_result(M::TABLE), |model, memory| model.output_with(memory))
+                commit::<M>(row, memory, room, const { first_result(M::TABLE) }, |model, memory| {
+                    model.output_with(memory)
+                })
             },
             advise: if has_advice(M::TABLE) { Some(advise::<M>) } else { None },
             output_dual: |row, memory| view_mut::<M::In<Dual>, Dual>(row).output_with(memory),
@@ -115,16 +117,16 @@ impl ModelType {
 
     /// The value reference of a column.
     pub fn reference(&self, column: usize) -> Reference {
-        reference::of(&self.table[column].path)
+        reference::of(&self.table.at(column).path)
     }
 
     /// The value references of the time derivatives of the continuous states.
     pub fn derivative_references(&self) -> impl Iterator<Item = Reference> {
-        self.continuous_states().map(|state| reference::of_derivative(&self.table[state].path))
+        self.continuous_states().map(|state| reference::of_derivative(&self.table.at(state).path))
     }
 
     /// The variables that the interfaces show, with their columns.
-    pub fn variables(&self) -> impl Iterator<Item = (usize, &'static Variable)> {
+    pub fn variables(&self) -> impl Iterator<Item = (usize, Variable)> {
         self.table.iter().enumerate().filter(|(_, variable)| !variable.is_hidden)
     }
 
@@ -138,8 +140,8 @@ impl ModelType {
 
     /// The columns of advice.
     pub(crate) fn advice(&self) -> impl Iterator<Item = usize> {
-        let table = if self.advise.is_some() { self.table } else { &[] };
-        (0..table.len()).filter(|column| table[*column].is_advice)
+        let columns = if self.advise.is_some() { self.table.len() } else { 0 };
+        (0..columns).filter(|column| self.table.at(*column).is_advice)
     }
 
     /// Refuses parameters that are admitted one by one but not together.
@@ -242,7 +244,7 @@ impl ModelType {
     /// The columns of the states that move with time.
     pub fn continuous_states(&self) -> impl Iterator<Item = usize> {
         let table = self.table;
-        (0..table.len()).filter(|column| table[*column].is_continuous_state())
+        (0..table.len()).filter(move |column| table.at(*column).is_continuous_state())
     }
 
     /// Refuses parameters with which the model is for co-simulation only.
@@ -279,7 +281,9 @@ impl fmt::Debug for ModelType {
 }
 
 fn advance<M: Model>(row: &mut [f64], memory: &mut [f64], room: Room, dt: f64) -> bool {
-    commit::<M>(row, memory, room, first_result(M::TABLE), |model, memory| model.step_and_output_with(memory, dt))
+    commit::<M>(row, memory, room, const { first_result(M::TABLE) }, |model, memory| {
+        model.step_and_output_with(memory, dt)
+    })
 }
 
 fn advance_ramp<M: Model>(row: &mut [f64], memory: &mut [f64], room: Room, slope: &[f64], dt: f64) -> bool {
@@ -304,7 +308,7 @@ const fn has_advice(table: &[Variable]) -> bool {
 }
 
 fn advise<M: Model>(row: &mut [f64], room: Room) -> bool {
-    commit::<M>(row, &mut [], room, first_result(M::TABLE), |model, _| model.advise())
+    commit::<M>(row, &mut [], room, const { first_result(M::TABLE) }, |model, _| model.advise())
 }
 
 /// The first column that a step or the outputs may change: those before it are inputs and parameters.

@@ -366,7 +366,7 @@ impl Change {
         let mut error = 0f64;
         for (index, column) in Of::<M>::STATES.iter().enumerate() {
             let value = (row_of(model)[column] + states[index]).abs();
-            let off = (errors[index] + missed[index].abs()) / value.max(M::TABLE[column].nominal);
+            let off = (errors[index] + missed[index].abs()) / value.max(M::COLUMNS.nominal(column));
             // f64::max ignores NaN.
             error = if off.is_finite() { error.max(off) } else { f64::INFINITY };
             states[index] += missed[index];
@@ -378,7 +378,7 @@ impl Change {
         let row = row_of_mut(model);
         for (index, column) in Of::<M>::STATES.iter().enumerate() {
             // The state may exceed its bound by less than the tolerance.
-            row[column] = M::TABLE[column].bound.nearest(row[column] + self.states[index]);
+            row[column] = M::COLUMNS.bound(column).nearest(row[column] + self.states[index]);
         }
         if let Some(energy) = Of::<M>::ENERGY {
             row[energy] += self.work;
@@ -533,7 +533,7 @@ impl Chord {
         chord.power = energy(&here);
         for (index, column) in Of::<M>::STATES.iter().enumerate() {
             let value = row_of(model)[column];
-            let shortest = SHORTEST_CHORD * value.abs().max(M::TABLE[column].nominal);
+            let shortest = SHORTEST_CHORD * value.abs().max(M::COLUMNS.nominal(column));
             let reach = if guess[index].abs() > shortest { guess[index] } else { shortest };
             row_of_mut(model)[column] = value + reach;
             let there = rate(model);
@@ -580,7 +580,7 @@ pub(crate) fn set_inputs<M: Model>(model: &mut M, begin: &M, slope: &M, time: f6
         let value = first + change;
         // By rounding, a ramp to a bound may end beyond it, and a ramp to zero may miss it.
         let is_rounding = value.abs() <= 4.0 * f64::EPSILON * change.abs();
-        row_of_mut(model)[column] = if is_rounding { 0.0 } else { M::TABLE[column].bound.nearest(value) };
+        row_of_mut(model)[column] = if is_rounding { 0.0 } else { M::COLUMNS.bound(column).nearest(value) };
     }
 }
 

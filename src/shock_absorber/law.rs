@@ -4,7 +4,7 @@
 //! law can be chosen here without any further code.
 
 pub use crate::model::Evaluate;
-use crate::model::{Columns, Fault, Path};
+use crate::model::{Columns, Fault, Path, Table};
 use crate::number::Real;
 use crate::shock_absorber::law_list::{COUNT, GIVENS, LAWS};
 use crate::shock_absorber::law_parameters::LawParameters;
@@ -24,6 +24,9 @@ pub(crate) struct Given<T> {
     /// Largest force of the contact at rest.
     pub largest: T,
 }
+
+/// The parameters of all laws.
+static PARAMETERS: Table = crate::packed!(LawParameters::TABLE);
 
 /// Positions among [`Given::values`].
 const VELOCITY: usize = 0;
@@ -153,7 +156,7 @@ impl ChosenLaw {
     /// Writes the initial state of the law; the other places are left as they are.
     pub(crate) fn write_start<T: Real>(self, memory: &mut [T; MEMORY]) {
         for (column, place) in self.0.memory.pairs() {
-            memory[place] = T::from(self.0.model.table[column].start);
+            memory[place] = T::from(self.0.model.table.start(column));
         }
     }
 
@@ -175,7 +178,7 @@ impl ChosenLaw {
         self.on_row(|row| {
             self.fill(row, given, parameters, &self.start());
             for (column, _) in self.0.parameters.pairs() {
-                let (variable, value) = (&self.0.model.table[column], row[column]);
+                let (variable, value) = (&self.0.model.table.at(column), row[column]);
                 if !variable.admits(value) {
                     return Err(named(variable.fault(value)));
                 }
@@ -186,16 +189,17 @@ impl ChosenLaw {
 
     /// Warns of a shared parameter that was set although this law has its own; names only the first one.
     pub(crate) fn warning(self, parameters: &LawParameters) -> Option<Fault> {
-        let shared = LawParameters::TABLE.iter().zip(&parameters.values);
-        let mut changed = shared.filter(|(variable, value)| **value != variable.start);
+        let shared = parameters.values.iter().enumerate();
+        let changed = shared.filter(|(place, value)| **value != PARAMETERS.start(*place));
+        let mut changed = changed.map(|(place, value)| (PARAMETERS.at(place).path, value));
         let has_own = |path: &Path| {
             let is_own = |(column, place): (usize, usize)| {
-                self.0.model.table[column].path.is(path) && !LawParameters::TABLE[place].path.is(path)
+                self.0.model.table.at(column).path.is(path) && !PARAMETERS.at(place).path.is(path)
             };
             self.0.parameters.pairs().any(is_own)
         };
-        let (variable, value) = changed.find(|(variable, _)| has_own(&variable.path))?;
-        let (name, law) = (variable.path, self.0.model.name);
+        let (name, value) = changed.find(|(path, _)| has_own(path))?;
+        let law = self.0.model.name;
         let text = format_args!("has no effect on friction.model = {law}: set friction.{law}.{name}");
         Some(Fault::new(format_args!("friction.{name} = {value} {text}")))
     }
@@ -269,7 +273,7 @@ impl ChosenLaw {
             row[column] = memory[place];
         }
         for (column, _) in self.0.starts.pairs() {
-            row[column] = T::from(self.0.model.table[column].start);
+            row[column] = T::from(self.0.model.table.start(column));
         }
         self.slip(row, given, parameters);
     }
@@ -339,8 +343,8 @@ const RELEASE_TIME: f64 = 1e-3;
 pub(crate) const MOST_EVENTS: usize = {
     let (mut most, mut at) = (0, 0);
     while at < COUNT {
-        if LAWS[at].event_indicators > most {
-            most = LAWS[at].event_indicators;
+        if LAWS[at].model.event_indicators > most {
+            most = LAWS[at].model.event_indicators;
         }
         at += 1;
     }

@@ -2,20 +2,33 @@
 //!
 //! They are those models of friction that are scalar, so that a new law can be chosen without any further code.
 
-use crate::friction::MODELS;
+use crate::friction::{MODELS, TABLES};
 use crate::model::{Enumeration, Item, ModelType, Variable};
 use crate::unit::same;
 
+/// A law with its table as it was declared.
+#[derive(Clone, Copy)]
+pub(super) struct Declared {
+    pub(super) model: &'static ModelType,
+    pub(super) table: &'static [Variable],
+}
+
+impl Declared {
+    const fn of(place: usize) -> Declared {
+        Declared { model: &MODELS[place], table: TABLES[place] }
+    }
+}
+
 /// Whether the law is one along a line.
-const fn is_scalar(model: &ModelType) -> bool {
-    column(model, "velocity").is_some() && column(model, "friction_force").is_some()
+const fn is_scalar(law: Declared) -> bool {
+    column(law, "velocity").is_some() && column(law, "friction_force").is_some()
 }
 
 /// Column named `name`, not within a part.
-pub(super) const fn column(model: &ModelType, name: &str) -> Option<usize> {
+pub(super) const fn column(law: Declared, name: &str) -> Option<usize> {
     let mut at = 0;
-    while at < model.table.len() {
-        let segments = model.table[at].path.segments();
+    while at < law.table.len() {
+        let segments = law.table[at].path.segments();
         if segments.len() == 1 && same(segments[0].name, name) {
             return Some(at);
         }
@@ -28,19 +41,19 @@ pub(super) const fn column(model: &ModelType, name: &str) -> Option<usize> {
 pub(super) const COUNT: usize = {
     let (mut count, mut at) = (0, 0);
     while at < MODELS.len() {
-        count += is_scalar(&MODELS[at]) as usize;
+        count += is_scalar(Declared::of(at)) as usize;
         at += 1;
     }
     count
 };
 
 /// The laws, in the order of the catalogue.
-pub(super) const LAWS: [&ModelType; COUNT] = {
-    let mut laws = [&MODELS[0]; COUNT];
+pub(super) const LAWS: [Declared; COUNT] = {
+    let mut laws = [Declared::of(0); COUNT];
     let (mut count, mut at) = (0, 0);
     while at < MODELS.len() {
-        if is_scalar(&MODELS[at]) {
-            laws[count] = &MODELS[at];
+        if is_scalar(Declared::of(at)) {
+            laws[count] = Declared::of(at);
             count += 1;
         }
         at += 1;
@@ -55,7 +68,7 @@ static ITEMS: [Item; COUNT + 1] = {
     let mut items = [const { Item { name: "None", help: "No friction." } }; COUNT + 1];
     let mut at = 0;
     while at < COUNT {
-        items[at + 1] = Item { name: LAWS[at].name, help: LAWS[at].summary };
+        items[at + 1] = Item { name: LAWS[at].model.name, help: LAWS[at].model.summary };
         at += 1;
     }
     items
@@ -66,7 +79,7 @@ pub(crate) const LUGRE: i32 = position("LuGre") as i32 + 2;
 
 pub(super) const fn position(name: &str) -> usize {
     let mut at = 0;
-    while !same(LAWS[at].name, name) {
+    while !same(LAWS[at].model.name, name) {
         at += 1;
     }
     at

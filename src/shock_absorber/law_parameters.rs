@@ -1,7 +1,7 @@
 //! Parameters of all friction laws, as offered by a contact.
 
-use crate::model::{Columns, ModelType, Path, Segment, Variable, Width};
-use crate::shock_absorber::law_list::{LAWS, given, position};
+use crate::model::{Columns, Path, Segment, Variable, Width};
+use crate::shock_absorber::law_list::{Declared, LAWS, given, position};
 use crate::unit::same;
 
 /// Largest number of Maxwell-slip elements of a law here.
@@ -13,7 +13,7 @@ const fn is_offered(variable: &Variable) -> bool {
 }
 
 /// Start value of the shared parameter of that name: that of LuGre, otherwise of the first law that has it.
-const fn shared_start(laws: &[&ModelType], path: &Path) -> Option<f64> {
+const fn shared_start(laws: &[Declared], path: &Path) -> Option<f64> {
     let mut at = 0;
     while at <= laws.len() {
         let table = if at == 0 { laws[position("LuGre")].table } else { laws[at - 1].table };
@@ -31,7 +31,7 @@ const fn shared_start(laws: &[&ModelType], path: &Path) -> Option<f64> {
 
 /// Whether the law needs its own parameter of that name, because its default differs from the shared one. Variants of
 /// different laws are different choices under one name.
-const fn is_own(laws: &[&ModelType], variable: &Variable) -> bool {
+const fn is_own(laws: &[Declared], variable: &Variable) -> bool {
     let differs = match shared_start(laws, &variable.path) {
         Some(start) => start != variable.start,
         None => false,
@@ -44,13 +44,13 @@ const STRIBECK_VELOCITY: &str = "Speed at which the excess of static over kineti
                                  where the curve is a fraction (Armstrong, HessSoom, PoppStelter).";
 
 /// Parameter of a law as offered here; `None` if it is not offered.
-const fn offered(laws: &[&ModelType], law: &ModelType, variable: &Variable) -> Option<Variable> {
+const fn offered(laws: &[Declared], law: Declared, variable: &Variable) -> Option<Variable> {
     if !is_offered(variable) {
         return None;
     }
     let mut offered = *variable;
     if is_own(laws, variable) {
-        offered.path = variable.path.within(Segment { name: law.name, index: 0 });
+        offered.path = variable.path.within(Segment { name: law.model.name, index: 0 });
     }
     if same(variable.path.segments()[0].name, "element_count") {
         offered.bound = variable.bound.up_to(ELEMENTS as f64);
@@ -63,7 +63,7 @@ const fn offered(laws: &[&ModelType], law: &ModelType, variable: &Variable) -> O
 
 /// The parameters of all laws: one for all laws with the same default, and one of its own for each law with another
 /// default, so that a law starts here as it does alone.
-const fn merge(laws: &[&ModelType]) -> ([Variable; MOST_PARAMETERS], usize) {
+const fn merge(laws: &[Declared]) -> ([Variable; MOST_PARAMETERS], usize) {
     let mut merged = [crate::model::BLANK; MOST_PARAMETERS];
     let mut count = add_parameters(&mut merged, 0, laws, laws[position("LuGre")]);
     let mut at = 0;
@@ -78,8 +78,8 @@ const fn merge(laws: &[&ModelType]) -> ([Variable; MOST_PARAMETERS], usize) {
 const fn add_parameters(
     merged: &mut [Variable; MOST_PARAMETERS],
     mut count: usize,
-    laws: &[&ModelType],
-    law: &ModelType,
+    laws: &[Declared],
+    law: Declared,
 ) -> usize {
     let mut at = 0;
     while at < law.table.len() {
@@ -147,7 +147,7 @@ unsafe impl Columns for LawParameters {
 }
 
 /// Place of a law's parameter among those of all laws; `None` if it is not offered.
-pub(super) const fn place_of(law: &ModelType, variable: &Variable) -> Option<u16> {
+pub(super) const fn place_of(law: Declared, variable: &Variable) -> Option<u16> {
     match offered(&LAWS, law, variable) {
         Some(offered) => Some(find(&MERGED.0, PARAMETERS, &offered.path) as u16),
         None => None,
@@ -158,7 +158,7 @@ pub(super) const fn place_of(law: &ModelType, variable: &Variable) -> Option<u16
 mod tests {
     use super::*;
     use crate::catalogue;
-    use crate::model::{Law, Model, real};
+    use crate::model::{Law, Model, ModelType, real};
     use crate::reference::{self, Place, References};
 
     crate::model! {
@@ -195,19 +195,20 @@ mod tests {
 
     /// The table of a host of laws, in a library that has one law more, and remembers more.
     fn table_with_newcomer(host: &ModelType) -> Vec<Variable> {
-        let laws: Vec<&ModelType> = LAWS.into_iter().chain([&NEWCOMER]).collect();
+        let newcomer = Declared { model: &NEWCOMER, table: Newcomer::TABLE };
+        let laws: Vec<Declared> = LAWS.into_iter().chain([newcomer]).collect();
         let (merged, count) = merge(&laws);
         let own =
-            |variable: &Variable| LawParameters::TABLE.iter().any(|of_law| is_inside(&variable.path, &of_law.path));
+            |variable: Variable| LawParameters::TABLE.iter().any(|of_law| is_inside(&variable.path, &of_law.path));
         let first = host.table.iter().position(own).expect("parameters of laws");
-        let mut table = host.table[..first].to_vec();
-        let place = host.table[first].path.segments()[0];
+        let mut table = host.table.iter().take(first).collect::<Vec<_>>();
+        let place = host.table.at(first).path.segments()[0];
         table
             .extend(merged[..count].iter().map(|variable| Variable { path: variable.path.within(place), ..*variable }));
-        for variable in &host.table[first + PARAMETERS..] {
-            table.push(*variable);
+        for variable in host.table.iter().skip(first + PARAMETERS) {
+            table.push(variable);
             if variable.is_hidden {
-                table.extend([*variable; 3]);
+                table.extend([variable; 3]);
             }
         }
         table

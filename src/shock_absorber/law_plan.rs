@@ -1,7 +1,7 @@
 //! Where the columns of a law's row come from: worked out for each law while the library is compiled.
 
 use crate::model::{Column, Kind, ModelType, Variable, real};
-use crate::shock_absorber::law_list::{COUNT, GIVENS, LAWS, column, given};
+use crate::shock_absorber::law_list::{COUNT, Declared, GIVENS, LAWS, column, given};
 use crate::shock_absorber::law_parameters::place_of;
 use crate::unit::same;
 
@@ -11,8 +11,8 @@ const fn is_remembered(variable: &Variable) -> bool {
 }
 
 /// Whether an importer that integrates the states itself integrates this one.
-const fn is_moving(law: &ModelType, variable: &Variable) -> bool {
-    law.model_exchange && is_remembered(variable) && variable.is_continuous_state()
+const fn is_moving(law: Declared, variable: &Variable) -> bool {
+    law.model.model_exchange && is_remembered(variable) && variable.is_continuous_state()
 }
 
 /// Largest number of continuous states of a law that supports Model Exchange: they come first in the memory. A discrete
@@ -34,8 +34,8 @@ const MOVING: usize = {
 };
 
 /// First place for the discrete states of a law.
-const fn first_jumping(law: &ModelType) -> usize {
-    if law.model_exchange { MOVING } else { 0 }
+const fn first_jumping(law: Declared) -> usize {
+    if law.model.model_exchange { MOVING } else { 0 }
 }
 
 /// Number of places that suffices for the states of any law.
@@ -152,7 +152,7 @@ static SOURCES: [[Source; WIDEST]; COUNT] = {
     all
 };
 
-const fn sources(law: &ModelType) -> [Source; WIDEST] {
+const fn sources(law: Declared) -> [Source; WIDEST] {
     let mut sources = [Source::Start; WIDEST];
     let (mut moving, mut jumping, mut at) = (0, first_jumping(law), 0);
     while at < law.table.len() {
@@ -247,7 +247,7 @@ const fn plan(at: usize, firsts: [u16; KINDS + 1]) -> Plan {
         column += 1;
     }
     Plan {
-        model: law,
+        model: law.model,
         given: givens,
         parameters: Links(firsts[0], firsts[1]),
         memory: Links(firsts[1], firsts[2]),
@@ -262,7 +262,7 @@ const fn plan(at: usize, firsts: [u16; KINDS + 1]) -> Plan {
     }
 }
 
-const fn named(law: &ModelType, name: &str) -> usize {
+const fn named(law: Declared, name: &str) -> usize {
     column(law, name).expect("every law has a force, says whether it sticks and counts its energy")
 }
 
@@ -286,7 +286,7 @@ const fn is_carried_force(variable: &Variable) -> bool {
     is_force && is_remembered(variable) && variable.is_continuous_state()
 }
 
-const fn carrier(law: &ModelType) -> Carrier {
+const fn carrier(law: Declared) -> Carrier {
     let mut at = 0;
     while at < law.table.len() {
         if is_carried_force(&law.table[at]) {

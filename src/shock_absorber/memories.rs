@@ -26,6 +26,16 @@ pub(super) type Memories<'a, T> = [&'a [T; MEMORY]; 2];
 const PROBE_SETTING: f64 = 1e-6;
 const SMALL: f64 = 1e-3;
 
+/// Which columns of a setting are real numbers.
+static ARE_REAL: [bool; Setting::TABLE.len()] = {
+    let (mut are_real, mut column) = ([false; Setting::TABLE.len()], 0);
+    while column < are_real.len() {
+        are_real[column] = matches!(Setting::TABLE[column].kind, Kind::Real(_));
+        column += 1;
+    }
+    are_real
+};
+
 impl Setting {
     /// States of a contact after a while at this motion.
     #[inline(never)]
@@ -46,8 +56,8 @@ impl Setting {
     /// Keeps only the slopes of real numbers. Returns the largest one, relative to the sizes of the numbers.
     fn keep_those_of_reals(&mut self, setting: &Setting) -> f64 {
         let mut fastest = 0f64;
-        for ((slope, value), variable) in row_of_mut(self).iter_mut().zip(row_of(setting)).zip(Setting::TABLE) {
-            if !matches!(variable.kind, Kind::Real(_)) {
+        for ((slope, value), is_real) in row_of_mut(self).iter_mut().zip(row_of(setting)).zip(&ARE_REAL) {
+            if !is_real {
                 *slope = 0.0;
             }
             fastest = fastest.max(slope.abs() / value.abs().max(SMALL));

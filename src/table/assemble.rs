@@ -21,8 +21,7 @@ pub const fn place_all<const N: usize>(
     assert!(N <= u16::MAX as usize, "too many elements");
     let mut index = 0;
     while index < N {
-        let place = Segment { name, index: index as u16 + 1 };
-        let path = Path { segments: [place; Path::DEPTH], depth: 1 };
+        let path = Path::NONE.within(Segment { name, index: index as u16 + 1 });
         table[at + index] = columns[index].named(path, role, help);
         index += 1;
     }

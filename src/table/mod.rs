@@ -3,6 +3,7 @@
 mod assemble;
 mod bound;
 mod fault;
+mod packed;
 mod path;
 mod port;
 mod variable;
@@ -11,6 +12,7 @@ pub use assemble::{BLANK, Starts, graft, graft_all, graft_one_with, graft_with, 
 pub use bound::Bound;
 pub(crate) use bound::Brief;
 pub use fault::Fault;
+pub use packed::{Packed, Parts, Pool, Table, Variables};
 pub use path::{Path, Segment};
 pub use port::{Computed, Port, ports};
 pub use variable::{BaseType, Column, Enumeration, Item, Kind, Role, Variable, boolean, choice, integer, real};

@@ -24,9 +24,11 @@ impl Path {
     /// Maximum depth of nested parts.
     pub(super) const DEPTH: usize = 4;
 
+    pub(super) const NONE: Path = Path { segments: [Segment { name: "", index: 0 }; Path::DEPTH], depth: 0 };
+
     /// The name of a column outside any part.
     pub const fn root(name: &'static str) -> Path {
-        Path { segments: [Segment { name, index: 0 }; Path::DEPTH], depth: 1 }
+        Path::NONE.within(Segment { name, index: 0 })
     }
 
     /// Its steps, outermost first.
@@ -63,7 +65,8 @@ impl Path {
     /// This name inside a part.
     pub(crate) const fn within(&self, part: Segment) -> Path {
         assert!(self.depth < Path::DEPTH, "parts are nested too deeply");
-        let mut path = Path { segments: [part; Path::DEPTH], depth: self.depth + 1 };
+        let mut path = Path { depth: self.depth + 1, ..Path::NONE };
+        path.segments[0] = part;
         let mut at = 0;
         while at < self.depth {
             path.segments[at + 1] = self.segments[at];

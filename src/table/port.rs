@@ -13,6 +13,17 @@ pub enum Computed {
     All,
 }
 
+impl Computed {
+    /// Outputs that must be computed before a column of that role can be read.
+    pub(super) const fn before(role: Role, is_advice: bool) -> Computed {
+        match role {
+            Role::Output if is_advice => Computed::All,
+            Role::Output => Computed::Main,
+            _ => Computed::Nothing,
+        }
+    }
+}
+
 /// The per-column facts that get and set need on every step, packed for the cache.
 #[derive(Clone, Copy, Debug)]
 pub struct Port {

@@ -303,11 +303,7 @@ impl Variable {
 
     /// Outputs that must be computed before the column can be read.
     pub const fn needs(&self) -> Computed {
-        match self.role {
-            Role::Output if self.is_advice => Computed::All,
-            Role::Output => Computed::Main,
-            _ => Computed::Nothing,
-        }
+        Computed::before(self.role, self.is_advice)
     }
 
     /// Rejects values that steps do not admit, with the message for the user.

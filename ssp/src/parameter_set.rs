@@ -127,7 +127,7 @@ impl ParameterSet {
         let mut row: Vec<f64> = model.table.iter().map(|variable| variable.start).collect();
         let mut given = vec![false; row.len()];
         for &(column, value) in &values {
-            let variable = &model.table[column];
+            let variable = &model.table.at(column);
             if given[column] {
                 return Err(SetError::Twice(variable.path.to_string()));
             }
@@ -161,8 +161,8 @@ impl ParameterSet {
     }
 
     /// The variables with their values, in the order in which they were given.
-    pub fn values(&self) -> impl Iterator<Item = (&'static Variable, f64)> {
-        self.values.iter().map(|(column, value)| (&self.model.table[*column], *value))
+    pub fn values(&self) -> impl Iterator<Item = (Variable, f64)> {
+        self.values.iter().map(|(column, value)| (self.model.table.at(*column), *value))
     }
 
     /// The value that the set has for a variable.
@@ -174,7 +174,7 @@ impl ParameterSet {
     pub fn starts<const N: usize>(model: &'static ModelType, names: [&str; N]) -> Result<[f64; N], SetError> {
         let mut starts = [0.0; N];
         for (start, name) in starts.iter_mut().zip(names) {
-            *start = model.table[settable(model, name)?].start;
+            *start = model.table.at(settable(model, name)?).start;
         }
         Ok(starts)
     }
@@ -184,7 +184,7 @@ impl ParameterSet {
         let mut table = String::from("variable,value,unit\n");
         for (variable, value) in self.values() {
             // Names, numbers and units contain neither commas nor quotes.
-            table += &format!("{},{},{}\n", variable.path, text_of(variable, value), unit_name(variable));
+            table += &format!("{},{},{}\n", variable.path, text_of(&variable, value), unit_name(&variable));
         }
         table
     }
@@ -204,7 +204,7 @@ impl ParameterSet {
         for line in reader.deserialize() {
             let Line { variable, value, unit } = line?;
             let column = settable(model, &variable)?;
-            values.push((column, value_of(&model.table[column], &value, &unit)?));
+            values.push((column, value_of(&model.table.at(column), &value, &unit)?));
         }
         ParameterSet::of_columns(model, name, values)
     }
@@ -261,7 +261,7 @@ impl Form {
 fn settable(model: &'static ModelType, name: &str) -> Result<usize, SetError> {
     let unknown = || SetError::Unknown { model: model.name, name: name.to_owned() };
     let column = model.find(name).ok_or_else(unknown)?;
-    if !Phase::Setup.admits(&model.table[column]) {
+    if !Phase::Setup.admits(&model.table.at(column)) {
         return Err(SetError::Computed { model: model.name, name: name.to_owned() });
     }
     Ok(column)
@@ -278,7 +278,7 @@ pub fn text_of(variable: &Variable, value: f64) -> String {
 
 /// The number of a choice of a variable, by its name.
 pub fn choice(model: &'static ModelType, name: &str, choice: &str) -> Result<f64, SetError> {
-    value_of(&model.table[settable(model, name)?], choice, "")
+    value_of(&model.table.at(settable(model, name)?), choice, "")
 }
 
 /// Name of the unit; none if the value is not a physical quantity.

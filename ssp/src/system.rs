@@ -74,7 +74,7 @@ pub enum SystemError {
 }
 
 /// A variable with its unit.
-type Quantity = (&'static Variable, &'static Unit);
+type Quantity = (Variable, &'static Unit);
 
 /// A variable of a component.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -113,7 +113,7 @@ impl System {
             if input.role != Role::Input {
                 return Err(SystemError::Input(to.clone()));
             }
-            if unit_of(output).is_none() || output.kind != input.kind {
+            if unit_of(&output).is_none() || output.kind != input.kind {
                 return Err(SystemError::Unit { from: from.variable.clone(), to: to.variable.clone() });
             }
             if !connected.insert(to) {
@@ -123,11 +123,11 @@ impl System {
         Ok(())
     }
 
-    fn variable(&self, port: &Port) -> Result<&'static Variable, SystemError> {
+    fn variable(&self, port: &Port) -> Result<Variable, SystemError> {
         let component = self.components.iter().find(|component| component.name == port.component);
         let model = component.ok_or_else(|| SystemError::Component(port.component.clone()))?.model()?;
         let unknown = || SystemError::Variable { model: model.name, name: port.variable.clone() };
-        Ok(&model.table[model.find(&port.variable).ok_or_else(unknown)?])
+        Ok(model.table.at(model.find(&port.variable).ok_or_else(unknown)?))
     }
 
     /// Connected inputs, and all outputs that are physical quantities: those not connected can still be observed.
@@ -138,7 +138,7 @@ impl System {
         };
         let table = component.model()?.table.iter();
         let ports = table.filter(move |variable| variable.role.is_output() || is_connected(variable));
-        Ok(ports.filter_map(|variable| Some((variable, unit_of(variable)?))))
+        Ok(ports.filter_map(|variable| Some((variable, unit_of(&variable)?))))
     }
 }
 

@@ -142,7 +142,7 @@ fn a_loaded_contact_without_dry_friction_is_a_damper() {
     for model in friction_models().filter(is_damped) {
         let mut bench = Bench::new(model.name, &[("normal_force", 10.0), ("viscous_coefficient", 3.0)]);
         for name in ["mu_s", "mu_k"] {
-            if model.find(name).is_some_and(|column| model.table[column].admits(0.0)) {
+            if model.find(name).is_some_and(|column| model.table.at(column).admits(0.0)) {
                 bench.set(name, 0.0);
             }
         }

@@ -52,7 +52,7 @@ fn an_event_without_load_releases_the_contact() {
 fn a_solver_keeps_no_force_that_a_step_drops() {
     let mut refusing = Vec::new();
     for model in friction_models().filter(|model| model.model_exchange) {
-        let Some(mu_k) = model.find("mu_k").filter(|column| model.table[*column].admits(0.0)) else { continue };
+        let Some(mu_k) = model.find("mu_k").filter(|column| model.table.at(*column).admits(0.0)) else { continue };
         let mut bench = Bench::new(model.name, &[]);
         let axes = axes(&bench);
         set_velocity(&mut bench, 0.01);

@@ -31,13 +31,14 @@ fn pick(random: &mut Random, values: &[f64]) -> f64 {
 /// Parameter sets: the defaults, each parameter at each end and in the middle of its range, and random mixtures.
 fn parameter_sets(model: &'static ModelType) -> Vec<Vec<(usize, f64)>> {
     let mut sets = vec![Vec::new()];
-    let parameters: Vec<usize> = (0..model.table.len()).filter(|c| model.table[*c].role.is_parameter()).collect();
+    let parameters: Vec<usize> = (0..model.table.len()).filter(|c| model.table.at(*c).role.is_parameter()).collect();
     for column in &parameters {
-        sets.extend(candidates(&model.table[*column]).into_iter().map(|value| vec![(*column, value)]));
+        sets.extend(candidates(&model.table.at(*column)).into_iter().map(|value| vec![(*column, value)]));
     }
     let mut random = Random(7);
     for _ in 0..200 {
-        let mixture = parameters.iter().map(|column| (*column, pick(&mut random, &candidates(&model.table[*column]))));
+        let mixture =
+            parameters.iter().map(|column| (*column, pick(&mut random, &candidates(&model.table.at(*column)))));
         sets.push(mixture.collect());
     }
     sets.retain(|set| {
@@ -68,7 +69,7 @@ fn apply(bench: &mut Bench, set: &[(usize, f64)]) {
 
 fn describe(model: &ModelType, set: &[(usize, f64)]) -> String {
     let set: Vec<String> =
-        set.iter().map(|(column, value)| format!("{} = {value}", model.table[*column].path)).collect();
+        set.iter().map(|(column, value)| format!("{} = {value}", model.table.at(*column).path)).collect();
     format!("{} with {}", model.name, set.join(", "))
 }
 

@@ -139,7 +139,7 @@ fn ramps_always_end() {
 fn reset_is_fresh_and_restored_is_the_same_future() {
     for model in catalogue::models() {
         let fresh = Bench::new(model.name, &[]).instance.save();
-        let inputs: Vec<usize> = (0..model.table.len()).filter(|c| model.table[*c].role == Role::Input).collect();
+        let inputs: Vec<usize> = (0..model.table.len()).filter(|c| model.table.at(*c).role == Role::Input).collect();
         let mut bench = Bench::new(model.name, &[]);
         if bench.has("external_force") && bench.has("mass") && inputs.len() == 3 {
             bench.set("mass", 1.0);
@@ -148,9 +148,9 @@ fn reset_is_fresh_and_restored_is_the_same_future() {
             let mut random = Random(seed);
             for step in 0..1000 {
                 for column in &inputs {
-                    let start = model.table[*column].start;
+                    let start = model.table.at(*column).start;
                     let value = start + 0.01 * random.signed();
-                    let value = if model.table[*column].admits(value) { value } else { 2.0 * start - value };
+                    let value = if model.table.at(*column).admits(value) { value } else { 2.0 * start - value };
                     bench.instance.set_column(*column, value).unwrap();
                     if step % 7 == 0 {
                         bench.instance.set_slope(*column, 1e-3 * random.next()).unwrap();

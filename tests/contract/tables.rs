@@ -11,7 +11,7 @@ use stribeck::model::{Role, Variable};
 /// of the Stribeck velocity gives the fraction of its own law.
 #[test]
 fn equal_names_mean_equal_things() {
-    let mut seen: HashMap<String, (&str, &Variable)> = HashMap::new();
+    let mut seen: HashMap<String, (&str, Variable)> = HashMap::new();
     for model in friction_models() {
         for variable in model.table {
             let name = variable.path.to_string();
@@ -32,7 +32,7 @@ fn equal_names_mean_equal_things() {
 #[test]
 fn every_friction_model_has_the_common_columns() {
     for model in friction_models() {
-        let role = |name: &str| model.find(name).map(|column| model.table[column].role);
+        let role = |name: &str| model.find(name).map(|column| model.table.at(column).role);
         let axes = axes(&Bench::new(model.name, &[]));
         assert!([1, 2, 3].contains(&axes.len()), "{}", model.name);
         for input in axes.iter().map(|(velocity, ..)| *velocity).chain(["normal_force"]) {
@@ -42,7 +42,7 @@ fn every_friction_model_has_the_common_columns() {
             assert_eq!(role(output), Some(Role::Output), "{} {output}", model.name);
         }
         assert_eq!(role("dissipated_energy"), Some(Role::StateOutput), "{}", model.name);
-        let start = model.find("normal_force").map(|column| model.table[column].start);
+        let start = model.find("normal_force").map(|column| model.table.at(column).start);
         assert_eq!(start, Some(9.81), "{}: m g of the benchmark", model.name);
     }
 }
@@ -67,7 +67,7 @@ fn presets_are_valid_parameter_sets_with_a_source() {
             assert!(!preset.source.is_empty() && preset.source.is_ascii(), "{} {}", model.name, preset.name);
             let mut bench = Bench::new(model.name, &[]);
             for (name, value) in preset.values {
-                let variable = &model.table[bench.column(name)];
+                let variable = &model.table.at(bench.column(name));
                 assert!(variable.admits(*value), "{} {}: {name} = {value}", model.name, preset.name);
                 assert_ne!(variable.role, Role::Output, "{} {}: {name}", model.name, preset.name);
             }

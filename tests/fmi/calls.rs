@@ -17,9 +17,9 @@ use stribeck_ffi::fmi2::types::*;
 use stribeck_ffi::fmi2::values::*;
 
 /// The variable of a value reference.
-fn variable_of(model: &ModelType, reference: fmi2ValueReference) -> Option<&'static Variable> {
+fn variable_of(model: &ModelType, reference: fmi2ValueReference) -> Option<Variable> {
     match model.place(reference) {
-        Some(Place::Column(column)) => Some(&model.table[column]),
+        Some(Place::Column(column)) => Some(model.table.at(column)),
         _ => None,
     }
 }

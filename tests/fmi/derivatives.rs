@@ -146,7 +146,7 @@ fn derivatives_are_the_changes_over_short_steps() {
         for (state, rate) in states.iter().zip(&rates) {
             let change = (row[*state] - begin[*state]) / dt;
             let rounding = 4.0 * f64::EPSILON * begin[*state].abs() / dt;
-            let (name, nominal) = (model.table[*state].path.to_string(), model.table[*state].nominal);
+            let (name, nominal) = (model.table.at(*state).path.to_string(), model.table.at(*state).nominal);
             // Without a stiffness in series the piston follows the strut at once, and its state has no meaning.
             if name == "piston_velocity" {
                 continue;

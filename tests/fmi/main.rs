@@ -31,7 +31,7 @@ impl Importer {
     /// The continuous states, of an instance for Model Exchange.
     fn states(&self) -> Vec<f64> {
         let model = catalogue::by_name(self.model).expect("a model");
-        model.continuous_states().map(|column| model.table[column].start).collect()
+        model.continuous_states().map(|column| model.table.at(column).start).collect()
     }
 
     /// fmi2EnterInitializationMode needs an experiment; in the state Instantiated the matrix sets one up.

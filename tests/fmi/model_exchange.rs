@@ -90,7 +90,7 @@ fn features_of_steps_only_are_rejected_by_name() {
     assert_eq!(coulomb.set("mass", 1.0), fmi2OK);
     let model = catalogue::by_name("ShockAbsorber").expect("the strut");
     let column = model.find("friction.model").expect("its law");
-    let Kind::Enumeration(laws) = model.table[column].kind else { panic!("the laws are choices") };
+    let Kind::Enumeration(laws) = model.table.at(column).kind else { panic!("the laws are choices") };
     let bristle = laws.items.iter().position(|law| law.name == "Bristle").expect("a law of random bonds") as i32 + 1;
     // SAFETY: one reference, one value; instances of this test.
     unsafe {

@@ -196,7 +196,7 @@ fn states_beyond_their_bounds_are_saved_too() {
     let importer = Importer::in_state_of("Gonthier", Purpose::ModelExchange, State::ContinuousTimeMode);
     let model = catalogue::by_name("Gonthier").expect("a model");
     let mut states = importer.states();
-    let dwell = model.continuous_states().position(|column| model.table[column].path.to_string() == "dwell");
+    let dwell = model.continuous_states().position(|column| model.table.at(column).path.to_string() == "dwell");
     states[dwell.expect("a state")] = 1.0 + 1e-9;
     // SAFETY: an instance of this test, as many states and bytes as given, states that are freed once.
     unsafe {

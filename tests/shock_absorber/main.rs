@@ -29,7 +29,7 @@ fn strut(set: Values) -> Bench {
 /// Numbers and names of the friction laws.
 fn laws() -> impl Iterator<Item = (f64, &'static str)> {
     let variable = strut(&[]).column("friction.model");
-    let Kind::Enumeration(laws) = by_name("ShockAbsorber").unwrap().table[variable].kind else { panic!() };
+    let Kind::Enumeration(laws) = by_name("ShockAbsorber").unwrap().table.at(variable).kind else { panic!() };
     laws.items.iter().enumerate().map(|(at, law)| (at as f64 + 1.0, law.name))
 }
 

@@ -291,13 +291,14 @@ impl From<OutOfMemory> for NoModel {
 }
 
 fn make(model: &'static ModelType) -> Result<Box<stribeck_model>, NoModel> {
-    let texts = memory::each(model.table, |variable| {
+    let texts = memory::each(model.table.iter(), |variable| {
         let unit = if let Kind::Real(unit) = variable.kind { unit.name } else { "" };
         let name = memory::c_text(&memory::whole_text(variable.path)?)?;
         Ok([name, memory::c_text(unit)?, memory::c_text(variable.help)?])
     })?;
-    let presets =
-        memory::each(model.presets, |preset| Ok([memory::c_text(preset.name)?, memory::c_text(preset.source)?]))?;
+    let presets = memory::each(model.presets.iter(), |preset| {
+        Ok([memory::c_text(preset.name)?, memory::c_text(preset.source)?])
+    })?;
     let nothing = Cow::Borrowed(c"");
     let (error, warning) = (nothing.clone(), nothing);
     Ok(memory::boxed(stribeck_model { instance: Instance::try_new(model)?, texts, presets, error, warning })?)
@@ -409,7 +410,7 @@ pub unsafe extern "C" fn stribeck_describe(
 ) -> stribeck_status {
     let body = |model: &mut stribeck_model| {
         let column = model.instance.column(reference)?;
-        let known = &model.instance.model().table[column];
+        let known = &model.instance.model().table.at(column);
         // Without events no other value is accepted: see `check_for_steps`.
         let (min, max) = match known.is_settled_by_events() {
             true => (known.start, known.start),
@@ -633,7 +634,7 @@ pub unsafe extern "C" fn stribeck_derivative(
     let body = |model: &mut stribeck_model| {
         let (output, input) = (model.instance.column(output)?, model.instance.column(input)?);
         let table = model.instance.model().table;
-        let (result, varied) = (&table[output], &table[input]);
+        let (result, varied) = (table.at(output), table.at(input));
         if !result.role.is_output() || varied.role == Role::Output {
             let text = format_args!("{} cannot be differentiated with respect to {}", result.path, varied.path);
             return refuse(STRIBECK_UNKNOWN_VARIABLE, text);

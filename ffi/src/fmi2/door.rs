@@ -124,9 +124,7 @@ impl Slave {
         match refused {
             Refused::Value(fault) => Refusal::Discard(fault.0),
             Refused::NotFinite(fault) => self.out_of_domain(fault),
-            Refused::NotNow(variable) => {
-                Refusal::error(format_args!("{} cannot be set in state {:?}", variable.path, self.state))
-            }
+            Refused::NotNow(path) => Refusal::error(format_args!("{path} cannot be set in state {:?}", self.state)),
             Refused::Unknown(fault) | Refused::NotSettable(fault) => Refusal::Error(fault.0),
         }
     }

@@ -207,7 +207,7 @@ pub unsafe extern "C-unwind" fn fmi2GetNominalsOfContinuousStates(
         let values = unsafe { array_mut(x_nominal, nx, "x_nominal") }?;
         let table = slave.instance.model().table;
         for (value, column) in values.iter_mut().zip(slave.instance.continuous_states()) {
-            *value = table[*column].nominal;
+            *value = table.nominal(*column);
         }
         Ok(())
     };

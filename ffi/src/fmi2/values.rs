@@ -71,19 +71,19 @@ impl Slave {
     /// The column of a value reference; an error if it is of another type, or if there is none.
     fn column<B: Base>(&self, reference: fmi2ValueReference) -> Result<usize, Refusal> {
         match self.place(reference) {
-            Some(Place::Column(column)) if self.variable(column).kind.base_type() == B::TYPE => Ok(column),
+            Some(Place::Column(column)) if self.instance.model().table.base_type(column) == B::TYPE => Ok(column),
             _ => Err(wrong_reference(self, reference, B::TYPE)),
         }
     }
 
-    fn variable(&self, column: usize) -> &'static Variable {
-        &self.instance.model().table[column]
+    fn variable(&self, column: usize) -> Variable {
+        self.instance.model().table.at(column)
     }
 
     /// The results that must follow the other columns before these variables can be read.
     fn needs(&self, references: &[fmi2ValueReference]) -> Computed {
         let needs = |reference: &fmi2ValueReference| match self.place(*reference) {
-            Some(Place::Column(column)) => self.variable(column).needs(),
+            Some(Place::Column(column)) => self.instance.model().table.needs(column),
             _ => Computed::Nothing,
         };
         references.iter().map(needs).max().unwrap_or(Computed::Nothing)
@@ -433,7 +433,7 @@ pub unsafe extern "C-unwind" fn fmi2GetRealOutputDerivatives(
         let derivative = slave.instance.time_derivative();
         let columns = || references.iter().filter_map(|reference| column_of(model, *reference));
         if let Some(column) = columns().find(|column| !derivative[*column].slope.is_finite()) {
-            return refuse(format_args!("the derivative of {} is not finite", model.table[column].path));
+            return refuse(format_args!("the derivative of {} is not finite", model.table.at(column).path));
         }
         for ((column, order), value) in columns().zip(orders).zip(values) {
             *value = if *order == 1 { derivative[column].slope } else { 0.0 };

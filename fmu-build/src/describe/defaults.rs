@@ -26,7 +26,7 @@ pub fn with_tables(page: &str) -> Result<String> {
 struct Row {
     /// Name without indices.
     name: String,
-    elements: Vec<&'static Variable>,
+    elements: Vec<Variable>,
 }
 
 fn rows(model: &ModelType) -> Vec<Row> {
@@ -58,7 +58,7 @@ impl Row {
 
     /// The start values; equal ones at the end of an array appear once.
     fn default(&self) -> String {
-        let mut values: Vec<String> = self.elements.iter().map(|variable| text::start(variable)).collect();
+        let mut values: Vec<String> = self.elements.iter().map(text::start).collect();
         let last = values.last().cloned().unwrap_or_default();
         let repeated = values.iter().rev().take_while(|value| **value == last).count();
         if repeated < 2 {
@@ -73,7 +73,7 @@ impl Row {
         match self.elements[0].kind {
             Kind::Enumeration(choices) => names(choices).join(", "),
             Kind::Boolean => "true, false".to_owned(),
-            Kind::Real(_) | Kind::Integer => text::typeset_unit(text::unit(self.elements[0])),
+            Kind::Real(_) | Kind::Integer => text::typeset_unit(text::unit(&self.elements[0])),
         }
     }
 

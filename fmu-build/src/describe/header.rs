@@ -157,8 +157,8 @@ fn write_model(text: &mut String, model: &ModelType, name: &str) -> Result<()> {
     writeln!(text, "/** {}: {}. Variables of \"{}\". */", model.name, model.summary, model.name)?;
     writeln!(text, "typedef enum stribeck_{name}_variable {{")?;
     for (column, variable) in model.variables() {
-        writeln!(text, "{}", comment(variable))?;
-        writeln!(text, "  STRIBECK_{upper}_{} = {},", constant(variable), model.reference(column))?;
+        writeln!(text, "{}", comment(&variable))?;
+        writeln!(text, "  STRIBECK_{upper}_{} = {},", constant(&variable), model.reference(column))?;
     }
     writeln!(text, "}} stribeck_{name}_variable;\n")?;
     Ok(())

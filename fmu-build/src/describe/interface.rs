@@ -157,7 +157,7 @@ pub mod tests {
             let columns = || rows.iter().filter_map(|row| Some((row, model.find(&row.name)?)));
             for (row, column) in columns() {
                 assert_eq!(row.value, model.reference(column).to_string(), "{row:?}");
-                match model.table[column].kind {
+                match model.table.at(column).kind {
                     Kind::Real(unit) => assert_eq!((row.kind.as_str(), row.unit.as_str()), ("Real", unit.name)),
                     Kind::Integer => assert_eq!(row.kind, "Integer"),
                     Kind::Boolean => assert_eq!(row.kind, "Boolean"),

@@ -97,7 +97,7 @@ fn is_summary(text: &str) -> bool {
 
 /// Variables of the same name that measure different things.
 fn differing_variables(models: &[&ModelType]) -> Vec<String> {
-    let mut first: BTreeMap<String, (&ModelType, &Variable)> = BTreeMap::new();
+    let mut first: BTreeMap<String, (&ModelType, Variable)> = BTreeMap::new();
     let mut breaches = Vec::new();
     for (model, variable) in models.iter().flat_map(|model| model.table.iter().map(move |variable| (*model, variable)))
     {

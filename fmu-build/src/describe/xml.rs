@@ -150,7 +150,7 @@ fn units(model: &ModelType) -> BTreeMap<&'static str, &'static Unit> {
         Kind::Real(unit) => Some(unit),
         _ => None,
     });
-    let of_rates = integrated(model).into_iter().filter_map(|state| unit_of_rate(&model.table[state]));
+    let of_rates = integrated(model).into_iter().filter_map(|state| unit_of_rate(&model.table.at(state)));
     of_variables.chain(of_rates).chain([second()]).map(|unit| (unit.name, unit)).collect()
 }
 
@@ -229,8 +229,8 @@ fn model_variables(xml: &mut Xml, model: &ModelType, choices: Choices) -> io::Re
     parent(xml, "ModelVariables", vec![], |xml| {
         for (column, variable) in model.variables() {
             let name = variable.path.to_string();
-            let attributes = scalar_attributes(name, model.reference(column), variable.help, causality(variable));
-            parent(xml, "ScalarVariable", attributes, |xml| declaration(xml, model, variable, choices))?;
+            let attributes = scalar_attributes(name, model.reference(column), variable.help, causality(&variable));
+            parent(xml, "ScalarVariable", attributes, |xml| declaration(xml, model, &variable, choices))?;
         }
         let independent = ["independent", "continuous", ""];
         let attributes = scalar_attributes("time".into(), reference::TIME, "Time.", independent);
@@ -241,7 +241,7 @@ fn model_variables(xml: &mut Xml, model: &ModelType, choices: Choices) -> io::Re
 
 /// The variable behind the independent one that is the time derivative of a state.
 fn derivative(xml: &mut Xml, model: &ModelType, state: usize) -> io::Result<()> {
-    let variable = &model.table[state];
+    let variable = &model.table.at(state);
     let (name, help) = (format!("der({})", variable.path), format!("Time derivative of {}.", variable.path));
     let reference = reference::of_derivative(&variable.path);
     let attributes = scalar_attributes(name, reference, &help, ["local", "continuous", "calculated"]);
@@ -326,16 +326,16 @@ fn model_structure(xml: &mut Xml, model: &ModelType) -> io::Result<()> {
     let columns = model.table.len();
     // An entry without dependencies depends on all.
     let has_elements = dependencies::has_elements(model);
-    let is_input = |column: usize| model.table[column].role == Role::Input;
+    let is_input = |column: usize| model.table.at(column).role == Role::Input;
     let dependencies = dependencies::of(model, |column| !has_elements || is_input(column));
     let states = integrated(model);
-    let outputs: Vec<usize> = (0..columns).filter(|column| model.table[*column].role.is_output()).collect();
+    let outputs: Vec<usize> = (0..columns).filter(|column| model.table.at(*column).role.is_output()).collect();
     parent(xml, "ModelStructure", vec![], |xml| {
         list(xml, "Outputs", &outputs, |xml, output| {
             let inputs = dependencies[output].iter().filter(|column| is_input(**column));
             let of_states = states.iter().filter(|state| {
                 **state == output
-                    || !model.table[output].role.is_state() && has_elements
+                    || !model.table.at(output).role.is_state() && has_elements
                     || dependencies[output].contains(state)
             });
             unknown(xml, model, output, Some(&inputs.chain(of_states).copied().collect()))
@@ -347,7 +347,7 @@ fn model_structure(xml: &mut Xml, model: &ModelType) -> io::Result<()> {
             let known = of_derivative(derivative).iter().filter(is_known).copied().collect();
             unknown(xml, model, derivative, (!has_elements).then_some(&known))
         })?;
-        let calculated = outputs.iter().filter(|output| model.table[**output].role.is_computed());
+        let calculated = outputs.iter().filter(|output| model.table.at(**output).role.is_computed());
         let initial: Vec<usize> = calculated.chain(&derivatives).copied().collect();
         list(xml, "InitialUnknowns", &initial, |xml, column| {
             let known = if column < columns { &dependencies[column] } else { of_derivative(column) };
@@ -501,7 +501,7 @@ mod tests {
             );
             let columns = model.variables().map(|(_, variable)| variable.path.to_string());
             let states = model.continuous_states().filter(|_| model.model_exchange);
-            let derivatives = states.map(|state| format!("der({})", model.table[state].path));
+            let derivatives = states.map(|state| format!("der({})", model.table.at(state).path));
             let names: Vec<String> = columns.chain(["time".to_owned()]).chain(derivatives).collect();
             assert_eq!(variables.len(), names.len());
             assert_unique(variables.iter().map(|(node, _)| text(*node, "valueReference").to_owned()));

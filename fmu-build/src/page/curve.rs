@@ -82,7 +82,7 @@ impl Law {
     pub fn held(&self, name: &str) -> Option<(usize, f64)> {
         let column = self.model.find(name)?;
         let preset = self.preset.and_then(|preset| preset.values.iter().find(|(known, _)| *known == name));
-        Some((column, preset.map_or(self.model.table[column].start, |(_, value)| *value)))
+        Some((column, preset.map_or(self.model.table.at(column).start, |(_, value)| *value)))
     }
 
     /// Whether it has an acceleration as input, because speeding up differs from slowing down.

@@ -71,8 +71,8 @@ fn over_velocity(law: &Law) -> Result<(Figure, f64)> {
     } else {
         branches(steady, &mut lines);
     }
-    let [velocity, force] = [law.velocity, law.force].map(|column| &law.model.table[column]);
-    let axes = [axis(velocity, &lines, 0), axis(force, &lines, 1)];
+    let [velocity, force] = [law.velocity, law.force].map(|column| law.model.table.at(column));
+    let axes = [axis(&velocity, &lines, 0), axis(&force, &lines, 1)];
     Ok((Figure { caption: caption + ".", axes, lines }, range))
 }
 
@@ -83,7 +83,7 @@ fn line(name: &str, style: Style, points: Curve) -> Line {
 /// The other input of all laws, which does not change.
 fn conditions(law: &Law) -> String {
     let Some((column, value)) = law.held("normal_force") else { return String::new() };
-    format!(", normal force {} {}", text::number(value), text::unit(&law.model.table[column]))
+    format!(", normal force {} {}", text::number(value), text::unit(&law.model.table.at(column)))
 }
 
 fn duration(seconds: f64) -> String {
@@ -142,36 +142,36 @@ fn oscillation(law: &Law, range: f64, steady: &Steady) -> Result<Option<(Curve, 
 fn over_displacement(law: &Law, range: f64) -> Result<Option<Figure>> {
     let Some(scale) = law.displacement_scale(range)? else { return Ok(None) };
     let lines = vec![line("", Style::First, law.strokes(scale, range)?)];
-    let force = &law.model.table[law.force];
+    let force = law.model.table.at(law.force);
     let [low, high] = curve::limits([&lines[0].points], 0);
-    let axes = [Axis::length("displacement", low.abs().max(high.abs())), axis(force, &lines, 1)];
+    let axes = [Axis::length("displacement", low.abs().max(high.abs())), axis(&force, &lines, 1)];
     let caption = "Pre-sliding: friction force for slow reciprocating strokes of growing amplitude.".to_owned();
     Ok(Some(Figure { caption, axes, lines }))
 }
 
 fn of_part(model: &'static ModelType) -> Result<Vec<Figure>> {
     let Sweep { across, answer, curve } = sweep::of(model)?;
-    let [across, answer] = [across, answer].map(|column| &model.table[column]);
+    let [across, answer] = [across, answer].map(|column| model.table.at(column));
     let lines = vec![line("", Style::First, curve)];
     let with =
         model.presets.first().map_or(String::new(), |preset| format!(", with the parameter set {}", preset.name));
-    let caption = format!("{} over {} in a cycle{with}.", capitalised(&words(answer)), words(across));
-    let axes = [axis(across, &lines, 0), axis(answer, &lines, 1)];
+    let caption = format!("{} over {} in a cycle{with}.", capitalised(&words(&answer)), words(&across));
+    let axes = [axis(&across, &lines, 0), axis(&answer, &lines, 1)];
     Ok(vec![Figure { caption, axes, lines }])
 }
 
 fn of_host(model: &'static ModelType) -> Result<Vec<Figure>> {
     let Motion { with, states, times, values } = motion::motion(model)?;
-    let states = states.map(|column| &model.table[column]);
+    let states = states.map(|column| model.table.at(column));
     let over_time = |index: usize| {
         let points = times.iter().zip(&values).map(|(time, value)| [*time, value[index]]).collect();
         let lines = vec![line("", Style::First, points)];
-        let axes = [Axis::time(), axis(states[index], &lines, 1)];
-        Figure { caption: format!("{} over time.", capitalised(&words(states[index]))), axes, lines }
+        let axes = [Axis::time(), axis(&states[index], &lines, 1)];
+        Figure { caption: format!("{} over time.", capitalised(&words(&states[index]))), axes, lines }
     };
     let lines = vec![line("", Style::First, values.clone())];
     let caption = format!("Phase portrait, {with}.");
-    let portrait = Figure { caption, axes: [axis(states[0], &lines, 0), axis(states[1], &lines, 1)], lines };
+    let portrait = Figure { caption, axes: [axis(&states[0], &lines, 0), axis(&states[1], &lines, 1)], lines };
     Ok(vec![over_time(0), portrait])
 }
 

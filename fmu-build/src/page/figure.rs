@@ -375,7 +375,7 @@ mod tests {
     #[test]
     fn handy_units_are_chosen() {
         let velocity = stribeck::catalogue::by_name("LuGre").unwrap();
-        let variable = &velocity.table[velocity.find("velocity").unwrap()];
+        let variable = &velocity.table.at(velocity.find("velocity").unwrap());
         assert_eq!(Axis::new("velocity", variable, 5e-3).label(), "velocity in mm/s");
         assert_eq!(Axis::new("velocity", variable, 1.0).label(), "velocity in m/s");
         assert_eq!(Axis::length("displacement", 3e-5).label(), "displacement in \u{b5}m");

@@ -42,7 +42,7 @@ pub fn page(entry: &Entry) -> Result<String> {
 
 /// Whether a preset only repeats the start values.
 fn holds_start_values(model: &ModelType, preset: &Preset) -> bool {
-    let is_start = |(name, value): &(&str, f64)| model.find(name).is_some_and(|at| model.table[at].start == *value);
+    let is_start = |(name, value): &(&str, f64)| model.find(name).is_some_and(|at| model.table.at(at).start == *value);
     preset.values.iter().all(is_start)
 }
 
@@ -84,7 +84,7 @@ fn table<R: AsRef<[String]>>(page: &mut String, head: &[&str], rows: impl Iterat
 fn variables(page: &mut String, model: &ModelType) {
     push(page, format_args!("<h2>Variables</h2>\n<p>{ROLES}</p>\n"));
     let head = ["Variable", "Unit", "Start", "Bound", "Meaning", "Role", "Type", "Value reference"];
-    table(page, &head, model.variables().map(|(column, shown)| variable(model.reference(column), shown)));
+    table(page, &head, model.variables().map(|(column, shown)| variable(model.reference(column), &shown)));
 }
 
 fn variable(reference: u32, variable: &Variable) -> [String; 8] {
@@ -128,7 +128,7 @@ fn presets(page: &mut String, model: &ModelType, pictures: &[String]) {
         push(page, format_args!("<h3><code>{}</code></h3>\n<p>{}</p>\n", preset.name, escape(preset.source)));
         let row = |(name, value): &(&str, f64)| {
             let (shown, unit) = match model.find(name) {
-                Some(column) => (text::value(&model.table[column], *value), text::unit(&model.table[column])),
+                Some(column) => (text::value(&model.table.at(column), *value), text::unit(&model.table.at(column))),
                 None => (text::number(*value), ""),
             };
             [format!("<code>{name}</code>"), shown, text::typeset_unit(unit)]
@@ -316,7 +316,7 @@ mod tests {
         for preset in lugre.presets {
             assert!(text.contains(&format!("<h3><code>{}</code></h3>\n<p>{}</p>", preset.name, escape(preset.source))));
             for (name, value) in preset.values {
-                let unit = text::typeset_unit(text::unit(&lugre.table[lugre.find(name).unwrap()]));
+                let unit = text::typeset_unit(text::unit(&lugre.table.at(lugre.find(name).unwrap())));
                 let row = format!("<td><code>{name}</code></td><td>{}</td><td>{unit}</td>", text::number(*value));
                 assert!(text.contains(&row), "{row}");
             }

@@ -24,7 +24,7 @@ pub struct Motion {
 /// Simulates a host on its own.
 pub fn motion(model: &'static ModelType) -> Result<Motion> {
     const STEP: f64 = 1e-3;
-    let is_output = |column: &usize| model.table[*column].role.is_output();
+    let is_output = |column: &usize| model.table.at(*column).role.is_output();
     let states: Vec<usize> = (0..model.table.len()).filter(is_output).collect();
     let states = *states.first_chunk().context("a host needs two outputs")?;
     let mut host = Instance::new(model);
@@ -206,8 +206,8 @@ impl Contact {
 
 /// Pairs of an output and the input of the same name.
 fn connections(from: &ModelType, to: &ModelType) -> Vec<[usize; 2]> {
-    let output = |input: usize| from.table.iter().position(|v| v.role.is_output() && v.path == to.table[input].path);
-    let inputs = (0..to.table.len()).filter(|column| to.table[*column].role == Role::Input);
+    let output = |input: usize| from.table.iter().position(|v| v.role.is_output() && v.path == to.table.at(input).path);
+    let inputs = (0..to.table.len()).filter(|column| to.table.at(*column).role == Role::Input);
     inputs.filter_map(|input| Some([output(input)?, input])).collect()
 }
 

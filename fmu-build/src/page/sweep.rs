@@ -34,7 +34,7 @@ enum Motion {
 /// Moves a model over one cycle, with the values of its first preset if it has one.
 pub fn of(model: &'static ModelType) -> Result<Sweep> {
     let motion = Motion::of(model)?;
-    let is_result = |column: &usize| model.table[*column].role == Role::Output;
+    let is_result = |column: &usize| model.table.at(*column).role == Role::Output;
     let answer = (0..model.table.len()).find(is_result).context("a part needs an output")?;
     let across = motion.shown();
     let mut instance = Instance::new(model);
@@ -68,7 +68,7 @@ impl Motion {
             return Ok(Motion::Slow { input, amplitude: 0.3 });
         }
         let is_input = |column: &usize| {
-            model.table[*column].role == Role::Input && matches!(model.table[*column].kind, Kind::Real(_))
+            model.table.at(*column).role == Role::Input && matches!(model.table.at(*column).kind, Kind::Real(_))
         };
         let input = (0..model.table.len()).find(is_input).context("a part needs an input")?;
         Ok(Motion::Slow { input, amplitude: 50.0 })

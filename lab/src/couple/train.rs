@@ -122,7 +122,7 @@ impl<'a> Train<'a> {
         for (part, made) in self.system.parts.iter().enumerate() {
             let is_host = is_host(self.system, part);
             for column in made.model.continuous_states() {
-                let name = made.model.table[column].path.segments().last().map_or("", |segment| segment.name);
+                let name = made.model.table.at(column).path.segments().last().map_or("", |segment| segment.name);
                 if is_host || name == "dissipated_energy" {
                     states.push(Place { part, column });
                 }

@@ -169,7 +169,7 @@ fn states(system: &System, recorded: &[WireSource]) -> Vec<Place> {
     for (part, made) in system.parts.iter().enumerate() {
         for column in made.model.continuous_states() {
             let place = Place { part, column };
-            let last = made.model.table[column].path.segments().last().map_or("", |segment| segment.name);
+            let last = made.model.table.at(column).path.segments().last().map_or("", |segment| segment.name);
             if last != "dissipated_energy" || is_read(place) {
                 states.push(place);
             } else {
@@ -189,7 +189,7 @@ impl Equations for Motion {
     fn state_name(&self, state: usize) -> String {
         let Place { part, column } = self.states[state];
         let mover = &self.movers[part];
-        format!("{}.{}", mover.name, mover.model.table[column].path)
+        format!("{}.{}", mover.name, mover.model.table.at(column).path)
     }
 
     fn scales(&self) -> &[f64] {

@@ -63,8 +63,10 @@ struct Influence {
 impl Influence {
     /// Looks for dependencies by changing one input after the other, at random states.
     fn of(model: &ModelType, start: &[f64]) -> Influence {
-        let inputs: Vec<usize> = (0..start.len()).filter(|column| model.table[*column].role == Role::Input).collect();
-        let outputs: Vec<usize> = (0..start.len()).filter(|column| model.table[*column].role.is_computed()).collect();
+        let inputs: Vec<usize> =
+            (0..start.len()).filter(|column| model.table.at(*column).role == Role::Input).collect();
+        let outputs: Vec<usize> =
+            (0..start.len()).filter(|column| model.table.at(*column).role.is_computed()).collect();
         let mut on = vec![Vec::new(); start.len()];
         if model.memory_in_use(start) > 0 {
             // A model whose memory is beside the row: take every output to depend on every input.
@@ -78,14 +80,14 @@ impl Influence {
             let mut row = start.to_vec();
             for (value, variable) in row.iter_mut().zip(model.table) {
                 if variable.role == Role::Input || variable.role.is_state() {
-                    *value = random.value(variable);
+                    *value = random.value(&variable);
                 }
             }
             let mut before = row.clone();
             model.output(&mut before);
             for input in &inputs {
                 let mut changed = row.clone();
-                changed[*input] = random.value(&model.table[*input]);
+                changed[*input] = random.value(&model.table.at(*input));
                 model.output(&mut changed);
                 for output in &outputs {
                     if changed[*output].to_bits() != before[*output].to_bits() && !on[*output].contains(input) {

@@ -195,8 +195,8 @@ impl System {
     }
 
     /// The declaration of a variable.
-    pub fn variable(&self, place: Place) -> &'static Variable {
-        &self.parts[place.part].model.table[place.column]
+    pub fn variable(&self, place: Place) -> Variable {
+        self.parts[place.part].model.table.at(place.column)
     }
 
     /// The input that a name means; none if a law does not have it.
@@ -244,8 +244,8 @@ impl System {
     /// Unit of a source.
     pub fn unit(&self, source: WireSource) -> Dimension {
         match source {
-            WireSource::Variable(place) => Dimension::of(self.variable(place)),
-            WireSource::Derivative(place) => Dimension::of(self.variable(place)).per_second(),
+            WireSource::Variable(place) => Dimension::of(&self.variable(place)),
+            WireSource::Derivative(place) => Dimension::of(&self.variable(place)).per_second(),
         }
     }
 
@@ -287,7 +287,7 @@ impl System {
             };
             return Err(Fault::value(format_args!("{} comes from {from} and cannot be set", self.name(place))));
         }
-        let constant = Signal::Constant(spelled(self.variable(place), value)?);
+        let constant = Signal::Constant(spelled(&self.variable(place), value)?);
         match self.signals.iter_mut().find(|(to, _)| *to == place) {
             Some((_, signal)) => *signal = constant,
             None => self.signals.push((place, constant)),
@@ -353,7 +353,7 @@ impl Part {
 
     fn set(&mut self, variable: &str, value: &str) -> Result<(), Fault> {
         let column = column(self.model, &self.name, variable)?;
-        let declared = &self.model.table[column];
+        let declared = &self.model.table.at(column);
         if declared.role == Role::Output {
             return Err(Fault::value(format_args!("{}.{variable} is computed and cannot be set", self.name)));
         }

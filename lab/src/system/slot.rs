@@ -36,5 +36,5 @@ pub(super) fn across(name: &str) -> Option<f64> {
 }
 
 fn gives_friction(model: &ModelType) -> bool {
-    model.find("friction_force").is_some_and(|column| model.table[column].role.is_output())
+    model.find("friction_force").is_some_and(|column| model.table.at(column).role.is_output())
 }

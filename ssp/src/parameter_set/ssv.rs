@@ -68,14 +68,14 @@ struct Number {
 }
 
 pub fn write(set: &ParameterSet) -> String {
-    let units = set.values().filter_map(|(variable, _)| unit_of(variable));
+    let units = set.values().filter_map(|(variable, _)| unit_of(&variable));
     xml::text(&Document {
         values: VALUES,
         common: COMMON,
         version: VERSION.to_owned(),
         name: set.name().to_owned(),
         parameters: Parameters {
-            parameters: set.values().map(|(variable, value)| parameter(variable, value)).collect(),
+            parameters: set.values().map(|(variable, value)| parameter(&variable, value)).collect(),
         },
         units: Units::of(units),
     })
@@ -109,7 +109,7 @@ pub fn read(model: &'static ModelType, text: &str) -> Result<ParameterSet, SetEr
     let mut values = Vec::new();
     for parameter in document.parameters.parameters {
         let column = settable(model, &parameter.name)?;
-        let variable = &model.table[column];
+        let variable = &model.table.at(column);
         let (element, Number { value, unit }) = match parameter.value {
             Value::Real(number) => ("Real", number),
             Value::Integer(number) => ("Integer", number),

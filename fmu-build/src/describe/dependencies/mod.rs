@@ -13,7 +13,7 @@ use stribeck::model::{ModelType, Variable};
 
 /// Whether the model has arrays, itself or in a part: trying does not find every one of their elements.
 pub fn has_elements(model: &ModelType) -> bool {
-    let is_element = |variable: &Variable| variable.path.segments().iter().any(|segment| segment.index > 0);
+    let is_element = |variable: Variable| variable.path.segments().iter().any(|segment| segment.index > 0);
     model.table.iter().any(is_element)
 }
 
@@ -38,14 +38,14 @@ mod tests {
     use super::*;
 
     fn names(model: &ModelType, columns: Vec<usize>) -> Vec<String> {
-        columns.into_iter().map(|column| model.table[column].path.to_string()).collect()
+        columns.into_iter().map(|column| model.table.at(column).path.to_string()).collect()
     }
 
     /// Asserts what an output depends on: the inputs, then the other columns, each in the order of the table.
     fn assert_depends(model: &str, output: &str, expected_inputs: &[&str], expected_others: &[&str]) {
         let model = stribeck::catalogue::by_name(model).unwrap();
         let all = of(model, |_| true).swap_remove(model.find(output).unwrap());
-        let is_input = |column: &usize| model.table[*column].role == Role::Input;
+        let is_input = |column: &usize| model.table.at(*column).role == Role::Input;
         let (inputs, others): (Vec<_>, Vec<_>) = all.into_iter().partition(is_input);
         assert_eq!(names(model, inputs), expected_inputs, "{}: inputs of {output}", model.name);
         assert_eq!(names(model, others), expected_others, "{}: others of {output}", model.name);

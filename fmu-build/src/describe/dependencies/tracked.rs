@@ -70,7 +70,7 @@ pub fn on_course<R>(work: impl FnOnce(&mut Course) -> R) -> R {
 impl Course {
     /// Begins the computations of a model.
     pub fn begin(&mut self, model: &ModelType) {
-        *self = Course { ways: model.table.iter().map(ways).collect(), ..Course::default() };
+        *self = Course { ways: model.table.iter().map(|variable| ways(&variable)).collect(), ..Course::default() };
     }
 
     /// Begins a computation that takes these ways.

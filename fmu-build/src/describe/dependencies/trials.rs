@@ -21,7 +21,7 @@ fn rows(model: &ModelType) -> usize {
 pub fn of(model: &ModelType, candidates: impl Fn(usize) -> bool) -> Vec<BTreeSet<usize>> {
     let columns = model.table.len();
     let (known, mut computed): (Vec<usize>, Vec<usize>) =
-        (0..columns).partition(|column| !model.table[*column].role.is_computed());
+        (0..columns).partition(|column| !model.table.at(*column).role.is_computed());
     let known: Vec<usize> = known.into_iter().filter(|column| candidates(*column)).collect();
     if has_rates(model) {
         computed.extend(model.continuous_states().map(|state| columns + state));
@@ -36,7 +36,7 @@ pub fn of(model: &ModelType, candidates: impl Fn(usize) -> bool) -> Vec<BTreeSet
         }
         for &column in &known {
             let mut changed = row[..columns].to_vec();
-            changed[column] = draw(&model.table[column], &mut rng);
+            changed[column] = draw(&model.table.at(column), &mut rng);
             if changed[column] == row[column] || !evaluate(model, &mut changed) {
                 continue;
             }
@@ -66,7 +66,7 @@ fn evaluate(model: &ModelType, row: &mut Vec<f64>) -> bool {
 /// A row in which some columns, from a few to all, have left their start values.
 fn draw_row(model: &ModelType, rng: &mut Rng) -> Vec<f64> {
     let share = rng.f64();
-    let value = |variable: &Variable| if rng.f64() < share { draw(variable, rng) } else { variable.start };
+    let value = |variable: Variable| if rng.f64() < share { draw(&variable, rng) } else { variable.start };
     let mut row: Vec<f64> = model.table.iter().map(value).collect();
     if rng.bool() {
         remember_inputs(model, &mut row, rng);
@@ -82,11 +82,11 @@ fn remember_inputs(model: &ModelType, row: &mut [f64], rng: &mut Rng) {
             continue;
         }
         let is_alike = |other: &usize| {
-            let other = &model.table[*other];
+            let other = &model.table.at(*other);
             other.role == Role::Input && other.kind == variable.kind
         };
         let mut alike: Vec<usize> = (0..row.len()).filter(is_alike).collect();
-        let is_named = |input: &usize| variable.path.to_string().ends_with(&model.table[*input].path.to_string());
+        let is_named = |input: &usize| variable.path.to_string().ends_with(&model.table.at(*input).path.to_string());
         if let Some(named) = alike.iter().copied().find(is_named) {
             alike = vec![named];
         }
