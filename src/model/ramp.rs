@@ -12,7 +12,8 @@
 //! bristle that follows a moving level, however stiff it is, and the work of its force. Where f is not linear in y, r
 //! is the slope of the chord to the approximate new value of y.
 
-use crate::model::{Model, Path, Role, Variable, is_for_exchange, row_of, row_of_mut};
+use crate::model::row::{view, view_mut};
+use crate::model::{Model, Path, Role, Table, Variable, is_for_exchange, row_of, row_of_mut};
 use crate::number::elementary::{exp, exp_m1, pow, square};
 
 /// Error allowed in a piece, relative to the larger of the state and its nominal value (chosen). It is the error of a
@@ -41,7 +42,7 @@ impl<const MOST: usize> Selection<MOST> {
         self
     }
 
-    fn iter(&self) -> impl Iterator<Item = usize> + '_ {
+    fn iter(&self) -> impl Iterator<Item = usize> + Clone + '_ {
         self.columns[..self.count].iter().copied()
     }
 }
@@ -58,119 +59,379 @@ const fn is_followed(variable: &Variable) -> bool {
 }
 
 /// Columns of a model used here.
-struct Of<M>(std::marker::PhantomData<M>);
+struct Columns {
+    table: Table,
+    inputs: Selection<24>,
+    /// Continuous states of a model with rates, the energy excluded.
+    states: Selection<MOST>,
+    /// Number of continuous states, the energy excluded.
+    count: usize,
+    energy: Option<usize>,
+    velocity: Option<usize>,
+    normal_force: Option<usize>,
+    plane: Option<[usize; 2]>,
+}
 
-impl<M: Model> Of<M> {
-    const INPUTS: Selection<24> = {
-        let (mut inputs, mut column) = (Selection::NONE, 0);
-        while column < M::TABLE.len() {
-            if matches!(M::TABLE[column].role, Role::Input) {
+impl Columns {
+    const fn of(table: Table, declared: &[Variable], has_rates: bool) -> Columns {
+        let (mut inputs, mut states, mut count, mut column) = (Selection::NONE, Selection::NONE, 0, 0);
+        while column < declared.len() {
+            let is_state = is_followed(&declared[column]);
+            if is_state && has_rates && count < MOST {
+                states = states.with(column);
+            }
+            count += is_state as usize;
+            if matches!(declared[column].role, Role::Input) {
                 inputs = inputs.with(column);
             }
             column += 1;
         }
-        inputs
-    };
-
-    /// Continuous states, the energy excluded.
-    const STATES: Selection<MOST> = {
-        let (mut states, mut column) = (Selection::NONE, 0);
-        while column < M::TABLE.len() {
-            if is_for_exchange::<M>() && is_followed(&M::TABLE[column]) {
-                states = states.with(column);
-            }
-            column += 1;
-        }
-        states
-    };
-
-    const HAS_STATES: bool = {
-        let (mut has_states, mut column) = (false, 0);
-        while column < M::TABLE.len() {
-            has_states |= is_followed(&M::TABLE[column]);
-            column += 1;
-        }
-        has_states
-    };
-
-    const ENERGY: Option<usize> = Self::column("dissipated_energy");
-    const VELOCITY: Option<usize> = Self::column("velocity");
-    const NORMAL_FORCE: Option<usize> = Self::column("normal_force");
-    const PLANE: Option<[usize; 2]> = match (Self::column("velocity_x"), Self::column("velocity_y")) {
-        (Some(x), Some(y)) => Some([x, y]),
-        _ => None,
-    };
-
-    const fn column(name: &'static str) -> Option<usize> {
-        let mut column = 0;
-        while column < M::TABLE.len() {
-            if M::TABLE[column].path.is(&Path::root(name)) {
-                return Some(column);
-            }
-            column += 1;
-        }
-        None
+        let plane = match (named(declared, "velocity_x"), named(declared, "velocity_y")) {
+            (Some(x), Some(y)) => Some([x, y]),
+            _ => None,
+        };
+        let [energy, velocity] = [named(declared, "dissipated_energy"), named(declared, "velocity")];
+        let normal_force = named(declared, "normal_force");
+        Columns { table, inputs, states, count, energy, velocity, normal_force, plane }
     }
+
+    const fn has_states(&self) -> bool {
+        self.count > 0
+    }
+
+    fn is_unloaded(&self, row: &[f64]) -> bool {
+        self.normal_force.is_some_and(|column| row[column] == 0.0)
+    }
+
+    /// Sets the inputs to their values at a time after `begin`.
+    fn set_inputs(&self, row: &mut [f64], begin: &[f64], slope: &[f64], time: f64) {
+        for column in self.inputs.iter() {
+            let (first, change) = (begin[column], slope[column] * time);
+            let value = first + change;
+            // By rounding, a ramp to a bound may end beyond it, and a ramp to zero may miss it.
+            let is_rounding = value.abs() <= 4.0 * f64::EPSILON * change.abs();
+            row[column] = if is_rounding { 0.0 } else { self.table.bound(column).nearest(value) };
+        }
+    }
+}
+
+const fn named(table: &[Variable], name: &'static str) -> Option<usize> {
+    let mut column = 0;
+    while column < table.len() {
+        if table[column].path.is(&Path::root(name)) {
+            return Some(column);
+        }
+        column += 1;
+    }
+    None
+}
+
+/// Equations of a model on its row. What is done with them is not compiled again for each model.
+struct Equations {
+    columns: &'static Columns,
+    is_linear: bool,
+    kinks: fn(&[f64]) -> [f64; 2],
+    step: fn(&mut [f64], f64),
+    power: fn(&[f64]) -> f64,
+    /// Rates of the states, and the chord; none for a model that has no rates.
+    rates: fn(&[f64]) -> [f64; MOST],
+    chord: fn(&mut [f64], [f64; MOST]) -> Chord,
+}
+
+/// Of a model.
+struct Of<M>(std::marker::PhantomData<M>);
+
+impl<M: Model> Of<M> {
+    const COLUMNS: &'static Columns = &Columns::of(M::COLUMNS, M::TABLE, is_for_exchange::<M>());
+
+    const HAS_CHORDS: bool = {
+        assert!(!is_for_exchange::<M>() || Self::COLUMNS.count <= MOST, "too many states");
+        is_for_exchange::<M>() && Self::COLUMNS.has_states()
+    };
+
+    const EQUATIONS: &'static Equations = &Equations {
+        columns: Self::COLUMNS,
+        is_linear: M::LINEAR,
+        kinks: |row| view::<M, f64>(row).kinks(),
+        step: |row, dt| view_mut::<M, f64>(row).step(dt),
+        power: |row| power(row_of(&rate(view::<M, f64>(row))), Self::COLUMNS),
+        rates: if Self::HAS_CHORDS {
+            |row| rates(row_of(&rate(view::<M, f64>(row))), Self::COLUMNS)
+        } else {
+            |_| [0.0; MOST]
+        },
+        chord: if Self::HAS_CHORDS {
+            |row, guess| Chord::at(view_mut::<M, f64>(row), guess)
+        } else {
+            |_, _| Chord::NONE
+        },
+    };
+}
+
+/// The rate of the energy among all rates.
+fn power(rate: &[f64], columns: &Columns) -> f64 {
+    columns.energy.map_or(0.0, |energy| rate[energy])
+}
+
+/// The rates of the states among all rates.
+fn rates(rate: &[f64], columns: &Columns) -> [f64; MOST] {
+    let mut rates = [0.0; MOST];
+    for (index, column) in columns.states.iter().enumerate() {
+        rates[index] = rate[column];
+    }
+    rates
+}
+
+/// A row that moves along a ramp of its inputs, and its beginning.
+struct Ramp<'a> {
+    of: &'static Equations,
+    row: &'a mut [f64],
+    begin: &'a [f64],
+    slope: &'a [f64],
 }
 
 /// Advances `model` by `dt` while its inputs change at the rates `slope`.
 pub(crate) fn advance<M: Model>(model: &mut M, slope: &M, dt: f64) {
-    if Of::<M>::HAS_STATES && !is_for_exchange::<M>() {
-        // Rates do not describe a model whose states jump.
-        return in_pieces(model, slope, dt, PIECES);
-    }
     let begin = *model;
-    let mut from = 0.0;
-    while from < dt {
-        let to = next_kink(&begin, slope, from, dt);
-        set_inputs(model, &begin, slope, 0.5 * (from + to));
-        if is_unloaded(model) {
-            // A step releases an unloaded contact.
-            model.step(to - from);
-        } else if Of::<M>::HAS_STATES {
-            smooth(model, &begin, slope, from, to);
-        } else if let Some(energy) = Of::<M>::ENERGY {
-            let power = |model: &M| row_of(&rate(model))[energy];
-            row_of_mut(model)[energy] += quadrature(&begin, slope, [from, to], &power);
-        }
-        from = to;
+    let mut ramp = Ramp { of: Of::<M>::EQUATIONS, row: row_of_mut(model), begin: row_of(&begin), slope: row_of(slope) };
+    if Of::<M>::COLUMNS.has_states() && !is_for_exchange::<M>() {
+        // Rates do not describe a model whose states jump.
+        ramp.in_pieces(dt, PIECES);
+    } else {
+        ramp.advance(dt);
     }
-    set_inputs(model, &begin, slope, dt);
-    if is_unloaded(model) {
-        // An unloaded contact is released; a solver only approaches that.
-        model.step(f64::MIN_POSITIVE);
-    }
-}
-
-fn is_unloaded<M: Model>(model: &M) -> bool {
-    Of::<M>::NORMAL_FORCE.is_some_and(|column| row_of(model)[column] == 0.0)
 }
 
 /// Advances `model` by `dt`, from one kink to the next, in equal pieces with the inputs held at their values in the
 /// middle: a method of second order, for laws whose states act on each other.
 pub(crate) fn in_pieces<M: Model>(model: &mut M, slope: &M, dt: f64, count: u32) {
-    let (begin, mut from) = (*model, 0.0);
-    while from < dt {
-        let to = next_kink(&begin, slope, from, dt);
-        let h = (to - from) / f64::from(count);
-        for piece in 0..count {
-            set_inputs(model, &begin, slope, from + (f64::from(piece) + 0.5) * h);
-            model.step(h);
+    let begin = *model;
+    let (row, begin, slope) = (row_of_mut(model), row_of(&begin), row_of(slope));
+    Ramp { of: Of::<M>::EQUATIONS, row, begin, slope }.in_pieces(dt, count);
+}
+
+impl Ramp<'_> {
+    fn advance(&mut self, dt: f64) {
+        let columns = self.of.columns;
+        let mut from = 0.0;
+        while from < dt {
+            let to = self.next_kink(from, dt);
+            self.set_inputs(0.5 * (from + to));
+            if columns.is_unloaded(self.row) {
+                // A step releases an unloaded contact.
+                (self.of.step)(self.row, to - from);
+            } else if columns.has_states() {
+                self.smooth(from, to);
+            } else if let Some(energy) = columns.energy {
+                self.row[energy] += self.quadrature([from, to], &self.of.power);
+            }
+            from = to;
         }
-        from = to;
+        self.set_inputs(dt);
+        if columns.is_unloaded(self.row) {
+            // An unloaded contact is released; a solver only approaches that.
+            (self.of.step)(self.row, f64::MIN_POSITIVE);
+        }
     }
-    set_inputs(model, &begin, slope, dt);
+
+    /// Advances from one kink to the next, in equal pieces with the inputs held at their values in the middle.
+    fn in_pieces(&mut self, dt: f64, count: u32) {
+        let mut from = 0.0;
+        while from < dt {
+            let to = self.next_kink(from, dt);
+            let h = (to - from) / f64::from(count);
+            for piece in 0..count {
+                self.set_inputs(from + (f64::from(piece) + 0.5) * h);
+                (self.of.step)(self.row, h);
+            }
+            from = to;
+        }
+        self.set_inputs(dt);
+    }
+
+    fn set_inputs(&mut self, time: f64) {
+        self.of.columns.set_inputs(self.row, self.begin, self.slope, time);
+    }
+
+    /// Integral of a power, for a row of which only the inputs move.
+    fn integral(&mut self, dt: f64, power: &dyn Fn(&[f64]) -> f64) -> f64 {
+        let (mut from, mut sum) = (0.0, 0.0);
+        while from < dt {
+            let to = self.next_kink(from, dt);
+            sum += self.quadrature([from, to], power);
+            from = to;
+        }
+        sum
+    }
+
+    /// The same over an interval without kinks.
+    fn quadrature(&mut self, [from, to]: [f64; 2], power: &dyn Fn(&[f64]) -> f64) -> f64 {
+        let mut at = |share: f64| {
+            self.set_inputs(from + share * (to - from));
+            power(self.row)
+        };
+        let ends = [at(INSIDE), at(0.5), at(1.0 - INSIDE)];
+        boole(&mut at, [0.0, 1.0], ends, HALVINGS) * (to - from)
+    }
+
+    /// First instant after `from` at which an input changes sign, where most laws have a kink, or at which the velocity
+    /// passes another kink of the law. Further cuts near rest: a long interval would miss what a law without memory does
+    /// there.
+    fn next_kink(&self, from: f64, dt: f64) -> f64 {
+        let (columns, begin, slope) = (self.of.columns, self.begin, self.slope);
+        let mut next = dt;
+        let mut cut = |time: f64| {
+            if time > from && time < next {
+                next = time;
+            }
+        };
+        if let Some(plane) = columns.plane {
+            // In a plane, the velocity passes rest at a distance.
+            let [v, a] = [begin, slope].map(|row| plane.map(|column| row[column]));
+            cut(-(v[0] * a[0] + v[1] * a[1]) / (a[0] * a[0] + a[1] * a[1]));
+        }
+        let mut passes = |column: usize, level: f64| {
+            let rate = slope[column];
+            if rate != 0.0 {
+                cut((level - begin[column]) / rate);
+            }
+        };
+        for column in columns.inputs.iter().filter(|column| columns.plane.is_none_or(|plane| !plane.contains(column))) {
+            passes(column, 0.0);
+        }
+        let load_moves = columns.normal_force.is_some_and(|column| slope[column] != 0.0);
+        if let Some(column) = columns.velocity {
+            let (first, rate) = (begin[column], slope[column]);
+            let largest = first.abs().max((first + rate * dt).abs());
+            let cuts: &[f64] = match (columns.has_states(), load_moves) {
+                (false, _) => &NEAR_REST,
+                // Starting from rest, distance grows with the square of time, so a moving load varies with the square root
+                // of distance.
+                (_, true) => &[0.25],
+                (_, false) => &[],
+            };
+            for part in cuts {
+                passes(column, part * largest);
+                passes(column, -part * largest);
+            }
+        }
+        for speed in (self.of.kinks)(begin).into_iter().filter(|speed| *speed > 0.0) {
+            columns.velocity.into_iter().for_each(|column| [speed, -speed].into_iter().for_each(|v| passes(column, v)));
+        }
+        next
+    }
+
+    /// Advances over an interval in which the law is smooth.
+    fn smooth(&mut self, from: f64, to: f64) {
+        let shortest = SHORTEST * (to - from);
+        let (mut at, mut length, mut known) = (from, to - from, UNKNOWN);
+        let mut most = MOST_GROWTH;
+        while at < to {
+            // A remainder hardly longer than the piece is taken in one.
+            let end = if at + 1.01 * length >= to { to } else { at + length };
+            length = end - at;
+            let chords = self.chords([at, end], known);
+            let change = self.change(&chords, length);
+            let is_accurate = change.error <= 1.0;
+            if is_accurate {
+                self.apply(&change);
+                if end == to {
+                    return;
+                }
+                known = known_beyond(&chords, &change, self.of.is_linear);
+                at = end;
+            } else if length > 2.0 * shortest {
+                known = known_of_half(&chords, self.of.is_linear);
+            } else {
+                // A piece that cannot be divided further, as where the load vanishes, is a held step with its middle
+                // inputs, which is always stable.
+                self.set_inputs(0.5 * (at + end));
+                (self.of.step)(self.row, length);
+                known = UNKNOWN;
+                at = end;
+            }
+            // A rejected piece is at least halved, so that the shortest is always reached, and exactly halved if its half
+            // is known already. After a rejection, the next piece is not longer than the accurate one.
+            let limits = match (is_accurate, self.of.is_linear) {
+                (true, _) => [0.2, most],
+                (false, true) => [0.5, 0.5],
+                (false, false) => [0.2, 0.5],
+            };
+            length = shortest.max(length * growth(change.error, limits));
+            most = if is_accurate { MOST_GROWTH } else { 1.0 };
+        }
+    }
+
+    /// Chords of a piece. Computing an unknown one leaves the row with the inputs of its instant.
+    fn chords(&mut self, [from, to]: [f64; 2], known: Known) -> Nodes<Chord> {
+        let h = to - from;
+        let mut at = |time: f64, guess: [f64; MOST]| {
+            self.set_inputs(time);
+            (self.of.chord)(self.row, guess)
+        };
+        let first = known[0].unwrap_or_else(|| at(from + INSIDE * h, [0.0; MOST]));
+        let middle = known[1].unwrap_or_else(|| at(from + 0.5 * h, first.guess(0.5 * h)));
+        let last = known[2].unwrap_or_else(|| at(to - INSIDE * h, first.guess(h)));
+        [first, middle, last]
+    }
+
+    fn change(&mut self, chords: &Nodes<Chord>, h: f64) -> Change {
+        let [first, middle, last] = chords;
+        let columns = self.of.columns;
+        let mut work = simpson([first.power, middle.power, last.power], h);
+        let (mut states, mut errors) = ([0.0; MOST], [0.0; MOST]);
+        for index in 0..columns.states.count {
+            let nodes = |of: fn(&Chord) -> &[f64; MOST]| [of(first)[index], of(middle)[index], of(last)[index]];
+            let drawn = Drawn::new(nodes(|chord| &chord.rate), nodes(|chord| &chord.pull), h);
+            work += drawn.integral(nodes(|chord| &chord.power_by));
+            (states[index], errors[index]) = (drawn.change[2], drawn.error);
+        }
+        let missed = if self.of.is_linear { [0.0; MOST] } else { self.missed(last, &states, h) };
+        let mut error = 0f64;
+        for (index, column) in columns.states.iter().enumerate() {
+            let value = (self.row[column] + states[index]).abs();
+            let off = (errors[index] + missed[index].abs()) / value.max(columns.table.nominal(column));
+            // f64::max ignores NaN.
+            error = if off.is_finite() { error.max(off) } else { f64::INFINITY };
+            states[index] += missed[index];
+        }
+        Change { states, work, error: error / TOLERANCE }
+    }
+
+    fn apply(&mut self, change: &Change) {
+        let columns = self.of.columns;
+        for (index, column) in columns.states.iter().enumerate() {
+            // The state may exceed its bound by less than the tolerance.
+            self.row[column] = columns.table.bound(column).nearest(self.row[column] + change.states[index]);
+        }
+        if let Some(energy) = columns.energy {
+            self.row[energy] += change.work;
+        }
+    }
+
+    /// Deviation of a nonlinear law from the changes along its last chord; it begins with the square of the time.
+    fn missed(&mut self, last: &Chord, change: &[f64; MOST], h: f64) -> [f64; MOST] {
+        let states = self.of.columns.states.iter().enumerate();
+        let (mut before, mut missed) = ([0.0; MOST], [0.0; MOST]);
+        for (index, column) in states.clone() {
+            before[index] = self.row[column];
+            self.row[column] += change[index];
+        }
+        let reached = (self.of.rates)(self.row);
+        for (index, column) in states {
+            self.row[column] = before[index];
+            let on_chord = last.rate[index] - last.pull[index] * change[index];
+            missed[index] = h * (reached[index] - on_chord) / (3.0 + (h * last.pull[index]).max(0.0));
+        }
+        missed
+    }
 }
 
 /// Integral of a power over a ramp.
 pub(crate) fn integral<M: Model>(begin: &M, slope: &M, dt: f64, power: impl Fn(&M) -> f64) -> f64 {
-    let (mut from, mut sum) = (0.0, 0.0);
-    while from < dt {
-        let to = next_kink(begin, slope, from, dt);
-        sum += quadrature(begin, slope, [from, to], &power);
-        from = to;
-    }
-    sum
+    let mut trial = *begin;
+    let (row, begin, slope) = (row_of_mut(&mut trial), row_of(begin), row_of(slope));
+    Ramp { of: Of::<M>::EQUATIONS, row, begin, slope }.integral(dt, &|row| power(view::<M, f64>(row)))
 }
 
 /// Limit of how often an interval between two kinks is halved (chosen), so that the time of a step is bounded.
@@ -180,19 +441,7 @@ const HALVINGS: u32 = 5;
 /// Boole's rule is far smaller.
 const DIVIDED_FROM: f64 = 1e-5;
 
-/// Integrates over an interval without kinks by Boole's rule, halving it as long as Simpson's rules on the halves and
-/// on the whole differ.
-fn quadrature<M: Model>(begin: &M, slope: &M, interval: [f64; 2], power: &dyn Fn(&M) -> f64) -> f64 {
-    let [from, to] = interval;
-    let mut model = *begin;
-    let mut at = |share: f64| {
-        set_inputs(&mut model, begin, slope, from + share * (to - from));
-        power(&model)
-    };
-    let ends = [at(INSIDE), at(0.5), at(1.0 - INSIDE)];
-    boole(&mut at, [0.0, 1.0], ends, HALVINGS) * (to - from)
-}
-
+/// Boole's rule on an interval, which is halved as long as Simpson's rules on the halves and on the whole differ.
 fn boole(at: &mut dyn FnMut(f64) -> f64, [from, to]: [f64; 2], [a, c, e]: Nodes<f64>, halvings: u32) -> f64 {
     let (middle, length) = (0.5 * (from + to), to - from);
     let (b, d) = (at(0.5 * (from + middle)), at(0.5 * (middle + to)));
@@ -205,98 +454,8 @@ fn boole(at: &mut dyn FnMut(f64) -> f64, [from, to]: [f64; 2], [a, c, e]: Nodes<
     boole(at, [from, middle], [a, b, c], halvings - 1) + boole(at, [middle, to], [c, d, e], halvings - 1)
 }
 
-/// First instant after `from` at which an input changes sign, where most laws have a kink, or at which the velocity
-/// passes another kink of the law. Further cuts near rest: a long interval would miss what a law without memory does
-/// there.
-fn next_kink<M: Model>(begin: &M, slope: &M, from: f64, dt: f64) -> f64 {
-    let mut next = dt;
-    let mut cut = |time: f64| {
-        if time > from && time < next {
-            next = time;
-        }
-    };
-    if let Some(plane) = Of::<M>::PLANE {
-        // In a plane, the velocity passes rest at a distance.
-        let [v, a] = [row_of(begin), row_of(slope)].map(|row| plane.map(|column| row[column]));
-        cut(-(v[0] * a[0] + v[1] * a[1]) / (a[0] * a[0] + a[1] * a[1]));
-    }
-    let mut passes = |column: usize, level: f64| {
-        let rate = row_of(slope)[column];
-        if rate != 0.0 {
-            cut((level - row_of(begin)[column]) / rate);
-        }
-    };
-    for column in Of::<M>::INPUTS.iter().filter(|column| Of::<M>::PLANE.is_none_or(|plane| !plane.contains(column))) {
-        passes(column, 0.0);
-    }
-    let load_moves = Of::<M>::NORMAL_FORCE.is_some_and(|column| row_of(slope)[column] != 0.0);
-    if let Some(column) = Of::<M>::VELOCITY {
-        let (first, rate) = (row_of(begin)[column], row_of(slope)[column]);
-        let largest = first.abs().max((first + rate * dt).abs());
-        let cuts: &[f64] = match (Of::<M>::HAS_STATES, load_moves) {
-            (false, _) => &NEAR_REST,
-            // Starting from rest, distance grows with the square of time, so a moving load varies with the square root
-            // of distance.
-            (_, true) => &[0.25],
-            (_, false) => &[],
-        };
-        for part in cuts {
-            passes(column, part * largest);
-            passes(column, -part * largest);
-        }
-    }
-    for speed in begin.kinks().into_iter().filter(|speed| *speed > 0.0) {
-        Of::<M>::VELOCITY.into_iter().for_each(|column| {
-            passes(column, speed);
-            passes(column, -speed);
-        });
-    }
-    next
-}
-
 /// Speeds near rest at which an interval is cut, in parts of the largest speed (chosen).
 const NEAR_REST: [f64; 2] = [1.0 / 8.0, 1.0 / 64.0];
-
-/// Advances over an interval in which the law is smooth.
-fn smooth<M: Model>(model: &mut M, begin: &M, slope: &M, from: f64, to: f64) {
-    let shortest = SHORTEST * (to - from);
-    let (mut at, mut length, mut known) = (from, to - from, UNKNOWN);
-    let mut most = MOST_GROWTH;
-    while at < to {
-        // A remainder hardly longer than the piece is taken in one.
-        let end = if at + 1.01 * length >= to { to } else { at + length };
-        length = end - at;
-        let chords = chords(model, begin, slope, [at, end], known);
-        let change = Change::along(model, &chords, length);
-        let is_accurate = change.error <= 1.0;
-        if is_accurate {
-            change.apply(model);
-            if end == to {
-                return;
-            }
-            known = known_beyond::<M>(&chords, &change);
-            at = end;
-        } else if length > 2.0 * shortest {
-            known = known_of_half::<M>(&chords);
-        } else {
-            // A piece that cannot be divided further, as where the load vanishes, is a held step with its middle
-            // inputs, which is always stable.
-            set_inputs(model, begin, slope, 0.5 * (at + end));
-            model.step(length);
-            known = UNKNOWN;
-            at = end;
-        }
-        // A rejected piece is at least halved, so that the shortest is always reached, and exactly halved if its half
-        // is known already. After a rejection, the next piece is not longer than the accurate one.
-        let limits = match (is_accurate, M::LINEAR) {
-            (true, _) => [0.2, most],
-            (false, true) => [0.5, 0.5],
-            (false, false) => [0.2, 0.5],
-        };
-        length = shortest.max(length * growth(change.error, limits));
-        most = if is_accurate { MOST_GROWTH } else { 1.0 };
-    }
-}
 
 /// Largest ratio of the lengths of a piece and the one before it (as usual in step-size control).
 const MOST_GROWTH: f64 = 4.0;
@@ -321,26 +480,13 @@ type Known = Nodes<Option<Chord>>;
 const UNKNOWN: Known = [None; 3];
 
 /// Chords of the piece after an accepted one.
-fn known_beyond<M: Model>(chords: &Nodes<Chord>, change: &Change) -> Known {
-    [M::LINEAR.then(|| chords[2].moved(&change.states)), None, None]
+fn known_beyond(chords: &Nodes<Chord>, change: &Change, is_linear: bool) -> Known {
+    [is_linear.then(|| chords[2].moved(&change.states)), None, None]
 }
 
 /// Chords of the first half of a rejected piece. A chord of a nonlinear law spans the length of its piece.
-fn known_of_half<M: Model>([first, middle, _]: &Nodes<Chord>) -> Known {
-    [Some(*first), None, M::LINEAR.then_some(*middle)]
-}
-
-/// Chords of a piece. Computing an unknown one leaves the model with the inputs of its instant.
-fn chords<M: Model>(model: &mut M, begin: &M, slope: &M, [from, to]: [f64; 2], known: Known) -> Nodes<Chord> {
-    let h = to - from;
-    let mut at = |time: f64, guess: [f64; MOST]| {
-        set_inputs(model, begin, slope, time);
-        Chord::at(model, guess)
-    };
-    let first = known[0].unwrap_or_else(|| at(from + INSIDE * h, [0.0; MOST]));
-    let middle = known[1].unwrap_or_else(|| at(from + 0.5 * h, first.guess(0.5 * h)));
-    let last = known[2].unwrap_or_else(|| at(to - INSIDE * h, first.guess(h)));
-    [first, middle, last]
+fn known_of_half([first, middle, _]: &Nodes<Chord>, is_linear: bool) -> Known {
+    [Some(*first), None, is_linear.then_some(*middle)]
 }
 
 /// Changes over a piece.
@@ -349,58 +495,6 @@ struct Change {
     work: f64,
     /// In units of the tolerance.
     error: f64,
-}
-
-impl Change {
-    fn along<M: Model>(model: &mut M, chords: &Nodes<Chord>, h: f64) -> Change {
-        let [first, middle, last] = chords;
-        let mut work = simpson([first.power, middle.power, last.power], h);
-        let (mut states, mut errors) = ([0.0; MOST], [0.0; MOST]);
-        for index in 0..Of::<M>::STATES.count {
-            let nodes = |of: fn(&Chord) -> &[f64; MOST]| [of(first)[index], of(middle)[index], of(last)[index]];
-            let drawn = Drawn::new(nodes(|chord| &chord.rate), nodes(|chord| &chord.pull), h);
-            work += drawn.integral(nodes(|chord| &chord.power_by));
-            (states[index], errors[index]) = (drawn.change[2], drawn.error);
-        }
-        let missed = if M::LINEAR { [0.0; MOST] } else { missed(model, last, &states, h) };
-        let mut error = 0f64;
-        for (index, column) in Of::<M>::STATES.iter().enumerate() {
-            let value = (row_of(model)[column] + states[index]).abs();
-            let off = (errors[index] + missed[index].abs()) / value.max(M::COLUMNS.nominal(column));
-            // f64::max ignores NaN.
-            error = if off.is_finite() { error.max(off) } else { f64::INFINITY };
-            states[index] += missed[index];
-        }
-        Change { states, work, error: error / TOLERANCE }
-    }
-
-    fn apply<M: Model>(&self, model: &mut M) {
-        let row = row_of_mut(model);
-        for (index, column) in Of::<M>::STATES.iter().enumerate() {
-            // The state may exceed its bound by less than the tolerance.
-            row[column] = M::COLUMNS.bound(column).nearest(row[column] + self.states[index]);
-        }
-        if let Some(energy) = Of::<M>::ENERGY {
-            row[energy] += self.work;
-        }
-    }
-}
-
-/// Deviation of a nonlinear law from the changes along its last chord; it begins with the square of the time.
-fn missed<M: Model>(model: &mut M, last: &Chord, change: &[f64; MOST], h: f64) -> [f64; MOST] {
-    let (mut before, mut missed) = ([0.0; MOST], [0.0; MOST]);
-    for (index, column) in Of::<M>::STATES.iter().enumerate() {
-        let value = &mut row_of_mut(model)[column];
-        before[index] = *value;
-        *value += change[index];
-    }
-    let reached = rate(model);
-    for (index, column) in Of::<M>::STATES.iter().enumerate() {
-        row_of_mut(model)[column] = before[index];
-        let on_chord = last.rate[index] - last.pull[index] * change[index];
-        missed[index] = h * (row_of(&reached)[column] - on_chord) / (3.0 + (h * last.pull[index]).max(0.0));
-    }
-    missed
 }
 
 /// Time derivatives of the states.
@@ -525,15 +619,15 @@ struct Chord {
 const SHORTEST_CHORD: f64 = 1e-5;
 
 impl Chord {
+    const NONE: Chord = Chord { rate: [0.0; MOST], pull: [0.0; MOST], power: 0.0, power_by: [0.0; MOST] };
+
     fn at<M: Model>(model: &mut M, guess: [f64; MOST]) -> Chord {
-        let none = [0.0; MOST];
-        let mut chord = Chord { rate: none, pull: none, power: 0.0, power_by: none };
-        let here = rate(model);
-        let energy = |rate: &M| Of::<M>::ENERGY.map_or(0.0, |energy| row_of(rate)[energy]);
+        let (columns, mut chord, here) = (Of::<M>::COLUMNS, Chord::NONE, rate(model));
+        let energy = |rate: &M| power(row_of(rate), columns);
         chord.power = energy(&here);
-        for (index, column) in Of::<M>::STATES.iter().enumerate() {
+        for (index, column) in columns.states.iter().enumerate() {
             let value = row_of(model)[column];
-            let shortest = SHORTEST_CHORD * value.abs().max(M::COLUMNS.nominal(column));
+            let shortest = SHORTEST_CHORD * value.abs().max(columns.table.nominal(column));
             let reach = if guess[index].abs() > shortest { guess[index] } else { shortest };
             row_of_mut(model)[column] = value + reach;
             let there = rate(model);
@@ -575,19 +669,13 @@ pub(crate) fn phi(x: f64) -> [f64; 3] {
 
 /// Sets the inputs to their values at a time after `begin`.
 pub(crate) fn set_inputs<M: Model>(model: &mut M, begin: &M, slope: &M, time: f64) {
-    for column in Of::<M>::INPUTS.iter() {
-        let (first, change) = (row_of(begin)[column], row_of(slope)[column] * time);
-        let value = first + change;
-        // By rounding, a ramp to a bound may end beyond it, and a ramp to zero may miss it.
-        let is_rounding = value.abs() <= 4.0 * f64::EPSILON * change.abs();
-        row_of_mut(model)[column] = if is_rounding { 0.0 } else { M::COLUMNS.bound(column).nearest(value) };
-    }
+    Of::<M>::COLUMNS.set_inputs(row_of_mut(model), row_of(begin), row_of(slope), time);
 }
 
 /// Slopes of inputs that do not move.
 pub(crate) fn held_inputs<M: Model>(model: &M) -> M {
     let mut slope = *model;
-    for column in Of::<M>::INPUTS.iter() {
+    for column in Of::<M>::COLUMNS.inputs.iter() {
         row_of_mut(&mut slope)[column] = 0.0;
     }
     slope
