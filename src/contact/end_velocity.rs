@@ -32,14 +32,15 @@ const ITERATIONS: usize = 200;
 /// `marks` are the velocities, in falling order, at which the curve has kinks or jumps. Between two of them, outwards
 /// from rest, the curve must be rising, or first concave and then convex. `end` is a velocity, below all marks that may
 /// be reached, at which the residual is not positive.
-pub fn first(residual: impl Fn(f64) -> Dual, marks: &[f64], start: f64, end: f64) -> Landing {
+#[inline(never)] // once for all laws
+pub fn first(residual: &dyn Fn(f64) -> Dual, marks: &[f64], start: f64, end: f64) -> Landing {
     let mut upper = start;
     for (number, &mark) in marks.iter().enumerate() {
         if mark > upper || mark <= end {
             continue;
         }
         if mark < upper
-            && let Some(velocity) = first_between(&residual, upper, above(mark))
+            && let Some(velocity) = first_between(residual, upper, above(mark))
         {
             return Landing::Curve(velocity);
         }
@@ -49,7 +50,7 @@ pub fn first(residual: impl Fn(f64) -> Dual, marks: &[f64], start: f64, end: f64
         }
     }
     // Rounding may leave a residual just above zero at the end.
-    Landing::Curve(first_between(&residual, upper, end).unwrap_or(end))
+    Landing::Curve(first_between(residual, upper, end).unwrap_or(end))
 }
 
 /// The next larger velocity than a mark.
@@ -68,7 +69,7 @@ fn below(mark: f64) -> f64 {
 /// Where the residual is convex, Newton's method comes down to the first zero without stepping over it; if it reaches a
 /// point where the residual falls with velocity, it has passed a minimum without zero, and the part below is concave:
 /// it holds one zero if it ends below zero. Where the residual rises all the way, it has one zero at most.
-fn first_between(residual: &impl Fn(f64) -> Dual, upper: f64, lower: f64) -> Option<f64> {
+fn first_between(residual: &dyn Fn(f64) -> Dual, upper: f64, lower: f64) -> Option<f64> {
     let (mut velocity, mut here) = (upper, residual(upper));
     for _ in 0..ITERATIONS {
         let next = velocity - here.value / here.slope;
@@ -89,7 +90,7 @@ fn first_between(residual: &impl Fn(f64) -> Dual, upper: f64, lower: f64) -> Opt
 
 /// The zero between `lower`, where the residual is not positive, and `upper`, where it is: Newton's method, with
 /// bisection if that would leave the bracket or not be faster.
-fn between(residual: &impl Fn(f64) -> Dual, mut lower: f64, mut upper: f64) -> f64 {
+fn between(residual: &dyn Fn(f64) -> Dual, mut lower: f64, mut upper: f64) -> f64 {
     let mut velocity = lower;
     let mut here = residual(velocity);
     let mut width = upper - lower;
@@ -152,20 +153,20 @@ mod tests {
     fn piecewise_linear_curves_by_hand() {
         let marks = [1.0, 0.0, -1.0];
         // 2 (w - 3) + 1 = 0 stays on the plateau; 0.1 (w - 3) + w = 0 ends on the slope.
-        assert_eq!(first(residual(linear, 2.0, 3.0, 0.0), &marks, 3.0, -1.0), Landing::Curve(2.5));
-        let Landing::Curve(w) = first(residual(linear, 0.1, 3.0, 0.0), &marks, 3.0, -1.0) else { panic!() };
+        assert_eq!(first(&residual(linear, 2.0, 3.0, 0.0), &marks, 3.0, -1.0), Landing::Curve(2.5));
+        let Landing::Curve(w) = first(&residual(linear, 0.1, 3.0, 0.0), &marks, 3.0, -1.0) else { panic!() };
         assert!((w - 0.3 / 1.1).abs() < 1e-15);
         // Through rest to the other plateau: 1 (w - 3) - 1 + 10 = 0.
-        assert_eq!(first(residual(linear, 1.0, 3.0, -10.0), &marks, 3.0, -7.0), Landing::Curve(-6.0));
+        assert_eq!(first(&residual(linear, 1.0, 3.0, -10.0), &marks, 3.0, -7.0), Landing::Curve(-6.0));
     }
 
     #[test]
     fn a_jump_holds_what_lies_within() {
         let marks = [1.0, 0.0, -1.0];
         // At v = 1 the balance asks for a force of 0.2 + 0.3 * 1.5 = 0.65, within the jump from 0.5 to 1.
-        assert_eq!(first(residual(jump, 0.3, 2.5, 0.2), &marks, 2.5, -1.0), Landing::Jump(0));
+        assert_eq!(first(&residual(jump, 0.3, 2.5, 0.2), &marks, 2.5, -1.0), Landing::Jump(0));
         // Set-valued at rest: 0.3 * 2.5 - 1 = -0.25 lies between -1.5 and 1.5.
-        assert_eq!(first(residual(gaussian, 0.3, 2.5, -1.0), &[0.0], 2.5, -1.0), Landing::Jump(0));
+        assert_eq!(first(&residual(gaussian, 0.3, 2.5, -1.0), &[0.0], 2.5, -1.0), Landing::Jump(0));
     }
 
     /// On a falling branch with three balances, against a scan from the starting point.
@@ -203,7 +204,7 @@ mod tests {
             (t, 1e200 * (1.0 - t * t))
         }
         for (inertia, load) in [(1.0, 0.3), (1e-300, -0.3), (1e15, 0.999)] {
-            let landing = first(residual(steep, inertia, 2.0, load), &[0.0], 2.0, f64::min(0.0, 2.0 + load / inertia));
+            let landing = first(&residual(steep, inertia, 2.0, load), &[0.0], 2.0, f64::min(0.0, 2.0 + load / inertia));
             let Landing::Curve(w) = landing else { panic!("{landing:?}") };
             let force = steep(w).0;
             let balance = inertia * (w - 2.0) + force - load;

@@ -75,17 +75,9 @@ impl<T: Real, L: Curve<T> + Lift> OnCurve<'_, T, L> {
     /// First point of the curve that the body reaches. Velocities are mirrored by `side`, so that it moves towards
     /// lower ones.
     fn landing(&self, inertia: f64, side: f64) -> Landing {
-        let law = self.law.lifted();
         let [velocity, load] = [side * self.velocity.value(), side * self.external_force.value()];
-        let residual = |w: f64| {
-            let force = law.curve(Dual { value: side * w, slope: 1.0 });
-            Dual { value: inertia * (w - velocity) + side * force.value - load, slope: inertia + force.slope }
-        };
         let marks = self.marks().map(|mark| mark.value());
-        // Below the last mark the curve has the sign of the velocity: at the velocity the body would reach without it,
-        // it is not positive.
-        let end = (velocity + load / inertia).min(marks[4].min(-f64::MIN_POSITIVE).next_down());
-        end_velocity::first(residual, &marks, velocity, end)
+        landing(&self.law.lifted(), marks, inertia, side, velocity, load)
     }
 
     /// Velocities of the kinks and of rest, in descending order.
@@ -111,6 +103,19 @@ impl<T: Real, L: Curve<T> + Lift> OnCurve<'_, T, L> {
     fn force_to_reach(&self, velocity: T, inertia: T) -> T {
         self.external_force + inertia * (self.velocity - velocity)
     }
+}
+
+/// [`OnCurve::landing`] for mirrored velocity and load.
+#[inline(never)] // once for all numbers
+fn landing(law: &impl Curve<Dual>, marks: [f64; 5], inertia: f64, side: f64, velocity: f64, load: f64) -> Landing {
+    let residual = |w: f64| {
+        let force = law.curve(Dual { value: side * w, slope: 1.0 });
+        Dual { value: inertia * (w - velocity) + side * force.value - load, slope: inertia + force.slope }
+    };
+    // Below the last mark the curve has the sign of the velocity: at the velocity the body would reach without it, it is
+    // not positive.
+    let end = (velocity + load / inertia).min(marks[4].min(-f64::MIN_POSITIVE).next_down());
+    end_velocity::first(&residual, &marks, velocity, end)
 }
 
 impl<T: Real, L: Curve<T> + Lift> Contact<T> for OnCurve<'_, T, L> {
