@@ -80,92 +80,122 @@ impl Fnv {
 /// The references of a table, and the way back.
 #[derive(Clone, Copy)]
 pub struct References {
-    /// Slots of a hash table with open addressing; at least half of them are empty, so every search ends.
-    slots: &'static [Slot],
-}
-
-/// A reference with its place in the order columns, time, derivatives of the columns.
-#[derive(Clone, Copy)]
-pub struct Slot {
-    reference: Reference,
-    place: u32,
+    /// Places of the references, in a hash table with open addressing; at least half of its slots are empty, so every
+    /// search ends.
+    slots: &'static [u16],
+    /// References by place: of the columns, of time, of the derivatives of the states.
+    places: &'static [Reference],
+    /// Columns of the states.
+    states: &'static [u16],
 }
 
 /// No place.
-const EMPTY: u32 = u32::MAX;
+const EMPTY: u16 = u16::MAX;
 
 impl References {
-    /// For the slots that [`slots`] has filled.
-    pub const fn new(slots: &'static [Slot]) -> References {
-        References { slots }
+    /// For what [`slots`], [`places`] and [`states`] have found.
+    pub const fn new(slots: &'static [u16], places: &'static [Reference], states: &'static [u16]) -> References {
+        References { slots, places, states }
     }
 
     /// The quantity with this reference, in a table with so many columns.
     #[inline(always)]
     pub fn find(&self, reference: Reference, columns: usize) -> Option<Place> {
         let place = self.place(reference)?;
-        Some(if place < columns {
-            Place::Column(place)
-        } else if place == columns {
-            Place::Time
-        } else {
-            Place::Derivative(place - columns - 1)
-        })
+        if place < columns {
+            return Some(Place::Column(place));
+        }
+        match place - columns {
+            0 => Some(Place::Time),
+            behind => self.states.get(behind - 1).map(|state| Place::Derivative(usize::from(*state))),
+        }
     }
 
-    /// Place of a reference in the order of [`Slot`].
+    /// Place of a reference.
     #[inline(always)]
-    pub fn place(&self, reference: Reference) -> Option<usize> {
+    fn place(&self, reference: Reference) -> Option<usize> {
         let mut at = reference as usize;
         loop {
-            let slot = self.slots.get(at & (self.slots.len() - 1))?;
-            if slot.place == EMPTY {
-                return None;
-            }
-            if slot.reference == reference {
-                return Some(slot.place as usize);
+            let slot = *self.slots.get(at & (self.slots.len() - 1))?;
+            // An empty slot leads to no place.
+            let found = self.places.get(usize::from(slot))?;
+            if *found == reference {
+                return Some(usize::from(slot));
             }
             at += 1;
         }
     }
 }
 
-/// Number of slots for a table: a power of two, and at least twice the number of its references.
-pub const fn slot_count(table: &[Variable]) -> usize {
-    let (mut count, mut column) = (1, 0);
+/// Number of the continuous states of a table.
+pub const fn state_count(table: &[Variable]) -> usize {
+    let (mut count, mut column) = (0, 0);
     while column < table.len() {
-        count += 1 + table[column].is_continuous_state() as usize;
+        count += table[column].is_continuous_state() as usize;
         column += 1;
     }
-    (2 * count).next_power_of_two()
+    count
+}
+
+/// Columns of the continuous states of a table.
+pub const fn states<const STATES: usize>(table: &[Variable]) -> [u16; STATES] {
+    let mut states = [0; STATES];
+    let (mut count, mut column) = (0, 0);
+    while column < table.len() {
+        if table[column].is_continuous_state() {
+            states[count] = column as u16;
+            count += 1;
+        }
+        column += 1;
+    }
+    states
+}
+
+/// The references of a table: of its columns, of time, and of the derivatives of its states.
+pub const fn places<const PLACES: usize>(table: &[Variable]) -> [Reference; PLACES] {
+    assert!(PLACES < EMPTY as usize, "too many columns");
+    let mut places = [TIME; PLACES];
+    let (mut behind, mut column) = (table.len() + 1, 0);
+    while column < table.len() {
+        let variable = &table[column];
+        places[column] = of(&variable.path);
+        if variable.is_continuous_state() {
+            assert!(!variable.is_hidden, "an importer that integrates needs the state");
+            places[behind] = of_derivative(&variable.path);
+            behind += 1;
+        }
+        column += 1;
+    }
+    places
+}
+
+/// Number of slots for so many references: a power of two, and at least twice their number.
+pub const fn slot_count(places: &[Reference]) -> usize {
+    (2 * places.len()).next_power_of_two()
 }
 
 /// The filled slots of a table. Two variables with one reference do not compile.
-pub const fn slots<const COUNT: usize>(table: &[Variable]) -> [Slot; COUNT] {
-    let mut slots = [Slot { reference: 0, place: EMPTY }; COUNT];
-    insert(&mut slots, TIME, table.len());
-    let mut column = 0;
-    while column < table.len() {
-        let variable = &table[column];
-        if !variable.is_hidden {
-            insert(&mut slots, of(&variable.path), column);
+pub const fn slots<const COUNT: usize>(table: &[Variable], places: &[Reference]) -> [u16; COUNT] {
+    let mut slots = [EMPTY; COUNT];
+    let mut place = 0;
+    while place < places.len() {
+        // A hidden column is not found.
+        if place >= table.len() || !table[place].is_hidden {
+            insert(&mut slots, places, place);
         }
-        if variable.is_continuous_state() {
-            assert!(!variable.is_hidden, "an importer that integrates needs the state");
-            insert(&mut slots, of_derivative(&variable.path), table.len() + 1 + column);
-        }
-        column += 1;
+        place += 1;
     }
     slots
 }
 
-const fn insert(slots: &mut [Slot], reference: Reference, place: usize) {
-    let mut at = reference as usize & (slots.len() - 1);
-    while slots[at].place != EMPTY {
-        assert!(slots[at].reference != reference, "two variables have the same value reference: rename one of them");
+const fn insert(slots: &mut [u16], places: &[Reference], place: usize) {
+    let mut at = places[place] as usize & (slots.len() - 1);
+    while slots[at] != EMPTY {
+        let other = places[slots[at] as usize];
+        assert!(other != places[place], "two variables have the same value reference: rename one of them");
         at = (at + 1) & (slots.len() - 1);
     }
-    slots[at] = Slot { reference, place: place as u32 };
+    slots[at] = place as u16;
 }
 
 #[cfg(test)]

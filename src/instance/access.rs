@@ -169,8 +169,8 @@ impl Instance {
     pub fn read_at_once(&self, references: &[Reference], values: &mut [f64]) -> bool {
         for (reference, value) in references.iter().zip(values) {
             let Some(Place::Column(column)) = self.model.place(*reference) else { return false };
-            match (self.row.get(column), self.model.ports.get(column)) {
-                (Some(found), Some(port)) if port.gives(self.computed) => *value = *found,
+            match self.row.get(column) {
+                Some(found) if self.model.ports.gives(column, self.computed) => *value = *found,
                 _ => return false,
             }
         }
@@ -183,7 +183,7 @@ impl Instance {
     pub fn write_at_once(&mut self, references: &[Reference], values: &[f64]) -> bool {
         for (reference, value) in references.iter().zip(values) {
             let Some(Place::Column(column)) = self.model.place(*reference) else { return false };
-            if !self.model.ports.get(column).is_some_and(|port| port.takes(*value)) {
+            if !self.model.ports.takes(column, *value) {
                 return false;
             }
         }

@@ -257,14 +257,22 @@ macro_rules! model {
             const SUMMARY: &'static str = $summary;
             const DOCUMENTATION: &'static str = concat!($($doc, "\n"),+);
             const COLUMNS: $crate::model::Table = $crate::packed!(<$Name as $crate::model::Columns>::TABLE);
-            const PORTS: &'static [$crate::model::Port] =
-                &$crate::model::ports::<{ <$Name as $crate::model::Width>::WIDTH }>(
-                    <$Name as $crate::model::Columns>::TABLE);
-            const REFERENCES: $crate::reference::References = $crate::reference::References::new(
-                &$crate::reference::slots::<{
-                    $crate::reference::slot_count(<$Name as $crate::model::Columns>::TABLE)
-                }>(<$Name as $crate::model::Columns>::TABLE),
-            );
+            const PORTS: $crate::model::Ports = {
+                const TABLE: &[$crate::model::Variable] = <$Name as $crate::model::Columns>::TABLE;
+                const PORTS: &[$crate::model::Port] = &$crate::model::ports::<{ TABLE.len() }>(TABLE);
+                const RANGES: &[$crate::model::Range] =
+                    &$crate::model::ranges::<{ $crate::model::range_count(TABLE) }>(TABLE);
+                $crate::model::Ports::new(PORTS, RANGES)
+            };
+            const REFERENCES: $crate::reference::References = {
+                const TABLE: &[$crate::model::Variable] = <$Name as $crate::model::Columns>::TABLE;
+                const STATES: usize = $crate::reference::state_count(TABLE);
+                const PLACES: &[$crate::reference::Reference] =
+                    &$crate::reference::places::<{ TABLE.len() + 1 + STATES }>(TABLE);
+                const SLOTS: &[u16] = &$crate::reference::slots::<{ $crate::reference::slot_count(PLACES) }>(TABLE, PLACES);
+                const STATE_COLUMNS: &[u16] = &$crate::reference::states::<STATES>(TABLE);
+                $crate::reference::References::new(SLOTS, PLACES, STATE_COLUMNS)
+            };
             type In<T: $crate::model::Evaluate> = $Name<T>;
         }
 

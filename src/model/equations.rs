@@ -5,7 +5,7 @@ use std::ops::Range;
 
 use super::Evaluate;
 use crate::reference::References;
-use crate::table::{Fault, Port, Table, Variable};
+use crate::table::{Fault, Ports, Table, Variable};
 
 /// Number of columns of a field in a `model!` block: one for a number, those of its table for a part.
 pub trait Width {
@@ -56,7 +56,7 @@ pub unsafe trait Described: Columns {
     /// The table, as the library keeps it.
     const COLUMNS: Table;
     /// The facts about the columns that get and set need on every step.
-    const PORTS: &'static [Port];
+    const PORTS: Ports;
     /// The numbers by which FMI and C know the columns.
     const REFERENCES: References;
     /// The same model in another number, such as dual numbers for exact derivatives.

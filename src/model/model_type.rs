@@ -8,7 +8,7 @@ use super::{Law, Model, Preset, is_for_exchange};
 use crate::guid::{self, GuidText};
 use crate::number::Dual;
 use crate::reference::{self, Place, Reference, References};
-use crate::table::{Fault, Port, Role, Table, Variable};
+use crate::table::{Fault, Ports, Role, Table, Variable};
 
 /// Arguments: row, memory, workspace for a copy, slopes and time.
 type AdvanceRamp = fn(&mut [f64], &mut [f64], Room, &[f64], f64) -> bool;
@@ -27,7 +27,7 @@ pub struct ModelType {
     /// Its columns.
     pub table: Table,
     /// The facts about the columns that get and set need on every step.
-    pub ports: &'static [Port],
+    pub ports: Ports,
     references: References,
     /// Its named parameter sets.
     pub presets: &'static [Preset],

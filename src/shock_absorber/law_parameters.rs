@@ -224,8 +224,13 @@ mod tests {
         for host in ["GuideContact", "ShockAbsorber"].map(|name| catalogue::by_name(name).expect("a model")) {
             let table = table_with_newcomer(host);
             assert!(table.len() > host.table.len());
-            let slots: &'static [_] = Box::leak(Box::new(reference::slots::<8192>(&table)));
-            let references = References::new(slots);
+            let states = table.iter().enumerate().filter(|(_, variable)| variable.is_continuous_state());
+            let (columns, states): (Vec<u16>, Vec<&Variable>) = states.map(|(at, state)| (at as u16, state)).unzip();
+            let columns_first = table.iter().map(|variable| reference::of(&variable.path)).chain([reference::TIME]);
+            let derivatives = states.iter().map(|state| reference::of_derivative(&state.path));
+            let places: Vec<u32> = columns_first.chain(derivatives).collect();
+            let slots = reference::slots::<8192>(&table, &places);
+            let references = References::new(slots.to_vec().leak(), places.leak(), columns.leak());
             for (column, variable) in host.variables() {
                 let reference = host.reference(column);
                 let Some(Place::Column(found)) = references.find(reference, table.len()) else {

@@ -14,5 +14,5 @@ pub(crate) use bound::Brief;
 pub use fault::Fault;
 pub use packed::{Packed, Parts, Pool, Table, Variables};
 pub use path::{Path, Segment};
-pub use port::{Computed, Port, ports};
+pub use port::{Computed, Port, Ports, Range, ports, range_count, ranges};
 pub use variable::{BaseType, Column, Enumeration, Item, Kind, Role, Variable, boolean, choice, integer, real};

@@ -1,6 +1,6 @@
 //! Facts of columns for calls on every step.
 
-use super::{BLANK, Kind, Role, Variable};
+use super::{Kind, Role, Variable};
 
 /// The outputs of a row that follow its other columns.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -24,46 +24,97 @@ impl Computed {
     }
 }
 
-/// The per-column facts that get and set need on every step, packed for the cache.
+/// The facts about a column that get and set need on every step.
 #[derive(Clone, Copy, Debug)]
 pub struct Port {
-    low: f64,
-    high: f64,
+    /// Place of its bounds, if it is a Real input.
+    input: u8,
     /// The first of [`Computed`], as a number, with which it can be read; none of them if it is not Real.
     needs: u8,
 }
 
-impl Port {
-    /// Whether `value` may be written while stepping, with no rule but its range. True for admitted values of Real
-    /// inputs, false for all other columns.
-    #[inline(always)]
-    pub fn takes(&self, value: f64) -> bool {
-        value >= self.low && value <= self.high
+/// No Real input.
+const NO_INPUT: u8 = u8::MAX;
+
+/// Bounds of a Real input.
+#[derive(Clone, Copy, Debug)]
+pub struct Range {
+    low: f64,
+    high: f64,
+}
+
+/// The ports of a table, packed for the cache.
+#[derive(Clone, Copy, Debug)]
+pub struct Ports {
+    columns: &'static [Port],
+    inputs: &'static [Range],
+}
+
+impl Ports {
+    /// Those of a table, made by [`ports`] and [`ranges`].
+    pub const fn new(columns: &'static [Port], inputs: &'static [Range]) -> Ports {
+        Ports { columns, inputs }
     }
 
-    /// Whether the column is Real and can be read in a row that holds so much.
+    /// Whether `value` may be written to a column while stepping, with no rule but its range. True for admitted values
+    /// of Real inputs, false for all other columns.
     #[inline(always)]
-    pub fn gives(&self, computed: Computed) -> bool {
-        self.needs <= computed as u8
+    pub fn takes(&self, column: usize, value: f64) -> bool {
+        let range = self.columns.get(column).and_then(|port| self.inputs.get(usize::from(port.input)));
+        range.is_some_and(|range| value >= range.low && value <= range.high)
     }
 
-    const fn of(variable: &Variable) -> Port {
-        let (low, high) = match (variable.role, variable.kind) {
-            (Role::Input, Kind::Real(_)) => (variable.bound.low, variable.bound.high),
-            _ => (f64::INFINITY, f64::NEG_INFINITY),
-        };
-        let needs = if matches!(variable.kind, Kind::Real(_)) { variable.needs() as u8 } else { u8::MAX };
-        Port { low, high, needs }
+    /// Whether a column is Real and can be read in a row that holds so much.
+    #[inline(always)]
+    pub fn gives(&self, column: usize, computed: Computed) -> bool {
+        self.columns.get(column).is_some_and(|port| port.needs <= computed as u8)
     }
 }
 
-/// The ports of a table.
+const fn is_real_input(variable: &Variable) -> bool {
+    matches!((variable.role, variable.kind), (Role::Input, Kind::Real(_)))
+}
+
+/// The ports of the columns of a table.
 pub const fn ports<const COLUMNS: usize>(table: &[Variable]) -> [Port; COLUMNS] {
-    let mut ports = [Port::of(&BLANK); COLUMNS];
-    let mut column = 0;
+    let mut ports = [Port { input: NO_INPUT, needs: u8::MAX }; COLUMNS];
+    let (mut inputs, mut column) = (0, 0);
     while column < COLUMNS {
-        ports[column] = Port::of(&table[column]);
+        let variable = &table[column];
+        if is_real_input(variable) {
+            assert!(inputs < NO_INPUT, "too many inputs");
+            ports[column].input = inputs;
+            inputs += 1;
+        }
+        if matches!(variable.kind, Kind::Real(_)) {
+            ports[column].needs = variable.needs() as u8;
+        }
         column += 1;
     }
     ports
+}
+
+/// Number of Real inputs of a table.
+pub const fn range_count(table: &[Variable]) -> usize {
+    let (mut count, mut column) = (0, 0);
+    while column < table.len() {
+        count += is_real_input(&table[column]) as usize;
+        column += 1;
+    }
+    count
+}
+
+/// Bounds of the Real inputs of a table, in their order.
+pub const fn ranges<const INPUTS: usize>(table: &[Variable]) -> [Range; INPUTS] {
+    let mut ranges = [Range { low: 0.0, high: 0.0 }; INPUTS];
+    let (mut inputs, mut column) = (0, 0);
+    while column < table.len() {
+        let Variable { bound, .. } = table[column];
+        if is_real_input(&table[column]) {
+            ranges[inputs] = Range { low: bound.low, high: bound.high };
+            inputs += 1;
+        }
+        column += 1;
+    }
+    ranges
 }
