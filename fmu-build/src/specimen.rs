@@ -1,7 +1,7 @@
 //! A model for tests: it has every kind of column, nested names, and texts that must be escaped.
 
 use stribeck::model::{CoSimulation, Law, Model, ModelType, boolean, integer, real};
-use stribeck::number::Real;
+use stribeck::number::{Mask, Real};
 
 stribeck::choices! {
     /// Choices.
@@ -55,7 +55,7 @@ impl<T: Real> Law for Specimen<T> {
     fn output(&mut self) {
         let element = self.element[0];
         self.force = element.stiffness * element.deflection * self.share * self.enabled;
-        self.moves = if Behaviour::of(self.behaviour.value()) == Behaviour::Motion { self.count } else { T::zero() };
+        self.moves = Behaviour::Motion.is(self.behaviour).choose(|| self.count, T::zero);
     }
 }
 

@@ -1,7 +1,7 @@
 //! Division of stiffness and strength among the elements of the Maxwell-slip laws.
 
 use crate::model::real;
-use crate::number::Real;
+use crate::number::Scalar;
 use crate::number::elementary::pow;
 
 /// Largest number of elements with individual shares.
@@ -32,7 +32,7 @@ crate::part! {
 }
 
 /// The share of an element without individual shares: an equal one, or nothing.
-pub(crate) fn no_share<T: Real>() -> Share<T> {
+pub(crate) fn no_share<T: Scalar>() -> Share<T> {
     Share { stiffness_share: T::zero(), strength_share: T::zero() }
 }
 
@@ -43,7 +43,7 @@ pub(crate) struct Division<T> {
     sum: Share<T>,
 }
 
-impl<T: Real> Division<T> {
+impl<T: Scalar> Division<T> {
     pub(crate) fn new(distribution: T, shares: impl Iterator<Item = Share<T>>) -> Division<T> {
         let add = |(count, sum): (f64, Share<T>), share: Share<T>| {
             let stiffness_share = sum.stiffness_share + share.stiffness_share;

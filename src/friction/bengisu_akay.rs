@@ -106,8 +106,8 @@ crate::model! {
 }
 
 impl<T: Real> BengisuAkay<T> {
-    fn is_marques(&self) -> bool {
-        BengisuAkayVariant::of(self.variant.value()) == BengisuAkayVariant::Marques
+    fn is_marques(&self) -> T::Mask {
+        BengisuAkayVariant::Marques.is(self.variant)
     }
 
     /// Level at a speed above that of the peak.
@@ -122,15 +122,14 @@ impl<T: Real> Curve<T> for BengisuAkay<T> {
     #[inline]
     fn curve(&self, velocity: T) -> T {
         let [speed, peak] = [velocity.abs(), self.transition_velocity];
-        if !self.is_marques() {
-            return regularised::rise(velocity, self.transition_slope) * self.falling_level(speed);
-        }
+        let thesis = || regularised::rise(velocity, self.transition_slope) * self.falling_level(speed);
         let rising = || {
             // 1 - (u - 1)^2 = u (2 - u)
             let u = velocity / peak;
             self.level() * u * (T::from(2.0) - u.abs())
         };
-        speed.below(peak).choose(rising, || self.falling_level(speed - peak) * velocity.sign())
+        let marques = || speed.below(peak).choose(rising, || self.falling_level(speed - peak) * velocity.sign());
+        self.is_marques().choose(marques, thesis)
     }
 
     fn level(&self) -> T {
@@ -138,11 +137,11 @@ impl<T: Real> Curve<T> for BengisuAkay<T> {
     }
 
     fn band(&self) -> Option<T> {
-        Some(if self.is_marques() { self.transition_velocity } else { T::from(3.0) / self.transition_slope })
+        Some(self.is_marques().choose(|| self.transition_velocity, || T::from(3.0) / self.transition_slope))
     }
 
     fn kinks(&self) -> [T; 2] {
-        [T::zero(), if self.is_marques() { self.transition_velocity } else { T::zero() }]
+        [T::zero(), self.is_marques().choose(|| self.transition_velocity, || T::zero())]
     }
 }
 

@@ -1,7 +1,7 @@
 use crate::contact::conditions::ELASTIC_SHARE;
 use crate::contact::quantities::*;
 use crate::contact::unloading::released_without_load;
-use crate::model::{Derivatives, Law, Model, ModelExchange, Preset, real};
+use crate::model::{Derivatives, Law, Model, ModelExchange, Preset, Steps, either, in_lanes, real};
 use crate::number::{Mask, Real};
 use crate::numerics::relaxation;
 
@@ -135,8 +135,8 @@ crate::model! {
 }
 
 impl<T: Real> BlimanSorine<T> {
-    fn is_second_order(&self) -> bool {
-        BlimanSorineOrder::of(self.variant.value()) == BlimanSorineOrder::Second
+    fn is_second_order(&self) -> T::Mask {
+        BlimanSorineOrder::Second.is(self.variant)
     }
 
     /// f_C = f_1 - f_2.
@@ -146,12 +146,12 @@ impl<T: Real> BlimanSorine<T> {
 
     /// f_2.
     fn slow_level(&self) -> T {
-        if self.is_second_order() { self.mu_2 * self.normal_force } else { T::zero() }
+        self.is_second_order().choose(|| self.mu_2 * self.normal_force, || T::zero())
     }
 
     /// eta eps_f.
     fn fast_length(&self) -> T {
-        if self.is_second_order() { self.eta * self.eps_f } else { self.eps_f }
+        self.is_second_order().choose(|| self.eta * self.eps_f, || self.eps_f)
     }
 
     /// C x_s, written so that steady sliding gives f_C without a rounding error of the larger f_1 and f_2.
@@ -178,12 +178,37 @@ impl<T: Real> Derivatives for BlimanSorine<T> {
         let is_loaded = self.normal_force.is_positive();
         let approach = |y, length| (self.velocity - self.velocity.abs() * y) / length;
         rate.y_1 = is_loaded.choose(|| approach(self.y_1, self.fast_length()), || T::zero());
-        if self.is_second_order() {
-            rate.y_2 = is_loaded.choose(|| approach(self.y_2, self.eps_f), || T::zero());
-        }
+        let moves = is_loaded & self.is_second_order();
+        rate.y_2 = moves.choose(|| approach(self.y_2, self.eps_f), || T::zero());
         rate.dissipated_energy = self.force() * self.velocity;
     }
 }
+
+impl<T: Real> BlimanSorine<T> {
+    fn slide(&mut self, dt: T) {
+        let direction = self.velocity.sign();
+        let distance = self.velocity.abs() * dt;
+        let (fast, slow) = (self.fast_length(), self.eps_f);
+        let before = (self.y_1, self.y_2);
+        self.y_1 = relaxation::after(self.y_1, direction, distance / fast);
+        let slowly = || relaxation::after(self.y_2, direction, distance / slow);
+        self.y_2 = self.is_second_order().choose(slowly, || T::zero());
+        // The integral of each y over the distance: dy/ds = (1 - y) / length gives y ds = ds - length dy.
+        let fast_path = distance - fast * direction * (self.y_1 - before.0);
+        let slow_path = distance - slow * direction * (self.y_2 - before.1);
+        let work = self.coulomb() * fast_path + self.slow_level() * (fast_path - slow_path);
+        self.dissipated_energy = self.dissipated_energy + work;
+    }
+}
+
+impl<T: Real> Steps for BlimanSorine<T> {
+    fn advance(&mut self, dt: T) {
+        let is_loaded = self.normal_force.is_positive();
+        either(self, is_loaded, |law| law.slide(dt), |law| (law.y_1, law.y_2) = (T::zero(), T::zero()));
+    }
+}
+
+in_lanes!(BlimanSorine);
 
 impl Model for BlimanSorine {
     const LINEAR: bool = true;
@@ -202,22 +227,7 @@ impl Model for BlimanSorine {
 
     released_without_load!(y_1, y_2);
 
-    fn step(&mut self, dt: f64) {
-        if self.normal_force <= 0.0 {
-            (self.y_1, self.y_2) = (0.0, 0.0);
-            return;
-        }
-        let direction = self.velocity.sign();
-        let distance = self.velocity.abs() * dt;
-        let (fast, slow) = (self.fast_length(), self.eps_f);
-        let before = (self.y_1, self.y_2);
-        self.y_1 = relaxation::after(self.y_1, direction, distance / fast);
-        self.y_2 = if self.is_second_order() { relaxation::after(self.y_2, direction, distance / slow) } else { 0.0 };
-        // The integral of each y over the distance: dy/ds = (1 - y) / length gives y ds = ds - length dy.
-        let fast_path = distance - fast * direction * (self.y_1 - before.0);
-        let slow_path = distance - slow * direction * (self.y_2 - before.1);
-        self.dissipated_energy += self.coulomb() * fast_path + self.slow_level() * (fast_path - slow_path);
-    }
+    in_lanes!();
 }
 
 #[cfg(test)]

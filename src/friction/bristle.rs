@@ -1,7 +1,7 @@
 use crate::contact::quantities::*;
 use crate::model::ramp;
 use crate::model::{CoSimulation, Fault, Law, Model, Preset, integer, real};
-use crate::number::Real;
+use crate::number::{Real, Scalar};
 
 /// Largest number of bristles in a contact. The authors find fewer than 50 sufficient.
 const MOST: usize = 64;
@@ -151,7 +151,7 @@ const SMALL: f64 = 1e-9;
 /// Part of the mean sliding force below which the contact counts as sticking (chosen).
 const STUCK_SHARE: f64 = 0.5;
 
-impl<T: Real> Bristle<T> {
+impl<T: Scalar> Bristle<T> {
     fn count(&self) -> usize {
         self.bristle_count.value() as usize
     }
@@ -163,7 +163,7 @@ impl<T: Real> Bristle<T> {
     }
 }
 
-impl<T: Real> Law for Bristle<T> {
+impl<T: Scalar> Law for Bristle<T> {
     type Interface = CoSimulation;
 
     fn output(&mut self) {

@@ -2,7 +2,7 @@ use crate::contact::quantities::*;
 use crate::contact::time_stepping::{Curve, TimeStepping, memoryless};
 use crate::laws::viscous;
 use crate::model::{Model, real};
-use crate::number::Real;
+use crate::number::{Mask, Real};
 
 crate::choices! {
     /// Variants of the law.
@@ -107,10 +107,8 @@ impl<T: Real> Curve<T> for CoulombViscous<T> {
     /// Eqs. (5.2), (5.3).
     #[inline]
     fn curve(&self, velocity: T) -> T {
-        let speed = match CoulombViscousVariant::of(self.variant.value()) {
-            CoulombViscousVariant::Linear => velocity.abs(),
-            CoulombViscousVariant::Power => velocity.abs().powf(self.viscous_exponent),
-        };
+        let power = || velocity.abs().powf(self.viscous_exponent);
+        let speed = CoulombViscousVariant::Power.is(self.variant).choose(power, || velocity.abs());
         let viscous = viscous::force(speed, self.viscous_coefficient, self.normal_force);
         (self.level() + viscous) * velocity.sign()
     }

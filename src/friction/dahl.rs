@@ -1,8 +1,7 @@
 use crate::contact::conditions::ELASTIC_SHARE;
 use crate::contact::quantities::*;
 use crate::contact::unloading::released_without_load;
-use crate::model::{Derivatives, Fault, Law, Model, ModelExchange, Preset, real};
-use crate::number::elementary::{exp, exp_m1, ln, ln_1p, pow};
+use crate::model::{Derivatives, Fault, Law, Model, ModelExchange, Preset, Steps, either, in_lanes, real};
 use crate::number::{Mask, Real};
 
 crate::model! {
@@ -133,6 +132,34 @@ impl<T: Real> Derivatives for Dahl<T> {
     }
 }
 
+impl<T: Real> Dahl<T> {
+    fn slide(&mut self, dt: T) {
+        let (coulomb, direction) = (self.coulomb(), self.velocity.sign());
+        let distance = self.velocity.abs() * dt;
+        // Everything below is for sliding forwards; `missing` is the distance of the force from the level, f_C y.
+        let missing = coulomb - direction * self.force();
+        let y = missing.abs() / coulomb;
+        let shrinkage = log_shrinkage(y, self.sigma_0 * distance / coulomb, self.alpha);
+        let change = direction * missing * shrinkage.exp_m1() / self.sigma_0;
+        self.bristle_deflection = self.bristle_deflection - change;
+        let before = self.dissipated_energy;
+        let moving = || {
+            let elastic = missing / self.sigma_0 * mean_path(y, shrinkage, self.alpha);
+            before + coulomb * (distance - elastic)
+        };
+        self.dissipated_energy = distance.is_positive().choose(moving, || before);
+    }
+}
+
+impl<T: Real> Steps for Dahl<T> {
+    fn advance(&mut self, dt: T) {
+        let is_loaded = !self.coulomb().vanishes();
+        either(self, is_loaded, |law| law.slide(dt), |law| law.bristle_deflection = T::zero());
+    }
+}
+
+in_lanes!(Dahl);
+
 impl Model for Dahl {
     const PRESETS: &'static [Preset] = &[
         Preset {
@@ -156,60 +183,43 @@ impl Model for Dahl {
         crate::contact::conditions::kinetic_friction_for_exchange(self.mu_k)
     }
 
-    fn step(&mut self, dt: f64) {
-        let coulomb = self.coulomb();
-        if coulomb == 0.0 {
-            self.bristle_deflection = 0.0;
-            return;
-        }
-        let direction = self.velocity.sign();
-        let distance = self.velocity.abs() * dt;
-        // Everything below is for sliding forwards; `missing` is the distance of the force from the level, f_C y.
-        let missing = coulomb - direction * self.force();
-        let shrinkage = log_shrinkage(missing.abs() / coulomb, self.sigma_0 * distance / coulomb, self.alpha);
-        self.bristle_deflection -= direction * missing * exp_m1(shrinkage) / self.sigma_0;
-        if distance > 0.0 {
-            let elastic = missing / self.sigma_0 * mean_path(missing.abs() / coulomb, shrinkage, self.alpha);
-            self.dissipated_energy += coulomb * (distance - elastic);
-        }
-    }
+    in_lanes!();
 }
 
 /// ln(y(q) / y_0) of dy/dq = -y^alpha for y_0 >= 0; minus infinity where y has reached 0.
-fn log_shrinkage(y_0: f64, q: f64, alpha: f64) -> f64 {
-    let q = q.min(f64::MAX);
-    if alpha == 1.0 {
-        return -q;
-    }
-    if y_0 == 0.0 {
-        return 0.0;
-    }
-    let relative = (1.0 - alpha) * q * pow(y_0, alpha - 1.0);
-    if relative >= 1.0 {
-        f64::NEG_INFINITY
-    } else if relative == f64::NEG_INFINITY {
+fn log_shrinkage<T: Real>(y_0: T, q: T, alpha: T) -> T {
+    let [one, most] = [1.0, f64::MAX].map(T::from);
+    let q = q.below(most).choose(|| q, || most);
+    let power = || {
+        let relative = (one - alpha) * q * y_0.powf(alpha - one);
         // A level far below the force, with a large exponent: ln(1 + w) is ln w, computed in parts so that w may
         // overflow.
-        -ln((alpha - 1.0) * q) / (alpha - 1.0) - ln(y_0)
-    } else {
-        ln_1p(-relative) / (1.0 - alpha)
-    }
+        let beyond = || -((alpha - one) * q).ln() / (alpha - one) - y_0.ln();
+        let usual = || relative.is(f64::NEG_INFINITY).choose(beyond, || (-relative).ln_1p() / (one - alpha));
+        relative.at_least(one).choose(|| T::from(f64::NEG_INFINITY), usual)
+    };
+    // The first terms in 1 - alpha: for its derivative.
+    let series = || -q + (one - alpha) * q * (y_0.ln() - q / T::from(2.0));
+    let curved = || alpha.equals(one).choose(series, power);
+    alpha.is(1.0).choose(|| -q, || y_0.vanishes().choose(T::zero, curved))
 }
 
 /// Integral of y over q, divided by y_0: (y_0^(2 - alpha) - y^(2 - alpha)) / ((2 - alpha) y_0).
-fn mean_path(y_0: f64, log_shrinkage: f64, alpha: f64) -> f64 {
-    let exponent = 2.0 - alpha;
-    if y_0 == 0.0 {
-        0.0
-    } else if exponent == 0.0 {
-        -log_shrinkage / y_0
-    } else if (exponent * log_shrinkage).abs() < 1.0 {
-        // The difference of two nearly equal powers.
-        -pow(y_0, 1.0 - alpha) * exp_m1(exponent * log_shrinkage) / exponent
-    } else {
-        let y = y_0 * exp(log_shrinkage);
-        (pow(y_0, exponent) - pow(y, exponent)) / (exponent * y_0)
-    }
+fn mean_path<T: Real>(y_0: T, log_shrinkage: T, alpha: T) -> T {
+    let [one, two] = [1.0, 2.0].map(T::from);
+    let exponent = two - alpha;
+    // The difference of two nearly equal powers.
+    let near = || -y_0.powf(one - alpha) * (exponent * log_shrinkage).exp_m1() / exponent;
+    let far = || {
+        let y = y_0 * log_shrinkage.exp();
+        (y_0.powf(exponent) - y.powf(exponent)) / (exponent * y_0)
+    };
+    let power = || (exponent * log_shrinkage).abs().below(one).choose(near, far);
+    // The first terms in the exponent: for its derivative.
+    let series = || -y_0.powf(one - alpha) * log_shrinkage * (one + exponent * log_shrinkage / two);
+    let curved = || exponent.vanishes().choose(series, power);
+    let moving = || exponent.is(0.0).choose(|| -log_shrinkage / y_0, curved);
+    y_0.vanishes().choose(T::zero, moving)
 }
 
 #[cfg(test)]

@@ -1,7 +1,7 @@
 use crate::contact::conditions::ELASTIC_SHARE;
 use crate::contact::quantities::*;
 use crate::contact::unloading::released_without_load;
-use crate::model::{Derivatives, Law, Model, ModelExchange, Preset, real};
+use crate::model::{Derivatives, Law, Model, ModelExchange, Preset, Steps, either, in_lanes, real};
 use crate::number::{Mask, Real};
 use crate::numerics::relaxation;
 
@@ -117,6 +117,27 @@ impl<T: Real> Derivatives for Dankowicz<T> {
     }
 }
 
+impl<T: Real> Dankowicz<T> {
+    fn slide(&mut self, dt: T) {
+        let direction = self.velocity.sign();
+        let distance = self.velocity.abs() * dt;
+        let before = self.bristle_deflection;
+        self.bristle_deflection = relaxation::after(before, direction * self.delta_t, distance / self.delta_t);
+        // The integral of z over the distance: dz = ds - (z / delta_t) ds, forwards.
+        let work = self.coulomb() * (distance - direction * (self.bristle_deflection - before));
+        self.dissipated_energy = self.dissipated_energy + work;
+    }
+}
+
+impl<T: Real> Steps for Dankowicz<T> {
+    fn advance(&mut self, dt: T) {
+        let is_loaded = self.normal_force.is_positive();
+        either(self, is_loaded, |law| law.slide(dt), |law| law.bristle_deflection = T::zero());
+    }
+}
+
+in_lanes!(Dankowicz);
+
 impl Model for Dankowicz {
     const PRESETS: &'static [Preset] = &[Preset {
         name: "thesis",
@@ -126,18 +147,7 @@ impl Model for Dankowicz {
 
     released_without_load!(bristle_deflection);
 
-    fn step(&mut self, dt: f64) {
-        if self.normal_force <= 0.0 {
-            self.bristle_deflection = 0.0;
-            return;
-        }
-        let direction = self.velocity.sign();
-        let distance = self.velocity.abs() * dt;
-        let before = self.bristle_deflection;
-        self.bristle_deflection = relaxation::after(before, direction * self.delta_t, distance / self.delta_t);
-        // The integral of z over the distance: dz = ds - (z / delta_t) ds, forwards.
-        self.dissipated_energy += self.coulomb() * (distance - direction * (self.bristle_deflection - before));
-    }
+    in_lanes!();
 }
 
 #[cfg(test)]

@@ -4,7 +4,7 @@ use crate::contact::unloading::released_without_load;
 use crate::laws::stribeck;
 use crate::model::{Derivatives, Fault, Law, Model, ModelExchange, Preset, integer};
 use crate::number::elementary::{exp, exp_m1, ln, ln_1p, pow, sin};
-use crate::number::{Mask, Real};
+use crate::number::{Mask, Real, Scalar};
 use crate::numerics::quadrature;
 use crate::numerics::runge_kutta::dormand_prince;
 
@@ -126,7 +126,7 @@ crate::model! {
     }
 }
 
-impl<T: Real> ElastoPlastic<T> {
+impl<T: Scalar> ElastoPlastic<T> {
     /// g(v).
     fn level(&self) -> T {
         let coulomb = self.mu_k * self.normal_force;
@@ -174,7 +174,7 @@ impl<T: Real> ElastoPlastic<T> {
     }
 }
 
-impl<T: Real> Law for ElastoPlastic<T> {
+impl<T: Scalar> Law for ElastoPlastic<T> {
     type Interface = ModelExchange;
 
     fn output(&mut self) {
@@ -186,7 +186,7 @@ impl<T: Real> Law for ElastoPlastic<T> {
     }
 }
 
-impl<T: Real> Derivatives for ElastoPlastic<T> {
+impl<T: Scalar> Derivatives for ElastoPlastic<T> {
     fn derivatives(&self, rate: &mut Self) {
         rate.bristle_deflection = self.deflection_rate();
         rate.dissipated_energy = self.force(rate.bristle_deflection) * self.velocity;

@@ -5,7 +5,7 @@ use crate::laws::stribeck;
 use crate::model::ramp;
 use crate::model::{CoSimulation, Fault, Law, Model, Preset, boolean};
 use crate::number::elementary::{exp_m1, ln_1p, pow};
-use crate::number::{Mask, Real};
+use crate::number::{Mask, Scalar};
 use crate::numerics::quadrature::integral_past_peak;
 use crate::numerics::relaxation;
 
@@ -131,7 +131,7 @@ crate::model! {
 /// The Stribeck peak is ignored where it is below exp(-40), which no sum of levels can resolve.
 const NEGLIGIBLE: f64 = 40.0;
 
-impl<T: Real> FrictionalLag<T> {
+impl<T: Scalar> FrictionalLag<T> {
     /// w.
     fn followed_velocity(&self) -> T {
         (self.lags() & !self.has_past.vanishes()).choose(|| self.lagged_velocity, || self.velocity)
@@ -156,7 +156,7 @@ impl<T: Real> FrictionalLag<T> {
     }
 }
 
-impl<T: Real> Law for FrictionalLag<T> {
+impl<T: Scalar> Law for FrictionalLag<T> {
     type Interface = CoSimulation;
 
     fn output(&mut self) {

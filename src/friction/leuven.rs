@@ -5,7 +5,7 @@ use crate::laws::stribeck;
 use crate::model::ramp;
 use crate::model::{CoSimulation, Fault, Law, Model, Preset, real};
 use crate::number::elementary::{exp_m1, pow};
-use crate::number::{Mask, Real};
+use crate::number::{Mask, Real, Scalar};
 use crate::numerics::approach;
 
 crate::part! {
@@ -135,7 +135,7 @@ crate::model! {
 /// Rounding error of F_h, relative to the largest forces of its parts (chosen: the most that 64 elements can add up).
 const ROUNDING: f64 = 1e-14;
 
-impl<T: Real> Leuven<T> {
+impl<T: Scalar> Leuven<T> {
     /// |s(v)|; 0 if it has all but vanished, as it does at high speed for f_C = 0.
     fn level(&self) -> T {
         let coulomb = self.mu_k * self.normal_force;
@@ -213,7 +213,7 @@ impl<T: Real> Leuven<T> {
     }
 }
 
-impl<T: Real> Law for Leuven<T> {
+impl<T: Scalar> Law for Leuven<T> {
     type Interface = CoSimulation;
 
     fn output(&mut self) {

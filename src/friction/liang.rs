@@ -4,7 +4,7 @@ use nalgebra::Vector3;
 use crate::contact::quantities::*;
 use crate::contact::turning;
 use crate::model::{CoSimulation, Fault, Law, Model, Preset, real};
-use crate::number::Mask;
+use crate::number::{Decision, Mask, Scalar};
 use crate::numerics::root;
 use crate::numerics::vector::{Component, direction, in_plane, length, remainder, turned_into};
 
@@ -151,7 +151,7 @@ crate::model! {
 /// A deflection counts as at its limit from this part of the limit on (chosen), the resolution of a sum of squares.
 const AT_LIMIT: f64 = 1.0 - 1e-12;
 
-impl<T: Component> Liang<T> {
+impl<T: Component + Scalar> Liang<T> {
     fn normal(&self) -> Vector3<T> {
         direction(&Vector3::new(self.normal_x, self.normal_y, self.normal_z))
     }
@@ -224,7 +224,7 @@ impl<T: Component> Liang<T> {
     }
 }
 
-impl<T: Component> Law for Liang<T> {
+impl<T: Component + Scalar> Law for Liang<T> {
     type Interface = CoSimulation;
 
     fn output(&mut self) {

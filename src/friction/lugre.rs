@@ -2,7 +2,7 @@ use crate::contact::conditions::is_elastic;
 use crate::contact::quantities::*;
 use crate::contact::unloading::released_without_load;
 use crate::laws::stribeck;
-use crate::model::{Derivatives, Fault, Law, Model, ModelExchange, Preset};
+use crate::model::{Derivatives, Fault, Law, Model, ModelExchange, Preset, Steps, either, in_lanes};
 use crate::number::{Mask, Real};
 use crate::numerics::relaxation;
 
@@ -160,29 +160,50 @@ impl<T: Real> Derivatives for LuGre<T> {
     }
 }
 
-impl LuGre {
+impl<T: Real> LuGre<T> {
     /// Exact step of the deflection at the level g(v) and with the damping sigma_1(v).
     #[inline(always)]
-    fn relax(&mut self, level: f64, damping: f64, dt: f64) {
+    fn relax(&mut self, level: T, damping: T, dt: T) {
         let distance = self.velocity * dt;
-        if level == 0.0 {
-            self.bristle_deflection = 0.0;
-            if self.normal_force > 0.0 {
-                self.dissipated_energy += self.viscous_coefficient * self.velocity * distance;
-            }
-            return;
-        }
+        either(self, level.vanishes(), |law| law.release(distance), |law| law.slide(level, damping, distance));
+    }
+
+    fn release(&mut self, distance: T) {
+        self.bristle_deflection = T::zero();
+        let [before, viscous] = [self.dissipated_energy, self.viscous_coefficient * self.velocity * distance];
+        self.dissipated_energy = self.normal_force.is_positive().choose(|| before + viscous, || before);
+    }
+
+    #[inline(always)]
+    fn slide(&mut self, level: T, damping: T, distance: T) {
         let direction = self.velocity.sign();
         let decay = self.sigma_0 * distance.abs() / level;
         let before = self.bristle_deflection;
         self.bristle_deflection = relaxation::after(before, direction * level / self.sigma_0, decay);
         let change = self.bristle_deflection - before;
         // The integral of the force over the distance: sigma_0 z |v| / g = v - dz/dt gives the first term.
-        self.dissipated_energy += direction * level * (distance - change)
+        let work = direction * level * (distance - change)
             + damping * self.velocity * change
             + self.viscous_coefficient * self.velocity * distance;
+        self.dissipated_energy = self.dissipated_energy + work;
     }
 }
+
+impl<T: Real> Steps for LuGre<T> {
+    #[inline(always)]
+    fn advance(&mut self, dt: T) {
+        self.relax(self.level(), self.damping(), dt);
+    }
+
+    #[inline(always)]
+    fn advance_and_output(&mut self, dt: T) {
+        let (level, damping) = (self.level(), self.damping());
+        self.relax(level, damping, dt);
+        self.respond(level, damping);
+    }
+}
+
+in_lanes!(LuGre);
 
 impl Model for LuGre {
     const LINEAR: bool = true;
@@ -212,16 +233,7 @@ impl Model for LuGre {
         crate::contact::conditions::static_not_below_kinetic(self.mu_s, self.mu_k)
     }
 
-    fn step(&mut self, dt: f64) {
-        self.relax(self.level(), self.damping(), dt);
-    }
-
-    #[inline(always)]
-    fn step_and_output(&mut self, dt: f64) {
-        let (level, damping) = (self.level(), self.damping());
-        self.relax(level, damping, dt);
-        self.respond(level, damping);
-    }
+    in_lanes!();
 }
 
 #[cfg(test)]

@@ -4,7 +4,7 @@ use crate::contact::conditions::ELASTIC_SHARE;
 use crate::contact::quantities::*;
 use crate::contact::unloading::released_without_load;
 use crate::laws::stribeck;
-use crate::model::{Derivatives, Fault, Law, Model, ModelExchange, Preset};
+use crate::model::{Derivatives, Fault, Law, Model, ModelExchange, Preset, Steps, either, in_lanes};
 use crate::number::Mask;
 use crate::numerics::relaxation;
 use crate::numerics::vector::{Component, direction, length, only, remainder};
@@ -172,6 +172,38 @@ impl<T: Component> Derivatives for LuGrePlanar<T> {
     }
 }
 
+impl<T: Component> LuGrePlanar<T> {
+    fn release(&mut self, viscous: T) {
+        (self.bristle_deflection_x, self.bristle_deflection_y) = (T::from(0.0), T::from(0.0));
+        let before = self.dissipated_energy;
+        self.dissipated_energy = self.normal_force.is_positive().choose(|| before + viscous, || before);
+    }
+
+    fn slide(&mut self, level: T, distance: T, viscous: T) {
+        let velocity = self.velocity();
+        let (forward, before) = (direction(&velocity), self.deflection());
+        let decay = self.sigma_0 * distance / level;
+        let steady = forward * (level / self.sigma_0);
+        let after = before.zip_map(&steady, |z, steady| relaxation::after(z, steady, decay));
+        [self.bristle_deflection_x, self.bristle_deflection_y] = after.into();
+        // The integral of the force over the path: sigma_0 |v| z / g = v - dz/dt gives the first term.
+        self.dissipated_energy += level * (distance - (after - before).dot(&forward))
+            + self.damping() * (after - before).dot(&velocity)
+            + viscous;
+    }
+}
+
+impl<T: Component> Steps for LuGrePlanar<T> {
+    fn advance(&mut self, dt: T) {
+        let speed = length(&self.velocity());
+        let (level, distance) = (self.level(speed), speed * dt);
+        let viscous = self.viscous_coefficient * speed * distance;
+        either(self, level.vanishes(), |law| law.release(viscous), |law| law.slide(level, distance, viscous));
+    }
+}
+
+in_lanes!(LuGrePlanar);
+
 impl Model for LuGrePlanar {
     const LINEAR: bool = true;
     const PRESETS: &'static [Preset] = &[Preset {
@@ -190,28 +222,7 @@ impl Model for LuGrePlanar {
         crate::contact::conditions::kinetic_friction_for_exchange(self.mu_k)
     }
 
-    fn step(&mut self, dt: f64) {
-        let velocity = self.velocity();
-        let (speed, forward) = (length(&velocity), direction(&velocity));
-        let (level, distance) = (self.level(speed), speed * dt);
-        let before = self.deflection();
-        let viscous = self.viscous_coefficient * speed * distance;
-        if level == 0.0 {
-            (self.bristle_deflection_x, self.bristle_deflection_y) = (0.0, 0.0);
-            if self.normal_force > 0.0 {
-                self.dissipated_energy += viscous;
-            }
-            return;
-        }
-        let decay = self.sigma_0 * distance / level;
-        let steady = forward * (level / self.sigma_0);
-        let after = before.zip_map(&steady, |z, steady| relaxation::after(z, steady, decay));
-        [self.bristle_deflection_x, self.bristle_deflection_y] = after.into();
-        // The integral of the force over the path: sigma_0 |v| z / g = v - dz/dt gives the first term.
-        self.dissipated_energy += level * (distance - (after - before).dot(&forward))
-            + self.damping() * (after - before).dot(&velocity)
-            + viscous;
-    }
+    in_lanes!();
 }
 
 #[cfg(test)]

@@ -4,7 +4,7 @@ use crate::laws::stribeck;
 use crate::model::ramp;
 use crate::model::{self, CoSimulation, Fault, Law, Model, Preset, Width, boolean, real};
 use crate::number::elementary::exp_m1;
-use crate::number::{Mask, Real};
+use crate::number::{Mask, Real, Scalar};
 use crate::numerics::relaxation;
 
 crate::part! {
@@ -163,7 +163,7 @@ crate::model! {
     }
 }
 
-impl<T: Real> MaxwellSlip<T> {
+impl<T: Scalar> MaxwellSlip<T> {
     /// s(v).
     fn level(&self) -> T {
         let coulomb = self.mu_k * self.normal_force;
@@ -222,7 +222,7 @@ impl<T: Real> MaxwellSlip<T> {
 }
 
 /// The elements that have variables, then those that have none.
-fn all_mut<'a, T: Real>(
+fn all_mut<'a, T: Scalar>(
     listed: &'a mut [Element<T>],
     memory: &'a mut [T],
 ) -> impl Iterator<Item = (Share<T>, &'a mut Block<T>)> {
@@ -241,7 +241,7 @@ struct Springs<T> {
     attraction: T,
 }
 
-impl<T: Real> Springs<T> {
+impl<T: Scalar> Springs<T> {
     /// The law of the element with this index.
     fn of(&self, index: usize, given: &Share<T>) -> Spring<T> {
         let share = self.division.of(index, given);
@@ -254,7 +254,7 @@ impl<T: Real> Springs<T> {
     }
 }
 
-impl<T: Real> Law for MaxwellSlip<T> {
+impl<T: Scalar> Law for MaxwellSlip<T> {
     type Interface = CoSimulation;
 
     fn output(&mut self) {
@@ -515,7 +515,7 @@ struct Spring<T> {
     rate: T,
 }
 
-impl<T: Real> Spring<T> {
+impl<T: Scalar> Spring<T> {
     /// Whether the element slips at that velocity, or from now on.
     fn slips(&self, block: &Block<T>, velocity: T) -> T::Mask {
         let outward = block.force * velocity.sign();

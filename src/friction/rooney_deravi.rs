@@ -104,14 +104,10 @@ impl<T: Real> Curve<T> for RooneyDeravi<T> {
     #[inline]
     fn curve(&self, velocity: T) -> T {
         let u = velocity / self.transition_velocity;
-        let share = match RooneyDeraviVariant::of(self.variant.value()) {
-            RooneyDeraviVariant::Linear => u.limited(T::from(1.0)),
-            RooneyDeraviVariant::Printed => {
-                velocity.abs().at_least(self.transition_velocity).choose(|| velocity.sign(), || u.tanh())
-            }
-            RooneyDeraviVariant::Tanh => u.tanh(),
-        };
-        self.level() * share
+        let is_fast = velocity.abs().at_least(self.transition_velocity);
+        let is_cut = RooneyDeraviVariant::Printed.is(self.variant) & is_fast;
+        let curved = || is_cut.choose(|| velocity.sign(), || u.tanh());
+        self.level() * RooneyDeraviVariant::Linear.is(self.variant).choose(|| u.limited(T::from(1.0)), curved)
     }
 
     fn level(&self) -> T {

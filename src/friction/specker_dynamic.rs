@@ -1,7 +1,7 @@
 use crate::contact::quantities::*;
 use crate::contact::unloading::released_without_load;
 use crate::laws::specker::SpeckerCurve;
-use crate::model::{Derivatives, Fault, Law, Model, ModelExchange, Preset, real};
+use crate::model::{Derivatives, Fault, Law, Model, ModelExchange, Preset, Steps, either, in_lanes, real};
 use crate::number::{Mask, Real};
 use crate::numerics::relaxation;
 
@@ -153,6 +153,27 @@ impl<T: Real> Derivatives for SpeckerDynamic<T> {
     }
 }
 
+impl<T: Real> SpeckerDynamic<T> {
+    fn approach(&mut self, dt: T) {
+        let curve = self.curve();
+        let (steady, time_constant) = (curve.force(self.velocity), self.time_constant(&curve));
+        let before = self.lagging_force;
+        self.lagging_force = relaxation::after(before, steady, dt / time_constant);
+        // The integral of f_f over time: f_f = f_stat - T df_f/dt.
+        let work = self.velocity * (steady * dt - time_constant * (self.lagging_force - before));
+        self.dissipated_energy = self.dissipated_energy + work;
+    }
+}
+
+impl<T: Real> Steps for SpeckerDynamic<T> {
+    fn advance(&mut self, dt: T) {
+        let is_loaded = self.normal_force.is_positive();
+        either(self, is_loaded, |law| law.approach(dt), |law| law.lagging_force = T::zero());
+    }
+}
+
+in_lanes!(SpeckerDynamic);
+
 impl Model for SpeckerDynamic {
     const LINEAR: bool = true;
     const PRESETS: &'static [Preset] = &[Preset {
@@ -175,18 +196,7 @@ impl Model for SpeckerDynamic {
         Ok(())
     }
 
-    fn step(&mut self, dt: f64) {
-        if self.normal_force <= 0.0 {
-            self.lagging_force = 0.0;
-            return;
-        }
-        let curve = self.curve();
-        let (steady, time_constant) = (curve.force(self.velocity), self.time_constant(&curve));
-        let before = self.lagging_force;
-        self.lagging_force = relaxation::after(before, steady, dt / time_constant);
-        // The integral of f_f over time: f_f = f_stat - T df_f/dt.
-        self.dissipated_energy += self.velocity * (steady * dt - time_constant * (self.lagging_force - before));
-    }
+    in_lanes!();
 }
 
 #[cfg(test)]

@@ -2,7 +2,7 @@ use crate::contact::quantities::*;
 use crate::contact::time_stepping::{Curve, TimeStepping, memoryless};
 use crate::laws::{stribeck, viscous};
 use crate::model::{Fault, Model, real};
-use crate::number::Real;
+use crate::number::{Mask, Real};
 
 crate::choices! {
     /// Shape of the Stribeck curve.
@@ -134,16 +134,17 @@ impl<T: Real> Stribeck<T> {
         let coulomb = self.mu_k * self.normal_force;
         let [breakaway, v_s] = [self.level(), self.stribeck_velocity];
         let exponential = |exponent| stribeck::level(velocity, coulomb, breakaway, v_s, exponent);
-        match StribeckCurve::of(self.curve.value()) {
-            StribeckCurve::Tustin => exponential(T::from(1.0)),
-            StribeckCurve::BoPavelescu => exponential(self.stribeck_exponent),
-            StribeckCurve::HessSoom => stribeck::lorentzian(velocity, coulomb, breakaway, v_s),
-            StribeckCurve::PoppStelter => {
-                let quadratic = viscous::force(velocity * velocity, self.quadratic_coefficient, self.normal_force);
-                stribeck::hyperbolic(velocity, coulomb, breakaway, v_s) + quadratic
-            }
-            StribeckCurve::Gaussian => exponential(T::from(2.0)),
-        }
+        let hyperbolic = || {
+            let quadratic = viscous::force(velocity * velocity, self.quadratic_coefficient, self.normal_force);
+            stribeck::hyperbolic(velocity, coulomb, breakaway, v_s) + quadratic
+        };
+        let lorentzian = || stribeck::lorentzian(velocity, coulomb, breakaway, v_s);
+        let is = |curve: StribeckCurve| curve.is(self.curve);
+        let rational = || is(StribeckCurve::HessSoom).choose(lorentzian, hyperbolic);
+        let is_rational = is(StribeckCurve::HessSoom) | is(StribeckCurve::PoppStelter);
+        let other = || is(StribeckCurve::Tustin).choose(|| T::from(1.0), || self.stribeck_exponent);
+        let exponent = || is(StribeckCurve::Gaussian).choose(|| T::from(2.0), other);
+        is_rational.choose(rational, || exponential(exponent()))
     }
 }
 

@@ -98,13 +98,9 @@ impl<T: Real> Curve<T> for Threlfall<T> {
     #[inline]
     fn curve(&self, velocity: T) -> T {
         let rising = || regularised::exponential(velocity, self.transition_velocity);
-        let share = match ThrelfallVariant::of(self.variant.value()) {
-            ThrelfallVariant::Capped => {
-                velocity.abs().above(self.transition_velocity).choose(|| T::from(0.95) * velocity.sign(), rising)
-            }
-            _ => rising(),
-        };
-        self.level() * share
+        let is_fast = velocity.abs().above(self.transition_velocity);
+        let is_capped = ThrelfallVariant::Capped.is(self.variant) & is_fast;
+        self.level() * is_capped.choose(|| T::from(0.95) * velocity.sign(), rising)
     }
 
     fn level(&self) -> T {

@@ -2,7 +2,7 @@ use crate::host::integrate;
 use crate::host::magic_formula::{Contact, MagicFormula, Side, Wrench};
 use crate::host::vertical::{Axle, Body, Car, Corner, GRAVITY, Load, Motion, Wheel};
 use crate::model::{Derivatives, Fault, Law, Model, ModelExchange, real};
-use crate::number::Real;
+use crate::number::Scalar;
 
 crate::part! {
     /// An axle with its roll centre.
@@ -226,7 +226,7 @@ crate::model! {
     }
 }
 
-impl<T: Real> DoubleTrackCar<T> {
+impl<T: Scalar> DoubleTrackCar<T> {
     fn rolling_axle(&self, corner: Corner) -> &RollingAxle<T> {
         if corner.is_front() { &self.front } else { &self.rear }
     }
@@ -275,7 +275,7 @@ impl<T: Real> DoubleTrackCar<T> {
     }
 }
 
-impl<T: Real> Car<T> for DoubleTrackCar<T> {
+impl<T: Scalar> Car<T> for DoubleTrackCar<T> {
     fn body(&self) -> &Body<T> {
         &self.body
     }
@@ -298,7 +298,7 @@ impl<T: Real> Car<T> for DoubleTrackCar<T> {
     }
 }
 
-impl<T: Real> Law for DoubleTrackCar<T> {
+impl<T: Scalar> Law for DoubleTrackCar<T> {
     type Interface = ModelExchange;
 
     fn output(&mut self) {
@@ -313,7 +313,7 @@ impl<T: Real> Law for DoubleTrackCar<T> {
     }
 }
 
-impl<T: Real> Derivatives for DoubleTrackCar<T> {
+impl<T: Scalar> Derivatives for DoubleTrackCar<T> {
     fn derivatives(&self, rate: &mut Self) {
         let motion = self.plane_motion();
         let [sin, cos] = [self.yaw_angle.sin(), self.yaw_angle.cos()];
@@ -353,7 +353,7 @@ struct AxleForce<T> {
     torque: T,
 }
 
-impl<T: Real> PlaneMotion<T> {
+impl<T: Scalar> PlaneMotion<T> {
     fn axle(&self, corner: Corner) -> AxleForce<T> {
         self.axles[usize::from(!corner.is_front())]
     }
@@ -370,7 +370,7 @@ impl<T: Real> PlaneMotion<T> {
     }
 }
 
-impl<T: Real> DoubleTrackCar<T> {
+impl<T: Scalar> DoubleTrackCar<T> {
     /// Equations (1) and (2).
     fn plane_motion(&self) -> PlaneMotion<T> {
         let axle = |left: Corner, right: Corner| {

@@ -1,7 +1,7 @@
 use crate::host::integrate;
 use crate::host::vertical::{Axle, Body, Car, Corner, Motion, Wheel};
 use crate::model::{Derivatives, Fault, Law, Model, ModelExchange, real};
-use crate::number::Real;
+use crate::number::Scalar;
 
 crate::part! {
     /// A corner of the car, on its post.
@@ -126,7 +126,7 @@ crate::model! {
     }
 }
 
-impl<T: Real> FourPostCar<T> {
+impl<T: Scalar> FourPostCar<T> {
     fn post(&self, corner: Corner) -> &Post<T> {
         match corner {
             Corner::FrontLeft => &self.fl,
@@ -137,7 +137,7 @@ impl<T: Real> FourPostCar<T> {
     }
 }
 
-impl<T: Real> Car<T> for FourPostCar<T> {
+impl<T: Scalar> Car<T> for FourPostCar<T> {
     fn body(&self) -> &Body<T> {
         &self.body
     }
@@ -165,7 +165,7 @@ impl<T: Real> Car<T> for FourPostCar<T> {
     }
 }
 
-impl<T: Real> Law for FourPostCar<T> {
+impl<T: Scalar> Law for FourPostCar<T> {
     type Interface = ModelExchange;
 
     fn output(&mut self) {
@@ -173,7 +173,7 @@ impl<T: Real> Law for FourPostCar<T> {
     }
 }
 
-impl<T: Real> Derivatives for FourPostCar<T> {
+impl<T: Scalar> Derivatives for FourPostCar<T> {
     fn derivatives(&self, rate: &mut Self) {
         self.body.rate(self.strut_load(), &mut rate.body);
         for corner in Corner::ALL {

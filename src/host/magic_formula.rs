@@ -1,7 +1,7 @@
 //! Forces and moments of a rolling tyre.
 
 use crate::model::real;
-use crate::number::{Mask, Real};
+use crate::number::{Decision, Mask, Scalar};
 
 crate::choices! {
     /// The side of the car on which a set of tyre coefficients was measured.
@@ -373,7 +373,7 @@ struct Curve<T> {
     vertical_shift: T,
 }
 
-impl<T: Real> MagicFormula<T> {
+impl<T: Scalar> MagicFormula<T> {
     /// Forces and moments of a tyre on one side of the car.
     pub fn wrench_on(&self, side: Side, contact: &Contact<T>) -> Wrench<T> {
         if Side::of(self.side.value()) == side {
@@ -539,25 +539,25 @@ impl<T: Real> MagicFormula<T> {
 }
 
 /// The angle S of the Magic Formula.
-fn phase<T: Real>(shape: T, curvature: T, x: T) -> T {
+fn phase<T: Scalar>(shape: T, curvature: T, x: T) -> T {
     let one = T::from(1.0);
     let curvature = curvature.above(one).choose(|| one, || curvature);
     shape * (x - curvature * (x - x.atan())).atan()
 }
 
 /// The curve of a force: its peak, its slope at 0, its shape.
-fn sine<T: Real>(shape: T, curvature: T, peak: T, stiffness: T, slip: T) -> T {
+fn sine<T: Scalar>(shape: T, curvature: T, peak: T, stiffness: T, slip: T) -> T {
     peak * phase(shape, curvature, quotient(stiffness, shape * peak) * slip).sin()
 }
 
 /// The weight G of combined slip; exactly 1 without slip.
-fn reduction<T: Real>(shape: T, curvature: T, stiffness: T, slip: T, shift: T) -> T {
+fn reduction<T: Scalar>(shape: T, curvature: T, stiffness: T, slip: T, shift: T) -> T {
     let weight = |x: T| phase(shape, curvature, stiffness * x).cos();
     slip.is(0.0).choose(|| T::from(1.0), || quotient(weight(slip + shift), weight(shift)))
 }
 
 /// The equivalent side slip for both slips in trail and residual torque, which are even functions of it.
-fn equivalent<T: Real>(side_slip: T, slip: T) -> T {
+fn equivalent<T: Scalar>(side_slip: T, slip: T) -> T {
     let both = || {
         let tangent = side_slip.sin() / side_slip.cos();
         (tangent * tangent + slip * slip).sqrt().atan()
@@ -566,7 +566,7 @@ fn equivalent<T: Real>(side_slip: T, slip: T) -> T {
 }
 
 /// a / b, and 0 for b = 0: a tyre without friction or stiffness has no force to divide.
-fn quotient<T: Real>(a: T, b: T) -> T {
+fn quotient<T: Scalar>(a: T, b: T) -> T {
     b.vanishes().choose(|| T::zero(), || a / b)
 }
 

@@ -1,7 +1,7 @@
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use crate::model::{Derivatives, Law, Model, ModelExchange, real};
-use crate::number::Real;
+use crate::number::{Mask, Real};
 
 crate::part! {
     /// A post under a wheel.
@@ -84,7 +84,7 @@ crate::model! {
 impl<T: Real> Actuator<T> {
     fn follow(&mut self, angle: T, frequency: T) {
         let late = angle - self.phase;
-        let run = if late > T::zero() { late } else { T::zero() };
+        let run = late.is_positive().choose(|| late, T::zero);
         // (1 - cos u) / 2 without cancellation.
         let half = (T::from(0.5) * run).sin();
         self.post_height = self.travel * half * half;

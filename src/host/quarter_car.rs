@@ -1,7 +1,7 @@
 use crate::host::integrate;
 use crate::host::vertical::{GRAVITY, Motion, Suspension, Wheel};
 use crate::model::{Derivatives, Law, Model, ModelExchange, real};
-use crate::number::Real;
+use crate::number::Scalar;
 
 crate::model! {
     /// A quarter of a car: the body above one wheel, the wheel, and a tyre that lifts off. The strut between them is
@@ -99,7 +99,7 @@ crate::model! {
     }
 }
 
-impl<T: Real> QuarterCar<T> {
+impl<T: Scalar> QuarterCar<T> {
     fn road(&self) -> Motion<T> {
         Motion { height: self.road_height, velocity: self.road_velocity }
     }
@@ -109,7 +109,7 @@ impl<T: Real> QuarterCar<T> {
     }
 }
 
-impl<T: Real> Law for QuarterCar<T> {
+impl<T: Scalar> Law for QuarterCar<T> {
     type Interface = ModelExchange;
 
     fn output(&mut self) {
@@ -119,7 +119,7 @@ impl<T: Real> Law for QuarterCar<T> {
     }
 }
 
-impl<T: Real> Derivatives for QuarterCar<T> {
+impl<T: Scalar> Derivatives for QuarterCar<T> {
     fn derivatives(&self, rate: &mut Self) {
         rate.body_height = self.body_velocity;
         rate.body_velocity = self.wheel.lift(&self.suspension) / self.body_mass;

@@ -3,7 +3,7 @@
 //! All heights are deviations from rest, positive up. Axes as in ISO 8855: x forward, y left, z up.
 
 use crate::model::{Fault, real};
-use crate::number::{Mask, Real};
+use crate::number::{Mask, Scalar};
 
 /// Acceleration of gravity in m/s2, as in the benchmark of the friction models (9.81 N for 1 kg).
 pub const GRAVITY: f64 = 9.81;
@@ -53,7 +53,7 @@ pub struct Motion<T> {
     pub velocity: T,
 }
 
-impl<T: Real> Wheel<T> {
+impl<T: Scalar> Wheel<T> {
     /// Computes the outputs, for the body and the ground at this wheel and the load of the tyre at rest.
     pub fn output(&mut self, with: &Suspension<T>, body: Motion<T>, ground: Motion<T>, static_load: T) {
         self.length = with.static_length + with.motion_ratio * (body.height - self.wheel_height);
@@ -171,7 +171,7 @@ pub struct Place<T> {
     pub y: T,
 }
 
-impl<T: Real> Body<T> {
+impl<T: Scalar> Body<T> {
     /// Position of a wheel.
     pub fn place(&self, corner: Corner, axle: &Axle<T>) -> Place<T> {
         let x = if corner.is_front() { self.cg_to_front } else { self.cg_to_front - self.wheelbase };
@@ -218,7 +218,7 @@ impl Body {
 }
 
 /// A car on four wheels: the equations that follow from its parts and from the ground under it.
-pub trait Car<T: Real> {
+pub trait Car<T: Scalar> {
     /// The body.
     fn body(&self) -> &Body<T>;
     /// The axle of a corner.
@@ -272,7 +272,7 @@ pub trait Car<T: Real> {
     }
 }
 
-impl<T: Real> Load<T> {
+impl<T: Scalar> Load<T> {
     /// Sum of the upward forces on the body at the positions of the wheels.
     pub fn of(forces: [(Place<T>, T); 4]) -> Load<T> {
         let none = Load { force: T::zero(), pitch_moment: T::zero(), roll_moment: T::zero() };

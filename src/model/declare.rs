@@ -26,8 +26,10 @@ macro_rules! choices {
         $(#[doc = $doc])+
         #[derive(Clone, Copy, Debug, PartialEq, Eq)]
         #[repr(i32)]
+        #[allow(dead_code, reason = "a column may hold a choice that no code names")]
         $vis enum $Name { $($(#[doc = $help])+ $Item,)+ }
 
+        #[allow(dead_code, reason = "not every enumeration needs all of it")]
         impl $Name {
             /// The choices, as a column declares them.
             pub const CHOICES: &'static $crate::model::Enumeration = &$crate::model::Enumeration {
@@ -41,6 +43,12 @@ macro_rules! choices {
             /// The column with this choice as its start value.
             pub const fn start(self) -> $crate::model::Column {
                 $crate::model::choice(Self::CHOICES, self as i32 + 1)
+            }
+
+            /// Whether a column holds this choice.
+            #[inline(always)]
+            pub fn is<T: $crate::number::Real>(self, column: T) -> T::Mask {
+                column.equals(T::from(f64::from(self as i32 + 1)))
             }
 
             /// The choice that a number stands for; numbers outside the bound of the column never get here.

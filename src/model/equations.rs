@@ -3,7 +3,7 @@
 use std::ffi::CStr;
 use std::ops::Range;
 
-use super::Evaluate;
+use super::{Evaluate, Visitor};
 use crate::reference::References;
 use crate::table::{Fault, Ports, Table, Variable};
 
@@ -222,6 +222,11 @@ pub trait Model: Described + Law<Number = f64> {
 
     /// Changes whatever changes at events only; the run begins with one. Model Exchange only.
     fn at_event(&mut self) {}
+
+    /// Shows the model to a visitor, as one that runs in lanes if it does.
+    fn accept(visitor: &mut impl Visitor) {
+        visitor.visit::<Self>();
+    }
 
     /// Advances the states by `dt` > 0 while the inputs are held.
     fn step(&mut self, dt: f64);

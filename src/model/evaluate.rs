@@ -2,11 +2,11 @@
 
 use super::row::{view, view_mut};
 use super::{Interface, Law, Model, ModelType};
-use crate::number::Dual;
+use crate::number::{Dual, Scalar};
 use crate::numerics::vector::Component;
 
 /// A number in which a model evaluates rows of other models.
-pub trait Evaluate: Component {
+pub trait Evaluate: Component + Scalar {
     /// Computes the outputs of the row. False if one is known not to be finite.
     fn evaluate(model: &ModelType, row: &mut [Self]) -> bool;
 

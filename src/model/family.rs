@@ -1,11 +1,16 @@
 //! Declaration of a family of models: its files and its list.
 
-use super::Model;
+use super::{InLanes, Model};
 
 /// Work on every model, each in its own type.
 pub trait Visitor {
     /// Called once for each model.
     fn visit<M: Model>(&mut self);
+
+    /// Called instead for a model that also runs in lanes.
+    fn visit_in_lanes<M: InLanes>(&mut self) {
+        self.visit::<M>();
+    }
 }
 
 /// Declares the files of a family and lists their models: the only line that a new model adds outside its own file.
@@ -26,7 +31,7 @@ macro_rules! family {
 
         /// Shows each of them to a visitor.
         pub(crate) fn visit(visitor: &mut impl $crate::model::Visitor) {
-            $(visitor.visit::<$Model>();)+
+            $(<$Model as $crate::model::Model>::accept(visitor);)+
         }
 
         /// Their documentation pages. Kept apart from the models, so that the library in an FMU does not carry them.

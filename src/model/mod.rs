@@ -11,6 +11,7 @@ mod family;
 mod model_type;
 pub(crate) mod ramp;
 mod row;
+mod steps;
 
 pub(crate) use crate::table::Brief;
 pub use crate::table::*;
@@ -23,5 +24,7 @@ pub use evaluate::{Evaluate, output_in, rate_in};
 pub use family::Visitor;
 pub(crate) use family::family;
 pub use model_type::ModelType;
-pub(crate) use row::{parts, parts_mut};
+pub(crate) use row::{either, parts, parts_mut};
 pub use row::{row_of, row_of_mut};
+pub(crate) use steps::in_lanes;
+pub use steps::{InLanes, Steps, model_in};

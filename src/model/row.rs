@@ -3,6 +3,7 @@
 use std::ops::Range;
 
 use super::{Columns, Model, Numbers};
+use crate::number::{Mask, Real};
 
 /// Workspace for a copy of a row and its memory, or none: a row of many elements is too long for the stack of a host.
 pub(crate) type Room<'a> = &'a mut [f64];
@@ -125,6 +126,38 @@ pub(super) fn view_mut<M, T>(row: &mut [T]) -> &mut M {
     assert!(size_of_val(row) == size_of::<M>(), "a row of another model");
     // SAFETY: as in `view`; the borrow of `row` is exclusive and passes on to the result.
     unsafe { &mut *row.as_mut_ptr().cast::<M>() }
+}
+
+/// The numbers of a model or part, mutable.
+fn numbers_of<P: Numbers>(part: &mut P) -> &mut [P::Number] {
+    const { assert!(align_of::<P>() == align_of::<P::Number>() && size_of::<P::Number>() > 0) };
+    let count = size_of::<P>() / size_of::<P::Number>();
+    // SAFETY: `Numbers` promises a `#[repr(C)]` struct that consists only of these numbers, which are this many; the
+    // borrow of `part` is exclusive and passes on to the result.
+    unsafe { std::slice::from_raw_parts_mut(std::ptr::from_mut(part).cast::<P::Number>(), count) }
+}
+
+/// Changes a model in one way where the answer is yes, and in the other way elsewhere. Only the way that counts is taken,
+/// or both where lanes differ.
+#[inline(always)]
+pub(crate) fn either<M: Numbers<Number: Real>>(
+    model: &mut M,
+    answer: <M::Number as Real>::Mask,
+    yes: impl FnOnce(&mut M),
+    no: impl FnOnce(&mut M),
+) {
+    match answer.agreed() {
+        Some(true) => yes(model),
+        Some(false) => no(model),
+        None => {
+            let mut other = *model;
+            yes(&mut other);
+            no(model);
+            for (number, other) in numbers_of(model).iter_mut().zip(numbers_of(&mut other)) {
+                *number = answer.choose(|| *other, || *number);
+            }
+        }
+    }
 }
 
 /// Numbers viewed as consecutive parts; a remainder is ignored.

@@ -1,36 +1,61 @@
-//! The number types a law is evaluated with: `f64` for values, [`Dual`] for values with an exact derivative, and their
-//! [`elementary`] functions.
+//! The number types a law is evaluated with: `f64` for values, [`Dual`] for values with an exact derivative, [`Lanes`]
+//! for several values at once, and their [`elementary`] functions.
 
 pub mod elementary;
+mod lanes;
 
 use std::cmp::Ordering;
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
+pub use lanes::{Lanes, LanesMask};
+
 /// Answer of a comparison of numbers: yes or no, or as many answers as a number has lanes.
 pub trait Mask<T>: Copy + From<bool> + BitAnd<Output = Self> + BitOr<Output = Self> + Not<Output = Self> {
-    /// The answer where it decides the course of a computation; lanes must agree on it.
-    fn holds(self) -> bool;
+    /// The answer, if it is the same in all lanes.
+    fn agreed(self) -> Option<bool>;
 
-    /// `yes()` where the answer is yes, `no()` elsewhere. A number of one lane evaluates only the one that counts.
+    /// `yes()` where the answer is yes, `no()` elsewhere. Only the one that counts is evaluated, or both where lanes
+    /// differ.
     fn choose(self, yes: impl FnOnce() -> T, no: impl FnOnce() -> T) -> T;
+
+    /// As [`Mask::choose`], for several numbers.
+    fn choose_all<const N: usize>(self, yes: impl FnOnce() -> [T; N], no: impl FnOnce() -> [T; N]) -> [T; N];
+}
+
+/// Answer that can decide the course of a computation: of a number of one lane.
+pub trait Decision<T>: Mask<T> {
+    /// Whether it is yes.
+    fn holds(self) -> bool;
 }
 
 impl<T> Mask<T> for bool {
     #[inline(always)]
-    fn holds(self) -> bool {
-        self
+    fn agreed(self) -> Option<bool> {
+        Some(self)
     }
 
     #[inline(always)]
     fn choose(self, yes: impl FnOnce() -> T, no: impl FnOnce() -> T) -> T {
         if self { yes() } else { no() }
     }
+
+    #[inline(always)]
+    fn choose_all<const N: usize>(self, yes: impl FnOnce() -> [T; N], no: impl FnOnce() -> [T; N]) -> [T; N] {
+        if self { yes() } else { no() }
+    }
 }
 
-/// A number as a law needs it. Written once for it, a law gives values (`f64`) and exact derivatives ([`Dual`]).
+impl<T> Decision<T> for bool {
+    #[inline(always)]
+    fn holds(self) -> bool {
+        self
+    }
+}
+
+/// A number as a law needs it. Written once for it, a law gives values (`f64`), exact derivatives ([`Dual`]) and the
+/// values of several contacts at once ([`Lanes`]).
 pub trait Real:
     Copy
-    + PartialOrd
     + From<f64>
     + Add<Output = Self>
     + Sub<Output = Self>
@@ -41,9 +66,8 @@ pub trait Real:
     /// Answer of a comparison.
     type Mask: Mask<Self>;
 
-    /// The value without its derivative: for a choice or a discrete state. A law that reads other numbers this way runs
-    /// on a number of one lane only.
-    fn value(self) -> f64;
+    /// The value in one of the lanes without its derivative; a [`Scalar`] has one lane. For a search on plain numbers.
+    fn lane(self, lane: usize) -> f64;
     /// Whether this is the constant itself, not a value that only passes through it. Guards shortcuts, which would
     /// otherwise lose a derivative.
     fn is(self, constant: f64) -> Self::Mask;
@@ -61,15 +85,21 @@ pub trait Real:
     fn as_constant(self) -> Self {
         self
     }
-    /// A number that a search on plain numbers finds, and another one. They depend on the numbers `on`.
+    /// A number that a search on plain numbers finds in each lane, and another one. They depend on the numbers `on`.
     #[inline(always)]
-    fn found<const N: usize>(_on: impl FnOnce() -> [Self; N], search: impl FnOnce() -> [f64; 2]) -> [Self; 2] {
-        search().map(Self::from)
+    fn found<const N: usize>(_on: impl FnOnce() -> [Self; N], search: impl Fn(usize) -> [f64; 2]) -> [Self; 2] {
+        search(0).map(Self::from)
     }
     /// -1, 0 or 1: the sign function with sgn(0) = 0 of the friction literature (not `f64::signum`, where it is 1).
     fn sign(self) -> Self;
     /// e to the power of `self`.
     fn exp(self) -> Self;
+    /// e to the power of `self`, minus 1, also accurate near 0.
+    fn exp_m1(self) -> Self;
+    /// Natural logarithm.
+    fn ln(self) -> Self;
+    /// Natural logarithm of 1 + `self`, also accurate near 0.
+    fn ln_1p(self) -> Self;
     /// Hyperbolic tangent.
     fn tanh(self) -> Self;
     /// Sine.
@@ -123,6 +153,12 @@ pub trait Real:
         self.equals(Self::zero())
     }
 
+    /// The larger one of two numbers; the other one if this is NaN.
+    #[inline(always)]
+    fn larger(self, other: Self) -> Self {
+        self.at_least(other).choose(|| self, || other)
+    }
+
     /// The value nearest to `self` in [-limit, limit]; `limit` must not be negative.
     fn limited(self, limit: Self) -> Self {
         self.above(limit).choose(|| limit, || self.below(-limit).choose(|| -limit, || self))
@@ -138,10 +174,23 @@ pub trait Real:
     }
 }
 
+/// A number of one lane, whose value can decide the course of a computation: for the laws that have modes.
+pub trait Scalar: Real<Mask: Decision<Self>> + PartialOrd {
+    /// The value without its derivative: for a choice or a discrete state.
+    #[inline(always)]
+    fn value(self) -> f64 {
+        self.lane(0)
+    }
+}
+
+impl Scalar for f64 {}
+impl Scalar for Dual {}
+
 impl Real for f64 {
     type Mask = bool;
 
-    fn value(self) -> f64 {
+    #[inline(always)]
+    fn lane(self, _lane: usize) -> f64 {
         self
     }
     fn is(self, constant: f64) -> bool {
@@ -161,6 +210,15 @@ impl Real for f64 {
     }
     fn exp(self) -> f64 {
         elementary::exp(self)
+    }
+    fn exp_m1(self) -> f64 {
+        elementary::exp_m1(self)
+    }
+    fn ln(self) -> f64 {
+        elementary::ln(self)
+    }
+    fn ln_1p(self) -> f64 {
+        elementary::ln_1p(self)
     }
     fn tanh(self) -> f64 {
         elementary::tanh(self)
@@ -264,7 +322,8 @@ impl Neg for Dual {
 impl Real for Dual {
     type Mask = bool;
 
-    fn value(self) -> f64 {
+    #[inline(always)]
+    fn lane(self, _lane: usize) -> f64 {
         self.value
     }
     fn is(self, constant: f64) -> bool {
@@ -295,6 +354,16 @@ impl Real for Dual {
         let value = elementary::exp(self.value);
         // If the exponential vanishes, its derivative vanishes too, however fast the exponent changes.
         if value == 0.0 { Dual::from(0.0) } else { self.chain(value, value) }
+    }
+    fn exp_m1(self) -> Dual {
+        let value = elementary::exp_m1(self.value);
+        self.chain(value, 1.0 + value)
+    }
+    fn ln(self) -> Dual {
+        self.chain(elementary::ln(self.value), 1.0 / self.value)
+    }
+    fn ln_1p(self) -> Dual {
+        self.chain(elementary::ln_1p(self.value), 1.0 / (1.0 + self.value))
     }
     fn tanh(self) -> Dual {
         let value = elementary::tanh(self.value);
@@ -336,6 +405,7 @@ mod tests {
                 - x.abs().powf(T::from(1.5) + x / T::from(10.0)) / (x + T::from(5.0))
                 + x.limited(T::from(0.25))
                 + (x * two).cos() * (x / two).atan()
+                + (x / two).exp_m1() * (x + T::from(3.0)).ln() / (x / T::from(4.0)).ln_1p()
         }
         for x in [-2.0, -0.7, 0.2, 1.3] {
             let exact = expression(Dual { value: x, slope: 1.0 }).slope;

@@ -1,22 +1,22 @@
 //! Interpolation in a table of points (x, y) with rising x. Beyond its ends the table continues as a straight line.
 
-use crate::number::{Mask, Real};
+use crate::number::{Mask, Scalar};
 
 /// Value at `x` on the straight lines between the points.
-pub fn linear<T: Real>(points: &[(T, T)], x: T) -> T {
+pub fn linear<T: Scalar>(points: &[(T, T)], x: T) -> T {
     let at = interval(points, x);
     let ((x_0, y_0), slope) = (points[at], secant(points, at));
     y_0 + slope * (x - x_0)
 }
 
 /// Slope of [`linear`] at `x`.
-pub fn linear_slope<T: Real>(points: &[(T, T)], x: T) -> T {
+pub fn linear_slope<T: Scalar>(points: &[(T, T)], x: T) -> T {
     secant(points, interval(points, x))
 }
 
 /// Value at `x` on the monotone cubic of Fritsch and Butland (1984), doi:10.1137/0905021: smooth in the first
 /// derivative, rising wherever the points rise, and without overshoot.
-pub fn monotone_cubic<T: Real>(points: &[(T, T)], x: T) -> T {
+pub fn monotone_cubic<T: Scalar>(points: &[(T, T)], x: T) -> T {
     let last = points.len() - 1;
     let at = interval(points, x);
     let [(x_0, y_0), (x_1, y_1)] = [points[at], points[at + 1]];
@@ -36,7 +36,7 @@ pub fn monotone_cubic<T: Real>(points: &[(T, T)], x: T) -> T {
 }
 
 /// Slope of [`monotone_cubic`] at `x`.
-pub fn monotone_cubic_slope<T: Real>(points: &[(T, T)], x: T) -> T {
+pub fn monotone_cubic_slope<T: Scalar>(points: &[(T, T)], x: T) -> T {
     let last = points.len() - 1;
     if x < points[0].0 {
         return slope(points, 0);
@@ -54,18 +54,18 @@ pub fn monotone_cubic_slope<T: Real>(points: &[(T, T)], x: T) -> T {
 }
 
 /// Index of the interval that contains x; the first or the last one for an x outside.
-fn interval<T: Real>(points: &[(T, T)], x: T) -> usize {
+fn interval<T: Scalar>(points: &[(T, T)], x: T) -> usize {
     points[1..points.len() - 1].iter().take_while(|point| x >= point.0).count()
 }
 
 /// Slope of the line over an interval.
-fn secant<T: Real>(points: &[(T, T)], at: usize) -> T {
+fn secant<T: Scalar>(points: &[(T, T)], at: usize) -> T {
     let [(x_0, y_0), (x_1, y_1)] = [points[at], points[at + 1]];
     (y_1 - y_0) / (x_1 - x_0)
 }
 
 /// Slope of the monotone cubic at a point.
-fn slope<T: Real>(points: &[(T, T)], at: usize) -> T {
+fn slope<T: Scalar>(points: &[(T, T)], at: usize) -> T {
     let last = points.len() - 1;
     if last == 1 {
         return secant(points, 0);
@@ -81,7 +81,7 @@ fn slope<T: Real>(points: &[(T, T)], at: usize) -> T {
 }
 
 /// Weighted harmonic mean of the slopes on both sides; 0 at an extremum of the points.
-fn inner_slope<T: Real>([before, after]: [T; 2], [falling, rising]: [T; 2]) -> T {
+fn inner_slope<T: Scalar>([before, after]: [T; 2], [falling, rising]: [T; 2]) -> T {
     let two = T::from(2.0);
     let weights = [two * after + before, after + two * before];
     let mean = || (weights[0] + weights[1]) / (weights[0] / falling + weights[1] / rising);
@@ -89,7 +89,7 @@ fn inner_slope<T: Real>([before, after]: [T; 2], [falling, rising]: [T; 2]) -> T
 }
 
 /// Slope of the parabola through the three points at an end, limited so that it preserves the shape.
-fn end_slope<T: Real>([near, far]: [T; 2], [first, second]: [T; 2]) -> T {
+fn end_slope<T: Scalar>([near, far]: [T; 2], [first, second]: [T; 2]) -> T {
     let [two, three] = [2.0, 3.0].map(T::from);
     let parabola = ((two * near + far) * first - near * second) / (near + far);
     let is_too_steep = (first * second).at_most(T::zero()) & parabola.abs().above(three * first.abs());

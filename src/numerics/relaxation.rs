@@ -1,6 +1,6 @@
 //! Exact solution of a linear relaxation.
 
-use crate::number::elementary::{exp, exp_m1};
+use crate::number::{Mask, Real};
 
 /// x after a time h of `dx/dt = rate (steady - x)`, given `decay = rate h`:
 ///
@@ -8,9 +8,10 @@ use crate::number::elementary::{exp, exp_m1};
 /// x(h) = steady + (x(0) - steady) exp(-decay)
 /// ```
 #[inline]
-pub fn after(x: f64, steady: f64, decay: f64) -> f64 {
+pub fn after<T: Real>(x: T, steady: T, decay: T) -> T {
     // The first form keeps its digits if little changes, the second if nothing of x(0) remains.
-    if decay < 1.0 { x - (steady - x) * exp_m1(-decay) } else { steady + (x - steady) * exp(-decay) }
+    let little = || x - (steady - x) * (-decay).exp_m1();
+    decay.below(T::from(1.0)).choose(little, || steady + (x - steady) * (-decay).exp())
 }
 
 #[cfg(test)]

@@ -5,46 +5,55 @@ use std::ops::{AddAssign, MulAssign, SubAssign};
 use nalgebra::{SVector, Scalar, Vector3};
 pub use num_traits::{One, Zero};
 
-use crate::number::{Dual, Mask, Real};
+use crate::number::{Dual, Lanes, Mask, Real};
 
 /// A number that can be a component of a vector.
 pub trait Component: Real + Scalar + Zero + One + AddAssign + SubAssign + MulAssign {}
 
 impl Component for f64 {}
 impl Component for Dual {}
+impl<const N: usize> Component for Lanes<N> {}
 
-impl Zero for Dual {
-    fn zero() -> Dual {
-        Dual::from(0.0)
-    }
-    fn is_zero(&self) -> bool {
-        self.is(0.0)
-    }
+/// What nalgebra asks of a component beside its operations.
+macro_rules! component {
+    ($Number:ty $(, $N:ident)?) => {
+        impl<$(const $N: usize)?> Zero for $Number {
+            fn zero() -> Self {
+                Self::from(0.0)
+            }
+            fn is_zero(&self) -> bool {
+                Self::truth(self.is(0.0)) == Self::from(1.0)
+            }
+        }
+
+        impl<$(const $N: usize)?> One for $Number {
+            fn one() -> Self {
+                Self::from(1.0)
+            }
+        }
+
+        impl<$(const $N: usize)?> AddAssign for $Number {
+            fn add_assign(&mut self, other: Self) {
+                *self = *self + other;
+            }
+        }
+
+        impl<$(const $N: usize)?> SubAssign for $Number {
+            fn sub_assign(&mut self, other: Self) {
+                *self = *self - other;
+            }
+        }
+
+        impl<$(const $N: usize)?> MulAssign for $Number {
+            fn mul_assign(&mut self, other: Self) {
+                *self = *self * other;
+            }
+        }
+    };
 }
 
-impl One for Dual {
-    fn one() -> Dual {
-        Dual::from(1.0)
-    }
-}
-
-impl AddAssign for Dual {
-    fn add_assign(&mut self, other: Dual) {
-        *self = *self + other;
-    }
-}
-
-impl SubAssign for Dual {
-    fn sub_assign(&mut self, other: Dual) {
-        *self = *self - other;
-    }
-}
-
-impl MulAssign for Dual {
-    fn mul_assign(&mut self, other: Dual) {
-        *self = *self * other;
-    }
-}
+component!(Dual);
+component!(Lanes<N>, N);
 
 /// Length of a vector, for components of any size. At 0 its derivative is taken as 0, as that of a magnitude.
 pub fn length<T: Component, const N: usize>(vector: &SVector<T, N>) -> T {

@@ -1,5 +1,5 @@
 use crate::model::{Column, Derivatives, Fault, Law, Model, ModelExchange, boolean, integer, real};
-use crate::number::Real;
+use crate::number::Scalar;
 use crate::numerics::interpolation;
 
 /// Largest number of points of a table.
@@ -59,7 +59,7 @@ const fn forces() -> [Column; POINTS] {
 }
 
 /// Points of a table that are in use, at least two.
-pub(crate) fn points<T: Real>(x: &[T; POINTS], y: &[T; POINTS], count: T) -> ([(T, T); POINTS], usize) {
+pub(crate) fn points<T: Scalar>(x: &[T; POINTS], y: &[T; POINTS], count: T) -> ([(T, T); POINTS], usize) {
     let points = std::array::from_fn(|at| (x[at], y[at]));
     (points, (count.value() as usize).clamp(2, POINTS))
 }
@@ -75,7 +75,7 @@ pub(crate) fn check_rising(name: &str, x: &[f64; POINTS], count: f64) -> Result<
     Ok(())
 }
 
-impl<T: Real> Coil<T> {
+impl<T: Scalar> Coil<T> {
     /// Force at a compression from full extension.
     pub fn force(&self, compression: T) -> T {
         if self.enabled.value() == 0.0 {
@@ -155,7 +155,7 @@ crate::model! {
     }
 }
 
-impl<T: Real> Law for CoilSpring<T> {
+impl<T: Scalar> Law for CoilSpring<T> {
     type Interface = ModelExchange;
 
     fn output(&mut self) {
@@ -163,7 +163,7 @@ impl<T: Real> Law for CoilSpring<T> {
     }
 }
 
-impl<T: Real> Derivatives for CoilSpring<T> {
+impl<T: Scalar> Derivatives for CoilSpring<T> {
     /// No state moves with time.
     fn derivatives(&self, _rate: &mut Self) {}
 }

@@ -1,5 +1,5 @@
 use crate::model::{Derivatives, Fault, Law, Model, ModelExchange, Preset, boolean, real};
-use crate::number::Real;
+use crate::number::Scalar;
 use crate::numerics::relaxation;
 
 crate::part! {
@@ -18,7 +18,7 @@ crate::part! {
     }
 }
 
-impl<T: Real> Heating<T> {
+impl<T: Scalar> Heating<T> {
     /// Factor on the damper force.
     pub fn factor(&self, temperature: T) -> T {
         if self.enabled.value() == 0.0 {
@@ -117,7 +117,7 @@ crate::model! {
     }
 }
 
-impl<T: Real> Law for DamperTemperature<T> {
+impl<T: Scalar> Law for DamperTemperature<T> {
     type Interface = ModelExchange;
 
     fn output(&mut self) {
@@ -125,7 +125,7 @@ impl<T: Real> Law for DamperTemperature<T> {
     }
 }
 
-impl<T: Real> Derivatives for DamperTemperature<T> {
+impl<T: Scalar> Derivatives for DamperTemperature<T> {
     fn derivatives(&self, rate: &mut Self) {
         rate.temperature = self.thermal.rate(self.temperature, self.temperature_ambient, self.power);
     }

@@ -1,5 +1,5 @@
 use crate::model::{Derivatives, Law, Model, ModelExchange, boolean, real};
-use crate::number::Real;
+use crate::number::Scalar;
 
 crate::choices! {
     /// Form of a bump stop's characteristic.
@@ -54,11 +54,11 @@ crate::part! {
 }
 
 /// Damping force of a stop, never larger than its elastic force: a stop cannot pull.
-fn damping<T: Real>(c: T, velocity: T, elastic: T) -> T {
+fn damping<T: Scalar>(c: T, velocity: T, elastic: T) -> T {
     (c * velocity).limited(elastic.abs())
 }
 
-impl<T: Real> BumpStop<T> {
+impl<T: Scalar> BumpStop<T> {
     /// Whether the stop is touched.
     pub fn is_active(&self, compression: T) -> bool {
         self.enabled.value() != 0.0 && compression > self.gap
@@ -79,7 +79,7 @@ impl<T: Real> BumpStop<T> {
     }
 }
 
-impl<T: Real> ReboundStop<T> {
+impl<T: Scalar> ReboundStop<T> {
     /// Force, <= 0, at a compression of the strut and a velocity of extension.
     pub fn force(&self, compression: T, velocity: T) -> T {
         if self.enabled.value() == 0.0 || compression >= self.gap {
@@ -167,7 +167,7 @@ crate::model! {
     }
 }
 
-impl<T: Real> Law for EndStops<T> {
+impl<T: Scalar> Law for EndStops<T> {
     type Interface = ModelExchange;
 
     fn output(&mut self) {
@@ -177,7 +177,7 @@ impl<T: Real> Law for EndStops<T> {
     }
 }
 
-impl<T: Real> Derivatives for EndStops<T> {
+impl<T: Scalar> Derivatives for EndStops<T> {
     /// No state moves with time.
     fn derivatives(&self, _rate: &mut Self) {}
 }

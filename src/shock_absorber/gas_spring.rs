@@ -1,5 +1,5 @@
 use crate::model::{Brief, Derivatives, Fault, Law, Model, ModelExchange, boolean, real};
-use crate::number::{Mask, Real};
+use crate::number::{Mask, Scalar};
 
 crate::part! {
     /// Gas compressed by the rod.
@@ -19,7 +19,7 @@ crate::part! {
     }
 }
 
-impl<T: Real> GasChamber<T> {
+impl<T: Scalar> GasChamber<T> {
     fn rod_area(&self) -> T {
         T::from(std::f64::consts::FRAC_PI_4) * self.rod_diameter * self.rod_diameter
     }
@@ -120,7 +120,7 @@ crate::model! {
     }
 }
 
-impl<T: Real> Law for GasSpring<T> {
+impl<T: Scalar> Law for GasSpring<T> {
     type Interface = ModelExchange;
 
     fn output(&mut self) {
@@ -128,7 +128,7 @@ impl<T: Real> Law for GasSpring<T> {
     }
 }
 
-impl<T: Real> Derivatives for GasSpring<T> {
+impl<T: Scalar> Derivatives for GasSpring<T> {
     /// No state moves with time.
     fn derivatives(&self, _rate: &mut Self) {}
 }

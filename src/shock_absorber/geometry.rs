@@ -1,7 +1,7 @@
 //! Dimensions of the shock absorber.
 
 use crate::model::{Fault, boolean, real};
-use crate::number::Real;
+use crate::number::Scalar;
 use crate::shock_absorber::telescopic_joint::Guidance;
 
 crate::part! {
@@ -26,7 +26,7 @@ crate::part! {
 /// the extended length less two strokes (chosen: those of the start values).
 const CLEARANCES: [f64; 2] = [2.0 / 9.0, 4.0 / 9.0];
 
-impl<T: Real> Geometry<T> {
+impl<T: Scalar> Geometry<T> {
     /// Extended length less two strokes.
     fn clearance(&self) -> T {
         self.length_extended - T::from(2.0) * self.stroke

@@ -4,7 +4,7 @@ use std::ops::Range;
 use crate::contact::ExchangeOrder;
 use crate::model::ramp;
 use crate::model::{CoSimulation, Fault, Law, Model, Width, boolean, choice, real};
-use crate::number::{Mask, Real};
+use crate::number::{Mask, Scalar};
 use crate::shock_absorber::law::{Answer, ChosenLaw, Evaluate, Given, MOST_EVENTS};
 use crate::shock_absorber::law_list::{FRICTION_MODEL, LUGRE};
 use crate::shock_absorber::law_parameters::LawParameters;
@@ -95,7 +95,7 @@ pub(crate) struct Touch<T> {
     pub mass: T,
 }
 
-impl<T: Real> Touch<T> {
+impl<T: Scalar> Touch<T> {
     /// Sliding speed with the sign of the axial velocity.
     pub(crate) fn signed_speed(&self) -> T {
         let turning = || {
@@ -114,7 +114,7 @@ impl<T: Real> Touch<T> {
     }
 }
 
-impl<T: Real> FrictionLaw<T> {
+impl<T: Scalar> FrictionLaw<T> {
     pub(crate) fn chosen(&self) -> Option<ChosenLaw> {
         if self.switch() == FrictionSwitch::Off { None } else { ChosenLaw::of(self.model.value()) }
     }
@@ -202,7 +202,7 @@ impl<T: Real> FrictionLaw<T> {
     }
 
     /// Writes the initial state of the law, also if it is switched on later.
-    pub(crate) fn write_fresh<N: Real>(&self, memory: &mut [N; MEMORY]) {
+    pub(crate) fn write_fresh<N: Scalar>(&self, memory: &mut [N; MEMORY]) {
         memory.fill(N::zero());
         if let Some(law) = ChosenLaw::of(self.model.value()) {
             law.write_start(memory);

@@ -1,6 +1,6 @@
 use crate::model::ramp;
 use crate::model::{Column, Derivatives, Fault, Law, Model, ModelExchange, boolean, integer, real};
-use crate::number::{Dual, Mask, Real};
+use crate::number::{Decision, Dual, Mask, Scalar};
 use crate::numerics::{interpolation, root};
 use crate::shock_absorber::coil_spring::{POINTS, check_rising, points};
 
@@ -91,7 +91,7 @@ const fn resistances() -> [Column; POINTS] {
     columns
 }
 
-impl<T: Real> Hydraulics<T> {
+impl<T: Scalar> Hydraulics<T> {
     /// Whether the damper has a stiffness in series.
     pub fn has_series(&self) -> bool {
         self.enabled.value() != 0.0 && self.k_series.is_positive().holds()
@@ -300,13 +300,13 @@ crate::model! {
     }
 }
 
-impl<T: Real> HydraulicDamper<T> {
+impl<T: Scalar> HydraulicDamper<T> {
     fn piston(&self) -> T {
         if self.damper.has_series() { self.piston_velocity } else { self.velocity }
     }
 }
 
-impl<T: Real> Law for HydraulicDamper<T> {
+impl<T: Scalar> Law for HydraulicDamper<T> {
     type Interface = ModelExchange;
 
     fn output(&mut self) {
@@ -316,7 +316,7 @@ impl<T: Real> Law for HydraulicDamper<T> {
     }
 }
 
-impl<T: Real> Derivatives for HydraulicDamper<T> {
+impl<T: Scalar> Derivatives for HydraulicDamper<T> {
     fn derivatives(&self, rate: &mut Self) {
         rate.dissipated_energy = self.damper.resistance(self.piston()) * self.piston();
         rate.piston_velocity = self.damper.rate(self.piston_velocity, self.velocity, T::from(1.0));

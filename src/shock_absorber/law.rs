@@ -5,7 +5,7 @@
 
 pub use crate::model::Evaluate;
 use crate::model::{Columns, Fault, Path, Table};
-use crate::number::Real;
+use crate::number::Scalar;
 use crate::shock_absorber::law_list::{COUNT, GIVENS, LAWS};
 use crate::shock_absorber::law_parameters::LawParameters;
 use crate::shock_absorber::law_plan::{Carrier, MEMORY, PLANS, Plan, WIDEST};
@@ -154,7 +154,7 @@ impl ChosenLaw {
     }
 
     /// Writes the initial state of the law; the other places are left as they are.
-    pub(crate) fn write_start<T: Real>(self, memory: &mut [T; MEMORY]) {
+    pub(crate) fn write_start<T: Scalar>(self, memory: &mut [T; MEMORY]) {
         for (column, place) in self.0.memory.pairs() {
             memory[place] = T::from(self.0.model.table.start(column));
         }
@@ -168,7 +168,7 @@ impl ChosenLaw {
     }
 
     /// The viscous coefficient, if the law has one.
-    pub(crate) fn viscous_coefficient<T: Real>(self, parameters: &LawParameters<T>) -> T {
+    pub(crate) fn viscous_coefficient<T: Scalar>(self, parameters: &LawParameters<T>) -> T {
         self.0.viscous.map_or(T::zero(), |place| parameters.values[place])
     }
 
@@ -243,7 +243,7 @@ impl ChosenLaw {
     }
 
     /// Works on a row of the law. Most rows are short, and long ones of a few laws must not enlarge the stack of all.
-    fn on_row<T: Real, R>(self, work: impl FnOnce(&mut [T]) -> R) -> R {
+    fn on_row<T: Scalar, R>(self, work: impl FnOnce(&mut [T]) -> R) -> R {
         let columns = self.0.model.table.len();
         if columns <= NARROW {
             in_space::<NARROW, _, _>(columns, work)
@@ -253,14 +253,14 @@ impl ChosenLaw {
     }
 
     #[inline(always)]
-    fn remember<T: Real>(self, row: &[T], memory: &mut [T; MEMORY]) {
+    fn remember<T: Scalar>(self, row: &[T], memory: &mut [T; MEMORY]) {
         for (column, place) in self.0.memory.pairs() {
             memory[place] = row[column];
         }
     }
 
     /// Fills a row of zeros.
-    fn fill<T: Real>(self, row: &mut [T], given: &Given<T>, parameters: &LawParameters<T>, memory: &[T; MEMORY]) {
+    fn fill<T: Scalar>(self, row: &mut [T], given: &Given<T>, parameters: &LawParameters<T>, memory: &[T; MEMORY]) {
         for (column, value) in self.0.given.iter().zip(given.values()) {
             if let Some(place) = row.get_mut(usize::from(*column)) {
                 *place = value;
@@ -279,7 +279,7 @@ impl ChosenLaw {
     }
 
     /// Lets slip whatever carries more than the present load allows.
-    fn slip<T: Real>(self, row: &mut [T], given: &Given<T>, parameters: &LawParameters<T>) {
+    fn slip<T: Scalar>(self, row: &mut [T], given: &Given<T>, parameters: &LawParameters<T>) {
         match self.0.carrier {
             Carrier::Share => {}
             Carrier::Deflection(deflection, stiffness) => {
@@ -298,7 +298,7 @@ impl ChosenLaw {
     }
 
     /// Scales the forces of the elements, which keep their shares of the total and of the forces between them.
-    fn slip_elements<T: Real>(self, row: &mut [T], largest: T, add: impl Fn(T, T) -> T) {
+    fn slip_elements<T: Scalar>(self, row: &mut [T], largest: T, add: impl Fn(T, T) -> T) {
         let forces = || self.0.elements.pairs().map(|(column, _)| column);
         let total = forces().fold(T::zero(), |sum, column| add(sum, row[column])).abs();
         // Slipping elements are at their strength, apart from rounding, and stay as they are.
@@ -308,7 +308,7 @@ impl ChosenLaw {
         }
     }
 
-    fn answer<T: Real>(self, row: &[T], is_finite: bool) -> Answer<T> {
+    fn answer<T: Scalar>(self, row: &[T], is_finite: bool) -> Answer<T> {
         Answer {
             force: if is_finite { row[self.0.friction_force] } else { T::from(f64::NAN) },
             sticking: row[self.0.sticking].value() != 0.0,
@@ -328,7 +328,7 @@ const ROUNDING: f64 = 1e-12;
 const NARROW: usize = 48;
 
 #[inline(never)]
-fn in_space<const SPACE: usize, T: Real, R>(columns: usize, work: impl FnOnce(&mut [T]) -> R) -> R {
+fn in_space<const SPACE: usize, T: Scalar, R>(columns: usize, work: impl FnOnce(&mut [T]) -> R) -> R {
     let mut row = [T::zero(); SPACE];
     work(&mut row[..columns])
 }

@@ -2,7 +2,7 @@
 //! instant.
 
 use crate::model::real;
-use crate::number::Real;
+use crate::number::Scalar;
 use crate::shock_absorber::coil_spring::Coil;
 use crate::shock_absorber::damper_temperature::Heating;
 use crate::shock_absorber::end_stops::{BumpStop, ReboundStop};
@@ -151,7 +151,7 @@ pub(super) struct Forces<T> {
     pub(super) rebound: T,
 }
 
-impl<T: Real> Forces<T> {
+impl<T: Scalar> Forces<T> {
     pub(super) fn sum(&self) -> T {
         self.spring + self.gas + self.bump + self.rebound
     }
@@ -172,7 +172,7 @@ impl<T: Evaluate> Setting<T> {
     }
 }
 
-impl<T: Real> Setting<T> {
+impl<T: Scalar> Setting<T> {
     pub(super) fn motion(&self) -> Motion<T> {
         let given = self.given_length();
         // A distance of 0 is an input that is not set yet; the model warns of it.

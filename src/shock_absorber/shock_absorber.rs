@@ -3,7 +3,7 @@ use std::ops::Range;
 
 use crate::model::ramp;
 use crate::model::{Derivatives, Fault, Law, Model, ModelExchange, Preset, boolean, real};
-use crate::number::Real;
+use crate::number::Scalar;
 use crate::shock_absorber::guide_contact::Touch;
 use crate::shock_absorber::law::{Answer, Evaluate, MOST_EVENTS};
 use crate::shock_absorber::law_plan::{MEMORY, blank_memory};
@@ -330,7 +330,7 @@ impl<T: Evaluate> Derivatives for ShockAbsorber<T> {
     }
 }
 
-fn truth<T: Real>(is_true: bool) -> T {
+fn truth<T: Scalar>(is_true: bool) -> T {
     T::from(f64::from(u8::from(is_true)))
 }
 

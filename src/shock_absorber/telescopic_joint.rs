@@ -1,5 +1,5 @@
 use crate::model::{Derivatives, Fault, Law, Model, ModelExchange, Preset, boolean, real};
-use crate::number::{Mask, Real};
+use crate::number::{Mask, Scalar};
 
 crate::choices! {
     /// Meaning of the four side-load inputs.
@@ -56,7 +56,7 @@ pub struct Wrench<T> {
     pub moment: [T; 2],
 }
 
-impl<T: Real> SideLoad<T> {
+impl<T: Scalar> SideLoad<T> {
     /// The load as a wrench on the rod.
     pub fn wrench(&self, convention: SideConvention) -> Wrench<T> {
         let (force, moment) = ([self.side_force_m, self.side_force_n], [self.side_moment_m, self.side_moment_n]);
@@ -67,7 +67,7 @@ impl<T: Real> SideLoad<T> {
     }
 }
 
-impl<T: Real> Guidance<T> {
+impl<T: Scalar> Guidance<T> {
     /// Overlap of rod guide and piston at a length.
     pub fn overlap(&self, length: T) -> T {
         self.d_i + self.d_j - length
@@ -132,7 +132,7 @@ impl Guidance {
     }
 }
 
-fn magnitude<T: Real>([a, b]: [T; 2]) -> T {
+fn magnitude<T: Scalar>([a, b]: [T; 2]) -> T {
     // Scaled, so that the squares of large and small numbers neither overflow nor vanish.
     let size = a.abs().above(b.abs()).choose(|| a.abs(), || b.abs());
     let scaled = || {
@@ -234,7 +234,7 @@ crate::model! {
     }
 }
 
-impl<T: Real> Law for TelescopicJoint<T> {
+impl<T: Scalar> Law for TelescopicJoint<T> {
     type Interface = ModelExchange;
 
     fn output(&mut self) {
@@ -248,7 +248,7 @@ impl<T: Real> Law for TelescopicJoint<T> {
     }
 }
 
-impl<T: Real> Derivatives for TelescopicJoint<T> {
+impl<T: Scalar> Derivatives for TelescopicJoint<T> {
     /// No state moves with time.
     fn derivatives(&self, _rate: &mut Self) {}
 }

@@ -3,6 +3,7 @@
 
 pub mod importer;
 pub mod random;
+pub mod rows;
 pub mod thesis;
 
 use std::ptr::null_mut;

@@ -8,11 +8,11 @@ mod phase;
 mod two_levels;
 
 use crate::model::ramp;
-use crate::model::{Fault, Model, real};
+use crate::model::{Fault, Model, Numbers, either, real};
 use crate::number::{Mask, Real};
 
 pub(crate) use on_curve::{Curve, EVENTS_ON_CURVE, Lift, OnCurve, memoryless};
-pub(crate) use phase::Phase;
+pub(crate) use phase::{Phase, PhaseColumn};
 pub(crate) use two_levels::{EVENTS_OF_TWO_LEVELS, TwoLevels, two_levels};
 
 crate::choices! {
@@ -87,7 +87,7 @@ pub(crate) struct Inputs<T> {
 }
 
 /// A law that can hold a body of known mass.
-pub(crate) trait Holding<T: Real>: Copy {
+pub(crate) trait Holding<T: Real>: Numbers<Number = T> {
     /// Its contact.
     type Contact<'a>: Contact<T>
     where
@@ -98,6 +98,8 @@ pub(crate) trait Holding<T: Real>: Copy {
     fn inputs(&self) -> Inputs<T>;
     /// The same law with other inputs.
     fn given(self, inputs: Inputs<T>) -> Self;
+    /// Adds the result of a step to the states.
+    fn remember(&mut self, done: Done<T>);
 
     /// The law as it was over the last step: with the velocity at its beginning, because a master's acceleration
     /// already contains a friction force, and with the mean forces, whose impulse acts on the body. Inputs that have
@@ -149,42 +151,44 @@ impl<T: Real> TimeStepping<T> {
 
     /// Motion of the contact as found by an event.
     #[inline]
-    pub(crate) fn phase(&self) -> Phase {
-        Phase::of(self.phase.value())
+    pub(crate) fn phase(&self) -> PhaseColumn<T> {
+        PhaseColumn(self.phase)
     }
 
     fn is_parallel(&self) -> T::Mask {
-        self.exchange.equals(T::from(f64::from(ExchangeOrder::Parallel as i32 + 1)))
+        ExchangeOrder::Parallel.is(self.exchange)
+    }
+
+    /// A copy without memory, so that a mass set later finds no old plan.
+    #[inline]
+    fn forgotten(self) -> TimeStepping<T> {
+        let zero = T::zero();
+        TimeStepping {
+            mass: self.mass,
+            exchange: self.exchange,
+            step_size: zero,
+            planning_step: zero,
+            planned_force: zero,
+            end_velocity: zero,
+            end_external_force: zero,
+            end_normal_force: zero,
+            velocity_change: zero,
+            external_force_change: zero,
+            normal_force_change: zero,
+            phase: T::from(Phase::Free.number()),
+        }
+    }
+
+    /// Drops the memory, if there is one.
+    #[inline]
+    pub(crate) fn forget(&mut self) {
+        // Only a step makes a plan and changes of inputs.
+        let has_nothing = self.step_size.vanishes() & Phase::Free.is(self.phase);
+        either(self, has_nothing, |_| {}, |steps| *steps = steps.forgotten());
     }
 }
 
 impl TimeStepping {
-    /// A copy without memory, so that a mass set later finds no old plan.
-    #[inline]
-    pub(crate) fn forgotten(self) -> TimeStepping {
-        TimeStepping {
-            mass: self.mass,
-            exchange: self.exchange,
-            step_size: 0.0,
-            planning_step: 0.0,
-            planned_force: 0.0,
-            end_velocity: 0.0,
-            end_external_force: 0.0,
-            end_normal_force: 0.0,
-            velocity_change: 0.0,
-            external_force_change: 0.0,
-            normal_force_change: 0.0,
-            phase: Phase::Free.number(),
-        }
-    }
-
-    /// Whether there is nothing to forget.
-    #[inline]
-    pub(crate) fn is_forgotten(&self) -> bool {
-        // Only a step makes a plan and changes of inputs.
-        self.step_size == 0.0 && self.phase == Phase::Free.number()
-    }
-
     /// With mass, the force belongs to a whole step, and an importer that integrates the body itself takes no such
     /// step.
     pub(crate) fn check_model_exchange(&self) -> Result<(), Fault> {
@@ -198,35 +202,39 @@ impl TimeStepping {
 }
 
 /// Result of a step.
-pub(crate) struct Done {
+#[derive(Clone, Copy)]
+pub(crate) struct Done<T: Real> {
     /// Energy that the friction force took out of the motion.
-    pub energy: f64,
+    pub energy: T,
     /// Whether the contact is stuck; known with mass only.
-    pub is_held: bool,
+    pub is_held: T::Mask,
 }
 
 /// Advances a law by `dt` with held inputs.
 #[inline]
-pub(crate) fn step(law: &mut impl Holding<f64>, dt: f64) -> Done {
-    step_from(law, law.inputs(), dt)
+pub(crate) fn step<T: Real>(law: &mut impl Holding<T>, dt: T) {
+    step_from(law, law.inputs(), dt);
 }
 
 /// Advances a law by `dt`, over which its inputs have moved linearly from `begin` to their present values.
 #[inline]
-fn step_from(law: &mut impl Holding<f64>, begin: Inputs<f64>, dt: f64) -> Done {
+fn step_from<T: Real>(law: &mut impl Holding<T>, begin: Inputs<T>, dt: T) {
     // A step is determined by the velocity, regardless of what an event has found.
-    law.time_stepping_mut().phase = Phase::Free.number();
-    if law.time_stepping().mass == 0.0 {
-        let steps = law.time_stepping_mut();
-        *steps = steps.forgotten();
-        let power = law.contact().printed() * law.inputs().velocity;
-        return Done { energy: power * dt, is_held: false };
-    }
-    step_with_mass(law, begin, dt)
+    law.time_stepping_mut().phase = T::from(Phase::Free.number());
+    let is_printed = law.time_stepping().mass.vanishes();
+    either(law, is_printed, |law| step_as_printed(law, dt), |law| step_with_mass(law, begin, dt));
 }
 
-fn step_with_mass(law: &mut impl Holding<f64>, begin: Inputs<f64>, dt: f64) -> Done {
-    let (end, is_first) = (law.inputs(), law.time_stepping().step_size == 0.0);
+#[inline(always)]
+fn step_as_printed<T: Real>(law: &mut impl Holding<T>, dt: T) {
+    let steps = law.time_stepping_mut();
+    *steps = steps.forgotten();
+    let power = law.contact().printed() * law.inputs().velocity;
+    law.remember(Done { energy: power * dt, is_held: false.into() });
+}
+
+fn step_with_mass<T: Real>(law: &mut impl Holding<T>, begin: Inputs<T>, dt: T) {
+    let (end, is_first) = (law.inputs(), law.time_stepping().step_size.vanishes());
     let steps = law.time_stepping_mut();
     steps.velocity_change = end.velocity - begin.velocity;
     steps.external_force_change = end.external_force - begin.external_force;
@@ -237,46 +245,55 @@ fn step_with_mass(law: &mut impl Holding<f64>, begin: Inputs<f64>, dt: f64) -> D
     steps.step_size = dt;
     // A force that stops the body in a short step reverses its motion in a long one, and the length of the next step is
     // not known yet.
-    steps.planning_step = dt.max(PLANNING_MEMORY * steps.planning_step);
+    steps.planning_step = (T::from(PLANNING_MEMORY) * steps.planning_step).larger(dt);
     let (steps, over) = (*steps, law.over_last_step());
-    if !steps.is_parallel() {
+    let sequential = || {
         let Outcome { force, is_held } = over.contact().stepped(steps.mass, dt);
-        return Done { energy: work(&over, force, dt), is_held };
-    }
-    // The host still applies the force of the last exchange; the next one is planned for the velocity that results from
-    // it.
-    let applied = if is_first { over.contact().printed() } else { steps.planned_force };
-    // The forces are extrapolated linearly.
-    let ahead = 0.5 * steps.planning_step / dt;
-    let coming = law.given(Inputs {
-        velocity: velocity_after(&over, applied, dt),
-        external_force: end.external_force + ahead * steps.external_force_change,
-        normal_force: (end.normal_force + ahead * steps.normal_force_change).max(0.0),
-    });
-    let Outcome { force, is_held } = coming.contact().stepped(steps.mass, steps.planning_step);
-    law.time_stepping_mut().planned_force = force;
-    Done { energy: work(&over, applied, dt), is_held }
+        [steps.planned_force, work(&over, force, dt), T::truth(is_held)]
+    };
+    let parallel = || {
+        // The host still applies the force of the last exchange; the next one is planned for the velocity that results
+        // from it.
+        let applied = is_first.choose(|| over.contact().printed(), || steps.planned_force);
+        let Outcome { force, is_held } = planned(law, &over, applied, dt);
+        [force, work(&over, applied, dt), T::truth(is_held)]
+    };
+    let [planned_force, energy, is_held] = steps.is_parallel().choose_all(parallel, sequential);
+    law.time_stepping_mut().planned_force = planned_force;
+    law.remember(Done { energy, is_held: !is_held.vanishes() });
 }
 
-fn velocity_after(law: &impl Holding<f64>, force: f64, dt: f64) -> f64 {
+/// The force over the coming step of a parallel exchange. The forces of the inputs are extrapolated linearly.
+fn planned<T: Real, L: Holding<T>>(law: &L, over: &L, applied: T, dt: T) -> Outcome<T> {
+    let (steps, end) = (law.time_stepping(), law.inputs());
+    let ahead = T::from(0.5) * steps.planning_step / dt;
+    let coming = law.given(Inputs {
+        velocity: velocity_after(over, applied, dt),
+        external_force: end.external_force + ahead * steps.external_force_change,
+        normal_force: (end.normal_force + ahead * steps.normal_force_change).larger(T::zero()),
+    });
+    coming.contact().stepped(steps.mass, steps.planning_step)
+}
+
+fn velocity_after<T: Real>(law: &impl Holding<T>, force: T, dt: T) -> T {
     let Inputs { velocity, external_force, .. } = law.inputs();
     velocity + dt * (external_force - force) / law.time_stepping().mass
 }
 
 /// Force times the mean velocity over the step.
-fn work(law: &impl Holding<f64>, force: f64, dt: f64) -> f64 {
-    force * 0.5 * (law.inputs().velocity + velocity_after(law, force, dt)) * dt
+fn work<T: Real>(law: &impl Holding<T>, force: T, dt: T) -> T {
+    force * T::from(0.5) * (law.inputs().velocity + velocity_after(law, force, dt)) * dt
 }
 
-/// Advances a law by `dt` while its inputs change at the rates `slope`, if it has a mass, because the force belongs to
-/// the whole step; `None` without one.
-pub(crate) fn step_ramp<M: Model + Holding<f64>>(law: &mut M, slope: &M, dt: f64) -> Option<Done> {
+/// Advances a law by `dt` while its inputs change at the rates `slope`. With a mass in one step, because the force
+/// belongs to the whole step.
+pub(crate) fn step_ramp<M: Model + Holding<f64>>(law: &mut M, slope: &M, dt: f64) {
     if law.time_stepping().mass == 0.0 {
-        return None;
+        return ramp::advance(law, slope, dt);
     }
     let begin = *law;
     ramp::set_inputs(law, &begin, slope, dt);
-    Some(step_from(law, begin.inputs(), dt))
+    step_from(law, begin.inputs(), dt);
 }
 
 /// Methods of [`Holding`] that access the inputs of a law.

@@ -1,6 +1,6 @@
 //! A contact whose force is a function of the velocity.
 
-use super::phase::{Band, NO_EVENT, Phase, Rest, resting};
+use super::phase::{Band, NO_EVENT, Phase, PhaseColumn, Rest, resting};
 use super::{Contact, Outcome, TimeStepping};
 use crate::contact::end_velocity::{self, Landing};
 use crate::contact::unloading;
@@ -25,10 +25,10 @@ pub(crate) trait Curve<T: Real> {
     }
 }
 
-/// The same law with its values as constants, in dual numbers: for the slope of its curve.
+/// The same law with the values of one lane as constants, in dual numbers: for the slope of its curve.
 pub(crate) trait Lift {
     type Lifted: Curve<Dual>;
-    fn lifted(&self) -> Self::Lifted;
+    fn lifted(&self, lane: usize) -> Self::Lifted;
 }
 
 /// A contact with a curve at a communication point.
@@ -38,7 +38,7 @@ pub(crate) struct OnCurve<'a, T, L> {
     pub normal_force: T,
     pub external_force: T,
     /// Motion as found by the last event of Model Exchange.
-    pub phase: Phase,
+    pub phase: PhaseColumn<T>,
 }
 
 impl<T: Copy, L> Clone for OnCurve<'_, T, L> {
@@ -52,18 +52,16 @@ impl<T: Copy, L> Copy for OnCurve<'_, T, L> {}
 impl<T: Real, L: Curve<T> + Lift> OnCurve<'_, T, L> {
     /// Whether the velocity is within the band of a regularised law.
     fn is_within(&self, band: T) -> T::Mask {
-        match self.phase {
-            Phase::Free => self.velocity.abs().below(band),
-            phase => T::Mask::from(phase == Phase::Held),
-        }
+        self.phase.is(Phase::Held) | self.phase.is_free() & self.velocity.abs().below(band)
     }
 
     /// Whether a set-valued law is at rest.
     #[inline]
     fn rests(&self) -> T::Mask {
-        match (self.law.band(), self.phase) {
-            (None, Phase::Free) => self.velocity.vanishes(),
-            (band, phase) => T::Mask::from(band.is_none() && phase == Phase::Held),
+        let is_free = self.phase.is_free();
+        match self.law.band() {
+            None => self.phase.is(Phase::Held) | is_free & self.velocity.vanishes(),
+            Some(_) => T::Mask::from(false),
         }
     }
 
@@ -74,10 +72,10 @@ impl<T: Real, L: Curve<T> + Lift> OnCurve<'_, T, L> {
 
     /// First point of the curve that the body reaches. Velocities are mirrored by `side`, so that it moves towards
     /// lower ones.
-    fn landing(&self, inertia: f64, side: f64) -> Landing {
-        let [velocity, load] = [side * self.velocity.value(), side * self.external_force.value()];
-        let marks = self.marks().map(|mark| mark.value());
-        landing(&self.law.lifted(), marks, inertia, side, velocity, load)
+    fn landing(&self, lane: usize, inertia: f64, side: f64) -> Landing {
+        let [velocity, load] = [side * self.velocity.lane(lane), side * self.external_force.lane(lane)];
+        let marks = self.marks().map(|mark| mark.lane(lane));
+        landing(&self.law.lifted(lane), marks, inertia, side, velocity, load)
     }
 
     /// Velocities of the kinks and of rest, in descending order.
@@ -89,14 +87,33 @@ impl<T: Real, L: Curve<T> + Lift> OnCurve<'_, T, L> {
     /// One Newton correction from the velocity at the end of the step, which gives it its derivatives.
     fn corrected(&self, velocity: T, inertia: T) -> T {
         let on = || [inertia, self.law.curve(velocity)];
-        let [slope, _] = T::found(on, || {
-            let curve = self.law.lifted().curve(Dual { value: velocity.value(), slope: 1.0 });
-            [inertia.value() + curve.slope, 0.0]
+        let [slope, _] = T::found(on, |lane| {
+            let curve = self.law.lifted(lane).curve(Dual { value: velocity.lane(lane), slope: 1.0 });
+            [inertia.lane(lane) + curve.slope, 0.0]
         });
         let residual = inertia * (velocity - self.velocity) + self.law.curve(velocity) - self.external_force;
         // Where two zeros meet there is no derivative.
         let has_slope = slope.above(T::from(f64::EPSILON) * inertia);
         has_slope.choose(|| velocity - residual / slope, || velocity)
+    }
+
+    /// Force over the step of a body that reaches a jump or a point of the curve, and 1 if it is then at rest.
+    fn landed(&self, inertia: T, side: T) -> [T; 2] {
+        let marks = self.marks();
+        let on =
+            || [inertia, side, self.velocity, self.external_force, self.law.curve(self.velocity), marks[0], marks[1]];
+        let [mark, velocity] = T::found(on, |lane| match self.landing(lane, inertia.lane(lane), side.lane(lane)) {
+            Landing::Curve(velocity) => [NO_MARK, velocity],
+            Landing::Jump(mark) => [mark as f64, 0.0],
+        });
+        let at_jump = || {
+            let is_at = |jump: usize| mark.equals(T::from(jump as f64));
+            let found = (0..marks.len()).fold(T::zero(), |found, jump| is_at(jump).choose(|| marks[jump], || found));
+            let velocity = side * found;
+            [self.force_to_reach(velocity, inertia), T::truth(velocity.vanishes())]
+        };
+        let on_curve = || [self.law.curve(self.corrected(side * velocity, inertia)), T::zero()];
+        mark.equals(T::from(NO_MARK)).choose_all(on_curve, at_jump)
     }
 
     /// Force that ends the step at that velocity.
@@ -122,13 +139,15 @@ impl<T: Real, L: Curve<T> + Lift> Contact<T> for OnCurve<'_, T, L> {
     #[inline]
     fn printed(&self) -> T {
         let sliding = || {
-            self.law.curve(match (self.law.band(), self.phase.direction()) {
-                // Beyond rest the curve is extended at its last value.
-                (None, Some(direction)) => {
-                    let is_beyond = (T::from(direction) * self.velocity).at_most(T::zero());
-                    is_beyond.choose(|| T::from(direction * f64::MIN_POSITIVE), || self.velocity)
-                }
-                _ => self.velocity,
+            // Beyond rest the curve is extended at its last value.
+            let extended = || {
+                let direction = self.phase.direction();
+                let is_beyond = (direction * self.velocity).at_most(T::zero());
+                is_beyond.choose(|| direction * T::from(f64::MIN_POSITIVE), || self.velocity)
+            };
+            self.law.curve(match self.law.band() {
+                None => self.phase.slides().choose(extended, || self.velocity),
+                Some(_) => self.velocity,
             })
         };
         self.rests().choose(|| resting(self.phase, self.external_force, self.law.level()), sliding)
@@ -142,36 +161,24 @@ impl<T: Real, L: Curve<T> + Lift> Contact<T> for OnCurve<'_, T, L> {
         let inertia = mass / step_size;
         // The body accelerates against the excess of the friction force over the external force.
         let side = (self.printed() - self.external_force).sign();
-        if self.is_held().holds() {
-            return Outcome { force: self.force_to_reach(T::zero(), inertia), is_held: true.into() };
-        }
-        if (side.vanishes() | !inertia.below(T::from(f64::INFINITY))).holds() {
-            return Outcome { force: self.printed(), is_held: false.into() };
-        }
-        let marks = self.marks();
-        let on =
-            || [inertia, side, self.velocity, self.external_force, self.law.curve(self.velocity), marks[0], marks[1]];
-        let [mark, velocity] = T::found(on, || match self.landing(inertia.value(), side.value()) {
-            Landing::Curve(velocity) => [NO_MARK, velocity],
-            Landing::Jump(mark) => [mark as f64, 0.0],
-        });
-        if let Some(jump) = (0..marks.len()).find(|jump| mark.equals(T::from(*jump as f64)).holds()) {
-            let velocity = side * marks[jump];
-            return Outcome { force: self.force_to_reach(velocity, inertia), is_held: velocity.vanishes() };
-        }
-        let velocity = self.corrected(side * velocity, inertia);
-        Outcome { force: self.law.curve(velocity), is_held: false.into() }
+        let held = || [self.force_to_reach(T::zero(), inertia), T::from(1.0)];
+        let printed = || [self.printed(), T::zero()];
+        let is_driven = !side.vanishes() & inertia.below(T::from(f64::INFINITY));
+        let moving = || is_driven.choose_all(|| self.landed(inertia, side), printed);
+        let [force, is_held] = self.is_held().choose_all(held, moving);
+        Outcome { force, is_held: !is_held.vanishes() }
     }
 
     #[inline]
     fn sticking(&self, steps: &TimeStepping<T>) -> T {
-        T::truth(match self.law.band() {
-            Some(band) => self.is_within(band) & self.normal_force.is_positive(),
-            None if steps.is_active().holds() => {
-                self.stepped(steps.mass, steps.step_size).is_held & !self.law.level().vanishes()
+        let is_held = match self.law.band() {
+            Some(band) => return T::truth(self.is_within(band) & self.normal_force.is_positive()),
+            None => {
+                let stepped = || T::truth(self.stepped(steps.mass, steps.step_size).is_held);
+                !steps.is_active().choose(stepped, || T::truth(self.is_held())).vanishes()
             }
-            None => self.is_held() & !self.law.level().vanishes(),
-        })
+        };
+        T::truth(is_held & !self.law.level().vanishes())
     }
 }
 
@@ -183,12 +190,12 @@ pub(crate) const EVENTS_ON_CURVE: usize = 4;
 
 impl<L: Curve<f64>> OnCurve<'_, f64, L> {
     fn rest(&self) -> Rest {
-        let OnCurve { phase, velocity, external_force, .. } = *self;
-        Rest { phase, velocity, external_force, level: self.law.level() }
+        let OnCurve { velocity, external_force, .. } = *self;
+        Rest { phase: Phase::of(self.phase.0), velocity, external_force, level: self.law.level() }
     }
 
     fn around_rest(&self, width: f64) -> Band {
-        Band { phase: self.phase, velocity: self.velocity, width }
+        Band { phase: Phase::of(self.phase.0), velocity: self.velocity, width }
     }
 
     pub(crate) fn write_indicators(&self, indicators: &mut [f64]) {
@@ -229,13 +236,18 @@ macro_rules! memoryless {
             }
 
             $crate::contact::time_stepping::holding!(T);
+
+            #[inline]
+            fn remember(&mut self, done: $crate::contact::time_stepping::Done<T>) {
+                self.dissipated_energy = self.dissipated_energy + done.energy;
+            }
         }
 
         impl<T: Real> $crate::contact::time_stepping::Lift for $Law<T> {
             type Lifted = $Law<$crate::number::Dual>;
 
-            fn lifted(&self) -> Self::Lifted {
-                self.map(&|number| number.value().into())
+            fn lifted(&self, lane: usize) -> Self::Lifted {
+                self.map(&|number| number.lane(lane).into())
             }
         }
 
@@ -257,39 +269,43 @@ macro_rules! memoryless {
                 rate.dissipated_energy = $crate::contact::time_stepping::force(self) * self.velocity;
             }
         }
+
+        impl<T: Real> $crate::model::Steps for $Law<T> {
+            #[inline]
+            fn advance(&mut self, dt: T) {
+                $crate::contact::time_stepping::step(self, dt);
+            }
+
+            #[inline(always)]
+            fn advance_and_output(&mut self, dt: T) {
+                let is_printed = self.time_stepping.mass.vanishes();
+                let printed = |law: &mut Self| {
+                    // The force over the step is the force after it.
+                    law.time_stepping.forget();
+                    $crate::model::Law::output(law);
+                    law.dissipated_energy = law.dissipated_energy + law.dissipated_power * dt;
+                };
+                $crate::model::either(self, is_printed, printed, |law| {
+                    $crate::model::Steps::advance(law, dt);
+                    $crate::model::Law::output(law);
+                });
+            }
+        }
+
+        $crate::model::in_lanes!($Law);
     };
 
     () => {
         const EVENT_INDICATORS: usize = $crate::contact::time_stepping::EVENTS_ON_CURVE;
 
-        fn step(&mut self, dt: f64) {
-            self.dissipated_energy += $crate::contact::time_stepping::step(self, dt).energy;
-        }
-
-        #[inline(always)]
-        fn step_and_output(&mut self, dt: f64) {
-            if self.time_stepping.mass == 0.0 {
-                // The force over the step is the force after it.
-                if !self.time_stepping.is_forgotten() {
-                    self.time_stepping = self.time_stepping.forgotten();
-                }
-                $crate::model::Law::output(self);
-                self.dissipated_energy += self.dissipated_power * dt;
-            } else {
-                self.step(dt);
-                $crate::model::Law::output(self);
-            }
-        }
+        $crate::model::in_lanes!();
 
         fn kinks(&self) -> [f64; 2] {
             $crate::contact::time_stepping::Curve::kinks(self)
         }
 
         fn step_ramp(&mut self, slope: &Self, dt: f64) {
-            match $crate::contact::time_stepping::step_ramp(self, slope, dt) {
-                Some(done) => self.dissipated_energy += done.energy,
-                None => $crate::model::ramp::advance(self, slope, dt),
-            }
+            $crate::contact::time_stepping::step_ramp(self, slope, dt);
         }
 
         fn check_model_exchange(&self) -> Result<(), $crate::model::Fault> {

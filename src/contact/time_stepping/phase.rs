@@ -1,6 +1,6 @@
 //! Motion of a contact between two events of Model Exchange, and its end.
 
-use crate::number::Real;
+use crate::number::{Mask, Real};
 
 crate::choices! {
     /// Motion of a contact between two events of Model Exchange.
@@ -36,6 +36,35 @@ impl Phase {
     }
 }
 
+/// The phase in a column.
+#[derive(Clone, Copy)]
+pub(crate) struct PhaseColumn<T>(pub T);
+
+impl<T: Real> PhaseColumn<T> {
+    #[inline(always)]
+    pub(super) fn is(self, phase: Phase) -> T::Mask {
+        phase.is(self.0)
+    }
+
+    /// Whether the velocity determines the motion.
+    #[inline(always)]
+    pub(super) fn is_free(self) -> T::Mask {
+        !(self.is(Phase::Held) | self.slides())
+    }
+
+    /// Whether an event has found the contact sliding.
+    #[inline(always)]
+    pub(super) fn slides(self) -> T::Mask {
+        self.is(Phase::Forward) | self.is(Phase::Backward)
+    }
+
+    /// Direction of a contact that an event has found sliding.
+    #[inline(always)]
+    pub(super) fn direction(self) -> T {
+        self.is(Phase::Forward).choose(|| T::from(1.0), || T::from(-1.0))
+    }
+}
+
 /// A contact that is set-valued at rest, in Model Exchange. Between events it is held, or slides in one direction,
 /// regardless of its velocity: trial steps of a solver beyond the instant of rest use the same smooth law.
 pub(super) struct Rest {
@@ -48,8 +77,8 @@ pub(super) struct Rest {
 /// The force at rest. A contact found held by an event stays so until the next event, which the external force
 /// triggers.
 #[inline]
-pub(super) fn resting<T: Real>(phase: Phase, external_force: T, level: T) -> T {
-    if phase == Phase::Held { external_force } else { external_force.limited(level) }
+pub(super) fn resting<T: Real>(phase: PhaseColumn<T>, external_force: T, level: T) -> T {
+    phase.is(Phase::Held).choose(|| external_force, || external_force.limited(level))
 }
 
 /// Speed above which something else moves a held body, such as a prescribed velocity (chosen).

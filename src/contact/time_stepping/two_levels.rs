@@ -1,6 +1,6 @@
 //! A contact with a static and a kinetic level.
 
-use super::phase::{Band, NO_EVENT, Phase, REACHED, Rest};
+use super::phase::{Band, NO_EVENT, Phase, PhaseColumn, REACHED, Rest};
 use super::{Contact, Outcome, TimeStepping};
 use crate::contact::stopping::{force_to_stop, is_held};
 use crate::contact::unloading;
@@ -20,7 +20,7 @@ pub(crate) struct TwoLevels<T: Real> {
     /// Whether the contact has been stuck since the last step.
     pub stuck: T::Mask,
     /// Motion as found by the last event of Model Exchange.
-    pub phase: Phase,
+    pub phase: PhaseColumn<T>,
 }
 
 impl<T: Real> TwoLevels<T> {
@@ -30,19 +30,13 @@ impl<T: Real> TwoLevels<T> {
 
     /// Whether it is at rest or within the band.
     fn rests(&self) -> T::Mask {
-        match self.phase {
-            Phase::Free => self.stuck | self.is_at_rest(),
-            phase => T::Mask::from(phase == Phase::Held),
-        }
+        self.phase.is(Phase::Held) | self.phase.is_free() & (self.stuck | self.is_at_rest())
     }
 
     /// The force at rest; within a band no event holds it.
     fn resting(&self) -> T {
-        let limited = || self.external_force.limited(self.breakaway);
-        match self.phase {
-            Phase::Held => self.band.is_positive().choose(limited, || self.external_force),
-            _ => limited(),
-        }
+        let is_kept = self.phase.is(Phase::Held) & !self.band.is_positive();
+        is_kept.choose(|| self.external_force, || self.external_force.limited(self.breakaway))
     }
 }
 
@@ -51,17 +45,17 @@ pub(crate) const EVENTS_OF_TWO_LEVELS: usize = 3;
 
 impl TwoLevels<f64> {
     fn rest(&self) -> Rest {
-        let TwoLevels { phase, velocity, external_force, breakaway, .. } = *self;
-        Rest { phase, velocity, external_force, level: breakaway }
+        let TwoLevels { velocity, external_force, breakaway, .. } = *self;
+        Rest { phase: Phase::of(self.phase.0), velocity, external_force, level: breakaway }
     }
 
     fn around_rest(&self) -> Band {
-        Band { phase: self.phase, velocity: self.velocity, width: self.band }
+        Band { phase: Phase::of(self.phase.0), velocity: self.velocity, width: self.band }
     }
 
     pub(crate) fn write_indicators(&self, indicators: &mut [f64]) {
         let rest = self.rest();
-        let [phase, reserve] = match (self.band > 0.0, self.phase) {
+        let [phase, reserve] = match (self.band > 0.0, Phase::of(self.phase.0)) {
             (false, _) => [rest.indicator(), NO_EVENT],
             (true, Phase::Held) => [self.around_rest().indicator(), rest.reserve(self.external_force.abs()) + REACHED],
             (true, _) => [self.around_rest().indicator(), NO_EVENT],
@@ -78,7 +72,8 @@ impl TwoLevels<f64> {
 impl<T: Real> Contact<T> for TwoLevels<T> {
     /// The law without memory: kinetic level outside the band; inside it the external force, up to the static level.
     fn printed(&self) -> T {
-        let sliding = || self.kinetic * self.phase.direction().map_or(self.velocity.sign(), T::from);
+        let direction = || self.phase.slides().choose(|| self.phase.direction(), || self.velocity.sign());
+        let sliding = || self.kinetic * direction();
         self.rests().choose(|| self.resting(), sliding)
     }
 
@@ -125,6 +120,11 @@ macro_rules! two_levels {
             }
 
             $crate::contact::time_stepping::holding!(T);
+
+            fn remember(&mut self, done: $crate::contact::time_stepping::Done<T>) {
+                self.dissipated_energy = self.dissipated_energy + done.energy;
+                self.stuck = T::truth(done.is_held);
+            }
         }
 
         impl<T: Real> $crate::model::Law for $Law<T> {
@@ -143,12 +143,13 @@ macro_rules! two_levels {
             }
         }
 
-        impl $Law {
-            fn remember(&mut self, done: $crate::contact::time_stepping::Done) {
-                self.dissipated_energy += done.energy;
-                self.stuck = f64::from(u8::from(done.is_held));
+        impl<T: Real> $crate::model::Steps for $Law<T> {
+            fn advance(&mut self, dt: T) {
+                $crate::contact::time_stepping::step(self, dt);
             }
         }
+
+        $crate::model::in_lanes!($Law);
     };
 
     () => {
@@ -172,16 +173,10 @@ macro_rules! two_levels {
             self.stuck = 0.0;
         }
 
-        fn step(&mut self, dt: f64) {
-            let done = $crate::contact::time_stepping::step(self, dt);
-            self.remember(done);
-        }
+        $crate::model::in_lanes!();
 
         fn step_ramp(&mut self, slope: &Self, dt: f64) {
-            match $crate::contact::time_stepping::step_ramp(self, slope, dt) {
-                Some(done) => self.remember(done),
-                None => $crate::model::ramp::advance(self, slope, dt),
-            }
+            $crate::contact::time_stepping::step_ramp(self, slope, dt);
         }
     };
 }

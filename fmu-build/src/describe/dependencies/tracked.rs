@@ -5,7 +5,7 @@ use std::cmp::Ordering;
 use std::ops::{Add, AddAssign, BitAnd, BitOr, Div, Mul, MulAssign, Neg, Not, Sub, SubAssign};
 
 use stribeck::model::{Evaluate, Kind, ModelType, Variable};
-use stribeck::number::{Mask, Real};
+use stribeck::number::{Decision, Mask, Real, Scalar};
 use stribeck::numerics::vector::{Component, One, Zero};
 
 use super::expression::{Expression, Expressions, Id, Operation, Order};
@@ -239,24 +239,43 @@ impl BitOr for TrackedMask {
 }
 
 impl Mask<Tracked> for TrackedMask {
-    fn holds(self) -> bool {
-        on_course(|course| course.decide(self.0))
+    fn agreed(self) -> Option<bool> {
+        on_course(|course| course.settled(self.0))
     }
 
     fn choose(self, yes: impl FnOnce() -> Tracked, no: impl FnOnce() -> Tracked) -> Tracked {
-        match on_course(|course| course.settled(self.0)) {
+        let [chosen] = self.choose_all(|| [yes()], || [no()]);
+        chosen
+    }
+
+    fn choose_all<const N: usize>(
+        self,
+        yes: impl FnOnce() -> [Tracked; N],
+        no: impl FnOnce() -> [Tracked; N],
+    ) -> [Tracked; N] {
+        match self.agreed() {
             Some(true) => yes(),
             Some(false) => no(),
             None => {
                 let (yes, no) = (assuming(self.0, true, yes), assuming(self.0, false, no));
-                on_course(|course| Tracked(course.expressions.chosen(self.0, yes.0, no.0)))
+                let chosen = |number: usize| {
+                    let (yes, no) = (yes[number].0, no[number].0);
+                    on_course(|course| Tracked(course.expressions.chosen(self.0, yes, no)))
+                };
+                std::array::from_fn(chosen)
             }
         }
     }
 }
 
+impl Decision<Tracked> for TrackedMask {
+    fn holds(self) -> bool {
+        on_course(|course| course.decide(self.0))
+    }
+}
+
 /// Computes a branch for the case that it counts.
-fn assuming(id: Id, answer: bool, work: impl FnOnce() -> Tracked) -> Tracked {
+fn assuming<R>(id: Id, answer: bool, work: impl FnOnce() -> R) -> R {
     let before = on_course(|course| {
         let before = (course.orders.len(), course.answers.len());
         course.assume(id, answer);
@@ -337,10 +356,12 @@ impl PartialOrd for Tracked {
     }
 }
 
+impl Scalar for Tracked {}
+
 impl Real for Tracked {
     type Mask = TrackedMask;
 
-    fn value(self) -> f64 {
+    fn lane(self, _lane: usize) -> f64 {
         on_course(|course| course.value(self.0))
     }
     fn is(self, constant: f64) -> TrackedMask {
@@ -355,7 +376,7 @@ impl Real for Tracked {
     fn equals(self, other: Tracked) -> TrackedMask {
         on_course(|course| course.compared(Order::EQUAL, self, other))
     }
-    fn found<const N: usize>(on: impl FnOnce() -> [Tracked; N], _search: impl FnOnce() -> [f64; 2]) -> [Tracked; 2] {
+    fn found<const N: usize>(on: impl FnOnce() -> [Tracked; N], _search: impl Fn(usize) -> [f64; 2]) -> [Tracked; 2] {
         let on = on();
         on_course(|course| {
             let end = course.expressions.constant(0.0);
@@ -371,6 +392,15 @@ impl Real for Tracked {
     }
     fn exp(self) -> Tracked {
         Tracked::of(Operation::Exp, self, self)
+    }
+    fn exp_m1(self) -> Tracked {
+        Tracked::of(Operation::ExpM1, self, self)
+    }
+    fn ln(self) -> Tracked {
+        Tracked::of(Operation::Ln, self, self)
+    }
+    fn ln_1p(self) -> Tracked {
+        Tracked::of(Operation::Ln1p, self, self)
     }
     fn tanh(self) -> Tracked {
         Tracked::of(Operation::Tanh, self, self)

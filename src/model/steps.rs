@@ -1,0 +1,56 @@
+//! Steps that are written once for every number type.
+
+use super::row::view_mut;
+use super::{Law, Model};
+use crate::numerics::vector::Component;
+
+/// A law whose step has no modes that decide the course of the computation: it is written once for every number type.
+pub trait Steps: Law {
+    /// Advances the states by `dt` > 0 while the inputs are held.
+    fn advance(&mut self, dt: Self::Number);
+
+    /// [`Steps::advance`], and the outputs after it. To be overridden if both need the same costly term.
+    #[inline(always)]
+    fn advance_and_output(&mut self, dt: Self::Number) {
+        self.advance(dt);
+        self.output();
+    }
+}
+
+/// A model with such steps: it runs on several rows at once, each in a lane of its own, and through dual numbers.
+pub trait InLanes: Model {
+    /// The same model in another number.
+    type Of<T: Component>: Steps<Number = T>;
+}
+
+/// A row of a model in any number, seen as the model.
+#[inline(always)]
+pub fn model_in<M: InLanes, T: Component>(row: &mut [T]) -> &mut M::Of<T> {
+    view_mut(row)
+}
+
+/// Declares that a model runs in lanes: `in_lanes!(Law)`, and `in_lanes!();` inside `impl Model`, where it takes the
+/// steps from [`Steps`].
+macro_rules! in_lanes {
+    ($Law:ident) => {
+        impl $crate::model::InLanes for $Law {
+            type Of<T: $crate::numerics::vector::Component> = $Law<T>;
+        }
+    };
+
+    () => {
+        fn accept(visitor: &mut impl $crate::model::Visitor) {
+            visitor.visit_in_lanes::<Self>();
+        }
+
+        fn step(&mut self, dt: f64) {
+            $crate::model::Steps::advance(self, dt);
+        }
+
+        #[inline(always)]
+        fn step_and_output(&mut self, dt: f64) {
+            $crate::model::Steps::advance_and_output(self, dt);
+        }
+    };
+}
+pub(crate) use in_lanes;
