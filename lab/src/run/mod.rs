@@ -6,11 +6,11 @@ mod solver;
 use std::time::Instant;
 
 pub use outcome::{Column, Outcome, Passed};
-pub use solver::Solver;
+pub use solver::{Kind, Solver};
 
 use crate::couple::{Exchange, Master, by_steps, co_simulation};
-use crate::solve::{End, Equations, Grid, Options, Progress, Recorder, Statistics};
-use crate::system::{Fault, Motion, System, WireSource};
+use crate::solve::{End, Equations, Grid, Options, Progress, Recorder, Statistics, solve, solve_foreign};
+use crate::system::{Fault, Motion, Part, System, WireSource};
 
 /// How a system is run.
 #[derive(Clone, Copy, Debug)]
@@ -110,13 +110,49 @@ struct Ran {
 
 fn start(system: &System, solver: Solver, settings: &Settings, sources: &[WireSource]) -> Result<Ran, Fault> {
     let (grid, options) = (settings.grid(), settings.options());
-    let Some(method) = solver.method() else {
-        let (end, statistics, (time, values)) = match solver {
-            Solver::CoSimulation => co_simulation(system, &settings.master, grid, &options, sources)?,
-            _ => by_steps(system, grid, &options, sources)?,
-        };
-        return Ok(Ran { end, statistics, time, values, parts: Vec::new() });
+    let kind = solver.kind();
+    if !settings.events && matches!(kind, Kind::Own(_) | Kind::Foreign(_)) {
+        needs_no_events(system)?;
+    }
+    let (end, statistics, (time, values)) = match kind {
+        Kind::Own(method) => {
+            return of_motion(system, sources, grid, |motion, states, recorder| {
+                Ok(solve(method, motion, states, &options, recorder))
+            });
+        }
+        Kind::Foreign(foreign) => {
+            return of_motion(system, sources, grid, |motion, states, recorder| {
+                if settings.events && motion.indicators() > 0 && !foreign.has_events() {
+                    return Err(Fault::value(format_args!("solver {solver}: does not locate events; run it without")));
+                }
+                Ok(solve_foreign(foreign, motion, states, &options, recorder))
+            });
+        }
+        Kind::CoSimulation => co_simulation(system, &settings.master, grid, &options, sources)?,
+        Kind::Steps => by_steps(system, grid, &options, sources)?,
     };
+    Ok(Ran { end, statistics, time, values, parts: Vec::new() })
+}
+
+/// Refuses parts that would stay in the phase in which they begin.
+fn needs_no_events(system: &System) -> Result<(), Fault> {
+    let is_settled = |part: &&Part| part.model.table.iter().any(|variable| variable.is_settled_by_events());
+    match system.parts.iter().find(is_settled) {
+        Some(Part { name, model, .. }) => {
+            let text = format_args!("{name}: {} sticks and slips at events; it does not move without", model.name);
+            Err(Fault::value(text))
+        }
+        None => Ok(()),
+    }
+}
+
+/// Runs the equations of motion.
+fn of_motion(
+    system: &System,
+    sources: &[WireSource],
+    grid: Grid,
+    run: impl FnOnce(&mut Motion, &mut [f64], &mut Recorder) -> Result<(End, Statistics), Fault>,
+) -> Result<Ran, Fault> {
     let mut motion = Motion::new(system, sources)?;
     // States come from the polynomials of the steps, everything else from the models.
     let state = |source: &WireSource| motion.places().iter().position(|place| WireSource::Variable(*place) == *source);
@@ -125,7 +161,7 @@ fn start(system: &System, solver: Solver, settings: &Settings, sources: &[WireSo
     motion.record_only(others.collect());
     let mut recorder = Recorder::new(grid, &motion);
     let mut now = motion.start();
-    let (end, statistics) = crate::solve::solve(method, &mut motion, &mut now, &options, &mut recorder);
+    let (end, statistics) = run(&mut motion, &mut now, &mut recorder)?;
     recorder.finish();
     let parts = statistics.events.iter().map(|event| motion.indicator_name(event.indicator)).collect();
     let time = recorder.times().collect();

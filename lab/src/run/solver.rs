@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use crate::solve::Method;
+use crate::solve::{Foreign, Method};
 use crate::system::{Motion, System};
 
 /// A solver, with the class of MATLAB's solvers that it belongs to.
@@ -15,9 +15,32 @@ pub enum Solver {
     Rodas5P,
     /// Modified Rosenbrock method 2(3), the class of ode23s.
     Rosenbrock23,
+    /// Explicit Runge-Kutta method of order 5, of the crate ode_solvers, the class of ode45.
+    Dopri5,
+    /// Explicit Runge-Kutta method of order 8, of the crate ode_solvers, the class of ode78; without events.
+    Dop853,
+    /// Backward differentiation formulas of orders 1 to 5, of the crate diffsol, the class of ode15s.
+    Bdf,
+    /// Trapezoidal rule with backward differentiation formula, of the crate diffsol, the class of ode23tb.
+    TrBdf2,
+    /// Diagonally implicit Runge-Kutta method of order 3, of the crate diffsol.
+    Esdirk34,
     /// Steps of all models together, halved until two halves agree.
     Steps,
     /// A master of co-simulation with a fixed step.
+    CoSimulation,
+}
+
+/// How a solver works.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// It solves the equations of motion by a method of ours.
+    Own(Method),
+    /// It solves the equations of motion by another crate.
+    Foreign(Foreign),
+    /// It makes steps of the models.
+    Steps,
+    /// It is a master of co-simulation.
     CoSimulation,
 }
 
@@ -31,12 +54,18 @@ impl Solver {
         }
     }
 
-    /// Our method of that name.
-    pub fn method(self) -> Option<Method> {
+    /// How it works.
+    pub fn kind(self) -> Kind {
         match self {
-            Solver::Rodas5P => Some(Method::Rodas5P),
-            Solver::Rosenbrock23 => Some(Method::Rosenbrock23),
-            Solver::Auto | Solver::Steps | Solver::CoSimulation => None,
+            Solver::Auto | Solver::Rodas5P => Kind::Own(Method::Rodas5P),
+            Solver::Rosenbrock23 => Kind::Own(Method::Rosenbrock23),
+            Solver::Dopri5 => Kind::Foreign(Foreign::Dopri5),
+            Solver::Dop853 => Kind::Foreign(Foreign::Dop853),
+            Solver::Bdf => Kind::Foreign(Foreign::Bdf),
+            Solver::TrBdf2 => Kind::Foreign(Foreign::TrBdf2),
+            Solver::Esdirk34 => Kind::Foreign(Foreign::Esdirk34),
+            Solver::Steps => Kind::Steps,
+            Solver::CoSimulation => Kind::CoSimulation,
         }
     }
 }

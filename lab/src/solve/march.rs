@@ -14,15 +14,8 @@ const GROW: f64 = 6.0;
 /// Part of a step at which a rejected step that meets an event is tried again, beyond the event (chosen).
 const BEYOND: f64 = 1.0 + 1e-3;
 
-/// Largest number of events at one instant (chosen): parts in a chain may change one after the other.
-const MOST_EVENTS: u32 = 32;
-
 /// Largest number of steps made to end at an event (chosen).
 const MOST_TRIALS: u32 = 100;
-
-/// Number of events (chosen) that are chatter if they lie within this part of a run (chosen).
-const CHATTER: usize = 1000;
-const CHATTER_SPAN: f64 = 1e-3;
 
 /// Steps between two looks at progress and cancellation (chosen).
 const LOOK: u64 = 256;
@@ -254,29 +247,9 @@ impl<S: Step<N>, const N: usize> March<'_, S, N> {
 
     /// Makes an event.
     fn pass(&mut self, indicator: usize) -> Result<(), String> {
-        let time = self.begin.time;
-        let same = |event: &&Event| (time - event.time).abs() <= 64.0 * f64::EPSILON * time.abs();
-        let count = self.statistics.events.iter().rev().take_while(same).count();
-        if count as u32 >= MOST_EVENTS {
-            let name = self.equations.indicator_name(indicator);
-            return Err(format!("{count} events at one instant, the last one of {name}"));
-        }
-        self.statistics.events.push(Event { time, indicator });
-        self.refuse_chatter()?;
+        let name = self.equations.indicator_name(indicator);
+        let duration = self.options.end - self.options.begin;
+        self.statistics.pass(Event { time: self.begin.time, indicator }, &name, duration)?;
         self.settle()
-    }
-
-    /// Ends a run whose events come ever closer: a law that jumps where no force between the two sides is a solution of
-    /// its equations.
-    fn refuse_chatter(&self) -> Result<(), String> {
-        let events = &self.statistics.events;
-        let Some(first) = events.len().checked_sub(CHATTER).map(|at| &events[at]) else { return Ok(()) };
-        let Some(last) = events.last() else { return Ok(()) };
-        let span = last.time - first.time;
-        if span > CHATTER_SPAN * (self.options.end - self.options.begin) {
-            return Ok(());
-        }
-        let name = self.equations.indicator_name(last.indicator);
-        Err(format!("{name} chatters: {CHATTER} events within {span:.3e} s"))
     }
 }

@@ -5,6 +5,7 @@
 
 mod elimination;
 mod event;
+mod foreign;
 mod march;
 mod method;
 mod recorder;
@@ -14,6 +15,7 @@ mod statistics;
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
+pub use foreign::{Foreign, solve_foreign};
 pub use method::Method;
 pub use recorder::{Grid, Piece, Recorder};
 pub use statistics::{End, Event, Statistics};

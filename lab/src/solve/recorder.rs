@@ -90,6 +90,11 @@ impl Recorder {
         }
     }
 
+    /// All output times.
+    pub fn grid(&self) -> Grid {
+        self.grid
+    }
+
     /// The output times that have been recorded.
     pub fn times(&self) -> impl Iterator<Item = f64> + '_ {
         (0..self.filled).map(|number| self.grid.time(number))
