@@ -60,6 +60,52 @@ def test_pictures_and_neighbours_of_a_page_exist():
             assert (page.parent / target).exists(), f"{page.name}: {target}"
 
 
+THESIS = PROJECT / "docs" / "thesis.md"
+
+# An equation of the thesis, and a range of them.
+EQUATION = r"\(([2-9])\.([1-9]\d*)\)"
+EQUATIONS = rf"{EQUATION} to {EQUATION}"
+
+
+def equations_of(text: str) -> set[tuple[int, int]]:
+    """The equations that a text names, those within its ranges included."""
+    found = {(int(chapter), int(number)) for chapter, number in re.findall(EQUATION, text)}
+    for chapter, first, _, last in re.findall(EQUATIONS, text):
+        found |= {(int(chapter), number) for number in range(int(first), int(last) + 1)}
+    return found
+
+
+def test_the_page_of_the_thesis_names_every_law_and_equation():
+    page = THESIS.read_text(encoding="utf-8")
+    laws = [path for path in (PROJECT / "src/friction").glob("*.rs") if path.stem != "mod"]
+    assert len(laws) >= 35
+    for law in laws:
+        assert f"](../src/friction/{law.name})" in page, law.name
+    for source in (*laws, *(PROJECT / "src/host").glob("*.rs")):
+        text = source.read_text(encoding="utf-8")
+        if "Novais" not in text:
+            continue
+        cited = equations_of("\n".join(line for line in text.splitlines() if line.lstrip().startswith("///")))
+        assert cited <= equations_of(page), source.name
+
+
+def test_the_commands_of_the_page_of_the_thesis_name_what_exists():
+    page = THESIS.read_text(encoding="utf-8")
+    commands = re.findall(r"`((?:stribeck|python) [^`]*)`", page)
+    assert len(commands) > 20
+    programs = "".join(path.read_text(encoding="utf-8") for path in (PROJECT / "examples").glob("*/*.py"))
+    models = {path.stem for path in (PROJECT / "modelDescription").glob("*.xml")} | {"None"}
+    for command in commands:
+        for path in re.findall(r"(?:examples|lab|src)/\S+", command):
+            assert (PROJECT / path).exists(), command
+        for system in re.findall(r"--system (\S+)", command):
+            assert (PROJECT / "lab/src/system/built_in" / f"{system}.toml").exists(), command
+        for names in re.findall(r"(?:--laws?|--model|stribeck show) ((?:\w+ ?)+)", command):
+            assert set(names.split()) <= models, command
+        for option in re.findall(r"--[a-z-]+", command) if command.startswith("python") else ():
+            assert f'"{option}"' in programs, f"{command}: {option}"
+
+
 def test_the_loop_of_the_readme_is_that_of_the_equations_of_lugre():
     """dz/dt = v - sigma_0 |v| z / g(v) and its work, integrated by Radau to 1e-9."""
     level, excess, scale = 0.12 * 20.0, 0.03 * 20.0, 1e-3
