@@ -144,7 +144,7 @@ impl Check for DualsHaveSlopes {
         let is_along = |variable: &stribeck::model::Variable| {
             matches!(variable.kind, Kind::Real(_)) && variable.role != Role::Output
         };
-        let columns: Vec<usize> = (0..model.table.len()).filter(|c| is_along(&model.table[*c])).collect();
+        let columns: Vec<usize> = (0..model.table.len()).filter(|c| is_along(&model.table.at(*c))).collect();
         let mut checked = 0;
         for _ in 0..TRIED {
             let mut row = rows::everyday(model, &mut random);

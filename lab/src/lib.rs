@@ -3,11 +3,12 @@
 //!
 //! [`dyno`] makes a [`ParameterSet`](ssp::parameter_set::ParameterSet) from the measurements of a damper dynamometer,
 //! [`tir`] from a tyre property file. [`system`] joins models, [`solve`] has the solvers,
-//! [`run`] runs them.
+//! [`run`] runs them, [`picture`] draws what came of it.
 
 pub mod benchmark;
 pub mod couple;
 pub mod dyno;
+pub mod picture;
 pub mod run;
 pub mod solve;
 pub mod system;

@@ -8,11 +8,11 @@ use super::random::Random;
 /// columns leave it.
 pub fn row(model: &ModelType, share: f64, random: &mut Random) -> Vec<f64> {
     loop {
-        let value = |variable: &Variable| {
+        let mut value = |variable: &Variable| {
             let is_drawn = random.next() < share && variable.role != Role::Output;
             if is_drawn { value(variable, random) } else { variable.start }
         };
-        let row: Vec<f64> = model.table.iter().map(value).collect();
+        let row: Vec<f64> = model.table.iter().map(|variable| value(&variable)).collect();
         if model.check(&row).is_ok() {
             return row;
         }
@@ -28,8 +28,8 @@ pub fn everyday(model: &ModelType, random: &mut Random) -> Vec<f64> {
             [value, -value].into_iter().find(|value| variable.admits(*value)).unwrap_or(variable.start)
         };
         let is_drawn = |variable: &Variable| matches!(variable.kind, Kind::Real(_)) && variable.role != Role::Output;
-        let value = |variable: &Variable| if is_drawn(variable) { near(variable) } else { variable.start };
-        let row: Vec<f64> = model.table.iter().map(value).collect();
+        let mut value = |variable: &Variable| if is_drawn(variable) { near(variable) } else { variable.start };
+        let row: Vec<f64> = model.table.iter().map(|variable| value(&variable)).collect();
         if model.check(&row).is_ok() {
             return row;
         }

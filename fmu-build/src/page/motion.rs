@@ -185,7 +185,7 @@ impl Contact {
     fn name(&self, host: &ModelType) -> String {
         let what = "with Coulomb friction and stiction in the contact";
         let Some(Swung { input, amplitude }) = &self.swung else { return what.to_owned() };
-        let variable = &host.table[*input];
+        let variable = host.table.at(*input);
         let Kind::Real(unit) = variable.kind else { return what.to_owned() };
         format!("{what}, {} swinging by {amplitude} {} in {} s", variable.path, unit.name, Swung::PERIOD)
     }
