@@ -39,7 +39,20 @@ const HOUSES: &[House] = &[
     House { folder: "ssp/src", rooms: &["xml", "units", "parameter_set", "system"] },
     House {
         folder: "lab/src",
-        rooms: &["dyno", "tir", "solve", "system", "couple", "run", "benchmark", "picture", "damper", "tyre", "command"],
+        rooms: &[
+            "dyno",
+            "tir",
+            "solve",
+            "system",
+            "couple",
+            "run",
+            "benchmark",
+            "picture",
+            "report",
+            "damper",
+            "tyre",
+            "command",
+        ],
     },
     House { folder: "fmu-build/src", rooms: &["project", "build", "describe", "page", "pack"] },
 ];

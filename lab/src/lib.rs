@@ -3,12 +3,14 @@
 //!
 //! [`dyno`] makes a [`ParameterSet`](ssp::parameter_set::ParameterSet) from the measurements of a damper dynamometer,
 //! [`tir`] from a tyre property file. [`system`] joins models, [`solve`] has the solvers,
-//! [`run`] runs them, [`picture`] draws what came of it.
+//! [`run`] runs them, [`picture`] draws what came of it, and [`report`] tells it all
+//! in one file.
 
 pub mod benchmark;
 pub mod couple;
 pub mod dyno;
 pub mod picture;
+pub mod report;
 pub mod run;
 pub mod solve;
 pub mod system;

@@ -13,6 +13,7 @@ use resvg::tiny_skia::{Pixmap, Transform};
 use resvg::usvg::Tree;
 
 pub use style::{MOST_LAWS, Theme};
+pub(crate) use text::{escape, typeset_unit};
 
 use crate::run::Outcome;
 use crate::solve::End;
