@@ -61,6 +61,9 @@ struct Course<'a, 'e> {
     stretch: Stretch,
     /// Steps made before.
     before: u64,
+    /// Whether x is a state, behind the others: DOP853 (of 0.6.2) takes the beginning of a step for its end in two stages,
+    /// and so errs wherever rates depend on time itself.
+    has_clock: bool,
     seen: &'a RefCell<Seen>,
 }
 
@@ -81,7 +84,9 @@ where
     fn system(&self, x: f64, y: &OVector<f64, D>, dy: &mut OVector<f64, D>) {
         let states = &mut self.seen.borrow_mut().states;
         unscale(y, self.scales, states);
-        let rates = dy.as_mut_slice();
+        let x = if self.has_clock { y[states.len()] } else { x };
+        let (rates, clock) = dy.as_mut_slice().split_at_mut(states.len());
+        clock.fill(1.0);
         self.bridge.rates(self.stretch.time(x), states, rates);
         for (rate, scale) in rates.iter_mut().zip(self.scales) {
             *rate *= self.stretch.unit / scale;
@@ -110,10 +115,10 @@ where
 
 /// A solver of the crate for a stretch, with the crate's own settings.
 macro_rules! solver {
-    ($Solver:ident, $run:ident, $stretch:ident, $seen:ident, $dim:ident, $output:expr) => {{
+    ($Solver:ident, $has_clock:literal, $run:ident, $stretch:ident, $seen:ident, $dim:ident, $output:expr) => {{
         let Run { bridge, options, scales, .. } = *$run;
         let before = $run.statistics.steps;
-        let course = Course { bridge, scales, options, stretch: $stretch, before, seen: &$seen };
+        let course = Course { bridge, scales, options, stretch: $stretch, before, has_clock: $has_clock, seen: &$seen };
         let longest = (options.longest / $stretch.unit).min($stretch.end - $stretch.begin);
         let most = u32::try_from($run.steps_left()).unwrap_or(u32::MAX);
         let Options { relative, absolute, .. } = *options;
@@ -123,7 +128,7 @@ macro_rules! solver {
             $stretch.begin,
             $stretch.end,
             1.0,
-            $run.scaled($dim),
+            $run.scaled($stretch.begin, $dim),
             relative,
             absolute,
             SAFETY,
@@ -141,8 +146,8 @@ macro_rules! solver {
 
 /// Dispatches on the number of states: with few of them the crate's vectors need no memory of the heap.
 macro_rules! by_size {
-    ($function:ident($run:ident, $($argument:expr),*)) => {
-        match $run.states.len() {
+    ($count:expr, $function:ident($run:ident, $($argument:expr),*)) => {
+        match $count {
             1 => $function($run, $($argument,)* Const::<1>),
             2 => $function($run, $($argument,)* Const::<2>),
             3 => $function($run, $($argument,)* Const::<3>),
@@ -153,13 +158,13 @@ macro_rules! by_size {
 }
 
 impl Run<'_, '_> {
-    /// The states in parts of their sizes.
-    fn scaled<D: Dim>(&self, dim: D) -> OVector<f64, D>
+    /// The states in parts of their sizes, and x behind them if there is room.
+    fn scaled<D: Dim>(&self, x: f64, dim: D) -> OVector<f64, D>
     where
         DefaultAllocator: Allocator<D>,
     {
         let parts = self.states.iter().zip(self.scales).map(|(state, scale)| state / scale);
-        OVector::from_iterator_generic(dim, U1, parts)
+        OVector::from_iterator_generic(dim, U1, parts.chain([x]))
     }
 
     fn seen(&self, stretch: Stretch) -> RefCell<Seen> {
@@ -193,7 +198,7 @@ impl Run<'_, '_> {
 
 /// Runs to the wall, or to an event before it.
 pub(super) fn dopri5(run: &mut Run, wall: f64) -> Result<Stop, String> {
-    by_size!(dopri5_of(run, wall))
+    by_size!(run.states.len(), dopri5_of(run, wall))
 }
 
 fn dopri5_of<D: Dim>(run: &mut Run, wall: f64, dim: D) -> Result<Stop, String>
@@ -203,7 +208,7 @@ where
     let stretch = Stretch { origin: run.time, unit: 1.0, begin: 0.0, end: wall - run.time };
     let seen = run.seen(stretch);
     let mut model = ContinuousOutputModel::new();
-    let mut solver = solver!(Dopri5, run, stretch, seen, dim, OutputType::Continuous);
+    let mut solver = solver!(Dopri5, false, run, stretch, seen, dim, OutputType::Continuous);
     let done = solver.integrate_with_continuous_output_model(&mut model);
     let mut states = run.states.clone();
     if let Some(last) = solver.y_out().last() {
@@ -276,7 +281,7 @@ fn record(
 /// had beside dense output. So it runs densely to the last output time before the wall, as part of a run to the wall, and
 /// from there once more without.
 pub(super) fn dop853(run: &mut Run, wall: f64) -> Result<Stop, String> {
-    by_size!(dop853_of(run, wall))
+    by_size!(run.states.len() + 1, dop853_of(run, wall))
 }
 
 fn dop853_of<D: Dim>(run: &mut Run, wall: f64, dim: D) -> Result<Stop, String>
@@ -312,7 +317,7 @@ where
 {
     let seen = run.seen(stretch);
     let is_dense = output == OutputType::Dense;
-    let mut solver = solver!(Dop853, run, stretch, seen, dim, output);
+    let mut solver = solver!(Dop853, true, run, stretch, seen, dim, output);
     let done = solver.integrate();
     let (numbers, results) = solver.results().get();
     let (mut states, mut at) = (run.states.clone(), stretch.begin);
