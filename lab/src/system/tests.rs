@@ -1,9 +1,11 @@
 //! Systems against closed forms and published figures.
 
-use std::f64::consts::PI;
-
 use super::*;
 use crate::solve::{End, Grid, Method, Options, Recorder, Statistics, solve};
+
+#[path = "../../tests/common/stick_slip.rs"]
+mod stick_slip;
+use stick_slip::{BELT, StickSlip};
 
 /// The belt with a law: statistics, and the recorded motion (time, position of the block).
 fn belt(law: &str, tolerance: f64) -> (Statistics, Vec<(f64, f64)>) {
@@ -17,47 +19,6 @@ fn belt(law: &str, tolerance: f64) -> (Statistics, Vec<(f64, f64)>) {
         solve(Method::Rodas5P, &mut motion, &mut states, &Options::new(until, tolerance), &mut recorder);
     assert_eq!(end, End::Reached, "{law} {statistics:?}");
     (statistics, recorder.times().zip(recorder.states[position].iter().copied()).collect())
-}
-
-/// Stick and slip of a block with kinetic and static friction in closed form: the block is carried by the belt until the
-/// spring pulls with f_s, slides along a cosine about f_C / k, and is caught at belt speed.
-struct StickSlip {
-    w: f64,
-    centre: f64,
-    excess: f64,
-    first_slip: f64,
-    slip: f64,
-    period: f64,
-}
-
-const BELT: f64 = 0.1;
-
-impl StickSlip {
-    fn table_6_1() -> StickSlip {
-        let (k, coulomb, breakaway): (f64, f64, f64) = (2.0, 0.981, 1.4715);
-        let w = k.sqrt();
-        let excess = (breakaway - coulomb) / k;
-        let slip = 2.0 / w * (PI - (excess * w / BELT).atan());
-        let period = 2.0 * excess / BELT + slip;
-        StickSlip { w, centre: coulomb / k, excess, first_slip: breakaway / k / BELT, slip, period }
-    }
-
-    fn position(&self, time: f64) -> f64 {
-        if time < self.first_slip {
-            return BELT * time;
-        }
-        let since = (time - self.first_slip) % self.period;
-        if since < self.slip {
-            let phase = self.w * since;
-            self.centre + self.excess * phase.cos() + BELT / self.w * phase.sin()
-        } else {
-            self.centre - self.excess + BELT * (since - self.slip)
-        }
-    }
-
-    fn events(&self) -> Vec<f64> {
-        (0..).flat_map(|n| [0.0, self.slip].map(|t| self.first_slip + f64::from(n) * self.period + t)).take(9).collect()
-    }
 }
 
 #[test]
