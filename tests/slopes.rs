@@ -282,8 +282,7 @@ fn errors(bench: &mut Bench, force: &str, pieces: u32) -> [f64; 3] {
 #[test]
 fn a_ramp_comes_to_the_limit_of_short_held_steps() {
     let mut laws = 0;
-    let is_contact =
-        |model: &&ModelType| matches!(model.find("normal_force"), Some(load) if model.table.at(load).role == Role::Input);
+    let is_contact = |model: &&ModelType| matches!(model.find("normal_force"), Some(load) if model.table.at(load).role == Role::Input);
     for model in catalogue::models().filter(is_contact) {
         let mut bench = Bench::new(model.name, &[]);
         let force = if bench.has("friction_force") { "friction_force" } else { "friction_force_x" };

@@ -97,3 +97,17 @@ fn the_benchmark_writes_a_page_and_a_table() {
     assert_eq!(&located[12], "right");
     assert!(text(&folder.path().join("benchmark.md")).contains("| CoulombStiction | "));
 }
+
+#[test]
+fn pictures_and_report_are_written() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = |name: &str| folder.path().join(name).to_str().expect("text").to_owned();
+    let arguments = ["compare", "--law", "LuGre", "Dahl", "--tol", "1e-6", "--pictures"];
+    let [pictures, page] = [file("pictures"), file("report.html")];
+    let run = [&arguments[..], &[&pictures, "--report", &page]].concat();
+    assert!(stribeck(&run).status.success());
+    let pictures = std::fs::read_dir(file("pictures")).expect("a folder").count();
+    assert_eq!(pictures, 14, "seven kinds, as SVG and PNG");
+    let report = text(Path::new(&file("report.html")));
+    assert!(report.contains("LuGre") && report.contains("Dahl") && report.contains("<svg"));
+}

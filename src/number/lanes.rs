@@ -243,7 +243,8 @@ mod tests {
     /// A number of lanes, each of which is what an f64 is.
     #[test]
     fn every_function_gives_each_lane_the_bits_of_a_scalar() {
-        let functions: [(fn(Four) -> Four, fn(f64) -> f64); 12] = [
+        type Pair = (fn(Four) -> Four, fn(f64) -> f64);
+        let functions: [Pair; 12] = [
             (Real::exp, Real::exp),
             (Real::exp_m1, Real::exp_m1),
             (Real::tanh, Real::tanh),

@@ -5,11 +5,16 @@ use std::str::FromStr;
 
 use clap::{Args, ValueEnum};
 use lab::couple::Exchange;
-use lab::run::{Settings, Solver};
+use lab::picture::{self, Options, Theme};
+use lab::report::{self, Facts};
+use lab::run::{Outcome, Settings, Solver};
 use lab::system::{Fault, Setting, Source, System};
 
 use super::Failure;
 use super::configuration::Configuration;
+
+/// Width of PNG pictures (chosen: a column of 85 mm at 600 dots per inch).
+const PIXELS: u32 = 2000;
 
 /// What to run and where to write it.
 #[derive(Args, Clone, Debug)]
@@ -56,6 +61,15 @@ pub struct Arguments {
     /// File for the results (.csv)
     #[arg(long, short)]
     pub out: Option<PathBuf>,
+    /// Folder for the pictures (SVG and PNG)
+    #[arg(long, value_name = "FOLDER")]
+    pub pictures: Option<PathBuf>,
+    /// Dark pictures
+    #[arg(long)]
+    pub dark: bool,
+    /// File for a report (.html)
+    #[arg(long, value_name = "FILE")]
+    pub report: Option<PathBuf>,
     /// Print the outcome as JSON
     #[arg(long)]
     pub json: bool,
@@ -210,5 +224,33 @@ impl Choice {
         } else {
             self.record.clone()
         }
+    }
+
+    /// Pictures and report of the outcomes, each with its label and system.
+    pub fn illustrate(&self, arguments: &Arguments, runs: Vec<(String, System, Outcome)>) -> Result<(), Failure> {
+        let Some((_, system, _)) = runs.first() else { return Ok(()) };
+        if (arguments.pictures.is_some() || arguments.report.is_some()) && !self.record.is_empty() {
+            let text = "--record: pictures and reports show the results of the system; leave it out";
+            return Err(Fault::value(text).into());
+        }
+        let (system, tolerance) = (system.clone(), self.configuration.tol.unwrap_or(1e-8));
+        let (systems, outcomes): (Vec<System>, Vec<(String, Outcome)>) =
+            runs.into_iter().map(|(label, system, outcome)| (system, (label, outcome))).unzip();
+        if let Some(folder) = &arguments.pictures {
+            let theme = if arguments.dark { Theme::Dark } else { Theme::Light };
+            std::fs::create_dir_all(folder).map_err(|source| Failure::File { path: folder.clone(), source })?;
+            for picture in picture::all(&system, &outcomes, &Options { theme, zoom: None }) {
+                super::write(&folder.join(format!("{}.svg", picture.name())), &picture.svg)?;
+                super::write(&folder.join(format!("{}.png", picture.name())), picture.png(PIXELS)?)?;
+            }
+        }
+        if let Some(path) = &arguments.report {
+            let toml = self.configuration.text();
+            let command = if outcomes.len() > 1 { "stribeck compare" } else { "stribeck run" };
+            let command = format!("{command} --config run.toml      # with this in run.toml:");
+            let facts = Facts { systems: &systems, tolerance, command: &command, toml: &toml, ..Facts::default() };
+            super::write(path, report::html(&system, &outcomes, &facts))?;
+        }
+        Ok(())
     }
 }

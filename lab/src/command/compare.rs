@@ -40,21 +40,32 @@ pub fn compare(arguments: &Arguments) -> Result<Verdict, Failure> {
     if let Some(bar) = bar {
         bar.finish();
     }
+    report(arguments, &choice, &outcomes)?;
+    let verdict = outcomes.iter().map(verdict).max().unwrap_or(Verdict::Done);
+    let labelled = outcomes
+        .into_iter()
+        .zip(&laws)
+        .map(|(outcome, law)| Ok((law.clone(), choice.system(Some(law), None)?, outcome)));
+    choice.illustrate(arguments, labelled.collect::<Result<_, Failure>>()?)?;
+    Ok(verdict)
+}
+
+fn report(arguments: &Arguments, choice: &Choice, outcomes: &[Outcome]) -> Result<(), Failure> {
     if let Some(path) = &arguments.out {
         let file = std::fs::File::create(path).map_err(|source| Failure::File { path: path.clone(), source })?;
         let file = std::io::BufWriter::new(file);
-        table(&outcomes, file).map_err(|source| Failure::File { path: path.clone(), source })?;
+        table(outcomes, file).map_err(|source| Failure::File { path: path.clone(), source })?;
     }
     let stdout = std::io::stdout();
     let mut out = stdout.lock();
     // A closed pipe is no failure of the runs.
     let _ = if arguments.json {
-        let runs: Vec<_> = outcomes.iter().map(|outcome| as_json(&choice, None, outcome)).collect();
+        let runs: Vec<_> = outcomes.iter().map(|outcome| as_json(choice, None, outcome)).collect();
         writeln!(out, "{}", json!({ "runs": runs }))
     } else {
-        outcomes.iter().try_for_each(|outcome| writeln!(out, "{}", line(&choice, None, outcome)))
+        outcomes.iter().try_for_each(|outcome| writeln!(out, "{}", line(choice, None, outcome)))
     };
-    Ok(outcomes.iter().map(verdict).max().unwrap_or(Verdict::Done))
+    Ok(())
 }
 
 /// The chosen laws, or all.

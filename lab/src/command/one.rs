@@ -44,7 +44,14 @@ pub fn run(arguments: &Arguments) -> Result<Verdict, Failure> {
         bar.finish();
     }
     report(arguments, &choice, &outcomes)?;
-    Ok(outcomes.iter().map(|(_, outcome)| verdict(outcome)).max().unwrap_or(Verdict::Done))
+    let verdict = outcomes.iter().map(|(_, outcome)| verdict(outcome)).max().unwrap_or(Verdict::Done);
+    let labelled = outcomes.into_iter().map(|(value, outcome)| {
+        let name = outcome.law.map_or_else(|| choice.name(), |law| law.name).to_owned();
+        let varied = choice.vary.as_ref().zip(value).map(|(vary, value)| format!("{} = {value}", vary.name));
+        Ok((varied.unwrap_or(name), choice.system(law, value)?, outcome))
+    });
+    choice.illustrate(arguments, labelled.collect::<Result<_, Failure>>()?)?;
+    Ok(verdict)
 }
 
 fn system(choice: &Choice, law: Option<&str>, value: Option<f64>) -> Result<lab::system::System, Failure> {

@@ -10,6 +10,10 @@ use super::{Fault, Signal};
 /// The systems that come with the program: name and description.
 pub const BUILT_IN: &[(&str, &str)] = &[
     ("belt", include_str!("built_in/belt.toml")),
+    ("belt-drive", include_str!("built_in/belt-drive.toml")),
+    ("two-blocks", include_str!("built_in/two-blocks.toml")),
+    ("incline", include_str!("built_in/incline.toml")),
+    ("pulled-mass", include_str!("built_in/pulled-mass.toml")),
     ("motion", include_str!("built_in/motion.toml")),
     ("quarter-car", include_str!("built_in/quarter-car.toml")),
     ("four-post", include_str!("built_in/four-post.toml")),
