@@ -19,25 +19,27 @@ fn rows(model: &ModelType) -> usize {
 /// For each column, which of the `candidates` its value is computed from; empty for columns that are not computed. Then
 /// the same for the time derivatives of the columns, if the model is offered for Model Exchange and has no arrays.
 pub fn of(model: &ModelType, candidates: impl Fn(usize) -> bool) -> Vec<BTreeSet<usize>> {
-    let columns = model.table.len();
+    // Unpacked once, for many rows.
+    let table: Vec<Variable> = model.table.iter().collect();
+    let (columns, has_rates) = (table.len(), has_rates(model));
     let (known, mut computed): (Vec<usize>, Vec<usize>) =
-        (0..columns).partition(|column| !model.table.at(*column).role.is_computed());
+        (0..columns).partition(|column| !table[*column].role.is_computed());
     let known: Vec<usize> = known.into_iter().filter(|column| candidates(*column)).collect();
-    if has_rates(model) {
+    if has_rates {
         computed.extend(model.continuous_states().map(|state| columns + state));
     }
     let mut found = vec![BTreeSet::new(); 2 * columns];
     // Any seed will do; a fixed one makes every run the same.
     let mut rng = Rng::with_seed(1);
     for _ in 0..rows(model) {
-        let mut row = draw_row(model, &mut rng);
-        if !evaluate(model, &mut row) {
+        let mut row = draw_row(&table, &mut rng);
+        if !evaluate(model, has_rates, &mut row) {
             continue;
         }
         for &column in &known {
             let mut changed = row[..columns].to_vec();
-            changed[column] = draw(&model.table.at(column), &mut rng);
-            if changed[column] == row[column] || !evaluate(model, &mut changed) {
+            changed[column] = draw(&table[column], &mut rng);
+            if changed[column] == row[column] || !evaluate(model, has_rates, &mut changed) {
                 continue;
             }
             for &output in computed.iter().filter(|output| changed[**output] != row[**output]) {
@@ -49,7 +51,7 @@ pub fn of(model: &ModelType, candidates: impl Fn(usize) -> bool) -> Vec<BTreeSet
 }
 
 /// Computes the outputs of the row and appends its time derivatives; false if the model refuses it or asks for more.
-fn evaluate(model: &ModelType, row: &mut Vec<f64>) -> bool {
+fn evaluate(model: &ModelType, has_rates: bool, row: &mut Vec<f64>) -> bool {
     // A row by itself has no memory beside it.
     if model.check(row).is_err() || model.memory_in_use(row) > 0 || !model.output(row) {
         return false;
@@ -57,36 +59,36 @@ fn evaluate(model: &ModelType, row: &mut Vec<f64>) -> bool {
     let columns = row.len();
     row.resize(2 * columns, 0.0);
     let (row, rate) = row.split_at_mut(columns);
-    if has_rates(model) {
+    if has_rates {
         model.rate(row, rate);
     }
     rate.iter().all(|rate| rate.is_finite())
 }
 
 /// A row in which some columns, from a few to all, have left their start values.
-fn draw_row(model: &ModelType, rng: &mut Rng) -> Vec<f64> {
+fn draw_row(table: &[Variable], rng: &mut Rng) -> Vec<f64> {
     let share = rng.f64();
-    let value = |variable: Variable| if rng.f64() < share { draw(&variable, rng) } else { variable.start };
-    let mut row: Vec<f64> = model.table.iter().map(value).collect();
+    let value = |variable: &Variable| if rng.f64() < share { draw(variable, rng) } else { variable.start };
+    let mut row: Vec<f64> = table.iter().map(value).collect();
     if rng.bool() {
-        remember_inputs(model, &mut row, rng);
+        remember_inputs(table, &mut row, rng);
     }
     row
 }
 
 /// Gives three of four states the value of an input with the same unit: a model may do something else as long as an input
 /// is what it was at the end of a step. A state that carries the name of an input, as `end_normal_force`, gets that one.
-fn remember_inputs(model: &ModelType, row: &mut [f64], rng: &mut Rng) {
-    for (column, variable) in model.table.iter().enumerate() {
+fn remember_inputs(table: &[Variable], row: &mut [f64], rng: &mut Rng) {
+    for (column, variable) in table.iter().enumerate() {
         if !variable.role.is_state() || !matches!(variable.kind, Kind::Real(_)) || rng.u8(0..4) == 0 {
             continue;
         }
         let is_alike = |other: &usize| {
-            let other = &model.table.at(*other);
+            let other = &table[*other];
             other.role == Role::Input && other.kind == variable.kind
         };
         let mut alike: Vec<usize> = (0..row.len()).filter(is_alike).collect();
-        let is_named = |input: &usize| variable.path.to_string().ends_with(&model.table.at(*input).path.to_string());
+        let is_named = |input: &usize| variable.path.to_string().ends_with(&table[*input].path.to_string());
         if let Some(named) = alike.iter().copied().find(is_named) {
             alike = vec![named];
         }
