@@ -164,7 +164,7 @@ impl World {
         match action {
             Action::Set(of, number) => {
                 let reference = of.of(model);
-                let value = variable(model, reference).map_or(0.0, |variable| number.of(variable));
+                let value = variable(model, reference).map_or(0.0, |variable| number.of(&variable));
                 // SAFETY: a live handle.
                 let status = unsafe { stribeck_set(pointer, reference, value) };
                 self.check_set(who, status, column(model, reference), value);

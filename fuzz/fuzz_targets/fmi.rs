@@ -226,7 +226,7 @@ impl World {
 
     fn number(&self, who: usize, reference: u32, number: Number) -> f64 {
         let variable = variable(self.slaves[who].model, reference);
-        variable.map_or_else(|| number.alone(), |variable| number.of(variable))
+        variable.map_or_else(|| number.alone(), |variable| number.of(&variable))
     }
 
     fn act(&mut self, who: usize, action: Action) {

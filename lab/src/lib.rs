@@ -6,12 +6,19 @@
 //! [`run`] runs them, [`picture`] draws what came of it, and [`report`] tells it all
 //! in one file.
 
+#[cfg(feature = "workbench")]
 pub mod benchmark;
+#[cfg(feature = "workbench")]
 pub mod couple;
 pub mod dyno;
+#[cfg(feature = "workbench")]
 pub mod picture;
+#[cfg(feature = "workbench")]
 pub mod report;
+#[cfg(feature = "workbench")]
 pub mod run;
+#[cfg(feature = "workbench")]
 pub mod solve;
+#[cfg(feature = "workbench")]
 pub mod system;
 pub mod tir;
