@@ -42,5 +42,4 @@ crate::model::family! {
     liang::Liang,
     lugre_planar::LuGrePlanar,
     elasto_plastic_planar::ElastoPlasticPlanar,
-    rolling_resistance::RollingResistance,
 }

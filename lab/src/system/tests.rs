@@ -123,8 +123,7 @@ fn every_built_in_system_is_accepted_with_its_own_law() {
     }
 }
 
-/// Laws find all their inputs in each system with a place for a law. A strut has its own list: it offers no law in a plane
-/// or of rolling.
+/// Laws find all their inputs in each system with a place for a law. A strut has its own list: it offers no law in a plane.
 #[test]
 fn every_law_runs_in_every_system() {
     for (name, _) in BUILT_IN {
