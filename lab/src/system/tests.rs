@@ -132,6 +132,10 @@ fn every_law_runs_in_every_system() {
         for (law, _) in stribeck::catalogue::documented(stribeck::catalogue::Family::Friction) {
             match System::assemble(&source, Some(law.name), &[]) {
                 Ok(_) => {}
+                // The hosts have no output of the relative acceleration where both bodies accelerate.
+                Err(fault) if law.find("acceleration").is_some() && ["belt-drive", "two-blocks"].contains(name) => {
+                    assert!(fault.to_string().contains("friction.acceleration is open"), "{name}: {fault}");
+                }
                 Err(fault) if offers_all => panic!("{name} {}: {fault}", law.name),
                 Err(fault) => assert!(fault.to_string().contains("choice of friction.model"), "{name}: {fault}"),
             }
