@@ -34,12 +34,12 @@ pub struct Trial {
     pub events: bool,
 }
 
-/// What a trial gave.
+/// Outcome of a trial.
 #[derive(Clone, Debug)]
 pub struct Measurement {
     /// Name of the law.
     pub law: String,
-    /// What was run.
+    /// The trial.
     pub trial: Trial,
     /// Steps, rejected steps, evaluations of the rates, Jacobians, events.
     pub counts: [u64; 5],

@@ -11,7 +11,7 @@ use stribeck::catalogue::{Family, documented};
 use super::watch::{Bar, CANCELLED, heed_interrupts};
 use super::{Failure, Verdict, write};
 
-/// What is measured and where it is written.
+/// Laws, solvers and tolerances to measure, and the folder for the results.
 #[derive(Args, Clone, Debug)]
 pub struct Arguments {
     /// The benchmark

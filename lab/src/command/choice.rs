@@ -16,7 +16,7 @@ use super::configuration::Configuration;
 /// Width of PNG pictures (chosen: a column of 85 mm at 600 dots per inch).
 const PIXELS: u32 = 2000;
 
-/// What to run and where to write it.
+/// System, laws, values and solver of a run, and the files for its results.
 #[derive(Args, Clone, Debug)]
 pub struct Arguments {
     /// Built-in system (see `stribeck systems`) or path of a system file (.toml)
@@ -114,7 +114,7 @@ impl FromStr for Vary {
     }
 }
 
-/// What to run, from the command line and the file.
+/// Choice of the user, from the command line and the file.
 pub struct Choice {
     pub source: Source,
     pub laws: Vec<String>,
@@ -155,7 +155,7 @@ impl Arguments {
         Ok(all)
     }
 
-    /// What to run; it is saved if that is wanted.
+    /// The choice; writes it to a file if the user wants one.
     pub fn choice(&self) -> Result<Choice, Failure> {
         let configuration = self.configuration()?;
         if let Some(path) = &self.save_config {

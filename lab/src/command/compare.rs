@@ -58,7 +58,7 @@ fn report(arguments: &Arguments, choice: &Choice, outcomes: &[Outcome]) -> Resul
     }
     let stdout = std::io::stdout();
     let mut out = stdout.lock();
-    // A closed pipe is no failure of the runs.
+    // The runs have not failed if nobody reads on.
     let _ = if arguments.json {
         let runs: Vec<_> = outcomes.iter().map(|outcome| as_json(choice, None, outcome)).collect();
         writeln!(out, "{}", json!({ "runs": runs }))

@@ -84,7 +84,7 @@ fn report(arguments: &Arguments, choice: &Choice, outcomes: &[(Option<f64>, Outc
     }
     let stdout = std::io::stdout();
     let mut out = stdout.lock();
-    // A closed pipe is no failure of the run.
+    // The run has not failed if nobody reads on.
     let _ = if arguments.json {
         let runs: Vec<_> = outcomes.iter().map(|(value, outcome)| as_json(choice, *value, outcome)).collect();
         writeln!(out, "{}", json!({ "runs": runs }))

@@ -7,7 +7,7 @@ use crate::system::{Fault, Place, System, Wire, WireSource};
 /// Order in which a master exchanges values.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
 pub enum Exchange {
-    /// What acts on the hosts steps first; the hosts then step with its forces (Gauss-Seidel).
+    /// Laws and struts step first; the hosts then step with their forces (Gauss-Seidel).
     Sequential,
     /// The forces are read as soon as the inputs are set; then all parts step.
     Feedthrough,

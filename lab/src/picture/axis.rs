@@ -4,7 +4,7 @@ use stribeck::unit::UNITS;
 
 use super::text::{decimal, digits, typeset_unit};
 
-/// What an axis shows.
+/// Quantity on an axis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Quantity {
     Time,
@@ -176,7 +176,7 @@ mod tests {
         }
     }
 
-    /// A range of a microsecond seven seconds after the start is told by its distance from a round time.
+    /// The ticks of a range of a microsecond, seven seconds after the start, count from a round time.
     #[test]
     fn narrow_ranges_are_counted_from_a_round_value() {
         let axis = Axis::new(Quantity::Time, "s", [7.357_500_2, 7.357_501_4], 8.0, true);

@@ -9,8 +9,8 @@ pub struct StickSlip {
     centre: f64,
     excess: f64,
     pub first_slip: f64,
-    slip: f64,
-    period: f64,
+    pub slip: f64,
+    pub period: f64,
 }
 
 /// Velocity of the belt.
@@ -38,10 +38,5 @@ impl StickSlip {
         } else {
             self.centre - self.excess + BELT * (since - self.slip)
         }
-    }
-
-    #[allow(dead_code, reason = "for some tests")]
-    pub fn events(&self) -> Vec<f64> {
-        (0..).flat_map(|n| [0.0, self.slip].map(|t| self.first_slip + f64::from(n) * self.period + t)).take(9).collect()
     }
 }
