@@ -407,7 +407,7 @@ impl Model for Armstrong {
     }
 
     fn step_ramp(&mut self, slope: &Self, dt: f64) {
-        let begin = *self;
+        let begin = ramp::Inputs::of(self);
         self.advance(Motion {
             acceleration: slope.velocity,
             load_rate: slope.normal_force,

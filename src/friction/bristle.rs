@@ -251,14 +251,15 @@ impl Model for Bristle {
 
     /// Between the instants at which the velocity changes sign only the displacement counts.
     fn step_ramp(&mut self, slope: &Self, dt: f64) {
-        let begin = *self;
-        let reversal = -begin.velocity / slope.velocity;
+        let begin = ramp::Inputs::of(self);
+        let (velocity, normal_force) = (self.velocity, self.normal_force);
+        let reversal = -velocity / slope.velocity;
         let turn = if reversal > 0.0 && reversal < dt { reversal } else { dt };
         for (from, to) in [(0.0, turn), (turn, dt)] {
             if from < to {
                 let middle = 0.5 * (from + to);
-                self.velocity = begin.velocity + slope.velocity * middle;
-                self.normal_force = begin.normal_force + slope.normal_force * middle;
+                self.velocity = velocity + slope.velocity * middle;
+                self.normal_force = normal_force + slope.normal_force * middle;
                 self.step(to - from);
             }
         }

@@ -561,7 +561,7 @@ impl Model for Leuven {
     }
 
     fn step_ramp(&mut self, slope: &Self, dt: f64) {
-        let begin = *self;
+        let begin = ramp::Inputs::of(self);
         let ramp = Ramp {
             velocity: [self.velocity, slope.velocity],
             normal_force: [self.normal_force, slope.normal_force],

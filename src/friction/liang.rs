@@ -3,6 +3,7 @@ use nalgebra::Vector3;
 
 use crate::contact::quantities::*;
 use crate::contact::turning;
+use crate::model::ramp;
 use crate::model::{CoSimulation, Fault, Law, Model, Preset, real};
 use crate::number::{Decision, Mask, Scalar};
 use crate::numerics::root;
@@ -285,13 +286,13 @@ impl Model for Liang {
     /// In pieces over which velocity, normal and load count as linear. In the plane of its normal the instants of each
     /// piece are located: where the speed passes v_0, and where the bristle reaches its circle or leaves it.
     fn step_ramp(&mut self, slope: &Self, dt: f64) {
-        let begin = *self;
+        let begin = ramp::Inputs::of(self);
         let mut z = self.deflection();
         for piece in 0..PIECES {
             let [from, to] = [piece, piece + 1].map(|k| dt * (f64::from(k) / f64::from(PIECES)));
-            crate::model::ramp::set_inputs(self, &begin, slope, from);
+            ramp::set_inputs(self, &begin, slope, from);
             let (normal, velocity, load) = (self.normal(), self.tangential_velocity(), self.normal_force);
-            crate::model::ramp::set_inputs(self, &begin, slope, to);
+            ramp::set_inputs(self, &begin, slope, to);
             let normal_end = self.normal();
             let ramp = Ramp {
                 velocity: [carried(&velocity, &normal, &normal_end), self.tangential_velocity()],
@@ -301,7 +302,7 @@ impl Model for Liang {
             z = carried(&z, &normal, &normal_end);
             self.follow(&mut z, &ramp);
         }
-        crate::model::ramp::set_inputs(self, &begin, slope, dt);
+        ramp::set_inputs(self, &begin, slope, dt);
         self.put(&z);
     }
 

@@ -323,7 +323,7 @@ impl Model for MaxwellSlip {
     }
 
     fn step_ramp_with(&mut self, memory: &mut [f64], slope: &Self, dt: f64) {
-        let begin = *self;
+        let begin = ramp::Inputs::of(self);
         let ramp = Ramp {
             velocity: [self.velocity, slope.velocity],
             normal_force: [self.normal_force, slope.normal_force],

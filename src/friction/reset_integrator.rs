@@ -272,7 +272,7 @@ impl Model for ResetIntegrator {
     }
 
     fn step_ramp(&mut self, slope: &Self, dt: f64) {
-        let begin = *self;
+        let begin = ramp::Inputs::of(self);
         let motion = Motion {
             acceleration: slope.velocity,
             load_rate: slope.normal_force,

@@ -125,7 +125,7 @@ impl Model for BeltDrive {
     }
 
     fn step_ramp(&mut self, slope: &Self, dt: f64) {
-        let begin = *self;
+        let begin = ramp::Inputs::of(self);
         self.advance(slope.friction_force, dt);
         ramp::set_inputs(self, &begin, slope, dt);
     }

@@ -126,7 +126,7 @@ impl Model for Incline {
     }
 
     fn step_ramp(&mut self, slope: &Self, dt: f64) {
-        let begin = *self;
+        let begin = ramp::Inputs::of(self);
         self.advance([slope.friction_force, slope.angle], dt);
         ramp::set_inputs(self, &begin, slope, dt);
     }

@@ -1,6 +1,6 @@
 //! Integration of a host whose rates follow from its states and its inputs.
 
-use crate::model::ramp::set_inputs;
+use crate::model::ramp::{Inputs, set_inputs};
 use crate::model::{Described, Model, row_of, row_of_mut};
 use crate::number::elementary::pow;
 use crate::numerics::runge_kutta::dormand_prince;
@@ -34,7 +34,7 @@ pub(crate) fn advance<M: Model, const N: usize>(model: &mut M, slope: &M, dt: f6
 /// A model within a step, with workspace for its rates: a car's row is long, and the stack of a host may be small.
 struct Motion<'a, M, const N: usize> {
     model: &'a mut M,
-    begin: M,
+    begin: Inputs,
     rate: M,
     /// Slope of the inputs, if they move.
     slope: Option<&'a M>,
@@ -61,10 +61,10 @@ impl<M: Model, const N: usize> Motion<'_, M, N> {
 
 fn advance_by<M: Model, const N: usize>(model: &mut M, slope: Option<&M>, dt: f64) {
     let columns = states::<M, N>();
-    let mut motion = Motion { begin: *model, rate: *model, model, slope, columns };
+    let mut motion = Motion { begin: Inputs::of(model), rate: *model, model, slope, columns };
     let (mut time, mut piece) = (0.0, dt);
-    let mut at = columns.map(|column| row_of(&motion.begin)[column]);
-    let mut branches = motion.begin.branches();
+    let mut at = columns.map(|column| row_of(motion.model)[column]);
+    let mut branches = motion.model.branches();
     let most = const { MOST_PIECES_TIMES_STATES / N as u32 };
     let mut last_look = 0.0;
     for count in 1..=most {

@@ -137,7 +137,7 @@ impl Model for PulledMass {
     }
 
     fn step_ramp(&mut self, slope: &Self, dt: f64) {
-        let begin = *self;
+        let begin = ramp::Inputs::of(self);
         self.advance([slope.friction_force, slope.pull_velocity], dt);
         ramp::set_inputs(self, &begin, slope, dt);
     }

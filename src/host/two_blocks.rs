@@ -150,7 +150,7 @@ impl Model for TwoBlocks {
     }
 
     fn step_ramp(&mut self, slope: &Self, dt: f64) {
-        let begin = *self;
+        let begin = ramp::Inputs::of(self);
         self.advance([slope.force_1 - slope.friction_force, slope.force_2 + slope.friction_force], dt);
         ramp::set_inputs(self, &begin, slope, dt);
     }

@@ -50,6 +50,9 @@ impl<const MOST: usize> Selection<MOST> {
 /// Number of pieces with held inputs into which a step with slopes is divided (chosen).
 pub(crate) const PIECES: u32 = 16;
 
+/// Largest number of inputs.
+const MOST_INPUTS: usize = 24;
+
 /// Largest number of states, the energy excluded.
 const MOST: usize = 2;
 
@@ -61,7 +64,7 @@ const fn is_followed(variable: &Variable) -> bool {
 /// Columns of a model used here.
 struct Columns {
     table: Table,
-    inputs: Selection<24>,
+    inputs: Selection<MOST_INPUTS>,
     /// Continuous states of a model with rates, the energy excluded.
     states: Selection<MOST>,
     /// Number of continuous states, the energy excluded.
@@ -103,15 +106,27 @@ impl Columns {
         self.normal_force.is_some_and(|column| row[column] == 0.0)
     }
 
-    /// Sets the inputs to their values at a time after `begin`.
-    fn set_inputs(&self, row: &mut [f64], begin: &[f64], slope: &[f64], time: f64) {
-        for column in self.inputs.iter() {
-            let (first, change) = (begin[column], slope[column] * time);
+    /// Sets the inputs to their values at a time after that of the `first` ones.
+    fn set_inputs(&self, row: &mut [f64], first: impl Iterator<Item = f64>, slope: &[f64], time: f64) {
+        for (column, first) in self.inputs.iter().zip(first) {
+            let change = slope[column] * time;
             let value = first + change;
             // By rounding, a ramp to a bound may end beyond it, and a ramp to zero may miss it.
             let is_rounding = value.abs() <= 4.0 * f64::EPSILON * change.abs();
             row[column] = if is_rounding { 0.0 } else { self.table.bound(column).nearest(value) };
         }
+    }
+}
+
+/// The inputs of a model at the beginning of a step, in the order of its table. The stack of a host may be small, and the
+/// row of a model long.
+pub(crate) struct Inputs([f64; MOST_INPUTS]);
+
+impl Inputs {
+    pub(crate) fn of<M: Model>(model: &M) -> Inputs {
+        let mut values = [0.0; MOST_INPUTS];
+        Of::<M>::COLUMNS.inputs.iter().zip(&mut values).for_each(|(column, value)| *value = row_of(model)[column]);
+        Inputs(values)
     }
 }
 
@@ -250,7 +265,8 @@ impl Ramp<'_> {
     }
 
     fn set_inputs(&mut self, time: f64) {
-        self.of.columns.set_inputs(self.row, self.begin, self.slope, time);
+        let columns = self.of.columns;
+        columns.set_inputs(self.row, columns.inputs.iter().map(|column| self.begin[column]), self.slope, time);
     }
 
     /// Integral of a power, for a row of which only the inputs move.
@@ -668,8 +684,8 @@ pub(crate) fn phi(x: f64) -> [f64; 3] {
 }
 
 /// Sets the inputs to their values at a time after `begin`.
-pub(crate) fn set_inputs<M: Model>(model: &mut M, begin: &M, slope: &M, time: f64) {
-    Of::<M>::COLUMNS.set_inputs(row_of_mut(model), row_of(begin), row_of(slope), time);
+pub(crate) fn set_inputs<M: Model>(model: &mut M, begin: &Inputs, slope: &M, time: f64) {
+    Of::<M>::COLUMNS.set_inputs(row_of_mut(model), begin.0.iter().copied(), row_of(slope), time);
 }
 
 /// Slopes of inputs that do not move.

@@ -496,8 +496,8 @@ impl Model for GuideContact {
             self.friction.write_fresh(&mut self.memory);
             self.started = 1.0;
         }
-        let begin = *self;
-        let reversal = -begin.velocity / slope.velocity;
+        let begin = ramp::Inputs::of(self);
+        let reversal = -self.velocity / slope.velocity;
         let turns = reversal > 0.0 && reversal < dt && !self.friction.moves_mass();
         let mut from = 0.0;
         for to in turns.then_some(reversal).into_iter().chain([dt]) {

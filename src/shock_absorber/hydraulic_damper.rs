@@ -340,10 +340,10 @@ impl Model for HydraulicDamper {
     /// Behind a stiffness, in pieces of at most `step_size`, each with the velocity in its middle. Without a stiffness
     /// the piston has the velocity of the strut, and only the energy is an integral.
     fn step_ramp(&mut self, slope: &Self, dt: f64) {
-        let begin = *self;
+        let begin = ramp::Inputs::of(self);
         if !self.damper.has_series() {
             let power = |law: &HydraulicDamper| law.damper.resistance(law.velocity) * law.velocity;
-            self.dissipated_energy += ramp::integral(&begin, slope, dt, power);
+            self.dissipated_energy += ramp::integral(self, slope, dt, power);
             ramp::set_inputs(self, &begin, slope, dt);
             self.piston_velocity = self.velocity;
             return;

@@ -370,11 +370,12 @@ impl ShockAbsorber {
     /// Advances while the inputs change at the rates `slope`.
     #[inline(never)]
     fn follow(&mut self, slope: &Self, dt: f64) {
-        let begin = *self;
+        let begin = ramp::Inputs::of(self);
         // A force that stops a mass belongs to the whole step.
         let stopping = self.setting.friction.moves_mass().then(|| {
+            let before = self.setting;
             ramp::set_inputs(self, &begin, slope, dt);
-            self.slide_from(&begin.setting, dt)
+            self.slide_from(&before, dt)
         });
         let count = super::substeps(dt, self.setting.num.h_max);
         let h = dt / f64::from(count);

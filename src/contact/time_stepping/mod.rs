@@ -291,9 +291,10 @@ pub(crate) fn step_ramp<M: Model + Holding<f64>>(law: &mut M, slope: &M, dt: f64
     if law.time_stepping().mass == 0.0 {
         return ramp::advance(law, slope, dt);
     }
-    let begin = *law;
-    ramp::set_inputs(law, &begin, slope, dt);
-    step_from(law, begin.inputs(), dt);
+    let begin = law.inputs();
+    let row = ramp::Inputs::of(law);
+    ramp::set_inputs(law, &row, slope, dt);
+    step_from(law, begin, dt);
 }
 
 /// Methods of [`Holding`] that access the inputs of a law.
