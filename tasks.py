@@ -89,6 +89,12 @@ class TaskError(Exception):
     """A step failed; the text says which one, and what to do."""
 
 
+def processor_time() -> float:
+    """Processor time of all commands so far, in s."""
+    times = os.times()
+    return times.children_user + times.children_system
+
+
 def run(*command: str | Path, **environment: str) -> None:
     """Runs a command in the project's folder; a failure ends the task."""
     words = [str(word) for word in command]
@@ -96,10 +102,12 @@ def run(*command: str | Path, **environment: str) -> None:
     settings = [f"{name}={value}" for name, value in environment.items() if name != "PATH"]
     shown = shlex.join(settings + words)
     print(f"\n> {shown if len(shown) < 300 else shown[:300] + ' ...'}", flush=True)
+    before = processor_time()
     try:
         status = subprocess.run(words, cwd=ROOT, env={**os.environ, **environment}).returncode
     except OSError as error:
         raise TaskError(f"cannot run {words[0]}: {error}") from error
+    print(f"processor time: {processor_time() - before:.0f} s", flush=True)
     if status != 0:
         raise TaskError(f"exit code {status}: {shown}")
 
@@ -479,7 +487,7 @@ def main() -> int:
     except KeyboardInterrupt:
         print(f"\n{task.__name__} interrupted", file=sys.stderr)
         return 130
-    print(f"\n{task.__name__}: done.")
+    print(f"\n{task.__name__}: done, in {processor_time() / 60:.1f} minutes of processor time.")
     return 0
 
 
