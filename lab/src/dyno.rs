@@ -47,7 +47,7 @@ use std::fmt;
 use ssp::parameter_set::{ParameterSet, SetError, choice};
 use stribeck::catalogue;
 use stribeck::model::ModelType;
-use stribeck::numerics::interpolation::linear;
+use stribeck::numerics::interpolation::Curve;
 use thiserror::Error;
 
 pub use file::{FileError, Test};
@@ -545,7 +545,7 @@ fn polyline(curve: &[(f64, f64)], slots: usize) -> Vec<(f64, f64)> {
 /// Sum of the squared distances of points from the line between the first and the last.
 fn misfit(points: &[(f64, f64)]) -> f64 {
     let line = [points[0], points[points.len() - 1]];
-    points.iter().map(|point| (point.1 - linear(&line, point.0)).powi(2)).sum()
+    points.iter().map(|point| (point.1 - Curve::from(&line[..]).linear(point.0)).powi(2)).sum()
 }
 
 /// Samples grouped by nearly equal speed, each group replaced by its medians.
@@ -565,7 +565,8 @@ fn groups(sorted: &[(f64, f64)], width: f64) -> Vec<(f64, f64)> {
 
 /// Root mean square and largest difference between the samples and the result.
 fn errors(samples: &[Sample], offset: &Offset, table: &[(f64, f64)]) -> [f64; 2] {
-    let difference = |sample: &Sample| sample.resistance - offset.at(sample.velocity) - linear(table, sample.velocity);
+    let difference =
+        |sample: &Sample| sample.resistance - offset.at(sample.velocity) - Curve::from(table).linear(sample.velocity);
     let squares: f64 = samples.iter().map(|sample| difference(sample).powi(2)).sum();
     let largest = samples.iter().map(|sample| difference(sample).abs()).fold(0.0, f64::max);
     [(squares / samples.len() as f64).sqrt(), largest]

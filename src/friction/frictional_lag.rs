@@ -341,7 +341,7 @@ mod tests {
     use super::*;
 
     fn law(variant: FrictionalLagVariant, time_lag: f64) -> FrictionalLag {
-        FrictionalLag { variant: f64::from(variant as i32 + 1), time_lag, ..Default::default() }
+        FrictionalLag { variant: variant.number(), time_lag, ..Default::default() }
     }
 
     fn force(law: &mut FrictionalLag) -> f64 {

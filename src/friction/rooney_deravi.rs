@@ -144,7 +144,7 @@ mod tests {
     }
 
     fn law(variant: RooneyDeraviVariant, velocity: f64) -> RooneyDeravi {
-        RooneyDeravi { variant: f64::from(variant as i32 + 1), velocity, ..Default::default() }
+        RooneyDeravi { variant: variant.number(), velocity, ..Default::default() }
     }
 
     /// tanh 1 = 0.761594: the printed form jumps by 0.238406 f_C, the others do not.

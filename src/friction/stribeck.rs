@@ -187,7 +187,7 @@ mod tests {
     ];
 
     fn law(curve: StribeckCurve, velocity: f64) -> Stribeck {
-        Stribeck { curve: f64::from(curve as i32 + 1), velocity, ..Default::default() }
+        Stribeck { curve: curve.number(), velocity, ..Default::default() }
     }
 
     fn force(law: Stribeck) -> f64 {

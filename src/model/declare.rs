@@ -45,10 +45,15 @@ macro_rules! choices {
                 $crate::model::choice(Self::CHOICES, self as i32 + 1)
             }
 
+            /// The number that stands for this choice.
+            pub fn number(self) -> f64 {
+                f64::from(self as i32 + 1)
+            }
+
             /// Whether a column holds this choice.
             #[inline(always)]
             pub fn is<T: $crate::number::Real>(self, column: T) -> T::Mask {
-                column.equals(T::from(f64::from(self as i32 + 1)))
+                column.equals(T::from(self.number()))
             }
 
             /// The choice that a number stands for; numbers outside the bound of the column never get here.

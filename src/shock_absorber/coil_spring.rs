@@ -1,6 +1,6 @@
 use crate::model::{Column, Derivatives, Fault, Law, Model, ModelExchange, boolean, integer, real};
-use crate::number::Scalar;
-use crate::numerics::interpolation;
+use crate::number::{Mask, Scalar};
+use crate::numerics::interpolation::Curve;
 
 /// Largest number of points of a table.
 pub const POINTS: usize = 16;
@@ -58,10 +58,9 @@ const fn forces() -> [Column; POINTS] {
     columns
 }
 
-/// Points of a table that are in use, at least two.
-pub(crate) fn points<T: Scalar>(x: &[T; POINTS], y: &[T; POINTS], count: T) -> ([(T, T); POINTS], usize) {
-    let points = std::array::from_fn(|at| (x[at], y[at]));
-    (points, (count.value() as usize).clamp(2, POINTS))
+/// Points of a table, of which `count` are in use.
+pub(crate) fn points<T: Copy>(x: &[T; POINTS], y: &[T; POINTS]) -> [(T, T); POINTS] {
+    std::array::from_fn(|at| (x[at], y[at]))
 }
 
 /// Refuses a table whose x are not strictly ascending.
@@ -78,16 +77,13 @@ pub(crate) fn check_rising(name: &str, x: &[f64; POINTS], count: f64) -> Result<
 impl<T: Scalar> Coil<T> {
     /// Force at a compression from full extension.
     pub fn force(&self, compression: T) -> T {
-        if self.enabled.value() == 0.0 {
-            return T::zero();
-        }
-        match SpringMode::of(self.mode.value()) {
-            SpringMode::Linear => self.preload + self.k * compression,
-            SpringMode::Table => {
-                let (points, count) = points(&self.tab_x, &self.tab_f, self.tab_n);
-                self.preload + interpolation::linear(&points[..count], compression)
-            }
-        }
+        let linear = || self.preload + self.k * compression;
+        let table = || {
+            let points = points(&self.tab_x, &self.tab_f);
+            self.preload + Curve::new(&points, self.tab_n).linear(compression)
+        };
+        let force = || SpringMode::Table.is(self.mode).choose(table, linear);
+        self.enabled.vanishes().choose(|| T::zero(), force)
     }
 }
 

@@ -1,5 +1,5 @@
 use crate::model::{Derivatives, Fault, Law, Model, ModelExchange, Preset, boolean, real};
-use crate::number::Scalar;
+use crate::number::{Mask, Scalar};
 use crate::numerics::relaxation;
 
 crate::part! {
@@ -21,18 +21,14 @@ crate::part! {
 impl<T: Scalar> Heating<T> {
     /// Factor on the damper force.
     pub fn factor(&self, temperature: T) -> T {
-        if self.enabled.value() == 0.0 {
-            return T::from(1.0);
-        }
-        (-self.beta * (temperature - self.temperature_ref)).exp()
+        let factor = || (-self.beta * (temperature - self.temperature_ref)).exp();
+        self.enabled.vanishes().choose(|| T::from(1.0), factor)
     }
 
     /// Time derivative of the temperature.
     pub(crate) fn rate(&self, temperature: T, ambient: T, power: T) -> T {
-        if self.enabled.value() == 0.0 {
-            return T::zero();
-        }
-        (power - self.conductance * (temperature - ambient)) / self.capacity
+        let rate = || (power - self.conductance * (temperature - ambient)) / self.capacity;
+        self.enabled.vanishes().choose(|| T::zero(), rate)
     }
 }
 

@@ -1,5 +1,5 @@
 use crate::model::{Derivatives, Law, Model, ModelExchange, boolean, real};
-use crate::number::Scalar;
+use crate::number::{Mask, Scalar};
 
 crate::choices! {
     /// Form of a bump stop's characteristic.
@@ -60,33 +60,37 @@ fn damping<T: Scalar>(c: T, velocity: T, elastic: T) -> T {
 
 impl<T: Scalar> BumpStop<T> {
     /// Whether the stop is touched.
-    pub fn is_active(&self, compression: T) -> bool {
-        self.enabled.value() != 0.0 && compression > self.gap
+    pub fn is_active(&self, compression: T) -> T::Mask {
+        !self.enabled.vanishes() & compression.above(self.gap)
     }
 
     /// Force, >= 0, at a compression of the strut and a velocity of extension.
     pub fn force(&self, compression: T, velocity: T) -> T {
-        if !self.is_active(compression) {
-            return T::zero();
-        }
-        let x = compression - self.gap;
-        let elastic = match BumpMode::of(self.mode.value()) {
-            BumpMode::Linear => self.k * x,
-            BumpMode::Power => self.F_ref * (x / self.x_ref).powf(self.n),
-            BumpMode::Cubic => x * (self.k + x * (self.k2 + x * self.k3)),
+        let pressed = || {
+            let elastic = self.elastic(compression - self.gap);
+            elastic - damping(self.c, velocity, elastic)
         };
-        elastic - damping(self.c, velocity, elastic)
+        self.is_active(compression).choose(pressed, || T::zero())
+    }
+
+    /// Force without damping at a deflection x > 0.
+    fn elastic(&self, x: T) -> T {
+        let power = || self.F_ref * (x / self.x_ref).powf(self.n);
+        let cubic = || x * (self.k + x * (self.k2 + x * self.k3));
+        let polynomial = || BumpMode::Cubic.is(self.mode).choose(cubic, || self.k * x);
+        BumpMode::Power.is(self.mode).choose(power, polynomial)
     }
 }
 
 impl<T: Scalar> ReboundStop<T> {
     /// Force, <= 0, at a compression of the strut and a velocity of extension.
     pub fn force(&self, compression: T, velocity: T) -> T {
-        if self.enabled.value() == 0.0 || compression >= self.gap {
-            return T::zero();
-        }
-        let elastic = self.k * (compression - self.gap);
-        elastic - damping(self.c, velocity, elastic)
+        let pulled = || {
+            let elastic = self.k * (compression - self.gap);
+            elastic - damping(self.c, velocity, elastic)
+        };
+        let is_free = self.enabled.vanishes() | compression.at_least(self.gap);
+        is_free.choose(|| T::zero(), pulled)
     }
 }
 
@@ -173,7 +177,7 @@ impl<T: Scalar> Law for EndStops<T> {
     fn output(&mut self) {
         self.force_bump = self.bump.force(self.compression, self.velocity);
         self.force_rebound = self.rebound.force(self.compression, self.velocity);
-        self.bump_active = T::from(f64::from(u8::from(self.bump.is_active(self.compression))));
+        self.bump_active = T::truth(self.bump.is_active(self.compression));
     }
 }
 

@@ -26,9 +26,10 @@ impl<T: Scalar> GasChamber<T> {
 
     /// Force on the rod at a compression from full extension.
     pub fn force(&self, compression: T) -> T {
-        if self.enabled.value() == 0.0 {
-            return T::zero();
-        }
+        self.enabled.vanishes().choose(|| T::zero(), || self.force_of_gas(compression))
+    }
+
+    fn force_of_gas(&self, compression: T) -> T {
         let area = self.rod_area();
         let volume = self.V0 - area * compression;
         let compressed = || {

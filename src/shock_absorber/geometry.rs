@@ -1,7 +1,7 @@
 //! Dimensions of the shock absorber.
 
 use crate::model::{Fault, boolean, real};
-use crate::number::Scalar;
+use crate::number::{Mask, Scalar};
 use crate::shock_absorber::telescopic_joint::Guidance;
 
 crate::part! {
@@ -34,12 +34,13 @@ impl<T: Scalar> Geometry<T> {
 
     /// Positions of rod guide and piston.
     pub(crate) fn guidance(&self) -> Guidance<T> {
-        if self.guidance_derived.value() == 0.0 {
-            return self.guidance;
-        }
-        let compressed = self.length_extended - self.stroke;
-        let [d_i, d_j] = CLEARANCES.map(|part| compressed - T::from(part) * self.clearance());
-        Guidance { d_i, d_j, h_reg: self.guidance.h_reg }
+        let Guidance { d_i, d_j, h_reg } = self.guidance;
+        let derived = || {
+            let compressed = self.length_extended - self.stroke;
+            CLEARANCES.map(|part| compressed - T::from(part) * self.clearance())
+        };
+        let [d_i, d_j] = self.guidance_derived.vanishes().choose_all(|| [d_i, d_j], derived);
+        Guidance { d_i, d_j, h_reg }
     }
 }
 

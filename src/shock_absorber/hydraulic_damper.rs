@@ -1,7 +1,8 @@
 use crate::model::ramp;
 use crate::model::{Column, Derivatives, Fault, Law, Model, ModelExchange, boolean, integer, real};
-use crate::number::{Decision, Dual, Mask, Scalar};
-use crate::numerics::{interpolation, root};
+use crate::number::{Dual, Mask, Scalar};
+use crate::numerics::interpolation::Curve;
+use crate::numerics::root;
 use crate::shock_absorber::coil_spring::{POINTS, check_rising, points};
 
 crate::choices! {
@@ -93,67 +94,71 @@ const fn resistances() -> [Column; POINTS] {
 
 impl<T: Scalar> Hydraulics<T> {
     /// Whether the damper has a stiffness in series.
-    pub fn has_series(&self) -> bool {
-        self.enabled.value() != 0.0 && self.k_series.is_positive().holds()
+    pub fn has_series(&self) -> T::Mask {
+        !self.enabled.vanishes() & self.k_series.is_positive()
     }
 
     /// Resistance F_d at a velocity of the piston; it has the sign of the velocity.
     pub fn resistance(&self, velocity: T) -> T {
-        if self.enabled.value() == 0.0 {
-            return T::zero();
-        }
-        let extends = velocity.is_positive();
-        let c = extends.choose(|| self.c_reb, || self.c_comp);
-        let degression = extends.choose(|| self.degr_reb, || self.degr_comp);
-        let resistance = match DamperMode::of(self.mode.value()) {
-            DamperMode::Linear => c * velocity,
-            DamperMode::Degressive => c * velocity / (T::from(1.0) + degression * velocity.abs()),
-            DamperMode::Table => self.interpolated(velocity),
-        };
-        self.scale * resistance
+        let table = || self.interpolated(velocity);
+        let resistance = || self.scale * DamperMode::Table.is(self.mode).choose(table, || self.formula(velocity));
+        self.enabled.vanishes().choose(|| T::zero(), resistance)
+    }
+
+    /// Coefficient in this direction of motion.
+    fn coefficient(&self, velocity: T) -> T {
+        velocity.is_positive().choose(|| self.c_reb, || self.c_comp)
+    }
+
+    /// 1 for a linear damper, and what the coefficient is divided by for a degressive one.
+    fn fading(&self, velocity: T) -> T {
+        let degression = velocity.is_positive().choose(|| self.degr_reb, || self.degr_comp);
+        T::from(1.0) + degression * velocity.abs()
+    }
+
+    /// Resistance by a formula, linear or degressive.
+    fn formula(&self, velocity: T) -> T {
+        let linear = self.coefficient(velocity) * velocity;
+        DamperMode::Degressive.is(self.mode).choose(|| linear / self.fading(velocity), || linear)
     }
 
     /// Slope of the resistance over the velocity of the piston.
     fn slope(&self, velocity: T) -> T {
-        let extends = velocity.is_positive();
-        let c = extends.choose(|| self.c_reb, || self.c_comp);
-        let degression = extends.choose(|| self.degr_reb, || self.degr_comp);
-        let slope = match DamperMode::of(self.mode.value()) {
-            DamperMode::Linear => c,
-            DamperMode::Degressive => {
-                let fading = T::from(1.0) + degression * velocity.abs();
-                c / (fading * fading)
-            }
-            DamperMode::Table => {
-                let (points, count) = points(&self.tab_v, &self.tab_f, self.tab_n);
-                match Interpolation::of(self.interpolation.value()) {
-                    Interpolation::Linear => interpolation::linear_slope(&points[..count], velocity),
-                    Interpolation::Cubic => interpolation::monotone_cubic_slope(&points[..count], velocity),
-                }
-            }
+        let table = || {
+            let points = points(&self.tab_v, &self.tab_f);
+            let curve = Curve::new(&points, self.tab_n);
+            let cubic = || curve.monotone_cubic_slope(velocity);
+            Interpolation::Cubic.is(self.interpolation).choose(cubic, || curve.linear_slope(velocity))
         };
-        self.scale * slope
+        let formula = || {
+            let linear = self.coefficient(velocity);
+            let degressive = || {
+                let fading = self.fading(velocity);
+                linear / (fading * fading)
+            };
+            DamperMode::Degressive.is(self.mode).choose(degressive, || linear)
+        };
+        self.scale * DamperMode::Table.is(self.mode).choose(table, formula)
     }
 
     /// Time derivative of the velocity of the piston behind the series stiffness. `factor` multiplies the resistance.
     pub(crate) fn rate(&self, piston_velocity: T, velocity: T, factor: T) -> T {
-        if !self.has_series() {
-            return T::zero();
-        }
-        // Where the characteristic is flat, the piston follows at once. A solver needs a finite rate, so it gets a high
-        // one.
-        let least = self.k_series * T::from(FOLLOWING_TIME);
-        let slope = factor * self.slope(piston_velocity);
-        let slope = slope.above(least).choose(|| slope, || least);
-        self.k_series * (velocity - piston_velocity) / slope
+        let rate = || {
+            // Where the characteristic is flat, the piston follows at once. A solver needs a finite rate, so it gets a
+            // high one.
+            let least = self.k_series * T::from(FOLLOWING_TIME);
+            let slope = factor * self.slope(piston_velocity);
+            let slope = slope.above(least).choose(|| slope, || least);
+            self.k_series * (velocity - piston_velocity) / slope
+        };
+        self.has_series().choose(rate, || T::zero())
     }
 
     fn interpolated(&self, velocity: T) -> T {
-        let (points, count) = points(&self.tab_v, &self.tab_f, self.tab_n);
-        match Interpolation::of(self.interpolation.value()) {
-            Interpolation::Linear => interpolation::linear(&points[..count], velocity),
-            Interpolation::Cubic => interpolation::monotone_cubic(&points[..count], velocity),
-        }
+        let points = points(&self.tab_v, &self.tab_f);
+        let curve = Curve::new(&points, self.tab_n);
+        let cubic = || curve.monotone_cubic(velocity);
+        Interpolation::Cubic.is(self.interpolation).choose(cubic, || curve.linear(velocity))
     }
 }
 
@@ -302,7 +307,7 @@ crate::model! {
 
 impl<T: Scalar> HydraulicDamper<T> {
     fn piston(&self) -> T {
-        if self.damper.has_series() { self.piston_velocity } else { self.velocity }
+        self.damper.has_series().choose(|| self.piston_velocity, || self.velocity)
     }
 }
 
@@ -379,7 +384,7 @@ mod tests {
         let mut linear = damper(|_| ());
         assert_eq!([force(&mut linear, 0.2), force(&mut linear, -0.2)], [-460.0, 300.0]);
         let mut degressive = damper(|d| {
-            d.mode = DamperMode::Degressive as i32 as f64 + 1.0;
+            d.mode = DamperMode::Degressive.number();
             (d.degr_comp, d.degr_reb) = (5.0, 2.5);
         });
         assert_eq!(force(&mut degressive, 0.2), -460.0 / 1.5);

@@ -2,7 +2,7 @@
 //! instant.
 
 use crate::model::real;
-use crate::number::Scalar;
+use crate::number::{Mask, Scalar};
 use crate::shock_absorber::coil_spring::Coil;
 use crate::shock_absorber::damper_temperature::Heating;
 use crate::shock_absorber::end_stops::{BumpStop, ReboundStop};
@@ -176,7 +176,7 @@ impl<T: Scalar> Setting<T> {
     pub(super) fn motion(&self) -> Motion<T> {
         let given = self.given_length();
         // A distance of 0 is an input that is not set yet; the model warns of it.
-        let length = if given.value() == 0.0 { self.geom.length_extended + given } else { given };
+        let length = given.vanishes().choose(|| self.geom.length_extended + given, || given);
         Motion { length, velocity: self.adapter.length_gain * self.velocity }
     }
 
@@ -201,24 +201,24 @@ impl<T: Scalar> Setting<T> {
 
     /// Load of the joint: the inputs plus the loads from the spring.
     pub(super) fn wrench(&self, spring_force: T) -> Wrench<T> {
-        let mode = SideMode::of(self.side.mode.value());
-        let mut wrench = self.load.wrench(SideConvention::of(self.side.convention.value()));
-        if mode == SideMode::Internal {
-            wrench = Wrench { force: [T::zero(); 2], moment: [T::zero(); 2] };
-        }
-        if mode != SideMode::Inputs {
-            wrench.force[0] = wrench.force[0] + self.side.force_ratio * spring_force;
-            wrench.moment[0] = wrench.moment[0] - self.side.offset_n * spring_force;
-            wrench.moment[1] = wrench.moment[1] + self.side.offset_m * spring_force;
-        }
-        wrench
+        let mode = self.side.mode;
+        let inputs = || {
+            let Wrench { force: [m, n], moment: [about_m, about_n] } = self.load.wrench(self.side.convention);
+            [m, n, about_m, about_n]
+        };
+        let [m, n, about_m, about_n] = SideMode::Internal.is(mode).choose_all(|| [T::zero(); 4], inputs);
+        let with_spring = || {
+            let Side { force_ratio, offset_m, offset_n, .. } = self.side;
+            [m + force_ratio * spring_force, about_m - offset_n * spring_force, about_n + offset_m * spring_force]
+        };
+        let [m, about_m, about_n] = SideMode::Inputs.is(mode).choose_all(|| [m, about_m, about_n], with_spring);
+        Wrench { force: [m, n], moment: [about_m, about_n] }
     }
 
     /// Normal forces at rod guide and piston.
     pub(super) fn normal_forces(&self, motion: &Motion<T>) -> [T; 2] {
         let wrench = self.wrench(self.spring.force(self.compression(motion)));
-        let sum = NormalSum::of(self.side.normal_sum.value());
-        let normal = self.geom.guidance().normal_forces(&wrench, motion.length, sum);
+        let normal = self.geom.guidance().normal_forces(&wrench, motion.length, self.side.normal_sum);
         normal.map(|normal| self.side.c_geo * normal)
     }
 
@@ -237,7 +237,7 @@ impl<T: Scalar> Setting<T> {
         let holds = [0, 1].map(|at| self.friction.levels(levels[at], normal[at])[1]);
         let total = holds[0] + holds[1];
         [0, 1].map(|at| {
-            let share = if total.value() > 0.0 { holds[at] / total } else { T::from(0.5) };
+            let share = total.is_positive().choose(|| holds[at] / total, || T::from(0.5));
             Touch {
                 velocity: motion.velocity,
                 rim_velocity: self.radii()[at] * self.spin_rate,
@@ -251,12 +251,7 @@ impl<T: Scalar> Setting<T> {
 
     /// Velocity of the damper's piston.
     pub(super) fn piston(&self, motion: &Motion<T>, piston_velocity: T) -> T {
-        if self.damper.has_series() { piston_velocity } else { motion.velocity }
-    }
-
-    /// Whether the piston or the temperature changes while the inputs are held.
-    pub(super) fn has_own_dynamics(&self) -> bool {
-        self.damper.has_series() || self.thermal.enabled.value() != 0.0
+        self.damper.has_series().choose(|| piston_velocity, || motion.velocity)
     }
 
     pub(super) fn resistance(&self, piston_velocity: T, temperature: T) -> T {
@@ -265,6 +260,11 @@ impl<T: Scalar> Setting<T> {
 }
 
 impl Setting {
+    /// Whether the piston or the temperature changes while the inputs are held.
+    pub(super) fn has_own_dynamics(&self) -> bool {
+        self.damper.has_series() || self.thermal.enabled != 0.0
+    }
+
     /// Sets the slopes of length and velocity from their derivatives if the master gives none: that of the length from
     /// the mean velocity of the step.
     pub(super) fn follow_the_motion(&mut self, now: &Setting, dt: f64) {

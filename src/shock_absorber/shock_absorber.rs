@@ -240,7 +240,7 @@ impl<T: Evaluate> ShockAbsorber<T> {
         self.compression = self.setting.compression(motion);
         self.overlap = self.setting.geom.guidance().overlap(motion.length);
         self.overlap_low = T::truth(self.setting.geom.guidance().is_low(motion.length));
-        self.bump_active = truth(self.setting.bump.is_active(self.compression));
+        self.bump_active = T::truth(self.setting.bump.is_active(self.compression));
     }
 
     fn write_forces(&mut self, motion: &Motion<T>, friction: [T; 2]) {

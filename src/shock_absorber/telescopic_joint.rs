@@ -58,12 +58,12 @@ pub struct Wrench<T> {
 
 impl<T: Scalar> SideLoad<T> {
     /// The load as a wrench on the rod.
-    pub fn wrench(&self, convention: SideConvention) -> Wrench<T> {
-        let (force, moment) = ([self.side_force_m, self.side_force_n], [self.side_moment_m, self.side_moment_n]);
-        match convention {
-            SideConvention::WrenchOnRod => Wrench { force, moment },
-            SideConvention::Lambda => Wrench { force: force.map(|lambda| -lambda), moment: [-moment[1], moment[0]] },
-        }
+    pub fn wrench(&self, convention: T) -> Wrench<T> {
+        let SideLoad { side_force_m: m, side_force_n: n, side_moment_m: about_m, side_moment_n: about_n } = *self;
+        let multipliers = || [-m, -n, -about_n, about_m];
+        let [m, n, about_m, about_n] =
+            SideConvention::Lambda.is(convention).choose_all(multipliers, || [m, n, about_m, about_n]);
+        Wrench { force: [m, n], moment: [about_m, about_n] }
     }
 }
 
@@ -86,14 +86,12 @@ impl<T: Scalar> Guidance<T> {
     }
 
     /// Normal forces at the rod guide and at the piston.
-    pub fn normal_forces(&self, wrench: &Wrench<T>, length: T, sum: NormalSum) -> [T; 2] {
-        match sum {
-            NormalSum::TwoPoint => self.contact_forces(wrench, length).map(magnitude),
-            NormalSum::Adams => {
-                let bending = magnitude(self.couple(wrench, length)) / self.regular_overlap(length);
-                [(magnitude(wrench.force) + bending) / T::from(2.0); 2]
-            }
-        }
+    pub fn normal_forces(&self, wrench: &Wrench<T>, length: T, sum: T) -> [T; 2] {
+        let adams = || {
+            let bending = magnitude(self.couple(wrench, length)) / self.regular_overlap(length);
+            [(magnitude(wrench.force) + bending) / T::from(2.0); 2]
+        };
+        NormalSum::Adams.is(sum).choose_all(adams, || self.contact_forces(wrench, length).map(magnitude))
     }
 
     /// M x a - R (xi_1 + xi_2) / 2.
@@ -238,11 +236,10 @@ impl<T: Scalar> Law for TelescopicJoint<T> {
     type Interface = ModelExchange;
 
     fn output(&mut self) {
-        let wrench = self.side.wrench(SideConvention::of(self.convention.value()));
+        let wrench = self.side.wrench(self.convention);
         self.overlap = self.geom.overlap(self.length);
         self.overlap_low = T::truth(self.geom.is_low(self.length));
-        let sum = NormalSum::of(self.normal_sum.value());
-        [self.normal_1, self.normal_2] = self.geom.normal_forces(&wrench, self.length, sum);
+        [self.normal_1, self.normal_2] = self.geom.normal_forces(&wrench, self.length, self.normal_sum);
         [[self.force_1_m, self.force_1_n], [self.force_2_m, self.force_2_n]] =
             self.geom.contact_forces(&wrench, self.length);
     }
@@ -325,7 +322,7 @@ mod tests {
     fn neither_rotation_nor_place_of_reduction_matters() {
         let guidance = guidance(0.0);
         for (k, wrench) in wrenches().enumerate() {
-            let before = guidance.normal_forces(&wrench, 0.18, NormalSum::TwoPoint);
+            let before = guidance.normal_forces(&wrench, 0.18, NormalSum::TwoPoint.number());
             let turn: Matrix3<f64> = Rotation3::from_axis_angle(&Vector3::z_axis(), k as f64).into();
             let turned = |pair| {
                 let turned = turn * vector(pair);
@@ -338,7 +335,7 @@ mod tests {
             let moved = Wrench { force: wrench.force, moment: [moment.x, moment.y] };
             let shifted = Guidance { d_i: guidance.d_i + b, d_j: guidance.d_j, ..guidance };
             for (guidance, wrench, length) in [(guidance, rotated, 0.18), (shifted, moved, 0.18 + b)] {
-                let after = guidance.normal_forces(&wrench, length, NormalSum::TwoPoint);
+                let after = guidance.normal_forces(&wrench, length, NormalSum::TwoPoint.number());
                 assert!((0..2).all(|i| (after[i] - before[i]).abs() < 1e-9), "{before:?} {after:?}");
             }
         }
@@ -349,7 +346,9 @@ mod tests {
     fn worked_example_and_its_multipliers() {
         let wrench = SideLoad { side_force_m: 80.0, side_force_n: -30.0, side_moment_m: 2.0, side_moment_n: 6.0 };
         let lambda = SideLoad { side_force_m: -80.0, side_force_n: 30.0, side_moment_m: 6.0, side_moment_n: -2.0 };
-        for wrench in [wrench.wrench(SideConvention::WrenchOnRod), lambda.wrench(SideConvention::Lambda)] {
+        for wrench in
+            [wrench.wrench(SideConvention::WrenchOnRod.number()), lambda.wrench(SideConvention::Lambda.number())]
+        {
             let [n_1, n_2] = guidance(0.0).contact_forces(&wrench, 0.18).map(vector);
             assert!((n_1 - Vector3::new(0.0, 5.0, 0.0)).norm() < 1e-12);
             assert!((n_2 - Vector3::new(80.0, -35.0, 0.0)).norm() < 1e-12);
@@ -368,7 +367,7 @@ mod tests {
             (0.230, 2140.4, 2225.7),
         ];
         for (length, n_1, n_2) in printed {
-            let [a, b] = guidance(0.002).normal_forces(&wrench, length, NormalSum::TwoPoint);
+            let [a, b] = guidance(0.002).normal_forces(&wrench, length, NormalSum::TwoPoint.number());
             assert!((a - n_1).abs() < 6e-5 * n_1.max(10.0) && (b - n_2).abs() < 6e-5 * n_2, "{length}: {a} {b}");
         }
     }
@@ -401,8 +400,8 @@ mod tests {
     #[test]
     fn sum_of_adams_counts_a_pure_couple_once() {
         let couple = Wrench { force: [0.0, 0.0], moment: [0.0, 2.0] };
-        let two_point: f64 = guidance(0.0).normal_forces(&couple, 0.18, NormalSum::TwoPoint).iter().sum();
-        let adams: f64 = guidance(0.0).normal_forces(&couple, 0.18, NormalSum::Adams).iter().sum();
+        let two_point: f64 = guidance(0.0).normal_forces(&couple, 0.18, NormalSum::TwoPoint.number()).iter().sum();
+        let adams: f64 = guidance(0.0).normal_forces(&couple, 0.18, NormalSum::Adams.number()).iter().sum();
         assert!((two_point - 2.0 * 40.0).abs() < 1e-12);
         assert!((adams - 40.0).abs() < 1e-12);
     }

@@ -213,7 +213,7 @@ fn polyline_is_the_best_choice_of_points() {
     let curve: Vec<(f64, f64)> = (0..=10).map(f64::from).map(|v| (v, (v * 0.4).sin() + 0.1 * v)).collect();
     let error = |points: &[(f64, f64)]| {
         let line: Vec<(f64, f64)> = [curve[0]].into_iter().chain(points.iter().copied()).collect();
-        curve.iter().map(|point| (point.1 - linear(&line, point.0)).powi(2)).sum::<f64>()
+        curve.iter().map(|point| (point.1 - Curve::from(&line[..]).linear(point.0)).powi(2)).sum::<f64>()
     };
     let found = error(&polyline(&curve, 3));
     let mut best = f64::INFINITY;
@@ -319,7 +319,7 @@ fn default_damping(velocity: f64) -> f64 {
         [0.0, 110.0, 210.0, 430.0, 700.0, 1150.0]
     };
     let table: Vec<(f64, f64)> = speeds.into_iter().zip(forces).collect();
-    velocity.signum() * linear(&table, velocity.abs())
+    velocity.signum() * Curve::from(&table[..]).linear(velocity.abs())
 }
 
 #[test]

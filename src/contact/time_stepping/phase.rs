@@ -29,11 +29,6 @@ impl Phase {
             Phase::Free | Phase::Held => None,
         }
     }
-
-    /// Value of the column.
-    pub(crate) fn number(self) -> f64 {
-        f64::from(self as i32 + 1)
-    }
 }
 
 /// The phase in a column.
