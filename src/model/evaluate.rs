@@ -7,6 +7,9 @@ use crate::numerics::vector::Component;
 
 /// A number in which a model evaluates rows of other models.
 pub trait Evaluate: Component + Scalar {
+    /// Whether numbers have values that a search can work on. Others only show which numbers a result depends on.
+    const HAS_VALUES: bool = true;
+
     /// Computes the outputs of the row. False if one is known not to be finite.
     fn evaluate(model: &ModelType, row: &mut [Self]) -> bool;
 
@@ -57,9 +60,16 @@ impl Evaluate for Dual {
     }
 }
 
-/// Computes the outputs of a row of a model in any number; for models without memory beside the row.
-pub fn output_in<M: Model, T: Evaluate>(row: &mut [T]) {
-    view_mut::<M::In<T>, T>(row).output();
+/// Number of values beside a row of a model that its parameters ask for.
+pub fn memory_in<M: Model, T: Evaluate>(row: &[T]) -> usize {
+    view::<M::In<T>, T>(row).memory_in_use()
+}
+
+/// Computes the outputs of a row of a model in any number, advice included.
+pub fn output_in<M: Model, T: Evaluate>(row: &mut [T], memory: &[T]) {
+    let model = view_mut::<M::In<T>, T>(row);
+    model.output_with(memory);
+    model.advise();
 }
 
 /// Computes the time derivatives of the continuous states, in the columns of the states; `rate` is 0 elsewhere.

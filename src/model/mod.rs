@@ -20,7 +20,7 @@ pub(crate) use equations::is_for_exchange;
 pub use equations::{
     CoSimulation, Columns, Derivatives, Described, Interface, Law, Model, ModelExchange, Numbers, Preset, Width,
 };
-pub use evaluate::{Evaluate, output_in, rate_in};
+pub use evaluate::{Evaluate, memory_in, output_in, rate_in};
 pub use family::Visitor;
 pub(crate) use family::family;
 pub use model_type::ModelType;

@@ -1,6 +1,7 @@
 //! Advice to the master: tangents, and the largest step that they allow.
 
 use crate::contact::ExchangeOrder;
+use crate::number::Mask;
 use crate::shock_absorber::ShockAbsorber;
 use crate::shock_absorber::coupling::{self, Series};
 use crate::shock_absorber::law::Evaluate;
@@ -17,13 +18,6 @@ const PROBE_VELOCITY: f64 = 1e-8;
 /// Shortest step over which tangents are taken (chosen), to keep enough digits.
 const SHORTEST_PROBE: f64 = 1e-6;
 
-/// Advice to the master.
-pub(super) struct Advice {
-    pub(super) dlength: f64,
-    pub(super) dvelocity: f64,
-    pub(super) step_limit: f64,
-}
-
 struct Tangents {
     length: f64,
     /// Without the damper.
@@ -35,6 +29,19 @@ struct Tangents {
     damper: f64,
 }
 
+impl<T: Evaluate> Setting<T> {
+    /// Friction force along the axis at this instant.
+    #[inline(never)]
+    fn friction_now(&self, motion: &Motion<T>, memory: Memories<T>) -> T {
+        let touches = self.touches(motion);
+        let force = |at: usize| {
+            let answer = self.friction.force(self.contacts()[at], &touches[at], memory[at]);
+            answer.force * touches[at].direction()[0]
+        };
+        force(0) + force(1)
+    }
+}
+
 impl Setting {
     /// Friction force along the axis after a step of this motion; nothing is changed.
     #[inline(never)]
@@ -43,17 +50,6 @@ impl Setting {
         let force = |at: usize| {
             let mut memory = *memory[at];
             let answer = self.friction.advance(self.contacts()[at], &touches[at], &mut memory, dt);
-            answer.force * touches[at].direction()[0]
-        };
-        force(0) + force(1)
-    }
-
-    /// Friction force along the axis at this instant.
-    #[inline(never)]
-    fn friction_now(&self, motion: &Motion<f64>, memory: Memories<f64>) -> f64 {
-        let touches = self.touches(motion);
-        let force = |at: usize| {
-            let answer = self.friction.force(self.contacts()[at], &touches[at], memory[at]);
             answer.force * touches[at].direction()[0]
         };
         force(0) + force(1)
@@ -105,9 +101,28 @@ impl Setting {
 }
 
 impl<T: Evaluate> ShockAbsorber<T> {
-    /// Tangents and the largest step that they allow.
+    /// Stands for [`ShockAbsorber::advice`] where numbers have no values: numbers with the same dependencies.
+    pub(super) fn sources_of_advice(&self, memories: Memories<T>) -> [T; 3] {
+        let (setting, state) = (&self.setting, self.damper_state());
+        let (motion, damper) = (setting.motion(), &setting.damper);
+        let [elastic, friction] = [setting.forces(&motion).sum(), setting.friction_now(&motion, memories)];
+        let resistance = setting.resistance(setting.piston(&motion, state.piston_velocity), state.temperature);
+        let touches = setting.touches(&motion);
+        let [after_1, after_2] = [0, 1].map(|at| {
+            let mut memory = *memories[at];
+            setting.friction.write_sources(setting.contacts()[at], &touches[at], &mut memory);
+            memory
+        });
+        let duration = self.step_size.is_positive().choose(|| self.step_size, || setting.num.h_max);
+        let in_series = damper.has_series().choose(|| damper.k_series + motion.velocity, || T::from(0.0));
+        let held = elastic + setting.friction_now(&motion, [&after_1, &after_2]) + resistance + duration + in_series;
+        let of_limit = setting.num.mass_ref + setting.num.input_mode + setting.friction.exchange;
+        [elastic + friction + resistance, held, held + friction + of_limit]
+    }
+
+    /// Tangents, by the length and by the velocity, and the largest step that they allow.
     #[inline(never)]
-    pub(super) fn advice(&self, memories: Memories<T>) -> Advice {
+    pub(super) fn advice(&self, memories: Memories<T>) -> [f64; 3] {
         let setting = self.setting.values();
         let mut values = [[0.0; MEMORY]; 2];
         for (values, memory) in values.iter_mut().zip(memories) {
@@ -130,6 +145,6 @@ impl<T: Evaluate> ShockAbsorber<T> {
         } else {
             coupling::step_limit(stiffness, held, tangents.velocity - tangents.damper, mass, exchange)
         };
-        Advice { dlength: tangents.length, dvelocity: tangents.held_velocity + tangents.held_damper, step_limit: limit }
+        [tangents.length, tangents.held_velocity + tangents.held_damper, limit]
     }
 }

@@ -4,7 +4,7 @@ use std::ops::Range;
 use crate::contact::ExchangeOrder;
 use crate::model::ramp;
 use crate::model::{CoSimulation, Fault, Law, Model, Width, boolean, choice, real};
-use crate::number::{Mask, Scalar};
+use crate::number::{Decision, Mask, Scalar};
 use crate::shock_absorber::law::{Answer, ChosenLaw, Evaluate, Given, MOST_EVENTS};
 use crate::shock_absorber::law_list::{FRICTION_MODEL, LUGRE};
 use crate::shock_absorber::law_parameters::LawParameters;
@@ -105,6 +105,11 @@ impl<T: Scalar> Touch<T> {
         self.rim_velocity.is(0.0).choose(|| self.velocity, turning)
     }
 
+    /// The same without acceleration: steady motion.
+    pub(crate) fn steady(&self) -> Touch<T> {
+        Touch { acceleration: T::zero(), ..*self }
+    }
+
     /// Shares of a friction force against the sliding speed that act along the axis and along the circumference.
     pub(crate) fn direction(&self) -> [T; 2] {
         let speed = self.signed_speed();
@@ -116,7 +121,7 @@ impl<T: Scalar> Touch<T> {
 
 impl<T: Scalar> FrictionLaw<T> {
     pub(crate) fn chosen(&self) -> Option<ChosenLaw> {
-        if self.switch() == FrictionSwitch::Off { None } else { ChosenLaw::of(self.model.value()) }
+        if FrictionSwitch::Off.is(self.switch).holds() { None } else { ChosenLaw::of(self.model.value()) }
     }
 
     /// Number of places of a memory that the law uses, from the first.
@@ -124,24 +129,13 @@ impl<T: Scalar> FrictionLaw<T> {
         ChosenLaw::of(self.model.value()).map_or(0, ChosenLaw::memory_in_use)
     }
 
-    /// Whether the force of the law stops a mass over a whole step.
-    pub(crate) fn moves_mass(&self) -> bool {
-        self.mass.value() > 0.0 && self.chosen().is_some_and(ChosenLaw::asks_for_mass)
-    }
-
-    fn switch(&self) -> FrictionSwitch {
-        FrictionSwitch::of(self.switch.value())
-    }
-
     /// Kinetic and static level of a contact, regardless of the direction of motion.
     pub(crate) fn levels(&self, levels: &Levels<T>, normal_force: T) -> [T; 2] {
         let kinetic = self.scale * (levels.preload_k + levels.mu_k * normal_force);
         let breakaway = self.scale * (levels.preload_s + levels.mu_s * normal_force);
-        match self.switch() {
-            FrictionSwitch::On => [kinetic, breakaway],
-            FrictionSwitch::NoStiction => [kinetic, kinetic],
-            FrictionSwitch::ViscousOnly | FrictionSwitch::Off => [T::zero(), T::zero()],
-        }
+        let is_complete = FrictionSwitch::On.is(self.switch);
+        let has_levels = is_complete | FrictionSwitch::NoStiction.is(self.switch);
+        has_levels.choose_all(|| [kinetic, is_complete.choose(|| breakaway, || kinetic)], || [T::zero(); 2])
     }
 
     /// Factor on the levels in the direction of motion. At rest it is the larger one, so that nothing slips on
@@ -182,7 +176,7 @@ impl<T: Scalar> FrictionLaw<T> {
         T: Evaluate,
     {
         let Some(law) = self.chosen() else {
-            return Answer { force: T::from(0.0), sticking: false, energy: 0.0 };
+            return Answer::none();
         };
         let given = self.given(levels, touch);
         let mut answer = law.force(&given, &self.law, memory);
@@ -201,6 +195,17 @@ impl<T: Scalar> FrictionLaw<T> {
         }
     }
 
+    /// Stands for [`FrictionLaw::advance`] where numbers have no values: each state of the law becomes a number with the
+    /// same dependencies.
+    pub(crate) fn write_sources(&self, levels: &Levels<T>, touch: &Touch<T>, memory: &mut [T; MEMORY])
+    where
+        T: Evaluate,
+    {
+        if let Some(law) = self.chosen() {
+            law.write_sources(&self.given(levels, touch), &self.law, memory);
+        }
+    }
+
     /// Writes the initial state of the law, also if it is switched on later.
     pub(crate) fn write_fresh<N: Scalar>(&self, memory: &mut [N; MEMORY]) {
         memory.fill(N::zero());
@@ -211,11 +216,16 @@ impl<T: Scalar> FrictionLaw<T> {
 
     /// Viscous coefficient of a contact without levels, for which the law itself gives no force.
     fn drag(&self, law: ChosenLaw, given: &Given<T>) -> T {
-        if given.normal_force.value() > 0.0 { T::zero() } else { law.viscous_coefficient(&self.law) }
+        given.normal_force.is_positive().choose(|| T::zero(), || law.viscous_coefficient(&self.law))
     }
 }
 
 impl FrictionLaw {
+    /// Whether the force of the law stops a mass over a whole step.
+    pub(crate) fn moves_mass(&self) -> bool {
+        self.mass > 0.0 && self.chosen().is_some_and(ChosenLaw::asks_for_mass)
+    }
+
     /// Advances the memory by `dt` while the motion is held.
     pub(crate) fn advance(
         &self,
@@ -225,7 +235,7 @@ impl FrictionLaw {
         dt: f64,
     ) -> Answer<f64> {
         let Some(law) = self.chosen() else {
-            return Answer { force: 0.0, sticking: false, energy: 0.0 };
+            return Answer::none();
         };
         let given = self.given(levels, touch);
         let mut answer = law.advance(&given, &self.law, memory, dt);
@@ -244,7 +254,7 @@ impl FrictionLaw {
         dt: f64,
     ) -> Answer<f64> {
         let Some(law) = self.chosen() else {
-            return Answer { force: 0.0, sticking: false, energy: 0.0 };
+            return Answer::none();
         };
         let [begin, end] = [begin, end].map(|touch| self.given(levels, touch));
         let mut answer = law.advance_from(&begin, &end, &self.law, memory, dt);
@@ -262,7 +272,7 @@ impl FrictionLaw {
         let mut memory = [0.0; MEMORY];
         self.write_fresh(&mut memory);
         if touch.signed_speed() != 0.0 && !self.moves_mass() {
-            self.advance(levels, touch, &mut memory, SETTLING_TIME);
+            self.advance(levels, &touch.steady(), &mut memory, SETTLING_TIME);
         }
         memory
     }
@@ -432,7 +442,7 @@ impl<T: Evaluate> GuideContact<T> {
 
     /// Works on the states of the law; before the run, on its initial state.
     fn with_memory<R>(&self, work: impl FnOnce(&[T; MEMORY]) -> R) -> R {
-        if self.started.value() != 0.0 { work(&self.memory) } else { self.with_fresh_memory(work) }
+        if self.started.vanishes().holds() { self.with_fresh_memory(work) } else { work(&self.memory) }
     }
 
     #[inline(never)] // so that only callers that need it have it on their stack
@@ -453,7 +463,7 @@ impl<T: Evaluate> Law for GuideContact<T> {
         self.friction_force = answer.force * axial;
         self.friction_torque = self.radius * answer.force * around;
         self.dissipated_power = answer.force * touch.signed_speed();
-        self.sticking = T::from(f64::from(u8::from(answer.sticking)));
+        self.sticking = answer.sticking;
     }
 }
 

@@ -5,7 +5,7 @@
 
 pub use crate::model::Evaluate;
 use crate::model::{Columns, Fault, Path, Table};
-use crate::number::Scalar;
+use crate::number::{Mask, Scalar};
 use crate::shock_absorber::law_list::{COUNT, GIVENS, LAWS};
 use crate::shock_absorber::law_parameters::LawParameters;
 use crate::shock_absorber::law_plan::{Carrier, MEMORY, PLANS, Plan, WIDEST};
@@ -47,9 +47,17 @@ impl<T: Copy> Given<T> {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Answer<T> {
     pub force: T,
-    pub sticking: bool,
+    /// Whether the contact sticks: 1 or 0.
+    pub sticking: T,
     /// Energy dissipated over the step.
-    pub energy: f64,
+    pub energy: T,
+}
+
+impl<T: Scalar> Answer<T> {
+    /// The answer of a contact without friction.
+    pub(crate) fn none() -> Answer<T> {
+        Answer { force: T::zero(), sticking: T::zero(), energy: T::zero() }
+    }
 }
 
 /// Law chosen by its number in [`FRICTION_MODEL`].
@@ -150,6 +158,21 @@ impl ChosenLaw {
             {
                 rate[place] -= (memory[place] - row[slipping]) / T::from(RELEASE_TIME);
             }
+        });
+    }
+
+    /// Writes for each state of the law, after a step, the sum of all numbers that a step may use: of a number that has
+    /// no value, only the dependencies are asked for.
+    pub(crate) fn write_sources<T: Evaluate>(
+        self,
+        given: &Given<T>,
+        parameters: &LawParameters<T>,
+        memory: &mut [T; MEMORY],
+    ) {
+        self.on_row(|row| {
+            self.fill(row, given, parameters, memory);
+            let sum = row.iter().fold(T::from(0.0), |sum, number| sum + *number);
+            self.0.memory.pairs().for_each(|(_, place)| memory[place] = sum);
         });
     }
 
@@ -302,17 +325,16 @@ impl ChosenLaw {
         let forces = || self.0.elements.pairs().map(|(column, _)| column);
         let total = forces().fold(T::zero(), |sum, column| add(sum, row[column])).abs();
         // Slipping elements are at their strength, apart from rounding, and stay as they are.
-        if total.value() > largest.value() * (1.0 + ROUNDING) {
-            let part = largest / total;
-            forces().for_each(|column| row[column] = row[column] * part);
-        }
+        let is_too_much = total.above(largest * T::from(1.0 + ROUNDING));
+        let part = is_too_much.choose(|| largest / total, || T::from(1.0));
+        forces().for_each(|column| row[column] = is_too_much.choose(|| row[column] * part, || row[column]));
     }
 
     fn answer<T: Scalar>(self, row: &[T], is_finite: bool) -> Answer<T> {
         Answer {
             force: if is_finite { row[self.0.friction_force] } else { T::from(f64::NAN) },
-            sticking: row[self.0.sticking].value() != 0.0,
-            energy: row[self.0.dissipated_energy].value(),
+            sticking: row[self.0.sticking],
+            energy: row[self.0.dissipated_energy],
         }
     }
 }

@@ -1,6 +1,7 @@
 //! States of the two contacts of a strut, and their initial values.
 
 use crate::model::{Columns, Kind, row_of, row_of_mut};
+use crate::number::Decision;
 use crate::shock_absorber::ShockAbsorber;
 use crate::shock_absorber::law::Evaluate;
 use crate::shock_absorber::law_plan::MEMORY;
@@ -69,7 +70,7 @@ impl Setting {
 impl<T: Evaluate> ShockAbsorber<T> {
     /// Works on the states of the two contacts; before the run, on their initial states.
     pub(super) fn with_memories<R>(&self, work: impl FnOnce(Memories<T>) -> R) -> R {
-        if self.has_started() { work([&self.memory_1, &self.memory_2]) } else { self.with_first_memories(work) }
+        if self.has_started().holds() { work([&self.memory_1, &self.memory_2]) } else { self.with_first_memories(work) }
     }
 
     #[inline(never)] // so that only callers that need them have them on their stack
@@ -77,7 +78,11 @@ impl<T: Evaluate> ShockAbsorber<T> {
         match FrictionStart::of(self.setting.init.friction_state.value()) {
             FrictionStart::Steady => {
                 let mut memories = [[T::from(0.0); MEMORY]; 2];
-                self.settle(&mut memories);
+                if T::HAS_VALUES {
+                    self.settle(&mut memories);
+                } else {
+                    self.write_sources(&mut memories);
+                }
                 work([&memories[0], &memories[1]])
             }
             FrictionStart::Zero => {
@@ -86,6 +91,18 @@ impl<T: Evaluate> ShockAbsorber<T> {
                 work([&memory; 2])
             }
             FrictionStart::Value => work([&self.memory_1, &self.memory_2]),
+        }
+    }
+
+    /// Stands for [`ShockAbsorber::settle`] where numbers have no values: each state becomes a number with the same
+    /// dependencies.
+    #[inline(never)]
+    fn write_sources(&self, memories: &mut [[T; MEMORY]; 2]) {
+        let setting = &self.setting;
+        let touches = setting.touches(&setting.motion());
+        for (at, memory) in memories.iter_mut().enumerate() {
+            setting.friction.write_fresh(memory);
+            setting.friction.write_sources(setting.contacts()[at], &touches[at].steady(), memory);
         }
     }
 

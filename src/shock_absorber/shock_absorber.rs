@@ -3,7 +3,7 @@ use std::ops::Range;
 
 use crate::model::ramp;
 use crate::model::{Derivatives, Fault, Law, Model, ModelExchange, Preset, boolean, real};
-use crate::number::Scalar;
+use crate::number::Mask;
 use crate::shock_absorber::guide_contact::Touch;
 use crate::shock_absorber::law::{Answer, Evaluate, MOST_EVENTS};
 use crate::shock_absorber::law_plan::{MEMORY, blank_memory};
@@ -215,15 +215,14 @@ crate::model! {
 }
 
 impl<T: Evaluate> ShockAbsorber<T> {
-    pub(super) fn has_started(&self) -> bool {
-        self.started.value() != 0.0
+    pub(super) fn has_started(&self) -> T::Mask {
+        !self.started.vanishes()
     }
 
     pub(super) fn damper_state(&self) -> OtherStates<T> {
-        let settles =
-            !self.has_started() && FrictionStart::of(self.setting.init.friction_state.value()) == FrictionStart::Steady;
+        let settles = !self.has_started() & FrictionStart::Steady.is(self.setting.init.friction_state);
         OtherStates {
-            piston_velocity: if settles { self.setting.motion().velocity } else { self.piston_velocity },
+            piston_velocity: settles.choose(|| self.setting.motion().velocity, || self.piston_velocity),
             temperature: self.temperature,
         }
     }
@@ -281,17 +280,18 @@ impl<T: Evaluate> ShockAbsorber<T> {
         for (touch, answer) in touches.iter().zip(answers) {
             self.dissipated_power += answer.force * touch.signed_speed();
         }
-        self.sticking = truth(self.sticks(touches, answers));
+        self.sticking = T::truth(self.sticks(touches, answers));
     }
 
     /// Whether at least one contact sticks and no loaded one slips.
-    fn sticks(&self, touches: &[Touch<T>; 2], answers: &[Answer<T>; 2]) -> bool {
-        let is_loaded = |at: usize| {
+    fn sticks(&self, touches: &[Touch<T>; 2], answers: &[Answer<T>; 2]) -> T::Mask {
+        let has_friction = T::Mask::from(self.setting.friction.chosen().is_some());
+        let [is_loaded_1, is_loaded_2] = [0, 1].map(|at| {
             let [kinetic, _] = self.setting.friction.levels(self.setting.contacts()[at], touches[at].normal_force);
-            self.setting.friction.chosen().is_some() && kinetic.value() > 0.0
-        };
-        let loaded = [is_loaded(0), is_loaded(1)];
-        (loaded[0] || loaded[1]) && (0..2).all(|at| !loaded[at] || answers[at].sticking)
+            has_friction & kinetic.is_positive()
+        });
+        let [slips_1, slips_2] = [0, 1].map(|at| answers[at].sticking.vanishes());
+        (is_loaded_1 | is_loaded_2) & !(is_loaded_1 & slips_1) & !(is_loaded_2 & slips_2)
     }
 }
 
@@ -304,10 +304,10 @@ impl<T: Evaluate> Law for ShockAbsorber<T> {
     }
 
     fn advise(&mut self) {
-        let advice = self.with_memories(|memories| self.advice(memories));
-        self.dforce_dlength = T::from(advice.dlength);
-        self.dforce_dvelocity = T::from(advice.dvelocity);
-        self.step_limit = T::from(advice.step_limit);
+        let advice = self.with_memories(|memories| {
+            if T::HAS_VALUES { self.advice(memories).map(T::from) } else { self.sources_of_advice(memories) }
+        });
+        [self.dforce_dlength, self.dforce_dvelocity, self.step_limit] = advice;
     }
 }
 
@@ -328,10 +328,6 @@ impl<T: Evaluate> Derivatives for ShockAbsorber<T> {
         rate.dissipated_energy = power;
         rate.temperature = setting.thermal.rate(self.temperature, setting.temperature_ambient, power);
     }
-}
-
-fn truth<T: Scalar>(is_true: bool) -> T {
-    T::from(f64::from(u8::from(is_true)))
 }
 
 impl ShockAbsorber {

@@ -4,70 +4,87 @@
 //! decides the course of the computation, each course is followed; results that are the same expression on all courses
 //! do not depend on the question.
 
-use std::collections::BTreeSet;
+use std::cell::RefCell;
+use std::collections::{BTreeSet, HashMap};
+use std::sync::Arc;
 
 use stribeck::catalogue;
 use stribeck::model::{self, Model, ModelType, Visitor};
 
 use super::expression::{Expression, Id};
-use super::tracked::{Course, Question, Tracked, on_course};
+use super::tracked::{Course, Found, Question, Tracked, on_course};
 
 /// Courses that are followed at most (chosen; the present models take up to 828).
 const MOST: usize = 20_000;
 
+thread_local! {
+    /// What has been found before: many models contain the same laws.
+    static KNOWN: RefCell<HashMap<&'static str, Found>> = RefCell::default();
+}
+
 /// For each column that is computed, and then for the rate of each column, the columns that it is computed from. `None`
-/// if the equations ask for the value of a number, as a search does.
-pub fn of(model: &ModelType, has_rates: bool) -> Option<Vec<BTreeSet<usize>>> {
-    let mut find = Find { name: model.name, has_rates, found: None };
+/// if the equations ask for the value of a number, and for a model that is not in the catalogue.
+pub fn of(model: &ModelType) -> Found {
+    if let Some(found) = KNOWN.with_borrow(|known| known.get(model.name).cloned()) {
+        return found;
+    }
+    let mut find = Find { name: model.name, found: None };
     catalogue::visit(&mut find);
+    KNOWN.with_borrow_mut(|known| known.insert(model.name, find.found.clone()));
     find.found
 }
 
 struct Find<'a> {
     name: &'a str,
-    has_rates: bool,
-    found: Option<Vec<BTreeSet<usize>>>,
+    found: Found,
 }
 
 impl Visitor for Find<'_> {
     fn visit<M: Model>(&mut self) {
         if M::NAME == self.name {
-            on_course(|course| course.begin(&ModelType::of::<M>()));
-            let mut courses = Courses { compute: &|| results::<M>(self.has_rates), left: MOST };
+            on_course(|course| course.begin(&ModelType::of::<M>(), of));
+            let mut courses = Courses { compute: &results::<M>, left: MOST };
             let first = courses.follow(vec![]);
             let results = first.and_then(|first| courses.united(0, first));
             self.found = results.map(|results| {
-                let of = |course: &Course, result| course.expressions.columns(result);
-                let results =
-                    on_course(|course| results.into_iter().map(|result| of(course, result)).collect::<Vec<_>>());
                 let is_known =
                     |column: usize| M::TABLE.get(column).is_some_and(|variable| !variable.role.is_computed());
-                let only_computed = |(column, found)| if is_known(column) { BTreeSet::new() } else { found };
-                results.into_iter().enumerate().map(only_computed).collect()
+                let columns = |course: &Course, result: Option<Id>| {
+                    let mut columns = result.map_or_else(BTreeSet::new, |result| course.expressions.columns(result));
+                    // Memory beside the row has no columns.
+                    columns.retain(|column| *column < M::TABLE.len());
+                    columns
+                };
+                let of = |course: &Course, (column, result)| {
+                    if is_known(column) { BTreeSet::new() } else { columns(course, result) }
+                };
+                on_course(|course| Arc::new(results.into_iter().enumerate().map(|result| of(course, result)).collect()))
             });
             on_course(|course| *course = Default::default());
         }
     }
 }
 
-/// Computes the outputs of a model, and its rates.
-fn results<M: Model>(has_rates: bool) -> Vec<Id> {
+/// Computes the outputs of a model, and its rates; no rates where Model Exchange refuses this course.
+fn results<M: Model>() -> Vec<Option<Id>> {
     let start = |column: usize| {
         let variable = &M::TABLE[column];
         if variable.role.is_computed() { Tracked::from(variable.start) } else { Tracked::column(column) }
     };
     let mut row: Vec<Tracked> = (0..M::TABLE.len()).map(start).collect();
     let mut rates = vec![Tracked::from(0.0); row.len()];
-    if has_rates {
-        model::rate_in::<M, Tracked>(&row, &mut rates);
-    }
-    model::output_in::<M, Tracked>(&mut row);
-    row.into_iter().chain(rates).map(|number| number.0).collect()
+    model::rate_in::<M, Tracked>(&row, &mut rates);
+    let is_refused = on_course(|course| course.is_refused);
+    let memory = model::memory_in::<M, Tracked>(&row);
+    let memory: Vec<Tracked> = (0..memory).map(|place| Tracked::column(row.len() + place)).collect();
+    model::output_in::<M, Tracked>(&mut row, &memory);
+    let rates = rates.into_iter().map(|rate| (!is_refused).then_some(rate.0));
+    row.into_iter().map(|number| Some(number.0)).chain(rates).collect()
 }
 
 /// The courses that a computation can take.
 struct Courses<'a> {
-    compute: &'a dyn Fn() -> Vec<Id>,
+    compute: &'a dyn Fn() -> Vec<Option<Id>>,
     left: usize,
 }
 
@@ -75,7 +92,7 @@ struct Courses<'a> {
 struct Followed {
     ways: Vec<usize>,
     questions: Vec<Question>,
-    results: Vec<Id>,
+    results: Vec<Option<Id>>,
 }
 
 impl Courses<'_> {
@@ -89,7 +106,7 @@ impl Courses<'_> {
     }
 
     /// The results of all courses that begin as this one does, up to question number `from`.
-    fn united(&mut self, from: usize, first: Followed) -> Option<Vec<Id>> {
+    fn united(&mut self, from: usize, first: Followed) -> Option<Vec<Option<Id>>> {
         let Some(question) = first.questions.get(from).copied() else { return Some(first.results) };
         let begin = first.ways[..from].to_vec();
         let mut united = self.united(from + 1, first)?;
@@ -103,7 +120,10 @@ impl Courses<'_> {
                     Question::Choice(column, _) => course.expressions.add(Expression::Column(column)),
                 };
                 for (result, other) in united.iter_mut().zip(other) {
-                    *result = course.expressions.chosen(asked, *result, other);
+                    *result = match (*result, other) {
+                        (Some(result), Some(other)) => Some(course.expressions.chosen(asked, result, other)),
+                        (result, other) => result.or(other),
+                    };
                 }
             });
         }

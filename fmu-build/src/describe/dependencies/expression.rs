@@ -82,8 +82,8 @@ pub enum Expression {
     Not(Id),
     /// One of two numbers, by an answer.
     Chosen(Id, Id, Id),
-    /// Result of a search at this place, from a list of numbers.
-    Found(u8, Id),
+    /// Result of a search, or of another model, at this place, from a list of numbers.
+    Found(usize, Id),
     /// A list: its rest and its last number.
     List(Id, Id),
 }
@@ -210,6 +210,13 @@ impl Expressions {
 
     pub fn chosen(&mut self, answer: Id, yes: Id, no: Id) -> Id {
         if yes == no { yes } else { self.add(Chosen(answer, yes, no)) }
+    }
+
+    /// A result at a place that is found from these numbers.
+    pub fn found(&mut self, place: usize, from: impl Iterator<Item = Id>) -> Id {
+        let end = self.constant(0.0);
+        let list = from.fold(end, |list, number| self.add(List(list, number)));
+        self.add(Found(place, list))
     }
 
     /// The columns that an expression is computed from.

@@ -2,8 +2,11 @@
 
 use std::cell::RefCell;
 use std::cmp::Ordering;
+use std::collections::BTreeSet;
 use std::ops::{Add, AddAssign, BitAnd, BitOr, Div, Mul, MulAssign, Neg, Not, Sub, SubAssign};
+use std::sync::Arc;
 
+use stribeck::catalogue;
 use stribeck::model::{Evaluate, Kind, ModelType, Variable};
 use stribeck::number::{Decision, Mask, Real, Scalar};
 use stribeck::numerics::vector::{Component, One, Zero};
@@ -38,12 +41,17 @@ impl Question {
     }
 }
 
+/// For each column that a model computes, the columns that it is computed from; then the same for the rate of each.
+pub type Found = Option<Arc<Vec<BTreeSet<usize>>>>;
+
 /// A computation, and all expressions of those before it.
 #[derive(Default)]
 pub struct Course {
     pub expressions: Expressions,
-    /// The values that each column can take, if it is a choice among a few: the first one and their number.
-    ways: Vec<Option<(f64, usize)>>,
+    /// The values that each column can take, if it is a choice.
+    ways: Vec<Option<Vec<f64>>>,
+    /// Finds the dependencies of other models.
+    others: Option<fn(&ModelType) -> Found>,
     /// Ways to take at the first questions; the first way at all others.
     script: Vec<usize>,
     /// Questions that have come up, in order.
@@ -56,6 +64,8 @@ pub struct Course {
     choices: Vec<(usize, f64)>,
     /// Whether the value of a number other than a choice was read, which no expression records.
     pub is_lost: bool,
+    /// Whether rates of a model were asked for that has none: Model Exchange refuses this course.
+    pub is_refused: bool,
 }
 
 thread_local! {
@@ -69,8 +79,9 @@ pub fn on_course<R>(work: impl FnOnce(&mut Course) -> R) -> R {
 
 impl Course {
     /// Begins the computations of a model.
-    pub fn begin(&mut self, model: &ModelType) {
-        *self = Course { ways: model.table.iter().map(|variable| ways(&variable)).collect(), ..Course::default() };
+    pub fn begin(&mut self, model: &ModelType, others: fn(&ModelType) -> Found) {
+        let ways = model.table.iter().map(|variable| ways(&variable)).collect();
+        *self = Course { ways, others: Some(others), ..Course::default() };
     }
 
     /// Begins a computation that takes these ways.
@@ -80,6 +91,7 @@ impl Course {
         self.orders.clear();
         self.answers.clear();
         self.choices.clear();
+        self.is_refused = false;
     }
 
     fn next_way(&mut self, question: Question) -> usize {
@@ -160,9 +172,10 @@ impl Course {
             return value;
         }
         if let Expression::Column(column) = self.expressions.get(id)
-            && let Some((first, ways)) = self.ways[column]
+            && let Some(Some(ways)) = self.ways.get(column)
         {
-            let value = first + self.next_way(Question::Choice(column, ways)) as f64;
+            let way = self.next_way(Question::Choice(column, ways.len()));
+            let value = self.ways[column].as_ref().map_or(0.0, |ways| ways[way]);
             self.choices.push((column, value));
             return value;
         }
@@ -183,14 +196,21 @@ impl Course {
     }
 }
 
-/// Most values of an integer that are taken one after the other (chosen).
-const MOST_WAYS: f64 = 64.0;
+/// Most values of an integer that are taken one after the other, beside the last one (chosen: no model has more columns
+/// for elements of a kind; what a model has beyond them is the same for all numbers of elements).
+const MOST_WAYS: usize = 64;
 
-fn ways(variable: &Variable) -> Option<(f64, usize)> {
+fn ways(variable: &Variable) -> Option<Vec<f64>> {
+    let values = |from: f64, count: usize| (0..count).map(|way| from + way as f64).collect();
     match (variable.kind, limits(variable)) {
-        (Kind::Boolean, _) => Some((0.0, 2)),
-        (Kind::Enumeration(items), _) => Some((1.0, items.items.len())),
-        (Kind::Integer, (Some(min), Some(max))) if max - min < MOST_WAYS => Some((min, (max - min) as usize + 1)),
+        (Kind::Boolean, _) => Some(values(0.0, 2)),
+        (Kind::Enumeration(items), _) => Some(values(1.0, items.items.len())),
+        (Kind::Integer, (Some(min), Some(max))) => {
+            let count = (max - min) as usize + 1;
+            let mut ways: Vec<f64> = values(min, count.min(MOST_WAYS));
+            ways.extend((count > MOST_WAYS).then_some(max));
+            Some(ways)
+        }
         _ => None,
     }
 }
@@ -377,12 +397,8 @@ impl Real for Tracked {
         on_course(|course| course.compared(Order::EQUAL, self, other))
     }
     fn found<const N: usize>(on: impl FnOnce() -> [Tracked; N], _search: impl Fn(usize) -> [f64; 2]) -> [Tracked; 2] {
-        let on = on();
-        on_course(|course| {
-            let end = course.expressions.constant(0.0);
-            let list = on.iter().fold(end, |list, number| course.expressions.add(Expression::List(list, number.0)));
-            [0, 1].map(|place| Tracked(course.expressions.add(Expression::Found(place, list))))
-        })
+        let on = on().map(|number| number.0);
+        on_course(|course| [0, 1].map(|place| Tracked(course.expressions.found(place, on.into_iter()))))
     }
     fn sign(self) -> Tracked {
         Tracked::of(Operation::Sign, self, self)
@@ -422,6 +438,16 @@ impl Real for Tracked {
     }
 }
 
+/// The dependencies of another model.
+fn of_other(model: &ModelType) -> Found {
+    // To find them is a computation of its own.
+    let present = on_course(std::mem::take);
+    let found = present.others.and_then(|others| others(model));
+    on_course(|course| *course = present);
+    on_course(|course| course.is_lost |= found.is_none());
+    found
+}
+
 impl Zero for Tracked {
     fn zero() -> Tracked {
         Tracked::from(0.0)
@@ -457,13 +483,39 @@ impl MulAssign for Tracked {
 
 impl Component for Tracked {}
 
+/// Columns that a model computes from columns of a row, and the numbers that stand there for them.
+fn applied(model: &ModelType, row: &[Tracked], found: &[BTreeSet<usize>]) -> Vec<Tracked> {
+    // Equal lists of different models do not give the same number.
+    let place = catalogue::models().position(|other| other == model).unwrap_or_default();
+    on_course(|course| {
+        let mark = course.expressions.constant(place as f64);
+        let of = |(column, from): (usize, &BTreeSet<usize>)| {
+            let numbers = from.iter().map(|column| row[*column].0);
+            Tracked(course.expressions.found(column, std::iter::once(mark).chain(numbers)))
+        };
+        found.iter().enumerate().map(of).collect()
+    })
+}
+
 impl Evaluate for Tracked {
-    fn evaluate(_model: &ModelType, _row: &mut [Tracked]) -> bool {
-        on_course(|course| course.is_lost = true);
+    const HAS_VALUES: bool = false;
+
+    fn evaluate(model: &ModelType, row: &mut [Tracked]) -> bool {
+        let Some(found) = of_other(model) else { return true };
+        let results = applied(model, row, &found[..row.len()]);
+        for (column, result) in results.into_iter().enumerate() {
+            if model.table.at(column).role.is_computed() {
+                row[column] = result;
+            }
+        }
         true
     }
-    fn rate(_model: &ModelType, _row: &[Tracked], _rate: &mut [Tracked]) {
-        on_course(|course| course.is_lost = true);
+    fn rate(model: &ModelType, row: &[Tracked], rate: &mut [Tracked]) {
+        if !model.model_exchange {
+            on_course(|course| course.is_refused = true);
+        }
+        let Some(found) = of_other(model) else { return };
+        rate.copy_from_slice(&applied(model, row, &found[row.len()..]));
     }
     fn slope(self) -> f64 {
         0.0
