@@ -16,6 +16,10 @@ pub trait Evaluate: Component + Scalar {
     /// Computes the time derivatives of the states.
     fn rate(model: &ModelType, row: &[Self], rate: &mut [Self]);
 
+    /// Lets each state of the row depend on what it depends on after a step, in numbers without values. Others take the
+    /// step.
+    fn mark_step(_model: &ModelType, _row: &mut [Self]) {}
+
     /// Slope of the number; 0 if it has none.
     fn slope(self) -> f64;
 

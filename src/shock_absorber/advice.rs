@@ -110,7 +110,7 @@ impl<T: Evaluate> ShockAbsorber<T> {
         let touches = setting.touches(&motion);
         let [after_1, after_2] = [0, 1].map(|at| {
             let mut memory = *memories[at];
-            setting.friction.write_sources(setting.contacts()[at], &touches[at], &mut memory);
+            setting.friction.mark_step(setting.contacts()[at], &touches[at], &mut memory);
             memory
         });
         let duration = self.step_size.is_positive().choose(|| self.step_size, || setting.num.h_max);

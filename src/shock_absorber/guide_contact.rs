@@ -105,9 +105,9 @@ impl<T: Scalar> Touch<T> {
         self.rim_velocity.is(0.0).choose(|| self.velocity, turning)
     }
 
-    /// The same without acceleration: steady motion.
-    pub(crate) fn steady(&self) -> Touch<T> {
-        Touch { acceleration: T::zero(), ..*self }
+    /// The same in steady motion, in which no mass has to be stopped.
+    fn steady(&self) -> Touch<T> {
+        Touch { acceleration: T::zero(), mass: T::zero(), ..*self }
     }
 
     /// Shares of a friction force against the sliding speed that act along the axis and along the circumference.
@@ -195,14 +195,34 @@ impl<T: Scalar> FrictionLaw<T> {
         }
     }
 
+    /// Whether the force of the law stops a mass over a whole step.
+    pub(crate) fn moves_mass(&self) -> T::Mask {
+        let asks_for_mass = self.chosen().is_some_and(ChosenLaw::asks_for_mass);
+        self.mass.is_positive() & asks_for_mass.into()
+    }
+
     /// Stands for [`FrictionLaw::advance`] where numbers have no values: each state of the law becomes a number with the
     /// same dependencies.
-    pub(crate) fn write_sources(&self, levels: &Levels<T>, touch: &Touch<T>, memory: &mut [T; MEMORY])
+    pub(crate) fn mark_step(&self, levels: &Levels<T>, touch: &Touch<T>, memory: &mut [T; MEMORY])
     where
         T: Evaluate,
     {
         if let Some(law) = self.chosen() {
-            law.write_sources(&self.given(levels, touch), &self.law, memory);
+            law.mark_step(&self.given(levels, touch), &self.law, memory);
+        }
+    }
+
+    /// Stands for [`FrictionLaw::settled`] where numbers have no values.
+    pub(crate) fn mark_settled(&self, levels: &Levels<T>, touch: &Touch<T>, memory: &mut [T; MEMORY])
+    where
+        T: Evaluate,
+    {
+        self.write_fresh(memory);
+        let mut settled = *memory;
+        self.mark_step(levels, &touch.steady(), &mut settled);
+        let rests = touch.signed_speed().vanishes() | self.moves_mass();
+        for (number, settled) in memory.iter_mut().zip(settled) {
+            *number = rests.choose(|| *number, || settled);
         }
     }
 
@@ -221,11 +241,6 @@ impl<T: Scalar> FrictionLaw<T> {
 }
 
 impl FrictionLaw {
-    /// Whether the force of the law stops a mass over a whole step.
-    pub(crate) fn moves_mass(&self) -> bool {
-        self.mass > 0.0 && self.chosen().is_some_and(ChosenLaw::asks_for_mass)
-    }
-
     /// Advances the memory by `dt` while the motion is held.
     pub(crate) fn advance(
         &self,

@@ -161,9 +161,8 @@ impl ChosenLaw {
         });
     }
 
-    /// Writes for each state of the law, after a step, the sum of all numbers that a step may use: of a number that has
-    /// no value, only the dependencies are asked for.
-    pub(crate) fn write_sources<T: Evaluate>(
+    /// Stands for [`ChosenLaw::advance`] where numbers have no values.
+    pub(crate) fn mark_step<T: Evaluate>(
         self,
         given: &Given<T>,
         parameters: &LawParameters<T>,
@@ -171,8 +170,8 @@ impl ChosenLaw {
     ) {
         self.on_row(|row| {
             self.fill(row, given, parameters, memory);
-            let sum = row.iter().fold(T::from(0.0), |sum, number| sum + *number);
-            self.0.memory.pairs().for_each(|(_, place)| memory[place] = sum);
+            T::mark_step(self.0.model, row);
+            self.remember(row, memory);
         });
     }
 
@@ -326,8 +325,10 @@ impl ChosenLaw {
         let total = forces().fold(T::zero(), |sum, column| add(sum, row[column])).abs();
         // Slipping elements are at their strength, apart from rounding, and stay as they are.
         let is_too_much = total.above(largest * T::from(1.0 + ROUNDING));
-        let part = is_too_much.choose(|| largest / total, || T::from(1.0));
-        forces().for_each(|column| row[column] = is_too_much.choose(|| row[column] * part, || row[column]));
+        if is_too_much.agreed() != Some(false) {
+            let part = is_too_much.choose(|| largest / total, || T::from(1.0));
+            forces().for_each(|column| row[column] = row[column] * part);
+        }
     }
 
     fn answer<T: Scalar>(self, row: &[T], is_finite: bool) -> Answer<T> {

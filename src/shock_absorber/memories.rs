@@ -81,7 +81,7 @@ impl<T: Evaluate> ShockAbsorber<T> {
                 if T::HAS_VALUES {
                     self.settle(&mut memories);
                 } else {
-                    self.write_sources(&mut memories);
+                    self.mark_settled(&mut memories);
                 }
                 work([&memories[0], &memories[1]])
             }
@@ -97,12 +97,11 @@ impl<T: Evaluate> ShockAbsorber<T> {
     /// Stands for [`ShockAbsorber::settle`] where numbers have no values: each state becomes a number with the same
     /// dependencies.
     #[inline(never)]
-    fn write_sources(&self, memories: &mut [[T; MEMORY]; 2]) {
+    fn mark_settled(&self, memories: &mut [[T; MEMORY]; 2]) {
         let setting = &self.setting;
         let touches = setting.touches(&setting.motion());
         for (at, memory) in memories.iter_mut().enumerate() {
-            setting.friction.write_fresh(memory);
-            setting.friction.write_sources(setting.contacts()[at], &touches[at].steady(), memory);
+            setting.friction.mark_settled(setting.contacts()[at], &touches[at], memory);
         }
     }
 

@@ -9,10 +9,10 @@ use std::collections::{BTreeSet, HashMap};
 use std::sync::Arc;
 
 use stribeck::catalogue;
-use stribeck::model::{self, Model, ModelType, Visitor};
+use stribeck::model::{self, Evaluate, InLanes, Model, ModelType, Steps, Visitor};
 
 use super::expression::{Expression, Id};
-use super::tracked::{Course, Found, Question, Tracked, on_course};
+use super::tracked::{Course, Found, Others, Question, Tracked, applied, on_course};
 
 /// Courses that are followed at most (chosen; the present models take up to 828).
 const MOST: usize = 20_000;
@@ -42,7 +42,7 @@ struct Find<'a> {
 impl Visitor for Find<'_> {
     fn visit<M: Model>(&mut self) {
         if M::NAME == self.name {
-            on_course(|course| course.begin(&ModelType::of::<M>(), of));
+            on_course(|course| course.begin(&ModelType::of::<M>(), Others { dependencies: of, mark_step }));
             let mut courses = Courses { compute: &results::<M>, left: MOST };
             let first = courses.follow(vec![]);
             let results = first.and_then(|first| courses.united(0, first));
@@ -80,6 +80,58 @@ fn results<M: Model>() -> Vec<Option<Id>> {
     model::output_in::<M, Tracked>(&mut row, &memory);
     let rates = rates.into_iter().map(|rate| (!is_refused).then_some(rate.0));
     row.into_iter().map(|number| Some(number.0)).chain(rates).collect()
+}
+
+/// Lets each state of a row depend on what it depends on after a step.
+fn mark_step(model: &ModelType, row: &mut [Tracked]) {
+    catalogue::visit(&mut Step { model, row });
+}
+
+struct Step<'a> {
+    model: &'a ModelType,
+    row: &'a mut [Tracked],
+}
+
+impl Visitor for Step<'_> {
+    /// A step written for plain numbers alone may use all numbers of the row for each state. The continuous states of a
+    /// model for Model Exchange move only by their rates; as many steps as there are states show all that these use.
+    fn visit<M: Model>(&mut self) {
+        let (model, row) = (self.model, &mut *self.row);
+        if M::NAME != model.name {
+            return;
+        }
+        let known = (0..row.len()).filter(|column| !M::TABLE[*column].role.is_computed()).collect();
+        let is_moving = |column: usize| model.model_exchange && M::TABLE[column].is_continuous_state();
+        let all = applied(model, row, &vec![known; row.len()]);
+        for column in (0..row.len()).filter(|column| M::TABLE[*column].role.is_state() && !is_moving(*column)) {
+            row[column] = all[column];
+        }
+        let moving: Vec<usize> = (0..row.len()).filter(|column| is_moving(*column)).collect();
+        for _ in &moving {
+            let mut rate = vec![Tracked::from(0.0); row.len()];
+            Tracked::rate(model, row, &mut rate);
+            moving.iter().for_each(|column| row[*column] += rate[*column]);
+        }
+    }
+
+    fn visit_in_lanes<M: InLanes>(&mut self) {
+        if M::NAME != self.model.name {
+            return;
+        }
+        let step = || {
+            let mut row = self.row.to_vec();
+            model::model_in::<M, Tracked>(&mut row).advance(Tracked::from(1.0));
+            row.into_iter().map(|number| Some(number.0)).collect()
+        };
+        let whole = on_course(Course::begin_part);
+        let mut courses = Courses { compute: &step, left: MOST };
+        let first = courses.follow(vec![]);
+        let results = first.and_then(|first| courses.united(0, first));
+        on_course(|course| course.end_part(whole));
+        for (number, result) in self.row.iter_mut().zip(results.into_iter().flatten()) {
+            *number = result.map_or(*number, Tracked);
+        }
+    }
 }
 
 /// The courses that a computation can take.

@@ -44,24 +44,48 @@ impl Question {
 /// For each column that a model computes, the columns that it is computed from; then the same for the rate of each.
 pub type Found = Option<Arc<Vec<BTreeSet<usize>>>>;
 
-/// A computation, and all expressions of those before it.
-#[derive(Default)]
-pub struct Course {
-    pub expressions: Expressions,
-    /// The values that each column can take, if it is a choice.
-    ways: Vec<Option<Vec<f64>>>,
-    /// Finds the dependencies of other models.
-    others: Option<fn(&ModelType) -> Found>,
-    /// Ways to take at the first questions; the first way at all others.
-    script: Vec<usize>,
-    /// Questions that have come up, in order.
-    pub questions: Vec<Question>,
+/// What is to be known of other models.
+#[derive(Clone, Copy)]
+pub struct Others {
+    /// The dependencies of a model.
+    pub dependencies: fn(&ModelType) -> Found,
+    /// Lets each state of a row depend on what it depends on after a step of the model.
+    pub mark_step: fn(&ModelType, &mut [Tracked]),
+}
+
+/// What holds in the course of a computation.
+#[derive(Clone, Default)]
+struct Assumed {
     /// Orders that hold from a question on, or within a branch that is computed for the case that it counts.
     orders: Vec<(Id, Id, Order)>,
     /// Other answers, in the same way.
     answers: Vec<(Id, bool)>,
     /// Columns with the choice that has been taken.
     choices: Vec<(usize, f64)>,
+}
+
+/// A computation of which a part is followed on courses of its own.
+pub struct Whole {
+    script: Vec<usize>,
+    questions: Vec<Question>,
+    begin: Assumed,
+    is_refused: bool,
+}
+
+/// A computation, and all expressions of those before it.
+#[derive(Default)]
+pub struct Course {
+    pub expressions: Expressions,
+    /// The values that each column can take, if it is a choice.
+    ways: Vec<Option<Vec<f64>>>,
+    others: Option<Others>,
+    /// Ways to take at the first questions; the first way at all others.
+    script: Vec<usize>,
+    /// Questions that have come up, in order.
+    pub questions: Vec<Question>,
+    assumed: Assumed,
+    /// What holds at the beginning of every course.
+    begin: Assumed,
     /// Whether the value of a number other than a choice was read, which no expression records.
     pub is_lost: bool,
     /// Whether rates of a model were asked for that has none: Model Exchange refuses this course.
@@ -79,7 +103,7 @@ pub fn on_course<R>(work: impl FnOnce(&mut Course) -> R) -> R {
 
 impl Course {
     /// Begins the computations of a model.
-    pub fn begin(&mut self, model: &ModelType, others: fn(&ModelType) -> Found) {
+    pub fn begin(&mut self, model: &ModelType, others: Others) {
         let ways = model.table.iter().map(|variable| ways(&variable)).collect();
         *self = Course { ways, others: Some(others), ..Course::default() };
     }
@@ -88,10 +112,21 @@ impl Course {
     pub fn follow(&mut self, script: &[usize]) {
         self.script = script.to_vec();
         self.questions.clear();
-        self.orders.clear();
-        self.answers.clear();
-        self.choices.clear();
+        self.assumed = self.begin.clone();
         self.is_refused = false;
+    }
+
+    /// Begins a part that is followed on courses of its own.
+    pub fn begin_part(&mut self) -> Whole {
+        let begin = std::mem::replace(&mut self.begin, self.assumed.clone());
+        let (script, questions) = (std::mem::take(&mut self.script), std::mem::take(&mut self.questions));
+        Whole { script, questions, begin, is_refused: self.is_refused }
+    }
+
+    /// Continues with the whole after such a part.
+    pub fn end_part(&mut self, whole: Whole) {
+        self.assumed = std::mem::replace(&mut self.begin, whole.begin);
+        (self.script, self.questions, self.is_refused) = (whole.script, whole.questions, whole.is_refused);
     }
 
     fn next_way(&mut self, question: Question) -> usize {
@@ -105,7 +140,7 @@ impl Course {
         if let Some(answer) = self.expressions.known_answer(id) {
             return Some(answer);
         }
-        if let Some((_, answer)) = self.answers.iter().find(|(known, _)| *known == id) {
+        if let Some((_, answer)) = self.assumed.answers.iter().find(|(known, _)| *known == id) {
             return Some(*answer);
         }
         match self.expressions.get(id) {
@@ -129,21 +164,21 @@ impl Course {
 
     /// The orders of two numbers that are still possible.
     fn possible(&self, a: Id, b: Id) -> Order {
-        let same = self.orders.iter().filter(|known| (known.0, known.1) == (a, b));
+        let same = self.assumed.orders.iter().filter(|known| (known.0, known.1) == (a, b));
         same.fold(Order::ANY, |possible, known| possible.and(known.2))
     }
 
     fn assume(&mut self, id: Id, answer: bool) {
         match (self.expressions.get(id), answer) {
             (Expression::Compared(order, a, b), _) => {
-                self.orders.push((a, b, if answer { order } else { order.not() }));
+                self.assumed.orders.push((a, b, if answer { order } else { order.not() }));
             }
             (Expression::Not(other), _) => self.assume(other, !answer),
             (Expression::And(a, b), true) => {
                 self.assume(a, true);
                 self.assume(b, true);
             }
-            _ => self.answers.push((id, answer)),
+            _ => self.assumed.answers.push((id, answer)),
         }
     }
 
@@ -176,7 +211,7 @@ impl Course {
         {
             let way = self.next_way(Question::Choice(column, ways.len()));
             let value = self.ways[column].as_ref().map_or(0.0, |ways| ways[way]);
-            self.choices.push((column, value));
+            self.assumed.choices.push((column, value));
             return value;
         }
         self.is_lost = true;
@@ -186,7 +221,7 @@ impl Course {
     /// The number itself, or its value where that is a choice that has been taken.
     fn chosen(&mut self, id: Id) -> Id {
         let Expression::Column(column) = self.expressions.get(id) else { return id };
-        let choice = self.choices.iter().find(|choice| choice.0 == column);
+        let choice = self.assumed.choices.iter().find(|choice| choice.0 == column);
         choice.map(|choice| choice.1).map_or(id, |value| self.expressions.constant(value))
     }
 
@@ -297,16 +332,16 @@ impl Decision<Tracked> for TrackedMask {
 /// Computes a branch for the case that it counts.
 fn assuming<R>(id: Id, answer: bool, work: impl FnOnce() -> R) -> R {
     let before = on_course(|course| {
-        let before = (course.orders.len(), course.answers.len());
+        let before = (course.assumed.orders.len(), course.assumed.answers.len());
         course.assume(id, answer);
         before
     });
-    let after = on_course(|course| (course.orders.len(), course.answers.len()));
+    let after = on_course(|course| (course.assumed.orders.len(), course.assumed.answers.len()));
     let result = work();
     // Questions within the branch are answered for the whole computation.
     on_course(|course| {
-        course.orders.drain(before.0..after.0);
-        course.answers.drain(before.1..after.1);
+        course.assumed.orders.drain(before.0..after.0);
+        course.assumed.answers.drain(before.1..after.1);
     });
     result
 }
@@ -442,7 +477,7 @@ impl Real for Tracked {
 fn of_other(model: &ModelType) -> Found {
     // To find them is a computation of its own.
     let present = on_course(std::mem::take);
-    let found = present.others.and_then(|others| others(model));
+    let found = present.others.and_then(|others| (others.dependencies)(model));
     on_course(|course| *course = present);
     on_course(|course| course.is_lost |= found.is_none());
     found
@@ -484,7 +519,7 @@ impl MulAssign for Tracked {
 impl Component for Tracked {}
 
 /// Columns that a model computes from columns of a row, and the numbers that stand there for them.
-fn applied(model: &ModelType, row: &[Tracked], found: &[BTreeSet<usize>]) -> Vec<Tracked> {
+pub fn applied(model: &ModelType, row: &[Tracked], found: &[BTreeSet<usize>]) -> Vec<Tracked> {
     // Equal lists of different models do not give the same number.
     let place = catalogue::models().position(|other| other == model).unwrap_or_default();
     on_course(|course| {
@@ -516,6 +551,11 @@ impl Evaluate for Tracked {
         }
         let Some(found) = of_other(model) else { return };
         rate.copy_from_slice(&applied(model, row, &found[row.len()..]));
+    }
+    fn mark_step(model: &ModelType, row: &mut [Tracked]) {
+        if let Some(others) = on_course(|course| course.others) {
+            (others.mark_step)(model, row);
+        }
     }
     fn slope(self) -> f64 {
         0.0
