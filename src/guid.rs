@@ -37,8 +37,8 @@ const fn byte(hash: Fnv, byte: u8) -> Fnv {
 }
 
 const fn bytes(mut hash: Fnv, bytes: &[u8]) -> Fnv {
-    let mut at = 0;
-    while at < bytes.len() {
+    let (mut at, end) = (0, bytes.len());
+    while at < end {
         hash = byte(hash, bytes[at]);
         at += 1;
     }

@@ -38,13 +38,14 @@ struct Fnv(u32);
 
 impl Fnv {
     const START: Fnv = Fnv(0x811c_9dc5);
-    const PRIME: u32 = 0x0100_0193;
+    const PRIME: u64 = 0x0100_0193;
 
     const fn text(mut self, text: &str) -> Fnv {
         let bytes = text.as_bytes();
-        let mut at = 0;
-        while at < bytes.len() {
-            self = Fnv((self.0 ^ bytes[at] as u32).wrapping_mul(Fnv::PRIME));
+        let (mut at, end) = (0, bytes.len());
+        while at < end {
+            // As the wrapping product, which would be one more call to interpret.
+            self = Fnv(((self.0 ^ bytes[at] as u32) as u64 * Fnv::PRIME) as u32);
             at += 1;
         }
         self
@@ -59,8 +60,8 @@ impl Fnv {
     /// The name as it is displayed, such as `front.element[3].stiffness`.
     const fn path(mut self, path: &Path) -> Fnv {
         let segments = path.segments();
-        let mut at = 0;
-        while at < segments.len() {
+        let (mut at, end) = (0, segments.len());
+        while at < end {
             let Segment { name, index } = segments[at];
             self = (if at > 0 { self.text(".") } else { self }).text(name);
             if index > 0 {

@@ -121,11 +121,12 @@ pub(crate) const fn place(name: &str) -> usize {
 /// Equality of texts in a `const fn`, where `==` on `str` is not available.
 pub(crate) const fn same(a: &str, b: &str) -> bool {
     let (a, b) = (a.as_bytes(), b.as_bytes());
-    if a.len() != b.len() {
+    let end = a.len();
+    if end != b.len() {
         return false;
     }
     let mut at = 0;
-    while at < a.len() {
+    while at < end {
         if a[at] != b[at] {
             return false;
         }

@@ -6,9 +6,9 @@
 pub use crate::model::Evaluate;
 use crate::model::{Columns, Fault, Path, Table};
 use crate::number::{Mask, Scalar};
-use crate::shock_absorber::law_list::{COUNT, GIVENS, LAWS};
+use crate::shock_absorber::law_list::{COUNT, GIVENS, LAWS, WIDEST};
 use crate::shock_absorber::law_parameters::LawParameters;
-use crate::shock_absorber::law_plan::{Carrier, MEMORY, PLANS, Plan, WIDEST};
+use crate::shock_absorber::law_plan::{Carrier, MEMORY, PLANS, Plan};
 
 /// Inputs of a law from its contact.
 #[derive(Clone, Copy, Debug)]

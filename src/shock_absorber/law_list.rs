@@ -48,7 +48,7 @@ pub(super) const COUNT: usize = {
 };
 
 /// The laws, in the order of the catalogue.
-pub(super) const LAWS: [Declared; COUNT] = {
+pub(super) static LAWS: [Declared; COUNT] = {
     let mut laws = [Declared::of(0); COUNT];
     let (mut count, mut at) = (0, 0);
     while at < MODELS.len() {
@@ -59,6 +59,18 @@ pub(super) const LAWS: [Declared; COUNT] = {
         at += 1;
     }
     laws
+};
+
+/// Largest number of columns of any law.
+pub(super) const WIDEST: usize = {
+    let (mut widest, mut at) = (0, 0);
+    while at < COUNT {
+        if LAWS[at].table.len() > widest {
+            widest = LAWS[at].table.len();
+        }
+        at += 1;
+    }
+    widest
 };
 
 /// Choices of a law: none, then the laws in the order of the catalogue.

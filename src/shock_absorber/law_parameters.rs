@@ -1,7 +1,7 @@
 //! Parameters of all friction laws, as offered by a contact.
 
 use crate::model::{Columns, Path, Segment, Variable, Width};
-use crate::shock_absorber::law_list::{Declared, LAWS, given, position};
+use crate::shock_absorber::law_list::{COUNT, Declared, LAWS, WIDEST, given, position};
 use crate::unit::same;
 
 /// Largest number of Maxwell-slip elements of a law here.
@@ -12,107 +12,99 @@ const fn is_offered(variable: &Variable) -> bool {
     variable.role.is_parameter() && given(variable).is_none() && variable.path.segments()[0].index <= ELEMENTS
 }
 
-/// Start value of the shared parameter of that name: that of LuGre, otherwise of the first law that has it.
-const fn shared_start(laws: &[Declared], path: &Path) -> Option<f64> {
-    let mut at = 0;
-    while at <= laws.len() {
-        let table = if at == 0 { laws[position("LuGre")].table } else { laws[at - 1].table };
-        let mut column = 0;
-        while column < table.len() {
-            if table[column].path.is(path) && is_offered(&table[column]) {
-                return Some(table[column].start);
-            }
-            column += 1;
-        }
-        at += 1;
-    }
-    None
-}
-
-/// Whether the law needs its own parameter of that name, because its default differs from the shared one. Variants of
-/// different laws are different choices under one name.
-const fn is_own(laws: &[Declared], variable: &Variable) -> bool {
-    let differs = match shared_start(laws, &variable.path) {
-        Some(start) => start != variable.start,
-        None => false,
-    };
-    differs || same(variable.path.segments()[0].name, "variant")
-}
-
 /// Help text of the Stribeck velocity, which is not the same in all laws.
 const STRIBECK_VELOCITY: &str = "Speed at which the excess of static over kinetic friction has fallen to 1/e, or to 1/2 \
                                  where the curve is a fraction (Armstrong, HessSoom, PoppStelter).";
 
-/// Parameter of a law as offered here; `None` if it is not offered.
-const fn offered(laws: &[Declared], law: Declared, variable: &Variable) -> Option<Variable> {
-    if !is_offered(variable) {
-        return None;
-    }
-    let mut offered = *variable;
-    if is_own(laws, variable) {
-        offered.path = variable.path.within(Segment { name: law.model.name, index: 0 });
-    }
-    if same(variable.path.segments()[0].name, "element_count") {
-        offered.bound = variable.bound.up_to(ELEMENTS as f64);
-    }
-    if same(variable.path.segments()[0].name, "stribeck_velocity") {
-        offered.help = STRIBECK_VELOCITY;
-    }
-    Some(offered)
-}
-
-/// The parameters of all laws: one for all laws with the same default, and one of its own for each law with another
-/// default, so that a law starts here as it does alone.
-const fn merge(laws: &[Declared]) -> ([Variable; MOST_PARAMETERS], usize) {
-    let mut merged = [crate::model::BLANK; MOST_PARAMETERS];
-    let mut count = add_parameters(&mut merged, 0, laws, laws[position("LuGre")]);
-    let mut at = 0;
-    while at < laws.len() {
-        count = add_parameters(&mut merged, count, laws, laws[at]);
-        at += 1;
-    }
-    (merged, count)
-}
-
-/// Adds the parameters of a law to the first `count` ones.
-const fn add_parameters(
-    merged: &mut [Variable; MOST_PARAMETERS],
-    mut count: usize,
-    laws: &[Declared],
-    law: Declared,
-) -> usize {
-    let mut at = 0;
-    while at < law.table.len() {
-        if let Some(offered) = offered(laws, law, &law.table[at]) {
-            let place = find(merged, count, &offered.path);
-            if place < count {
-                merged[place].bound = merged[place].bound.or(offered.bound);
-            } else {
-                merged[count] = offered;
-                count += 1;
-            }
-        }
-        at += 1;
-    }
-    count
-}
-
-/// Place of a name among the first `count` variables; `count` if it is not there.
-const fn find(variables: &[Variable; MOST_PARAMETERS], count: usize, path: &Path) -> usize {
-    let mut at = 0;
-    while at < count && !variables[at].path.is(path) {
-        at += 1;
-    }
-    at
-}
-
 /// Capacity for the parameters of all laws while they are merged; too small a value does not compile.
 const MOST_PARAMETERS: usize = 128;
 
-const MERGED: ([Variable; MOST_PARAMETERS], usize) = merge(&LAWS);
+/// The parameters of laws: one for all laws with the same default, and one of its own for each law with another default,
+/// so that a law starts here as it does alone.
+struct Merged<const LAWS: usize> {
+    variables: [Variable; MOST_PARAMETERS],
+    count: usize,
+    /// Places of the columns of each law among them.
+    places: [[Option<u16>; WIDEST]; LAWS],
+}
+
+impl<const LAWS: usize> Merged<LAWS> {
+    /// Merges the parameters of laws. Start values of shared parameters are those of LuGre, otherwise of the first law
+    /// that has them.
+    const fn of(laws: &[Declared; LAWS]) -> Merged<LAWS> {
+        let variables = [crate::model::BLANK; MOST_PARAMETERS];
+        let mut merged = Merged { variables, count: 0, places: [[None; WIDEST]; LAWS] };
+        merged.add(laws, position("LuGre"));
+        let mut at = 0;
+        while at < LAWS {
+            merged.add(laws, at);
+            at += 1;
+        }
+        merged
+    }
+
+    /// Adds the parameters of a law.
+    const fn add(&mut self, laws: &[Declared; LAWS], law: usize) {
+        let table = laws[law].table;
+        let (mut at, end) = (0, table.len());
+        while at < end {
+            if is_offered(&table[at]) {
+                self.places[law][at] = Some(self.place(laws[law].model.name, &table[at]));
+            }
+            at += 1;
+        }
+    }
+
+    /// Place of a parameter of the law of that name, which is added if it is new.
+    const fn place(&mut self, law: &'static str, variable: &Variable) -> u16 {
+        let offered = self.offered(law, variable);
+        let place = self.find(&offered.path);
+        if place < self.count {
+            self.variables[place].bound = self.variables[place].bound.or(offered.bound);
+        } else {
+            self.variables[place] = offered;
+            self.count += 1;
+        }
+        place as u16
+    }
+
+    /// Parameter of a law as offered here.
+    const fn offered(&self, law: &'static str, variable: &Variable) -> Variable {
+        let mut offered = *variable;
+        if self.is_own(variable) {
+            offered.path = variable.path.within(Segment { name: law, index: 0 });
+        }
+        if same(variable.path.segments()[0].name, "element_count") {
+            offered.bound = variable.bound.up_to(ELEMENTS as f64);
+        }
+        if same(variable.path.segments()[0].name, "stribeck_velocity") {
+            offered.help = STRIBECK_VELOCITY;
+        }
+        offered
+    }
+
+    /// Whether a law needs its own parameter of that name, because its default differs from the shared one. Variants of
+    /// different laws are different choices under one name.
+    const fn is_own(&self, variable: &Variable) -> bool {
+        let shared = self.find(&variable.path);
+        shared < self.count && self.variables[shared].start != variable.start
+            || same(variable.path.segments()[0].name, "variant")
+    }
+
+    /// Place of a name; the number of names if it is not there.
+    const fn find(&self, path: &Path) -> usize {
+        let mut at = 0;
+        while at < self.count && !self.variables[at].path.is(path) {
+            at += 1;
+        }
+        at
+    }
+}
+
+static MERGED: Merged<COUNT> = Merged::of(&LAWS);
 
 /// Number of parameters of all laws together.
-const PARAMETERS: usize = MERGED.1;
+const PARAMETERS: usize = MERGED.count;
 
 /// The parameters of all laws.
 #[derive(Debug)]
@@ -143,15 +135,12 @@ impl Width for LawParameters {
 
 // SAFETY: `#[repr(C)]` and an array of numbers; the table has one entry for each by its type.
 unsafe impl Columns for LawParameters {
-    const TABLE: &'static [Variable] = MERGED.0.split_at(PARAMETERS).0;
+    const TABLE: &'static [Variable] = MERGED.variables.split_at(PARAMETERS).0;
 }
 
-/// Place of a law's parameter among those of all laws; `None` if it is not offered.
-pub(super) const fn place_of(law: Declared, variable: &Variable) -> Option<u16> {
-    match offered(&LAWS, law, variable) {
-        Some(offered) => Some(find(&MERGED.0, PARAMETERS, &offered.path) as u16),
-        None => None,
-    }
+/// Place of a column of a law among the parameters of all laws; `None` if it is not offered.
+pub(super) const fn place_of(law: usize, column: usize) -> Option<u16> {
+    MERGED.places[law][column]
 }
 
 #[cfg(test)]
@@ -196,15 +185,16 @@ mod tests {
     /// The table of a host of laws, in a library that has one law more, and remembers more.
     fn table_with_newcomer(host: &ModelType) -> Vec<Variable> {
         let newcomer = Declared { model: &NEWCOMER, table: Newcomer::TABLE };
-        let laws: Vec<Declared> = LAWS.into_iter().chain([newcomer]).collect();
-        let (merged, count) = merge(&laws);
+        let laws: [Declared; COUNT + 1] = std::array::from_fn(|law| LAWS.get(law).copied().unwrap_or(newcomer));
+        let Merged { variables, count, .. } = Merged::of(&laws);
         let own =
             |variable: Variable| LawParameters::TABLE.iter().any(|of_law| is_inside(&variable.path, &of_law.path));
         let first = host.table.iter().position(own).expect("parameters of laws");
         let mut table = host.table.iter().take(first).collect::<Vec<_>>();
         let place = host.table.at(first).path.segments()[0];
-        table
-            .extend(merged[..count].iter().map(|variable| Variable { path: variable.path.within(place), ..*variable }));
+        table.extend(
+            variables[..count].iter().map(|variable| Variable { path: variable.path.within(place), ..*variable }),
+        );
         for variable in host.table.iter().skip(first + PARAMETERS) {
             table.push(variable);
             if variable.is_hidden {

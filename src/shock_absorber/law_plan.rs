@@ -1,7 +1,7 @@
 //! Where the columns of a law's row come from: worked out for each law while the library is compiled.
 
 use crate::model::{Column, Kind, ModelType, Variable, real};
-use crate::shock_absorber::law_list::{COUNT, Declared, GIVENS, LAWS, column, given};
+use crate::shock_absorber::law_list::{COUNT, Declared, GIVENS, LAWS, WIDEST, column, given};
 use crate::shock_absorber::law_parameters::place_of;
 use crate::unit::same;
 
@@ -54,18 +54,6 @@ pub const MEMORY: usize = {
         at += 1;
     }
     most
-};
-
-/// Largest number of columns of any law.
-pub(super) const WIDEST: usize = {
-    let (mut widest, mut at) = (0, 0);
-    while at < COUNT {
-        if LAWS[at].table.len() > widest {
-            widest = LAWS[at].table.len();
-        }
-        at += 1;
-    }
-    widest
 };
 
 /// A column of a law's row, and its place in what it is copied from.
@@ -146,13 +134,14 @@ static SOURCES: [[Source; WIDEST]; COUNT] = {
     let mut all = [[Source::Start; WIDEST]; COUNT];
     let mut at = 0;
     while at < COUNT {
-        all[at] = sources(LAWS[at]);
+        all[at] = sources(at);
         at += 1;
     }
     all
 };
 
-const fn sources(law: Declared) -> [Source; WIDEST] {
+const fn sources(which: usize) -> [Source; WIDEST] {
+    let law = LAWS[which];
     let mut sources = [Source::Start; WIDEST];
     let (mut moving, mut jumping, mut at) = (0, first_jumping(law), 0);
     while at < law.table.len() {
@@ -165,7 +154,7 @@ const fn sources(law: Declared) -> [Source; WIDEST] {
         } else if is_remembered(variable) {
             sources[at] = Source::Memory(jumping as u16);
             jumping += 1;
-        } else if let Some(place) = place_of(law, variable) {
+        } else if let Some(place) = place_of(which, at) {
             sources[at] = Source::Parameter(place);
         }
         at += 1;
@@ -214,17 +203,20 @@ const fn link<const LINKS: usize>() -> ([Link; LINKS], [[u16; KINDS + 1]; COUNT]
     (links, firsts, count)
 }
 
-const LINK_COUNT: usize = link::<0>().2;
+/// The first link of each kind of each law, and the number of all links.
+static FIRSTS: ([[u16; KINDS + 1]; COUNT], usize) = {
+    let (_, firsts, count) = link::<0>();
+    (firsts, count)
+};
 
-static LINKS: [Link; LINK_COUNT] = link().0;
+static LINKS: [Link; FIRSTS.1] = link().0;
 
 /// The laws in their order, with the sources of their columns.
 pub(super) static PLANS: [Plan; COUNT] = {
-    let firsts = link::<0>().1;
     let mut plans = [const { plan(0, [0; KINDS + 1]) }; COUNT];
     let mut at = 0;
     while at < COUNT {
-        plans[at] = plan(at, firsts[at]);
+        plans[at] = plan(at, FIRSTS.0[at]);
         at += 1;
     }
     plans

@@ -209,47 +209,53 @@ impl ExactSizeIterator for Variables {}
 /// Largest number of different texts, and of different numbers, in a table; too small a value does not compile.
 const MOST: usize = 1 << 11;
 
-/// The texts, numbers and choices of a table, each once.
-pub struct Pool {
+/// A table on the way to its packed form: its columns, and its texts, numbers and choices, each once.
+///
+/// The compiler interprets this for every model, slowly: a call costs most. That is why lengths are asked for once, and
+/// products are taken in wider integers.
+pub struct Pool<const COLUMNS: usize> {
+    columns: [Packed; COLUMNS],
     texts: [&'static str; MOST],
     text_count: usize,
     /// Hash table of the places of the texts, plus 1; 0 for an empty slot.
     slots: [u16; 2 * MOST],
-    numbers: [f64; MOST],
+    /// By their bits, so that -0 and 0 are two.
+    numbers: [u64; MOST],
     number_count: usize,
     choices: [Option<&'static Enumeration>; u8::MAX as usize],
     choice_count: usize,
 }
 
-impl Pool {
-    /// What a table needs.
-    pub const fn of(table: &[Variable]) -> Pool {
+impl<const COLUMNS: usize> Pool<COLUMNS> {
+    /// Packs a table.
+    pub const fn of(table: &[Variable]) -> Pool<COLUMNS> {
         let mut pool = Pool {
+            columns: [Packed::BLANK; COLUMNS],
             texts: [""; MOST],
             text_count: 0,
             slots: [0; 2 * MOST],
-            numbers: [0.0; MOST],
+            numbers: [0; MOST],
             number_count: 0,
             choices: [None; u8::MAX as usize],
             choice_count: 0,
         };
         pool.text(""); // so that there is a first text
         let mut column = 0;
-        while column < table.len() {
-            pool.pack(&table[column]);
+        while column < COLUMNS {
+            pool.columns[column] = pool.pack(&table[column]);
             column += 1;
         }
         pool
     }
 
-    /// Numbers of columns, letters, texts, numbers and choices.
-    pub const fn sizes(&self, table: &[Variable]) -> [usize; 5] {
+    /// Numbers of letters, texts, numbers and choices.
+    pub const fn sizes(&self) -> [usize; 4] {
         let (mut letters, mut at) = (0, 0);
         while at < self.text_count {
             letters += self.texts[at].len();
             at += 1;
         }
-        [table.len(), letters, self.text_count, self.number_count, self.choice_count]
+        [letters, self.text_count, self.number_count, self.choice_count]
     }
 
     /// The choices.
@@ -294,13 +300,13 @@ impl Pool {
     }
 
     const fn text(&mut self, text: &'static str) -> u16 {
-        let mut slot = hash(text) as usize % self.slots.len();
+        let mut slot = hash(text) as usize % (2 * MOST);
         while self.slots[slot] != 0 {
             let place = self.slots[slot] - 1;
             if unit::same(self.texts[place as usize], text) {
                 return place;
             }
-            slot = (slot + 1) % self.slots.len();
+            slot = (slot + 1) % (2 * MOST);
         }
         self.texts[self.text_count] = text;
         self.text_count += 1;
@@ -309,14 +315,14 @@ impl Pool {
     }
 
     const fn number(&mut self, number: f64) -> u16 {
-        let mut place = 0;
+        let (bits, mut place) = (number.to_bits(), 0);
         while place < self.number_count {
-            if self.numbers[place].to_bits() == number.to_bits() {
+            if self.numbers[place] == bits {
                 return place as u16;
             }
             place += 1;
         }
-        self.numbers[place] = number;
+        self.numbers[place] = bits;
         self.number_count += 1;
         place as u16
     }
@@ -337,8 +343,9 @@ impl Pool {
 
 const fn hash(text: &str) -> u32 {
     let (bytes, mut hash, mut at) = (text.as_bytes(), 0x811c_9dc5u32, 0);
-    while at < bytes.len() {
-        hash = (hash ^ bytes[at] as u32).wrapping_mul(0x0100_0193);
+    let end = bytes.len();
+    while at < end {
+        hash = ((hash ^ bytes[at] as u32) as u64 * 0x0100_0193) as u32;
         at += 1;
     }
     hash ^ (hash >> 15)
@@ -356,29 +363,24 @@ impl<const COLUMNS: usize, const LETTERS: usize, const TEXTS: usize, const NUMBE
     Parts<COLUMNS, LETTERS, TEXTS, NUMBERS>
 {
     /// The parts of a table with this pool.
-    pub const fn of(table: &[Variable], mut pool: Pool) -> Self {
-        let mut columns = [Packed::BLANK; COLUMNS];
-        let mut column = 0;
-        while column < COLUMNS {
-            columns[column] = pool.pack(&table[column]);
-            column += 1;
+    pub const fn of(pool: &Pool<COLUMNS>) -> Self {
+        let (letters, ends) = Self::spell(pool);
+        let (mut numbers, mut place) = ([0.0; NUMBERS], 0);
+        while place < NUMBERS {
+            numbers[place] = f64::from_bits(pool.numbers[place]);
+            place += 1;
         }
-        let (letters, ends) = Self::spell(&pool);
-        let (numbers, _) = pool.numbers.split_first_chunk().expect("room for all");
-        Parts { columns, letters, ends, numbers: *numbers }
+        Parts { columns: pool.columns, letters, ends, numbers }
     }
 
     /// All texts, and where they end.
-    const fn spell(pool: &Pool) -> ([u8; LETTERS], [u16; TEXTS]) {
+    const fn spell(pool: &Pool<COLUMNS>) -> ([u8; LETTERS], [u16; TEXTS]) {
         let (mut letters, mut ends) = ([0; LETTERS], [0; TEXTS]);
         let (mut end, mut place) = (0, 0);
         while place < TEXTS {
             let text = pool.texts[place].as_bytes();
-            let mut at = 0;
-            while at < text.len() {
-                letters[end] = text[at];
-                (end, at) = (end + 1, at + 1);
-            }
+            letters.split_at_mut(end).1.split_at_mut(text.len()).0.copy_from_slice(text);
+            end += text.len();
             assert!(end <= u16::MAX as usize, "too many texts for a table");
             ends[place] = end as u16;
             place += 1;
@@ -401,11 +403,12 @@ impl<const COLUMNS: usize, const LETTERS: usize, const TEXTS: usize, const NUMBE
 #[macro_export]
 macro_rules! packed {
     ($table:expr) => {{
-        const POOL: $crate::table::Pool = $crate::table::Pool::of($table);
-        const SIZES: [usize; 5] = POOL.sizes($table);
-        const PARTS: &$crate::table::Parts<{ SIZES[0] }, { SIZES[1] }, { SIZES[2] }, { SIZES[3] }> =
-            &$crate::table::Parts::of($table, POOL);
-        PARTS.with(const { &POOL.choices::<{ SIZES[4] }>() })
+        const COLUMNS: usize = $table.len();
+        const POOL: &$crate::table::Pool<COLUMNS> = &$crate::table::Pool::of($table);
+        const SIZES: [usize; 4] = POOL.sizes();
+        const PARTS: &$crate::table::Parts<COLUMNS, { SIZES[0] }, { SIZES[1] }, { SIZES[2] }> =
+            &$crate::table::Parts::of(POOL);
+        PARTS.with(const { &POOL.choices::<{ SIZES[3] }>() })
     }};
 }
 
