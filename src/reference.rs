@@ -27,6 +27,11 @@ pub const fn of(path: &Path) -> Reference {
     Fnv::START.path(path).reference()
 }
 
+/// Reference of the variable of that name, as spelled by [`Path`]'s `Display`.
+pub(crate) const fn of_name(name: &str) -> Reference {
+    Fnv::START.text(name).reference()
+}
+
 /// Reference of the time derivative of a state, FMI's `der(name)`.
 pub const fn of_derivative(state: &Path) -> Reference {
     Fnv::START.text("der(").path(state).text(")").reference()
@@ -212,7 +217,7 @@ mod tests {
         for model in catalogue::models() {
             for variable in model.table {
                 let name = variable.path.to_string();
-                assert_eq!(of(&variable.path), Fnv::START.text(&name).reference(), "{name}");
+                assert_eq!(of(&variable.path), of_name(&name), "{name}");
                 let derivative = Fnv::START.text(&format!("der({name})")).reference();
                 assert_eq!(of_derivative(&variable.path), derivative, "{name}");
             }

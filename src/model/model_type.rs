@@ -132,10 +132,11 @@ impl ModelType {
 
     /// The column of the variable of this name.
     pub fn find(&self, name: &str) -> Option<usize> {
-        // Full names are built only if they begin alike: a table can have hundreds of rows.
-        let alike = |variable: &Variable| name.starts_with(variable.path.segments()[0].name);
-        let mut variables = self.variables();
-        variables.find(|(_, variable)| alike(variable) && variable.path.is_spelled(name)).map(|(column, _)| column)
+        match self.place(reference::of_name(name))? {
+            // Another name can have the same fingerprint.
+            Place::Column(column) => self.table.at(column).path.is_spelled(name).then_some(column),
+            Place::Time | Place::Derivative(_) => None,
+        }
     }
 
     /// The columns of advice.
