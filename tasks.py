@@ -48,6 +48,10 @@ WINDOWS = os.name == "nt"
 PROGRAMS = VENV / ("Scripts" if WINDOWS else "bin")
 PYTHON = PROGRAMS / ("python.exe" if WINDOWS else "python")
 
+# With the benchmark, cargo chooses the features of all crates as for the tests: what it has built for them is not built
+# again with fewer.
+AS_TESTED = ["--workspace", "--bench", "stribeck"]
+
 # The parts of the library that contain code.
 CRATES = ["--package", "stribeck", "--package", "stribeck-ffi"]
 RUST_FOLDERS = ["src", "ffi", "tests", "benches", "fmu-build", "fuzz", "lab", "ssp", "examples"]
@@ -255,11 +259,12 @@ def platforms() -> None:
     run(PYTHON, "-m", "pytest", "-rP", "tests/platforms")
 
 
-def pack() -> None:
+def pack(*fmu_build: str | Path) -> None:
     """Builds the library and packs every model as an FMU into dist/, and the four-post rig as an SSP package."""
     need_rust()
-    run("cargo", "run", "--package", "fmu-build", "--", "pack", "--out", "dist")
-    run("cargo", "run", "--package", "fmu-build", "--", "ssp", "--out", "dist")
+    fmu_build = fmu_build or ("cargo", "run", "--package", "fmu-build", "--")
+    run(*fmu_build, "pack", "--out", "dist")
+    run(*fmu_build, "ssp", "--out", "dist")
 
 
 def demo() -> None:
@@ -292,10 +297,12 @@ def test() -> None:
     check_style()
     run("cargo", "test", "--workspace")
     # Here each benchmark runs once, to check that it runs.
-    run("cargo", "test", "--package", "stribeck", "--bench", "stribeck")
+    run("cargo", "test", *AS_TESTED)
     run("cargo", "doc", "--no-deps", "--workspace", RUSTDOCFLAGS="-Dwarnings")
-    run("cargo", "run", "--package", "fmu-build", "--", "check")
-    pack()
+    run("cargo", "build", "--bin", "fmu-build", *AS_TESTED)
+    fmu_build = Path(os.environ.get("CARGO_TARGET_DIR", ROOT / "target")) / "debug" / "fmu-build"
+    run(fmu_build, "check")
+    pack(fmu_build)
     run(PYTHON, "tests/c/run.py")
     run(PYTHON, "fuzz/run.py")
     run(PYTHON, "-m", "pytest", "tests/python")
