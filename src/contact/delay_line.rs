@@ -95,11 +95,11 @@ impl DelayLine {
             self.forget(delay);
             return;
         }
-        self.forget(delay - piece.duration);
+        let kept = self.forget(delay - piece.duration);
         if self.history[PIECES - 1].duration > 0.0 {
             self.thin();
         }
-        self.history.copy_within(..PIECES - 1, 1);
+        self.history.copy_within(..kept.min(PIECES - 1), 1);
         self.history[0] = piece;
     }
 
@@ -109,16 +109,17 @@ impl DelayLine {
         latest.duration > 0.0 && latest.is_constant() && piece.is_constant() && latest.begin == piece.begin
     }
 
-    /// Forgets the pieces that ended at least `age` ago.
-    fn forget(&mut self, age: f64) {
+    /// Forgets the pieces that ended at least `age` ago. Returns the number of the others, which are the first ones.
+    fn forget(&mut self, age: f64) -> usize {
         let mut since = 0.0;
-        for piece in &mut self.history {
+        let is_old = |piece: &Piece| {
             let is_old = since >= age;
             since += piece.duration;
-            if is_old {
-                *piece = Piece::UNUSED;
-            }
-        }
+            is_old
+        };
+        let kept = self.history.iter().position(is_old).unwrap_or(PIECES);
+        self.history[kept..].fill(Piece::UNUSED);
+        kept
     }
 
     /// Joins the two neighbours with the shortest joint duration; of equals, the oldest.
