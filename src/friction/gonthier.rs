@@ -274,8 +274,9 @@ impl Course {
 
     /// Integral of the limited bristle force up to `end`.
     fn impulse(&self, end: f64) -> f64 {
-        let [a, b] = self.crossings(1.0, end);
-        let [c, d] = self.crossings(-1.0, end);
+        let ends = [0.0, end].map(|t| [self.limit(t), self.bristle_force(t)]);
+        let crossings = |side: f64| self.crossings(side, end, ends.map(|[limit, force]| limit - side * force > 0.0));
+        let ([a, b], [c, d]) = (crossings(1.0), crossings(-1.0));
         let mut cuts = [0.0, a, b, c, d, end];
         cuts.sort_by(f64::total_cmp);
         cuts.windows(2).filter(|w| w[1] > w[0]).map(|w| self.piece(w[0], w[1])).sum()
@@ -285,18 +286,25 @@ impl Course {
     fn piece(&self, from: f64, to: f64) -> f64 {
         let middle = 0.5 * (from + to);
         let force = self.bristle_force(middle);
+        // Up to the beginning there is none.
+        let between = |impulse: &dyn Fn(f64) -> f64| impulse(to) - if from > 0.0 { impulse(from) } else { 0.0 };
         if force.abs() <= self.limit(middle) {
-            self.bristle_impulse(to) - self.bristle_impulse(from)
+            between(&|t| self.bristle_impulse(t))
         } else {
-            force.signum() * (self.limit_impulse(to) - self.limit_impulse(from))
+            force.signum() * between(&|t| self.limit_impulse(t))
         }
     }
 
-    /// The instants up to `end` at which f_max = side f_br: at most two; `end` stands for a missing one.
-    fn crossings(&self, side: f64, end: f64) -> [f64; 2] {
-        let gap = |t: f64| self.limit(t) - side * self.bristle_force(t);
-        let turn = self.turn(side).filter(|turn| *turn > 0.0 && *turn < end).unwrap_or(end);
-        [bisect(gap, 0.0, turn).unwrap_or(end), bisect(gap, turn, end).unwrap_or(end)]
+    /// The instants up to `end` at which f_max = side f_br: at most two; `end` stands for a missing one. `above` tells
+    /// whether f_max is greater at the beginning and at the end.
+    fn crossings(&self, side: f64, end: f64, above: [bool; 2]) -> [f64; 2] {
+        let is_above = |t: f64| self.limit(t) - side * self.bristle_force(t) > 0.0;
+        let Some(turn) = self.turn(side).filter(|turn| *turn > 0.0 && *turn < end) else {
+            return [bisect(is_above, [0.0, end], above).unwrap_or(end), end];
+        };
+        let (begins, turns, ends) = (above[0], is_above(turn), above[1]);
+        let crossings = [bisect(is_above, [0.0, turn], [begins, turns]), bisect(is_above, [turn, end], [turns, ends])];
+        crossings.map(|crossing| crossing.unwrap_or(end))
     }
 
     /// The instant of the only extremum of f_max - side f_br, the sum of two exponentials and a constant.
@@ -322,11 +330,9 @@ fn second(x: f64) -> f64 {
     (3..=20).rev().fold(1.0, |sum, k| 1.0 - x * sum / f64::from(k)) / 2.0
 }
 
-/// The instant at which a monotonic function changes its sign.
-fn bisect(function: impl Fn(f64) -> f64, from: f64, to: f64) -> Option<f64> {
-    let (mut low, mut high) = (from, to);
-    let begins_above = function(low) > 0.0;
-    if low >= high || begins_above == (function(high) > 0.0) {
+/// The instant at which an answer changes that is known at both ends, and changes at most once.
+fn bisect(is_above: impl Fn(f64) -> bool, [mut low, mut high]: [f64; 2], [begins, ends]: [bool; 2]) -> Option<f64> {
+    if begins == ends {
         return None;
     }
     loop {
@@ -334,7 +340,7 @@ fn bisect(function: impl Fn(f64) -> f64, from: f64, to: f64) -> Option<f64> {
         if middle <= low || middle >= high {
             return Some(middle);
         }
-        if (function(middle) > 0.0) == begins_above {
+        if is_above(middle) == begins {
             low = middle;
         } else {
             high = middle;
