@@ -6,7 +6,7 @@ use crate::model::{Derivatives, Fault, Law, Model, ModelExchange, Preset, intege
 use crate::number::elementary::{exp, exp_m1, ln, ln_1p, pow, sin};
 use crate::number::{Mask, Real, Scalar};
 use crate::numerics::quadrature;
-use crate::numerics::runge_kutta::dormand_prince;
+use crate::numerics::runge_kutta::{Done, dormand_prince_from, growth};
 
 crate::model! {
     /// Elasto-plastic friction (Dupont): LuGre with a range of purely elastic deflection, so that a contact loaded
@@ -301,23 +301,26 @@ impl Slide {
         }
         // p, and the integral of y = 1 - u over the distance.
         let mut at = [transition.variable(1.0 - self.u), 0.0];
-        let mut piece = 0.1 * at[0].max(1.0) / transition.rates(at)[0];
+        // dp/dq, and y.
+        let mut rates = transition.rates(at);
+        let mut piece = 0.1 * at[0].max(1.0) / rates[0];
         let distance = self.left;
-        while self.left > 0.0 && transition.missing(at[0]) > NOTHING {
+        while self.left > 0.0 && rates[1] > NOTHING {
             let q = piece.min(self.left);
-            let (next, error) = dormand_prince(|_, at| transition.rates(at), at, q);
-            let error = transition.error(next, error) / TOLERANCE;
+            let next = dormand_prince_from(rates, |_, at| transition.rates(at), at, q);
+            let error = transition.error(&next) / TOLERANCE;
             if error <= 1.0 {
-                at = next;
+                (at, rates) = (next.end, next.rates);
                 self.left = if q < self.left { self.left - q } else { 0.0 };
             } else if q < f64::MIN_POSITIVE {
                 // Numbers out of range: the caller refuses the step.
-                at = [f64::NAN; 2];
+                (at, rates) = ([f64::NAN; 2], [f64::NAN; 2]);
             }
-            let factor = 0.9 * pow(error, -0.2);
-            piece = q * if factor.is_nan() { 0.2 } else { factor.clamp(0.2, 5.0) };
+            if self.left > 0.0 {
+                piece = q * growth(error);
+            }
         }
-        self.u = 1.0 - transition.missing(at[0]);
+        self.u = 1.0 - rates[1];
         self.area += distance - at[1];
         self.left = 0.0;
     }
@@ -345,7 +348,12 @@ impl Transition {
     /// dp/dq = ((1 - alpha u) / y)^i with 1 - alpha = sin^2(pi y / (2 - 2 kappa)), and y.
     fn rates(&self, [p, _]: [f64; 2]) -> [f64; 2] {
         let y = self.missing(p);
-        [pow(1.0 + (1.0 - y) * self.elastic(y) / y, self.exponent), y]
+        [self.power(1.0 + (1.0 - y) * self.elastic(y) / y), y]
+    }
+
+    /// x^i.
+    fn power(&self, x: f64) -> f64 {
+        if self.exponent == 1.0 { x } else { pow(x, self.exponent) }
     }
 
     /// For i = 1, y by the rate at which it falls.
@@ -360,8 +368,9 @@ impl Transition {
     }
 
     /// Error of u, with dy = -y^i dp, and of the integral, relative to it where it is large.
-    fn error(&self, [p, area]: [f64; 2], [error, area_error]: [f64; 2]) -> f64 {
-        (pow(self.missing(p), self.exponent) * error).abs() + area_error.abs() / area.max(1.0)
+    fn error(&self, done: &Done<2>) -> f64 {
+        let Done { end: [_, area], error: [error, area_error], rates: [_, y] } = *done;
+        (self.power(y) * error).abs() + area_error.abs() / area.max(1.0)
     }
 }
 

@@ -1,4 +1,4 @@
-use crate::number::elementary::{exp_m1, hypot, pow};
+use crate::number::elementary::{exp_m1, hypot};
 use nalgebra::Vector2;
 
 use crate::contact::conditions::ELASTIC_SHARE;
@@ -8,7 +8,7 @@ use crate::laws::{elasto_plastic, stribeck};
 use crate::model::ramp;
 use crate::model::{Derivatives, Fault, Law, Model, ModelExchange, Preset};
 use crate::number::Mask;
-use crate::numerics::runge_kutta::dormand_prince;
+use crate::numerics::runge_kutta::{dormand_prince_from, growth};
 use crate::numerics::vector::{Component, direction, length, only, remainder};
 
 crate::model! {
@@ -258,6 +258,7 @@ impl Bristle {
     fn plastic(self, kappa: f64, distance: f64) -> Bristle {
         let mut at = [self.along, self.across, self.area];
         let (mut left, mut piece) = (distance, 0.01 * (1.0 - kappa));
+        let mut first = rates(kappa, at);
         while left > 0.0 {
             let [along, across, area] = at;
             if hypot(along - 1.0, across) < NEAR * (1.0 - kappa) {
@@ -266,18 +267,21 @@ impl Bristle {
                 break;
             }
             let length = piece.min(left);
-            let (next, error) = dormand_prince(|_, at| rates(kappa, at), at, length);
+            let next = dormand_prince_from(first, |_, at| rates(kappa, at), at, length);
+            let error = next.error;
             let deflection = hypot(error[0], error[1]) / hypot(at[0], at[1]).max(1.0);
             let error = f64::max(deflection, error[2].abs() / at[2].abs().max(1.0)) / TOLERANCE;
             // A length that vanishes means numbers out of range: the caller refuses the result.
             if error <= 1.0 || length <= 1e-14 || error.is_nan() {
-                at = next;
+                (at, first) = (next.end, next.rates);
                 left = if length < left { left - length } else { 0.0 };
             }
             if error.is_nan() {
                 break;
             }
-            piece = length * (0.9 * pow(error, -0.2)).clamp(0.2, 5.0);
+            if left > 0.0 {
+                piece = length * growth(error);
+            }
         }
         Bristle { along: at[0], across: at[1], area: at[2] }
     }

@@ -2,8 +2,7 @@
 
 use crate::model::ramp::{Inputs, set_inputs};
 use crate::model::{Described, Model, row_of, row_of_mut};
-use crate::number::elementary::pow;
-use crate::numerics::runge_kutta::dormand_prince;
+use crate::numerics::runge_kutta::{dormand_prince, growth};
 
 /// Error allowed in a piece of a step, relative to the larger of the state and its nominal value (chosen).
 const TOLERANCE: f64 = 1e-10;
@@ -73,9 +72,7 @@ fn advance_by<M: Model, const N: usize>(model: &mut M, slope: Option<&M>, dt: f6
         let length = end - time;
         let (next, error) = dormand_prince(|since, at| motion.rates(time + since, at), at, length);
         let error = largest::<M, N>(&columns, next, error) / TOLERANCE;
-        // The estimate is of fifth order; safety factor and limits as usual in step-size control.
-        let factor = 0.9 * pow(error, -0.2);
-        piece = length * if factor.is_nan() { 0.2 } else { factor.clamp(0.2, 5.0) };
+        piece = length * growth(error);
         if error <= 1.0 {
             motion.put(end, next);
             let after = motion.model.branches();

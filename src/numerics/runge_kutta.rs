@@ -1,5 +1,17 @@
 //! Integration of ordinary differential equations that are not stiff.
 
+use crate::number::elementary::pow;
+
+/// Result of a step.
+pub struct Done<const N: usize> {
+    /// Result of order 5.
+    pub end: [f64; N],
+    /// Its difference to that of order 4.
+    pub error: [f64; N],
+    /// Rates at the end.
+    pub rates: [f64; N],
+}
+
 /// One step of the method of Dormand and Prince (1980), doi:10.1016/0771-050X(80)90013-3: the result of order 5 and its
 /// difference to that of order 4. The rates are functions of the time since the beginning of the step and of the state.
 pub fn dormand_prince<const N: usize>(
@@ -7,6 +19,17 @@ pub fn dormand_prince<const N: usize>(
     at: [f64; N],
     h: f64,
 ) -> ([f64; N], [f64; N]) {
+    let done = dormand_prince_from(rates(0.0, at), rates, at, h);
+    (done.end, done.error)
+}
+
+/// As [`dormand_prince`], with the rates at the beginning of the step: those at the end of the step before.
+pub fn dormand_prince_from<const N: usize>(
+    first: [f64; N],
+    mut rates: impl FnMut(f64, [f64; N]) -> [f64; N],
+    at: [f64; N],
+    h: f64,
+) -> Done<N> {
     const A: [&[f64]; 6] = [
         &[1.0 / 5.0],
         &[3.0 / 40.0, 9.0 / 40.0],
@@ -19,7 +42,7 @@ pub fn dormand_prince<const N: usize>(
     const E: [f64; 7] =
         [71.0 / 57600.0, 0.0, -71.0 / 16695.0, 71.0 / 1920.0, -17253.0 / 339_200.0, 22.0 / 525.0, -1.0 / 40.0];
     let mut k = [[0.0; N]; 7];
-    k[0] = rates(0.0, at);
+    k[0] = first;
     let change = |k: &[[f64; N]; 7], weights: &[f64], i: usize| {
         h * weights.iter().zip(k).map(|(weight, rates)| weight * rates[i]).sum::<f64>()
     };
@@ -28,7 +51,20 @@ pub fn dormand_prince<const N: usize>(
         next = std::array::from_fn(|i| at[i] + change(&k, weights, i));
         k[stage + 1] = rates(C[stage] * h, next);
     }
-    (next, std::array::from_fn(|i| change(&k, &E, i)))
+    Done { end: next, error: std::array::from_fn(|i| change(&k, &E, i)), rates: k[6] }
+}
+
+/// Factor from the length of a step to that of the next one, by the error as a multiple of the tolerated one. The
+/// estimate is of fifth order; safety factor and limits are those usual in step-size control.
+pub fn growth(error: f64) -> f64 {
+    const LEAST: f64 = 0.2;
+    const MOST: f64 = 5.0;
+    // Far below the tolerance there is no need for the root.
+    if error < 1e-4 {
+        return MOST;
+    }
+    let factor = 0.9 * pow(error, -0.2);
+    if factor.is_nan() { LEAST } else { factor.clamp(LEAST, MOST) }
 }
 
 #[cfg(test)]
