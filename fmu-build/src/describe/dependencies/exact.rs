@@ -14,7 +14,7 @@ use stribeck::model::{self, Evaluate, InLanes, Model, ModelType, Steps, Visitor}
 use super::expression::{Expression, Id};
 use super::tracked::{Course, Found, Others, Question, Tracked, applied, on_course};
 
-/// Courses that are followed at most (chosen; the present models take up to 828).
+/// Courses that are followed at most (chosen; the present models take up to 200).
 const MOST: usize = 20_000;
 
 thread_local! {
