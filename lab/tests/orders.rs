@@ -343,7 +343,7 @@ fn what_cannot_be_run_without_events_or_with_them_is_refused() {
             "CoulombStiction",
             Name::Bdf,
             false,
-            "friction: CoulombStiction sticks and slips at events; it does not move without",
+            "friction: CoulombStiction: comes to rest at an event; without events it would never stick",
         ),
     ] {
         let system = System::assemble(&Source::open("belt").unwrap(), Some(law), &[]).unwrap();

@@ -169,6 +169,11 @@ pub struct Preset {
     pub values: &'static [(&'static str, f64)],
 }
 
+/// Fault of a model that [`Model::check_without_events`] rejects.
+pub(crate) fn rests_at_events() -> Fault {
+    Fault::new(format_args!("comes to rest at an event; without events it would never stick"))
+}
+
 /// The part of a model beside its table: how it moves in time.
 pub trait Model: Described + Law<Number = f64> {
     /// Number of event indicators.
@@ -214,6 +219,12 @@ pub trait Model: Described + Law<Number = f64> {
     /// Rejects parameters with which the model is for co-simulation only.
     fn check_model_exchange(&self) -> Result<(), Fault> {
         Ok(())
+    }
+
+    /// Rejects parameters with which the model comes to rest at events only: with a solver that has none it would never
+    /// stick. By default a model with a state that events settle does.
+    fn check_without_events(&self) -> Result<(), Fault> {
+        if Self::TABLE.iter().any(Variable::is_settled_by_events) { Err(rests_at_events()) } else { Ok(()) }
     }
 
     /// Writes functions that change sign where derivatives or outputs jump, so that an importer finds the instant. A

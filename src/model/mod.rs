@@ -16,10 +16,10 @@ mod steps;
 pub(crate) use crate::table::Brief;
 pub use crate::table::*;
 pub use declare::{list, start};
-pub(crate) use equations::is_for_exchange;
 pub use equations::{
     CoSimulation, Columns, Derivatives, Described, Interface, Law, Model, ModelExchange, Numbers, Preset, Width,
 };
+pub(crate) use equations::{is_for_exchange, rests_at_events};
 pub use evaluate::{Evaluate, memory_in, output_in, rate_in};
 pub use family::Visitor;
 pub(crate) use family::family;

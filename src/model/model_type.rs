@@ -51,6 +51,7 @@ pub struct ModelType {
     rate: Rate,
     rate_dual: fn(&[Dual], &mut [Dual]),
     check_model_exchange: fn(&[f64]) -> Result<(), Fault>,
+    check_without_events: fn(&[f64]) -> Result<(), Fault>,
     indicate: fn(&[f64], &mut [f64]),
     at_event: fn(&mut [f64], &mut [f64], Room) -> bool,
 }
@@ -93,6 +94,7 @@ impl ModelType {
             },
             rate_dual: super::rate_in::<M, Dual>,
             check_model_exchange: |row| view::<M, f64>(row).check_model_exchange(),
+            check_without_events: |row| view::<M, f64>(row).check_without_events(),
             indicate: |row, indicators| view::<M, f64>(row).event_indicators(indicators),
             at_event: |row, memory, room| commit::<M>(row, memory, room, 0, |model, _| model.at_event()),
         }
@@ -251,6 +253,11 @@ impl ModelType {
     /// Refuses parameters with which the model is for co-simulation only.
     pub fn check_model_exchange(&self, row: &[f64]) -> Result<(), Fault> {
         (self.check_model_exchange)(row)
+    }
+
+    /// Refuses parameters with which the model needs the events of Model Exchange.
+    pub fn check_without_events(&self, row: &[f64]) -> Result<(), Fault> {
+        (self.check_without_events)(row)
     }
 
     /// Writes the event indicators.

@@ -308,6 +308,12 @@ impl FrictionLaw {
             .map_or(Ok(()), |law| law.check_model_exchange(&self.given(levels, &self.loaded_at_rest()), &self.law))
     }
 
+    /// Refuses a law that sticks and slips at events.
+    pub(crate) fn check_without_events(&self, levels: &Levels) -> Result<(), Fault> {
+        self.chosen()
+            .map_or(Ok(()), |law| law.check_without_events(&self.given(levels, &self.loaded_at_rest()), &self.law))
+    }
+
     /// Event indicators of the law; 1 for an event that never occurs.
     pub(crate) fn indicators(&self, levels: &Levels, touch: &Touch<f64>, memory: &[f64; MEMORY]) -> [f64; MOST_EVENTS] {
         let mut indicators = [1.0; MOST_EVENTS];

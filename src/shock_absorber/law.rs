@@ -240,6 +240,16 @@ impl ChosenLaw {
         })
     }
 
+    /// Refuses a law that sticks and slips at events.
+    pub(crate) fn check_without_events(self, given: &Given<f64>, parameters: &LawParameters) -> Result<(), Fault> {
+        let name = self.0.model.name;
+        let named = |fault: Fault| Fault::new(format_args!("friction.model = {name}: {}", fault.0));
+        self.on_row(|row| {
+            self.fill(row, given, parameters, &self.start());
+            self.0.model.check_without_events(row).map_err(named)
+        })
+    }
+
     /// Event indicators of the law.
     pub(crate) fn indicate(
         self,

@@ -472,6 +472,10 @@ impl Model for ShockAbsorber {
         self.setting.friction.check_model_exchange(&self.setting.c1)
     }
 
+    fn check_without_events(&self) -> Result<(), Fault> {
+        self.setting.friction.check_without_events(&self.setting.c1)
+    }
+
     fn event_indicators(&self, indicators: &mut [f64]) {
         let touches = self.setting.touches(&self.setting.motion());
         self.with_memories(|memories| {

@@ -1,8 +1,10 @@
 //! Model Exchange: events, phases and event indicators.
 
-use crate::common::Bench;
+use crate::common::random::Random;
+use crate::common::{Bench, rows};
 use crate::{axes, friction_models, set_velocity};
 use approx::abs_diff_eq;
+use stribeck::model::ModelType;
 
 /// Without load in Model Exchange: an event indicator changes its sign where the load vanishes, and the event releases
 /// the contact. Its changes are declared.
@@ -177,4 +179,41 @@ fn leaving_and_entering_the_band_are_events() {
         bench.instance.indicate(&mut indicators).expect("finite indicators");
         assert!(indicators[0] < 0.0, "{indicators:?}");
     }
+}
+
+/// Force, power and rates of a row in a phase; none if Model Exchange refuses them.
+fn driven_by(model: &ModelType, row: &[f64], phase: f64) -> Option<Vec<f64>> {
+    let mut row = row.to_vec();
+    row[model.find("phase")?] = phase;
+    let is_given = model.check_model_exchange(&row).is_ok() && model.output(&mut row);
+    let outputs = ["friction_force", "dissipated_power"].map(|name| row[model.find(name).expect("an output")]);
+    let mut rates = vec![0.0; row.len()];
+    model.rate(&row, &mut rates);
+    is_given.then(|| outputs.into_iter().chain(rates).collect())
+}
+
+/// A law that needs no events moves in the same way in every phase, and one that needs them does not.
+#[test]
+fn laws_that_run_without_events_follow_no_phase() {
+    let (mut random, mut needing, mut free) = (Random(11), Vec::new(), 0);
+    for model in friction_models().filter(|model| model.model_exchange && model.find("phase").is_some()) {
+        let (mut rejected, mut differing) = (0, 0);
+        for _ in 0..500 {
+            let row = rows::row(model, random.next(), &mut random);
+            let phases = [1.0, 2.0, 3.0, 4.0].map(|phase| driven_by(model, &row, phase));
+            let differs = phases.iter().any(|phase| *phase != phases[0]);
+            if model.check_without_events(&row).is_ok() {
+                assert!(!differs, "{}: {row:?}", model.name);
+                free += 1;
+            } else {
+                rejected += 1;
+                differing += usize::from(differs);
+            }
+        }
+        assert!(rejected == 0 || differing > 0, "{} needs no events", model.name);
+        needing.extend((rejected > 0).then_some(model.name));
+    }
+    assert!(free > 2000);
+    let without_curve = ["Coulomb", "CoulombStiction", "CoulombViscous", "Karnopp", "Stribeck"];
+    assert!(without_curve.iter().all(|law| needing.contains(law)), "{needing:?}");
 }

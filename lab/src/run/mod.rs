@@ -134,16 +134,13 @@ fn start(system: &System, solver: Solver, settings: &Settings, sources: &[WireSo
     Ok(Ran { end, statistics, time, values, parts: Vec::new() })
 }
 
-/// Refuses parts that would stay in the phase in which they begin.
+/// Refuses parts that come to rest at events only.
 fn needs_no_events(system: &System) -> Result<(), Fault> {
-    let is_settled = |part: &&Part| part.model.table.iter().any(|variable| variable.is_settled_by_events());
-    match system.parts.iter().find(is_settled) {
-        Some(Part { name, model, .. }) => {
-            let text = format_args!("{name}: {} sticks and slips at events; it does not move without", model.name);
-            Err(Fault::value(text))
-        }
-        None => Ok(()),
+    for Part { name, model, row, .. } in &system.parts {
+        let refused = |fault| Fault::value(format_args!("{name}: {}: {fault}", model.name));
+        model.check_without_events(row).map_err(refused)?;
     }
+    Ok(())
 }
 
 /// Runs the equations of motion.

@@ -312,6 +312,12 @@ macro_rules! memoryless {
             self.time_stepping.check_model_exchange()
         }
 
+        fn check_without_events(&self) -> Result<(), $crate::model::Fault> {
+            // A curve through rest is followed without; its phase only says whether it counts as sticking.
+            let band = $crate::contact::time_stepping::Curve::band(self);
+            band.map_or_else(|| Err($crate::model::rests_at_events()), |_| Ok(()))
+        }
+
         fn event_indicators(&self, indicators: &mut [f64]) {
             $crate::contact::time_stepping::Holding::contact(self).write_indicators(indicators);
         }
