@@ -90,11 +90,13 @@ fn the_benchmark_writes_a_page_and_a_table() {
     );
     let table = text(&folder.path().join("benchmark.csv"));
     let mut rows = csv::Reader::from_reader(table.as_bytes());
-    let located = rows.records().map(|row| row.expect("a row")).find(|row| &row[1] == "rodas5p" && &row[3] == "true");
-    let located = located.expect("a run with rodas5p");
+    let rows: Vec<csv::StringRecord> = rows.records().map(|row| row.expect("a row")).collect();
+    let of_ours = |events: &str| rows.iter().find(|row| &row[1] == "rodas5p" && &row[3] == events).expect("a run");
+    let [located, refused] = ["true", "false"].map(of_ours);
     let number = |column: usize| located[column].parse::<f64>().expect("a number");
     assert!(number(10) < 1e-7 && number(11) < 1e-7, "errors of motion and switching: {located:?}");
     assert_eq!(&located[12], "right");
+    assert!(&refused[12] == "refused" && refused[13].contains("never stick"), "{refused:?}");
     assert!(text(&folder.path().join("benchmark.md")).contains("| CoulombStiction | "));
 }
 

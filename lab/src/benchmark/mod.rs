@@ -49,23 +49,50 @@ pub struct Measurement {
     pub error: Option<f64>,
     /// Largest error of a time of switching, in s; none if their number differs from that of the reference.
     pub switching: Option<f64>,
-    /// How the run ended.
-    pub end: End,
+    /// How the run ended, or why there was none.
+    pub end: Result<End, String>,
 }
 
 impl Measurement {
-    /// The verdict of the thesis' tables.
+    /// The verdict of the thesis' tables; a run that was refused has none of theirs.
     pub fn verdict(&self) -> &'static str {
-        match self.error {
-            None => "DNC",
-            Some(error) if error <= RIGHT => "right",
-            Some(_) => "wrong",
+        match (&self.end, self.error) {
+            (Err(_), _) => "refused",
+            (Ok(_), None) => "DNC",
+            (Ok(_), Some(error)) if error <= RIGHT => "right",
+            (Ok(_), Some(_)) => "wrong",
         }
+    }
+
+    /// How it ended, in words.
+    pub fn reason(&self) -> String {
+        self.end.as_ref().map_or_else(Clone::clone, End::to_string)
+    }
+
+    /// A trial that was refused.
+    fn refused(law: String, trial: Trial, fault: &Fault) -> Measurement {
+        let (counts, time, end) = ([0; 5], Duration::ZERO, Err(fault.to_string()));
+        Measurement { law, trial, counts, time, error: None, switching: None, end }
     }
 }
 
-/// Runs a law with a solver several times.
+/// Runs a law with a solver several times. What is refused is a result as well.
 pub fn measure(
+    system: &System,
+    reference: &Reference,
+    trial: Trial,
+    settings: &Settings,
+    repeats: usize,
+) -> Measurement {
+    let measured = try_to_measure(system, reference, trial, settings, repeats);
+    measured.unwrap_or_else(|fault| Measurement::refused(law(system), trial, &fault))
+}
+
+fn law(system: &System) -> String {
+    system.law.map_or(String::new(), |law| law.name.to_owned())
+}
+
+fn try_to_measure(
     system: &System,
     reference: &Reference,
     trial: Trial,
@@ -87,13 +114,13 @@ pub fn measure(
     let (steps, rejected) = (statistics.steps, statistics.rejected);
     let counts = [steps, rejected, statistics.evaluations, statistics.jacobians, outcome.events.len() as u64];
     Ok(Measurement {
-        law: system.law.map_or(String::new(), |law| law.name.to_owned()),
+        law: law(system),
         trial,
         counts,
         time: times[times.len() / 2],
         error: outcome.is_reached().then(|| reference.error(position(&outcome))),
         switching: reference.switching(&outcome.events),
-        end: outcome.end,
+        end: Ok(outcome.end),
     })
 }
 

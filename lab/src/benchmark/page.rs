@@ -22,7 +22,11 @@ const CLASSES: [(&str, &str); 4] =
     [("dopri5", "ode45"), ("bdf", "ode15s"), ("rosenbrock23", "ode23s"), ("dop853", "ode78")];
 
 /// The page of a benchmark: its table at the tolerance of the thesis, and the runs that were not right.
-pub fn page(measurements: &[Measurement], references: &[(String, Option<Reference>)], tolerance: f64) -> String {
+pub fn page(
+    measurements: &[Measurement],
+    references: &[(String, Result<Reference, String>)],
+    tolerance: f64,
+) -> String {
     let mut text = format!("{HEAD}\n");
     text += &format!(
         "A motion is *right* if its position is never off by more than {} mm, *DNC* means that the solver did not come to \
@@ -40,7 +44,7 @@ const HEAD: &str = "# Benchmark
 
 Every law of the catalogue on the belt of Table 6.1 (40 s, 400,001 results, relative and absolute tolerance 1e-8), with
 the solver classes of F. Novais (2024), Tables 6.3, 6.5 and 7.2, and with ours. `stribeck bench thesis` writes this page
-and `benchmark.csv`, which also has the work-precision data: nine tolerances, events located and not.
+and `benchmark.csv`; with `--work-precision` the table there has nine tolerances, events located and not.
 
 Times are medians on the machine that made the page: compare them with each other, not with those of the thesis. They
 include the 400,001 results.
@@ -63,15 +67,16 @@ fn laws(measurements: &[Measurement]) -> Vec<&str> {
 
 fn find<'a>(all: &'a [Measurement], law: &str, solver: Solver, tolerance: f64) -> Option<&'a Measurement> {
     let fits = |one: &&Measurement| one.law == law && one.trial.solver == solver && one.trial.tolerance == tolerance;
-    // Where both were run, the run that locates events.
-    all.iter().filter(fits).max_by_key(|one| one.trial.events)
+    let located = all.iter().filter(fits).find(|one| one.trial.events && one.end.is_ok());
+    located.or_else(|| all.iter().find(|one| fits(one) && !one.trial.events))
 }
 
 /// Evaluations, milliseconds and verdict of each law and solver.
 fn table(measurements: &[Measurement], tolerance: f64) -> String {
     let solvers = solvers(measurements);
-    let mut text =
-        String::from("## All laws, all solvers\n\nEvaluations of the rates / ms / largest error in m.\n\n| law |");
+    let mut text = String::from(
+        "## All laws, all solvers\n\nEvaluations of the rates / ms / largest error in m. Events are located where the solver can do so.\n\n| law |",
+    );
     for solver in &solvers {
         let class = CLASSES.iter().find(|(name, _)| *name == solver.to_string());
         text += &class.map_or_else(|| format!(" {solver} |"), |(_, class)| format!(" {solver} ({class}) |"));
@@ -92,13 +97,13 @@ fn cell(one: &Measurement) -> String {
     match one.error {
         Some(error) if one.verdict() == "right" => format!(" {} / {ms:.1} / {error:.0e} |", one.counts[2]),
         Some(error) => format!(" {} / {ms:.1} / **{error:.0e}** |", one.counts[2]),
-        None => " DNC |".to_owned(),
+        None => format!(" {} |", one.verdict()),
     }
 }
 
 fn thesis() -> String {
     let mut text = String::from(
-        "## Table 6.5 of the thesis\n\nAverage times in s in MATLAB, on a machine that the thesis does not name.\n\n| law | ode45 | ode15s | ode23s | ode78 |\n|---|---|---|---|---|\n",
+        "## Table 6.5 of the thesis\n\nAverage times in s in MATLAB, on a machine that the thesis does not name. The times of its Tables 6.3 and 7.2 were not available.\n\n| law | ode45 | ode15s | ode23s | ode78 |\n|---|---|---|---|---|\n",
     );
     for (law, times) in TABLE_6_5 {
         let times = times.map(|time| time.map_or("DNC".to_owned(), |time| format!("{time:.4}")));
@@ -112,23 +117,34 @@ fn failures(measurements: &[Measurement], tolerance: f64) -> String {
     let mut text = String::from(
         "## Runs that were not right\n\n| law | solver | events | verdict | how it ended |\n|---|---|---|---|---|\n",
     );
-    let at = |one: &&Measurement| one.trial.tolerance == tolerance && one.verdict() != "right";
-    for one in measurements.iter().filter(at) {
+    // One row for all solvers that ended in the same way.
+    let mut rows: Vec<(&Measurement, Vec<String>)> = Vec::new();
+    for one in measurements.iter().filter(|one| one.trial.tolerance == tolerance && one.verdict() != "right") {
+        let is_same = |(other, _): &&mut (&Measurement, Vec<String>)| {
+            (&one.law, one.trial.events, &one.end) == (&other.law, other.trial.events, &other.end)
+        };
+        match rows.iter_mut().find(is_same) {
+            Some((_, solvers)) => solvers.push(one.trial.solver.to_string()),
+            None => rows.push((one, vec![one.trial.solver.to_string()])),
+        }
+    }
+    for (one, solvers) in rows {
         let events = if one.trial.events { "located" } else { "stepped over" };
-        text += &format!("| {} | {} | {events} | {} | {} |\n", one.law, one.trial.solver, one.verdict(), one.end);
+        let (solvers, verdict) = (solvers.join(", "), one.verdict());
+        text += &format!("| {} | {solvers} | {events} | {verdict} | {} |\n", one.law, one.reason());
     }
     text + "\n"
 }
 
 /// Laws whose reference is uncertain.
-fn uncertain(references: &[(String, Option<Reference>)]) -> String {
+fn uncertain(references: &[(String, Result<Reference, String>)]) -> String {
     let mut text = String::from(
         "## References\n\nEach motion is compared with a run at the tolerance named here; the uncertainty is its largest difference from a\nrun at ten times that tolerance.\n\n| law | tolerance | uncertainty in m |\n|---|---|---|\n",
     );
     for (law, reference) in references {
         text += &match reference {
-            Some(reference) => format!("| {law} | {:e} | {:.0e} |\n", reference.tolerance, reference.uncertainty),
-            None => format!("| {law} | - | no reference: the solver does not come to the end |\n"),
+            Ok(reference) => format!("| {law} | {:e} | {:.0e} |\n", reference.tolerance, reference.uncertainty),
+            Err(reason) => format!("| {law} | - | not measured, since it has no reference: {reason} |\n"),
         };
     }
     text

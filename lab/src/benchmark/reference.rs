@@ -19,17 +19,16 @@ pub struct Reference {
 const TOLERANCES: [f64; 2] = [1e-12, 1e-8];
 
 impl Reference {
-    /// The reference of a system. None if it cannot be computed.
-    pub fn of(system: &System, settings: &Settings) -> Result<Option<Reference>, Fault> {
+    /// The reference of a system, or why it has none.
+    pub fn of(system: &System, settings: &Settings) -> Result<Reference, String> {
         let solver = Solver::Auto.for_system(system);
         let tolerance = if solver == Solver::Steps { TOLERANCES[1] } else { TOLERANCES[0] };
         let at = |tolerance: f64| {
-            run(system, &Settings { solver, tolerance, events: true, ..*settings }, &[POSITION.to_owned()])
+            let settings = Settings { solver, tolerance, events: true, ..*settings };
+            let outcome = run(system, &settings, &[POSITION.to_owned()]).map_err(|fault: Fault| fault.to_string())?;
+            if outcome.is_reached() { Ok(outcome) } else { Err(format!("at {tolerance:e}: {}", outcome.end)) }
         };
         let (coarse, fine) = (at(10.0 * tolerance)?, at(tolerance)?);
-        if !(coarse.is_reached() && fine.is_reached()) {
-            return Ok(None);
-        }
         let mut reference = Reference {
             position: position(&fine).to_vec(),
             events: fine.events.iter().map(|event| event.time).collect(),
@@ -37,7 +36,7 @@ impl Reference {
             uncertainty: 0.0,
         };
         reference.uncertainty = reference.error(position(&coarse));
-        Ok(Some(reference))
+        Ok(reference)
     }
 
     /// Largest difference of a position from this one.

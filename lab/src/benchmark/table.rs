@@ -20,7 +20,7 @@ pub fn csv(measurements: &[Measurement]) -> String {
             number(one.error),
             number(one.switching),
             one.verdict(),
-            one.end.to_string().replace('"', "'"),
+            one.reason().replace('"', "'"),
         );
     }
     text
