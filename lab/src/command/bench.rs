@@ -1,9 +1,10 @@
 //! `stribeck bench`: the benchmark of the thesis.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
 use lab::benchmark::{EVERY, Measurement, Reference, Trial, belt, csv, measure, page};
+use lab::picture::{Precision, Theme, work_precision};
 use lab::run::{Settings, Solver};
 use lab::system::{Fault, System};
 use stribeck::catalogue::{Family, documented};
@@ -26,13 +27,16 @@ pub struct Arguments {
     /// Runs of each law and solver, of which the median time counts
     #[arg(long, default_value_t = 3)]
     repeats: usize,
-    /// Also nine tolerances from 1e-3 to 1e-11, with events located and not
+    /// Also nine tolerances from 1e-3 to 1e-11, with events located and not, and their diagrams
     #[arg(long)]
     work_precision: bool,
     /// Folder for benchmark.md and benchmark.csv
     #[arg(long, short, default_value = "out")]
     out: PathBuf,
 }
+
+/// Folder of the work-precision diagrams.
+const PICTURES: &str = "work-precision";
 
 #[derive(Clone, Copy, Debug, ValueEnum)]
 enum Benchmark {
@@ -69,10 +73,31 @@ pub fn bench(arguments: &Arguments) -> Result<Verdict, Failure> {
     bar.finish();
     std::fs::create_dir_all(&arguments.out).map_err(|source| Failure::File { path: arguments.out.clone(), source })?;
     write(&arguments.out.join("benchmark.csv"), csv(&measurements))?;
-    write(&arguments.out.join("benchmark.md"), page(&measurements, &references, arguments.tol))?;
+    let pictures = if arguments.work_precision { draw(&measurements, &laws, &arguments.out)? } else { Vec::new() };
+    write(&arguments.out.join("benchmark.md"), page(&measurements, &references, arguments.tol, &pictures))?;
     println!("{}", arguments.out.join("benchmark.md").display());
     println!("{}", arguments.out.join("benchmark.csv").display());
     Ok(verdict)
+}
+
+/// Draws the work-precision diagrams of each law; returns the names of their files in the folder.
+fn draw(measurements: &[Measurement], laws: &[String], folder: &Path) -> Result<Vec<(String, Vec<String>)>, Failure> {
+    let place = folder.join(PICTURES);
+    std::fs::create_dir_all(&place).map_err(|source| Failure::File { path: place.clone(), source })?;
+    let mut all = Vec::new();
+    for law in laws {
+        let mut files = Vec::new();
+        for (name, precision) in [("motion", Precision::Motion), ("switching", Precision::Switching)] {
+            for (way, events) in [("located", true), ("stepped-over", false)] {
+                let Some(svg) = work_precision(measurements, law, events, precision, Theme::Auto) else { continue };
+                let file = format!("{PICTURES}/{law}-{name}-{way}.svg");
+                write(&folder.join(&file), svg)?;
+                files.push(file);
+            }
+        }
+        all.push((law.clone(), files));
+    }
+    Ok(all)
 }
 
 /// A law with each solver that can run it.

@@ -13,6 +13,9 @@ pub enum Quantity {
     Velocity,
     Acceleration,
     Force,
+    Evaluations,
+    Error,
+    SwitchingError,
 }
 
 impl Quantity {
@@ -25,6 +28,9 @@ impl Quantity {
             Quantity::Velocity => ("Relative velocity", "v", ""),
             Quantity::Acceleration => ("Acceleration", "a", ""),
             Quantity::Force => ("Friction force", "f", "f"),
+            Quantity::Evaluations => ("Evaluations of the rates", "n", ""),
+            Quantity::Error => ("Largest error of the position", "e", "x"),
+            Quantity::SwitchingError => ("Largest error of a time of switching", "e", "t"),
         }
     }
 }
@@ -36,7 +42,7 @@ const CLOSE: f64 = 2e-4;
 /// Part of the range that is left free at both ends.
 const ROOM: f64 = 0.04;
 
-/// An axis: value shown = (value - offset) factor.
+/// An axis: value shown = (value - offset) factor, or its logarithm.
 pub struct Axis {
     pub quantity: Quantity,
     /// Unit of the values shown, as printed.
@@ -48,6 +54,7 @@ pub struct Axis {
     factor: f64,
     offset: f64,
     step: f64,
+    is_logarithmic: bool,
 }
 
 impl Axis {
@@ -72,12 +79,24 @@ impl Axis {
         let largest = if is_constant { size } else { low.abs().max(high.abs()) };
         let (unit, factor) = handy(unit, largest);
         let [low, high] = [low * factor, high * factor];
-        Axis { quantity, unit, from, low, high, factor, offset, step: tick_step((high - low) / count) }
+        let step = tick_step((high - low) / count);
+        Axis { quantity, unit, from, low, high, factor, offset, step, is_logarithmic: false }
+    }
+
+    /// A logarithmic axis for positive values from `low` to `high`, between powers of ten.
+    pub fn powers(quantity: Quantity, unit: &str, [low, high]: [f64; 2]) -> Axis {
+        let low = low.log10().floor();
+        let high = high.log10().ceil().max(low + 1.0);
+        // A tick for each power, or for every second or fifth one.
+        let step = tick_step((high - low) / 8.0).max(1.0);
+        let unit = if unit == "1" { String::new() } else { typeset_unit(unit) };
+        Axis { quantity, unit, from: String::new(), low, high, factor: 1.0, offset: 0.0, step, is_logarithmic: true }
     }
 
     /// Place of a value, as a part of the axis.
     pub fn place(&self, value: f64) -> f64 {
-        ((value - self.offset) * self.factor - self.low) / (self.high - self.low)
+        let shown = if self.is_logarithmic { value.log10() } else { (value - self.offset) * self.factor };
+        (shown - self.low) / (self.high - self.low)
     }
 
     /// Places of the ticks with their texts.
@@ -87,7 +106,9 @@ impl Axis {
         let last = (self.high / self.step + SLACK).floor() as i64;
         (first..=last).map(|number| {
             let value = number as f64 * self.step;
-            ((value - self.low) / (self.high - self.low), decimal(value, decimals(self.step)))
+            let place = (value - self.low) / (self.high - self.low);
+            let is_power = self.is_logarithmic;
+            (place, if is_power { format!("10{}", raised(value)) } else { decimal(value, decimals(self.step)) })
         })
     }
 }
@@ -154,6 +175,15 @@ mod tests {
         ] {
             assert_eq!(unit(Quantity::Position, name, largest), expected, "{largest} {name}");
         }
+    }
+
+    #[test]
+    fn logarithmic_axes_go_from_power_to_power() {
+        let axis = Axis::powers(Quantity::Error, "m", [3e-9, 2e-4]);
+        let ticks: Vec<(f64, String)> = axis.ticks().collect();
+        assert_eq!((ticks.len(), ticks[0].1.as_str(), ticks[6].1.as_str()), (7, "10⁻⁹", "10⁻³"));
+        assert_eq!((axis.place(1e-9), axis.place(1e-6), axis.place(1e-3)), (0.0, 0.5, 1.0));
+        assert_eq!(Axis::powers(Quantity::Evaluations, "1", [10.0, 10.0]).ticks().count(), 2);
     }
 
     #[test]

@@ -3,6 +3,7 @@
 mod axis;
 mod curve;
 mod drawing;
+mod precision;
 mod style;
 mod text;
 mod zoom;
@@ -12,6 +13,7 @@ use std::fmt;
 use resvg::tiny_skia::{Pixmap, Transform};
 use resvg::usvg::Tree;
 
+pub use precision::{Precision, work_precision};
 pub use style::{MOST_LAWS, Theme};
 pub(crate) use text::{escape, typeset_unit};
 
@@ -146,6 +148,8 @@ fn shown(system: &System, quantity: Quantity) -> Option<&str> {
         Quantity::Velocity => named("velocity"),
         Quantity::Acceleration => named("acceleration"),
         Quantity::Force => named("force"),
+        // Of runs, not in them.
+        Quantity::Evaluations | Quantity::Error | Quantity::SwitchingError => None,
     }
 }
 

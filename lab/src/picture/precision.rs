@@ -1,0 +1,110 @@
+//! Work-precision diagrams: what accuracy costs with each solver.
+
+use super::axis::{Axis, Quantity};
+use super::drawing::{Drawing, Line};
+use super::style::{MOST_LAWS, Theme};
+use crate::benchmark::Measurement;
+use crate::run::Solver;
+
+/// Error that a diagram shows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Precision {
+    /// Of the motion.
+    Motion,
+    /// Of the times of switching.
+    Switching,
+}
+
+/// Least error that is shown, in SI units (chosen): below it the rounding of the reference decides.
+const LEAST: f64 = 1e-15;
+
+/// Error over evaluations for the trials of a law with events located, or stepped over; a line for each solver. None if
+/// no solver came to its end at two tolerances.
+pub fn work_precision(
+    measurements: &[Measurement],
+    law: &str,
+    events: bool,
+    precision: Precision,
+    theme: Theme,
+) -> Option<String> {
+    let of_law: Vec<&Measurement> =
+        measurements.iter().filter(|one| one.law == law && one.trial.events == events).collect();
+    let mut solvers: Vec<Solver> = Vec::new();
+    of_law.iter().for_each(|one| {
+        if !solvers.contains(&one.trial.solver) {
+            solvers.push(one.trial.solver);
+        }
+    });
+    let lines = solvers.iter().map(|solver| line(&of_law, *solver, precision));
+    let lines: Vec<Line> = lines.filter(|line| line.points.len() > 1).take(MOST_LAWS).collect();
+    let points = || lines.iter().flat_map(|line| &line.points);
+    let range = |axis: usize| {
+        let ends = (f64::INFINITY, f64::NEG_INFINITY);
+        let (low, high) = points().fold(ends, |(low, high), point| (low.min(point[axis]), high.max(point[axis])));
+        [low, high]
+    };
+    points().next()?;
+    let (quantity, unit, what) = match precision {
+        Precision::Motion => (Quantity::Error, "m", "Error of the motion"),
+        Precision::Switching => (Quantity::SwitchingError, "s", "Error of the switching"),
+    };
+    let axes = [Axis::powers(Quantity::Evaluations, "1", range(0)), Axis::powers(quantity, unit, range(1))];
+    let title = format!("{law}: {what}, events {}", if events { "located" } else { "stepped over" });
+    Some(Drawing { title: &title, axes: &axes, lines: &lines, theme }.svg())
+}
+
+/// The trials of a solver, from the loosest tolerance on.
+fn line(measurements: &[&Measurement], solver: Solver, precision: Precision) -> Line {
+    let mut trials: Vec<&&Measurement> = measurements.iter().filter(|one| one.trial.solver == solver).collect();
+    trials.sort_by(|a, b| b.trial.tolerance.total_cmp(&a.trial.tolerance));
+    let point = |one: &&Measurement| {
+        let error = match precision {
+            Precision::Motion => one.error,
+            Precision::Switching => one.switching,
+        };
+        Some([one.counts[2] as f64, error?.max(LEAST)])
+    };
+    let points = trials.into_iter().filter_map(point).collect();
+    Line { name: solver.to_string(), points, is_cut: false }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::time::Duration;
+
+    use super::*;
+    use crate::benchmark::Trial;
+    use crate::solve::End;
+
+    fn trial(solver: Solver, tolerance: f64, evaluations: u64, error: f64) -> Measurement {
+        Measurement {
+            law: "LuGre".to_owned(),
+            trial: Trial { solver, tolerance, events: true },
+            counts: [0, 0, evaluations, 0, 0],
+            time: Duration::ZERO,
+            error: Some(error),
+            switching: None,
+            end: Ok(End::Reached),
+        }
+    }
+
+    #[test]
+    fn each_solver_with_two_runs_has_a_line() {
+        let trials = [
+            trial(Solver::Bdf, 1e-6, 300, 1e-5),
+            trial(Solver::Rodas5P, 1e-4, 100, 1e-3),
+            trial(Solver::Rodas5P, 1e-6, 200, 1e-6),
+            trial(Solver::Bdf, 1e-4, 90, 2e-3),
+            trial(Solver::Dopri5, 1e-4, 800, 1e-4),
+        ];
+        let of_law = trials.each_ref();
+        assert_eq!(line(&of_law, Solver::Bdf, Precision::Motion).points, [[90.0, 2e-3], [300.0, 1e-5]]);
+        let draw = |law, events, precision| work_precision(&trials, law, events, precision, Theme::Light);
+        let svg = draw("LuGre", true, Precision::Motion).expect("a picture");
+        assert!(svg.contains("bdf") && svg.contains("rodas5p") && !svg.contains("dopri5"), "{svg}");
+        assert!(svg.contains("10⁻⁶") && svg.contains("10³"), "{svg}");
+        let absent = [("Dahl", true, Precision::Motion), ("LuGre", false, Precision::Motion)];
+        assert!(absent.into_iter().all(|(law, events, precision)| draw(law, events, precision).is_none()));
+        assert!(draw("LuGre", true, Precision::Switching).is_none());
+    }
+}
