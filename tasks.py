@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """The project's tasks. Needs Python 3.11 and Rust; the first task that needs more installs it into .venv.
 
-    python3 tasks.py demo     pack the FMUs, run each of them from Python, draw the results
+    python3 tasks.py demo     pack the FMUs, run each of them from Python, draw the results, compare solvers
     python3 tasks.py test     every check and test of the project
     python3 tasks.py bench    the benchmarks
     python3 tasks.py pack     the FMUs into dist/
@@ -51,6 +51,12 @@ PYTHON = PROGRAMS / ("python.exe" if WINDOWS else "python")
 # With the benchmark, cargo chooses the features of all crates as for the tests: what it has built for them is not built
 # again with fewer.
 AS_TESTED = ["--workspace", "--bench", "stribeck"]
+
+# Those of Table 6.5 of the thesis.
+LAWS_OF_BENCHMARK = [
+    *("Karnopp", "BengisuAkay", "Andersson", "Awrejcewicz"),
+    *("Specker", "LinearStiction", "Hollars", "BrownMcPhee"),
+]
 
 # The parts of the library that contain code.
 CRATES = ["--package", "stribeck", "--package", "stribeck-ffi"]
@@ -268,10 +274,12 @@ def pack(*fmu_build: str | Path) -> None:
 
 
 def demo() -> None:
-    """Packs the FMUs and runs each of them from Python."""
+    """Packs the FMUs and runs each of them from Python; then compares solvers on the belt of the thesis."""
     setup()
     pack()
     run(PYTHON, "examples/fmpy/demo.py")
+    stribeck = ["cargo", "run", "--release", "--package", "lab", "--bin", "stribeck", "--"]
+    run(*stribeck, "bench", "thesis", "--law", ",".join(LAWS_OF_BENCHMARK), "--out", "out/benchmark")
 
 
 def check_style() -> None:
@@ -458,8 +466,8 @@ def clean() -> None:
 
 # Description of each task, printed when it starts. The times are those of a first run on two cores.
 TASKS = {
-    demo: "install the Python packages, build and pack the FMUs, run each of them, draw the results: 5 to 9 minutes, "
-    "then about 2",
+    demo: "install the Python packages, build and pack the FMUs, run each of them, draw the results, compare "
+    "solvers: 7 to 11 minutes, then about 2",
     test: "check formatting and lints, run the Rust, C and Python tests: 15 to 25 minutes, then about 12",
     bench: "build and run the benchmarks: 3 to 7 minutes",
     pack: "build the library and pack every model as an FMU into dist/: 1 to 2 minutes",
