@@ -4533,6 +4533,59 @@ typedef enum stribeck_elasto_plastic_planar_variable {
   STRIBECK_ELASTO_PLASTIC_PLANAR_STICKING = 553311409,
 } stribeck_elasto_plastic_planar_variable;
 
+/** Guid of RollingResistance for fmi2Instantiate. */
+#define STRIBECK_ROLLING_RESISTANCE_GUID "{c4503833-cda1-d975-533c-453021f5bf8b}"
+
+/** RollingResistance: Rolling resistance of a wheel, by its lever arm. Variables of "RollingResistance". */
+typedef enum stribeck_rolling_resistance_variable {
+  /** in [m/s]: Sliding velocity of body 1 relative to body 2. (default 0) */
+  STRIBECK_ROLLING_RESISTANCE_VELOCITY = 846470194,
+  /** in [N]: Normal force that presses the surfaces together. (>= 0, default 9.81) */
+  STRIBECK_ROLLING_RESISTANCE_NORMAL_FORCE = 5891938,
+  /** in [N]: Resultant of all other tangential forces on body 1; see Coupling if body 2 accelerates. (default 0) */
+  STRIBECK_ROLLING_RESISTANCE_EXTERNAL_FORCE = 1336490458,
+  /** tunable [m]: Distance of the normal force ahead of the wheel's centre (default chosen). (>= 0, default 0.003) */
+  STRIBECK_ROLLING_RESISTANCE_LEVER_ARM = 1681494142,
+  /** tunable [m]: Radius of the wheel (default chosen). (> 0, default 0.3) */
+  STRIBECK_ROLLING_RESISTANCE_WHEEL_RADIUS = 279851015,
+  /** tunable [kg]: Effective mass of the body to be held at rest, better too small than too large; 0 = law as printed.
+   *  (>= 0, default 0) */
+  STRIBECK_ROLLING_RESISTANCE_MASS = 1601648849,
+  /** fixed [stribeck_exchange_order]: Order in which the master exchanges values; used with mass > 0.
+   *  (default Sequential) */
+  STRIBECK_ROLLING_RESISTANCE_EXCHANGE = 1692658528,
+  /** state [s]: Length of the last step; 0 before the first one. (>= 0, default 0) */
+  STRIBECK_ROLLING_RESISTANCE_STEP_SIZE = 843244609,
+  /** state [s]: Step for which a parallel exchange plans: the longest recent one. (>= 0, default 0) */
+  STRIBECK_ROLLING_RESISTANCE_PLANNING_STEP = 1287183179,
+  /** state [N]: Force planned for the coming step of a parallel exchange. (default 0) */
+  STRIBECK_ROLLING_RESISTANCE_PLANNED_FORCE = 30514517,
+  /** state [m/s]: Velocity at the end of the last step. (default 0) */
+  STRIBECK_ROLLING_RESISTANCE_END_VELOCITY = 1478402472,
+  /** state [N]: External force at the end of the last step. (default 0) */
+  STRIBECK_ROLLING_RESISTANCE_END_EXTERNAL_FORCE = 1757063408,
+  /** state [N]: Normal force at the end of the last step. (>= 0, default 0) */
+  STRIBECK_ROLLING_RESISTANCE_END_NORMAL_FORCE = 962162212,
+  /** state [m/s]: Change of the velocity over the last step if the master gave its slope, else 0. (default 0) */
+  STRIBECK_ROLLING_RESISTANCE_VELOCITY_CHANGE = 10986035,
+  /** state [N]: Change of the external force over the last step if the master gave its slope, else 0. (default 0) */
+  STRIBECK_ROLLING_RESISTANCE_EXTERNAL_FORCE_CHANGE = 1328420411,
+  /** state [N]: Change of the normal force over the last step if the master gave its slope, else 0. (default 0) */
+  STRIBECK_ROLLING_RESISTANCE_NORMAL_FORCE_CHANGE = 2025029027,
+  /** state [stribeck_phase]: Motion of the contact as found by the last event of Model Exchange. (default Free) */
+  STRIBECK_ROLLING_RESISTANCE_PHASE = 1501573624,
+  /** state, out [J]: Energy taken out of the motion since the start. (default 0) */
+  STRIBECK_ROLLING_RESISTANCE_DISSIPATED_ENERGY = 758404530,
+  /** out [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. */
+  STRIBECK_ROLLING_RESISTANCE_FRICTION_FORCE = 1713976319,
+  /** out [N.m]: Moment that opposes rolling. */
+  STRIBECK_ROLLING_RESISTANCE_RESISTING_MOMENT = 1689387822,
+  /** out [W]: Power taken out of the motion: friction force times velocity. */
+  STRIBECK_ROLLING_RESISTANCE_DISSIPATED_POWER = 236926875,
+  /** out [Boolean]: Is the contact sticking? */
+  STRIBECK_ROLLING_RESISTANCE_STICKING = 553311409,
+} stribeck_rolling_resistance_variable;
+
 /** Guid of ShockAbsorber for fmi2Instantiate. */
 #define STRIBECK_SHOCK_ABSORBER_GUID "{de7db34a-7a02-198f-0e4c-450fc9e1b930}"
 

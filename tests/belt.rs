@@ -17,7 +17,9 @@ const STATIC_LEVEL: f64 = 1.4715;
 /// The model set up for the way the master exchanges values.
 fn holding(model: &str, exchange: Exchange) -> Bench {
     let parallel = if exchange == Exchange::Parallel { 2.0 } else { 1.0 };
-    Bench::new(model, &[("mass", 1.0), ("exchange", parallel)])
+    let mut bench = Bench::new(model, &[("mass", 1.0), ("exchange", parallel)]);
+    bench.set_coefficient(0.1);
+    bench
 }
 
 /// Highest positions of the stick-slip cycle; the small ripple of the stick phase is not among them.
@@ -96,14 +98,18 @@ fn laws_with_mass() -> Vec<&'static str> {
 #[test]
 fn a_load_that_is_set_after_a_slope_counts_at_once() {
     for law in laws_with_mass() {
-        let inputs = [("mass", 2.0), ("mu_k", 0.1), ("velocity", 0.5), ("normal_force", 0.0)];
-        let mut block = Bench::new(law, &inputs);
+        let inputs = [("mass", 2.0), ("velocity", 0.5), ("normal_force", 0.0)];
+        let block = || {
+            let mut block = Bench::new(law, &inputs);
+            block.set_coefficient(0.1);
+            block
+        };
+        let [mut block, mut held] = [block(), block()];
         let column = block.column("normal_force");
         block.instance.set_slope(column, 20_000.0).unwrap();
         block.step(1e-3);
         block.set("normal_force", 5.0);
         let force = block.get("friction_force");
-        let mut held = Bench::new(law, &inputs);
         held.set("normal_force", 5.0);
         held.step(1e-3);
         assert!(force > 0.0, "{law}: {force} N drives");

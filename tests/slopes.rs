@@ -68,8 +68,10 @@ fn slope(bench: &mut Bench, name: &str, slope: f64) {
     bench.instance.set_slope(column, slope).unwrap();
 }
 
+/// Laws of sliding that know the mass of the body: those of a strut.
 fn laws_with_mass() -> impl Iterator<Item = &'static str> {
-    catalogue::models().filter(|model| model.find("planned_force").is_some()).map(|model| model.name)
+    let slides = |model: &&ModelType| model.find("planned_force").is_some() && model.find("mu_k").is_some();
+    catalogue::models().filter(slides).map(|model| model.name)
 }
 
 /// Laws that hold a load at rest, without a band in which they creep.

@@ -42,4 +42,5 @@ crate::model::family! {
     liang::Liang,
     lugre_planar::LuGrePlanar,
     elasto_plastic_planar::ElastoPlasticPlanar,
+    rolling_resistance::RollingResistance,
 }

@@ -1,6 +1,6 @@
 //! The laws that a contact can have, and the columns that it gives them.
 //!
-//! They are those models of friction that are scalar, so that a new law can be chosen without any further code.
+//! They are those models of sliding friction that are scalar, so that a new law can be chosen without any further code.
 
 use crate::friction::{MODELS, TABLES};
 use crate::model::{Enumeration, Item, ModelType, Variable};
@@ -19,9 +19,9 @@ impl Declared {
     }
 }
 
-/// Whether the law is one along a line.
+/// Whether the law is one of sliding along a line, whose level the contact sets by the coefficient of friction.
 const fn is_scalar(law: Declared) -> bool {
-    column(law, "velocity").is_some() && column(law, "friction_force").is_some()
+    column(law, "velocity").is_some() && column(law, "friction_force").is_some() && column(law, "mu_k").is_some()
 }
 
 /// Column named `name`, not within a part.

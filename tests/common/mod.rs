@@ -70,6 +70,14 @@ impl Bench {
         self.instance.set_by_name(name, value).unwrap_or_else(|refused| panic!("{refused}"));
     }
 
+    /// Sets the kinetic coefficient of friction; of a wheel, that of its rolling resistance.
+    pub fn set_coefficient(&mut self, coefficient: f64) {
+        match self.has("lever_arm") {
+            true => self.set("lever_arm", coefficient * 0.3),
+            false => self.set("mu_k", coefficient),
+        }
+    }
+
     pub fn get(&mut self, name: &str) -> f64 {
         self.instance.get_by_name(name).unwrap_or_else(|refused| panic!("{refused}"))
     }

@@ -120,7 +120,10 @@ fn events_catch_and_release_contacts_at_rest() {
     let mut seen = 0;
     for model in friction_models().filter(|model| model.model_exchange && model.event_indicators >= 2) {
         let mut bench = Bench::for_model_exchange(model.name, &[("normal_force", 10.0)]);
-        let level = if bench.has("mu_s") { 10.0 * bench.get("mu_s") } else { 10.0 * bench.get("mu_k") };
+        let level = match ["mu_s", "mu_k"].into_iter().find(|name| bench.has(name)) {
+            Some(name) => 10.0 * bench.get(name),
+            None => 10.0 * bench.get("lever_arm") / bench.get("wheel_radius"),
+        };
         let goes_on = |bench: &Bench| {
             let mut indicators = vec![f64::NAN; model.event_indicators];
             bench.instance.indicate(&mut indicators).expect("finite indicators");

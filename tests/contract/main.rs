@@ -114,7 +114,8 @@ fn force(bench: &mut Bench) -> f64 {
 /// Upper limit of the force in steady sliding: the static level and the parts that grow with speed.
 fn limit(bench: &mut Bench, velocity: f64) -> f64 {
     let value = |bench: &mut Bench, name: &str| if bench.has(name) { bench.get(name) } else { 0.0 };
-    let mu = f64::max(value(bench, "mu_s"), value(bench, "mu_k"));
+    let rolling = if bench.has("lever_arm") { bench.get("lever_arm") / bench.get("wheel_radius") } else { 0.0 };
+    let mu = rolling.max(value(bench, "mu_s")).max(value(bench, "mu_k"));
     let (load, speed) = (bench.get("normal_force"), velocity.abs());
     // Specker's law passes through the static level and has its maximum, at most 11 % higher, beyond.
     let overshoot = if bench.has("peak_velocity") { 1.11 } else { 1.0 };

@@ -214,10 +214,14 @@ impl<L: Curve<f64>> OnCurve<'_, f64, L> {
     }
 }
 
-/// Common code of all laws with a [`Curve`]: outputs, step and energy. `memoryless!(Law)` generates the outputs,
-/// `memoryless!();` inside `impl Model` the step.
+/// Common code of all laws with a [`Curve`]: outputs, step and energy. `memoryless!(Law)` generates the outputs, with
+/// `|law|` and a statement those that only this law has; `memoryless!();` inside `impl Model` generates the step.
 macro_rules! memoryless {
     ($Law:ident) => {
+        $crate::contact::time_stepping::memoryless!($Law, |_law| ());
+    };
+
+    ($Law:ident, |$law:ident| $others:expr) => {
         impl<T: Real> $crate::contact::time_stepping::Holding<T> for $Law<T> {
             type Contact<'a>
                 = $crate::contact::time_stepping::OnCurve<'a, T, Self>
@@ -261,6 +265,8 @@ macro_rules! memoryless {
                 self.friction_force = force;
                 self.dissipated_power = force * self.velocity;
                 self.sticking = sticking;
+                let $law = self;
+                $others;
             }
         }
 
