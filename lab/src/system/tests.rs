@@ -113,6 +113,34 @@ fn mistakes_in_a_file_are_named() {
     }
 }
 
+/// Two contacts at rest, each loaded by the force of the other one.
+const LOOP_TOML: &str = r#"
+title = "Two contacts that load each other"
+until = 1.0
+every = 0.1
+part.left.model = "CoulombStiction"
+part.right.model = "CoulombStiction"
+[connect]
+"left.external_force" = "right.friction_force"
+"right.external_force" = "left.friction_force"
+[input]
+"left.velocity" = 0.0
+"left.normal_force" = 10.0
+"right.velocity" = 0.0
+"right.normal_force" = 10.0
+"#;
+
+#[test]
+fn outputs_that_depend_on_each_other_are_named() {
+    let names = "right.friction_force, left.friction_force";
+    assert_eq!(
+        refused(LOOP_TOML),
+        format!("{names} depend on each other at one instant: such a loop cannot be solved")
+    );
+    let opened = LOOP_TOML.replace("\"right.external_force\" = \"left.friction_force\"\n", "");
+    assert_eq!(refused(&opened), "right.external_force is open: it needs a connection or a signal");
+}
+
 #[test]
 fn every_built_in_system_is_accepted_with_its_own_law() {
     for (name, _) in BUILT_IN {
@@ -125,7 +153,8 @@ fn every_built_in_system_is_accepted_with_its_own_law() {
     }
 }
 
-/// Laws find all their inputs in each system with a place for a law. A strut has its own list: it offers no law in a plane.
+/// Laws find all their inputs in each system with a place for a law. A strut has its own list: it offers no law in a plane
+/// or of rolling.
 #[test]
 fn every_law_runs_in_every_system() {
     for (name, _) in BUILT_IN {
@@ -189,4 +218,34 @@ fn a_block_on_an_incline_slides_from_the_angle_of_friction_on() {
         let expected = direction * 1e-6f64.to_radians() * 9.81 * 1.01 / (1.01f64).sqrt() * 20.0;
         assert!((change - expected).abs() < 1e-8, "{offset}: {change} {expected}");
     }
+}
+
+/// Largest friction force while the spring pulls the mass off the ground, with LuGre's law.
+fn breakaway(pull: f64, rows: f64, tolerance: f64) -> f64 {
+    let source = Source::open("pulled-mass").unwrap();
+    let setting = Setting { name: "mass.pull_velocity".to_owned(), value: pull.to_string() };
+    let system = System::assemble(&source, Some("LuGre"), &[setting]).unwrap();
+    // The spring of 2 N/m reaches twice the static level.
+    let until = 1.4715 / pull;
+    let settings = crate::run::Settings { tolerance, until, every: until / rows, ..crate::run::Settings::of(&system) };
+    let outcome = crate::run::run(&system, &settings, &["friction.friction_force".to_owned()]).unwrap();
+    assert!(outcome.is_reached(), "{}", outcome.end);
+    outcome.columns[0].values.iter().copied().fold(0.0, f64::max)
+}
+
+/// The faster the force grows, the lower the force at breakaway: from the static level down towards the Coulomb level
+/// (Canudas de Wit, Olsson, Astrom and Lischinsky, 1995, Fig. 4).
+#[test]
+fn breakaway_of_lugre_falls_with_the_rate_of_the_force() {
+    let pulls = [0.002, 0.01, 0.05, 0.2, 1.0, 5.0, 20.0];
+    let forces = pulls.map(|pull| {
+        let force = breakaway(pull, 2e4, 1e-8);
+        let converged = breakaway(pull, 8e4, 1e-11);
+        assert!((force / converged - 1.0).abs() < 1e-4, "{pull} m/s: {force} {converged}");
+        force
+    });
+    assert!(forces.windows(2).all(|pair| pair[0] > pair[1]), "{forces:?}");
+    let [static_level, coulomb_level] = [1.4715, 0.981];
+    assert!(forces[0] < static_level && forces[0] > 0.99 * static_level, "{forces:?}");
+    assert!(forces[6] > coulomb_level && forces[6] < 1.1 * coulomb_level, "{forces:?}");
 }
