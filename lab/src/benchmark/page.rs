@@ -173,12 +173,21 @@ fn failures(measurements: &[Measurement], tolerance: f64) -> String {
 /// Laws whose reference is uncertain.
 fn uncertain(references: &[(String, Result<Reference, String>)]) -> String {
     let mut text = String::from(
-        "## References\n\nEach motion is compared with a run at the tolerance named here; the uncertainty is its largest difference from a\nrun at ten times that tolerance.\n\n| law | tolerance | uncertainty in m |\n|---|---|---|\n",
+        "## References\n\nEach motion is compared with a run at the tolerance named here; the uncertainty is its largest difference from a\nrun at ten times that tolerance. ",
+    );
+    let (other, tolerance) = Reference::OTHER;
+    text += &format!(
+        "The last column is its largest difference from a run of another code, {other} at {tolerance:e}.\n\n| law | \
+         tolerance | uncertainty in m | difference in m |\n|---|---|---|---|\n"
     );
     for (law, reference) in references {
         text += &match reference {
-            Ok(reference) => format!("| {law} | {:e} | {:.0e} |\n", reference.tolerance, reference.uncertainty),
-            Err(reason) => format!("| {law} | - | not measured, since it has no reference: {reason} |\n"),
+            Ok(Reference { tolerance, uncertainty, other, .. }) => {
+                let other =
+                    other.as_ref().map_or_else(|reason| format!("none: {reason}"), |other| format!("{other:.0e}"));
+                format!("| {law} | {tolerance:e} | {uncertainty:.0e} | {other} |\n")
+            }
+            Err(reason) => format!("| {law} | - | not measured, since it has no reference: {reason} | - |\n"),
         };
     }
     text

@@ -13,29 +13,39 @@ pub struct Reference {
     pub tolerance: f64,
     /// Its own error, in m, as the difference to a run at ten times its tolerance.
     pub uncertainty: f64,
+    /// Largest difference from it, in m, of a run with [`Reference::OTHER`], or why there is none.
+    pub other: Result<f64, String>,
 }
 
 /// Tolerances of a reference: with rates, and by steps of the models.
 const TOLERANCES: [f64; 2] = [1e-12, 1e-8];
 
 impl Reference {
+    /// Solver and tolerance of a second opinion: another method, from another library.
+    pub const OTHER: (Solver, f64) = (Solver::Dopri5, 1e-11);
+
     /// The reference of a system, or why it has none.
     pub fn of(system: &System, settings: &Settings) -> Result<Reference, String> {
         let solver = Solver::Auto.for_system(system);
         let tolerance = if solver == Solver::Steps { TOLERANCES[1] } else { TOLERANCES[0] };
-        let at = |tolerance: f64| {
+        let at = |solver: Solver, tolerance: f64| {
             let settings = Settings { solver, tolerance, events: true, ..*settings };
             let outcome = run(system, &settings, &[POSITION.to_owned()]).map_err(|fault: Fault| fault.to_string())?;
             if outcome.is_reached() { Ok(outcome) } else { Err(format!("at {tolerance:e}: {}", outcome.end)) }
         };
-        let (coarse, fine) = (at(10.0 * tolerance)?, at(tolerance)?);
+        let (coarse, fine) = (at(solver, 10.0 * tolerance)?, at(solver, tolerance)?);
         let mut reference = Reference {
             position: position(&fine).to_vec(),
             events: fine.events.iter().map(|event| event.time).collect(),
             tolerance,
             uncertainty: 0.0,
+            other: Err("its steps are its own".to_owned()),
         };
         reference.uncertainty = reference.error(position(&coarse));
+        if solver != Solver::Steps {
+            let (other, tolerance) = Reference::OTHER;
+            reference.other = at(other, tolerance).map(|outcome| reference.error(position(&outcome)));
+        }
         Ok(reference)
     }
 
