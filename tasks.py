@@ -297,6 +297,8 @@ def test() -> None:
     """Every check and test, the fast ones first."""
     need_rust()
     need_c_compiler()
+    # On a new machine everything is built once: without the files of incremental builds that takes a third less time.
+    os.environ.setdefault("CARGO_INCREMENTAL", "0")
     for program in ("rustfmt", "cargo-clippy"):
         need(program, "rustup component add rustfmt clippy")
     setup()
