@@ -42,6 +42,7 @@ const HOUSES: &[House] = &[
         rooms: &[
             "dyno",
             "tir",
+            "series",
             "solve",
             "system",
             "couple",

@@ -29,7 +29,7 @@ fn refusals_name_what_is_wrong_and_what_was_meant() {
         (vec!["run", "--every=-1"], "every = -1 s: must be > 0 and finite"),
         (vec!["run", "--every", "1e-9"], "every = 0.000000001 s gives 40000000000 rows: at most 20000000"),
         (vec!["run", "--law", "LuGre", "Dahl"], "several laws: use `stribeck compare`"),
-        (vec!["compare", "--law", "LuGre", "Dahl", "--set", "x=1"], "no part of the system has a variable 'x'"),
+        (vec!["compare", "--law", "LuGre", "Dahl", "--set", "x=1"], "variable of the system 'x' does not exist"),
     ] {
         assert_eq!(refusal(&arguments), format!("stribeck: {expected}"));
     }

@@ -7,11 +7,10 @@ use clap::{Args, ValueEnum};
 use lab::couple::Exchange;
 use lab::picture::{self, Options, Theme};
 use lab::report::{self, Facts};
-use lab::run::{Outcome, Settings, Solver};
+use lab::run::{Configuration, Outcome, Settings, Solver};
 use lab::system::{Fault, Setting, Source, System};
 
 use super::Failure;
-use super::configuration::Configuration;
 
 /// Width of PNG pictures (chosen: a column of 85 mm at 600 dots per inch).
 const PIXELS: u32 = 2000;
@@ -120,7 +119,6 @@ pub struct Choice {
     pub laws: Vec<String>,
     pub settings: Vec<Setting>,
     pub vary: Option<Vary>,
-    pub record: Vec<String>,
     pub configuration: Configuration,
 }
 
@@ -162,31 +160,19 @@ impl Arguments {
             super::write(path, configuration.text())?;
         }
         Ok(Choice {
-            source: Source::open(configuration.system.as_deref().unwrap_or("belt"))?,
+            source: configuration.source()?,
             laws: configuration.law.clone(),
-            settings: configuration.settings(),
+            settings: configuration.values(),
             vary: configuration.vary.as_deref().map(Vary::from_str).transpose()?,
-            record: configuration.record.clone(),
             configuration,
         })
     }
 }
 
-fn named<T: ValueEnum>(what: &str, name: &str) -> Result<T, Fault> {
-    T::from_str(name, false).map_err(|_| {
-        let known: Vec<String> = T::value_variants()
-            .iter()
-            .filter_map(|value| value.to_possible_value())
-            .map(|value| value.get_name().to_owned())
-            .collect();
-        Fault::unknown(what, name, known.iter().map(String::as_str))
-    })
-}
-
 impl Choice {
     /// Name of the system.
     pub fn name(&self) -> &str {
-        self.configuration.system.as_deref().unwrap_or("belt")
+        self.configuration.name()
     }
 
     /// The system with a law, or with its own, and with a value of the variable that varies.
@@ -200,36 +186,18 @@ impl Choice {
 
     /// How it is run.
     pub fn run_settings(&self, system: &System) -> Result<Settings<'static>, Failure> {
-        let mut settings = Settings::of(system);
-        let chosen = &self.configuration;
-        if let Some(name) = &chosen.solver {
-            settings.solver = named("solver", name)?;
-        }
-        if let Some(name) = &chosen.exchange {
-            settings.master.exchange = named("order of exchange", name)?;
-        }
-        settings.tolerance = chosen.tol.unwrap_or(settings.tolerance);
-        settings.until = chosen.until.unwrap_or(settings.until);
-        settings.every = chosen.every.unwrap_or(settings.every);
-        settings.master.step = chosen.step.unwrap_or(settings.master.step);
-        settings.master.jitter = chosen.jitter.unwrap_or(settings.master.jitter);
-        settings.events = !chosen.no_events;
-        Ok(settings)
+        Ok(self.configuration.settings(system)?)
     }
 
-    /// The results to record: those that were asked for, or those that the system shows.
+    /// The results to record.
     pub fn results(&self) -> Vec<String> {
-        if self.record.is_empty() {
-            self.source.description.show.values().cloned().collect()
-        } else {
-            self.record.clone()
-        }
+        self.configuration.results(&self.source)
     }
 
     /// Pictures and report of the outcomes, each with its label and system.
     pub fn illustrate(&self, arguments: &Arguments, runs: Vec<(String, System, Outcome)>) -> Result<(), Failure> {
         let Some((_, system, _)) = runs.first() else { return Ok(()) };
-        if (arguments.pictures.is_some() || arguments.report.is_some()) && !self.record.is_empty() {
+        if (arguments.pictures.is_some() || arguments.report.is_some()) && !self.configuration.record.is_empty() {
             let text = "--record: pictures and reports show the results of the system; leave it out";
             return Err(Fault::value(text).into());
         }

@@ -4,7 +4,7 @@ use std::io::Write;
 
 use lab::run::{Outcome, Settings, run as run_system};
 use lab::solve::End;
-use lab::system::Fault;
+use lab::system::{Fault, System};
 use serde_json::json;
 use stribeck::catalogue::{self, Family};
 
@@ -76,17 +76,8 @@ fn laws(choice: &Choice) -> Vec<String> {
 
 /// Refuses what none of the laws can do, before the first run.
 fn check(choice: &Choice, laws: &[String]) -> Result<(), Failure> {
-    let mut unused = choice.settings.clone();
-    for law in laws {
-        let system = choice.system(Some(law), None)?;
-        unused.retain(|setting| system.unused.contains(setting));
-    }
-    match unused.first() {
-        None => Ok(()),
-        Some(setting) => {
-            Err(Fault::value(format_args!("no part of the system has a variable '{}'", setting.name)).into())
-        }
-    }
+    let systems = laws.iter().map(|law| choice.system(Some(law), None)).collect::<Result<Vec<System>, Failure>>()?;
+    Ok(System::refuse_unused(&systems)?)
 }
 
 /// The results of all laws, one below the other, with the law in the first column.

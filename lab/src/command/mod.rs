@@ -3,7 +3,6 @@
 mod bench;
 mod choice;
 mod compare;
-mod configuration;
 mod one;
 mod watch;
 

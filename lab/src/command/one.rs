@@ -4,7 +4,7 @@ use std::io::Write;
 
 use lab::run::{Outcome, Settings, run as run_system};
 use lab::solve::End;
-use lab::system::Fault;
+use lab::system::{Fault, System};
 use serde_json::json;
 
 use super::choice::{Arguments, Choice};
@@ -54,17 +54,9 @@ pub fn run(arguments: &Arguments) -> Result<Verdict, Failure> {
     Ok(verdict)
 }
 
-fn system(choice: &Choice, law: Option<&str>, value: Option<f64>) -> Result<lab::system::System, Failure> {
+fn system(choice: &Choice, law: Option<&str>, value: Option<f64>) -> Result<System, Failure> {
     let system = choice.system(law, value)?;
-    if let Some(setting) = system.unused.first() {
-        let known: Vec<String> = system
-            .parts
-            .iter()
-            .flat_map(|part| part.model.variables().map(|(_, variable)| variable.path.to_string()))
-            .collect();
-        let fault = Fault::unknown("variable of the system", &setting.name, known.iter().map(String::as_str));
-        return Err(fault.into());
-    }
+    System::refuse_unused(std::slice::from_ref(&system))?;
     Ok(system)
 }
 

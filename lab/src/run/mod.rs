@@ -1,10 +1,12 @@
 //! Runs: a system, a solver, and what came of it.
 
+mod configuration;
 mod outcome;
 mod solver;
 
 use std::time::Instant;
 
+pub use configuration::Configuration;
 pub use outcome::{Column, Outcome, Passed};
 pub use solver::{Kind, Solver};
 

@@ -113,6 +113,17 @@ impl System {
         Ok(system)
     }
 
+    /// Refuses a setting that none of the systems can use.
+    pub fn refuse_unused(systems: &[System]) -> Result<(), Fault> {
+        let mut unused = systems.first().map_or_else(Vec::new, |system| system.unused.clone());
+        unused.retain(|setting| systems.iter().all(|system| system.unused.contains(setting)));
+        let Some(setting) = unused.first() else { return Ok(()) };
+        let models = systems.iter().flat_map(|system| &system.parts).map(|part| part.model);
+        let known: BTreeSet<String> =
+            models.flat_map(ModelType::variables).map(|(_, variable)| variable.path.to_string()).collect();
+        Err(Fault::unknown("variable of the system", &setting.name, known.iter().map(String::as_str)))
+    }
+
     fn add(&mut self, name: &str, part: &PartDescription, law: Option<&str>) -> Result<(), Fault> {
         let model = match (&part.model, &part.law) {
             (Some(model), None) => model_named(model)?,

@@ -1,0 +1,154 @@
+//! A model over given inputs: samples in, results out; and its results at held inputs, once they have settled.
+
+mod settled;
+#[cfg(test)]
+mod tests;
+
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use stribeck::instance::{Instance, Phase, Refused};
+use stribeck::model::{Fault, Kind};
+
+pub use settled::settle;
+
+/// How inputs move between two samples.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Between {
+    /// Along a straight line; inputs that are not real numbers are held.
+    Linear,
+    /// Held at the earlier sample, as FMI 2.0 does it without input derivatives.
+    Held,
+}
+
+/// Samples of an input.
+#[derive(Clone, Copy, Debug)]
+pub struct Input<'a> {
+    /// Its column.
+    pub column: usize,
+    /// One value, or one per sample.
+    pub samples: &'a [f64],
+}
+
+impl Input<'_> {
+    #[inline]
+    fn at(&self, sample: usize) -> f64 {
+        self.samples[if self.samples.len() == 1 { 0 } else { sample }]
+    }
+}
+
+/// Times of the samples.
+#[derive(Clone, Copy, Debug)]
+pub enum Times<'a> {
+    /// The same interval, in s, between all of them.
+    Every(f64),
+    /// Each time, in s.
+    At(&'a [f64]),
+}
+
+impl Times<'_> {
+    /// Step from a sample to the next one.
+    #[inline]
+    fn step(&self, sample: usize) -> f64 {
+        match self {
+            Times::Every(dt) => *dt,
+            Times::At(times) => times[sample + 1] - times[sample],
+        }
+    }
+
+    /// Time of a sample.
+    pub fn at(&self, sample: usize) -> f64 {
+        match self {
+            Times::Every(dt) => *dt * sample as f64,
+            Times::At(times) => times[sample],
+        }
+    }
+}
+
+/// Inputs of a run and how they are followed.
+#[derive(Clone, Copy, Debug)]
+pub struct Course<'a> {
+    /// The inputs.
+    pub inputs: &'a [Input<'a>],
+    /// When their samples are taken.
+    pub times: Times<'a>,
+    /// Number of samples.
+    pub samples: usize,
+    /// How inputs move between them.
+    pub between: Between,
+}
+
+/// Why a run did not come to its end.
+#[derive(Debug, thiserror::Error)]
+pub enum Ended {
+    /// A parameter was refused.
+    #[error("{0}")]
+    Setup(String),
+    /// A value was refused, or a result would not be finite.
+    #[error("sample {sample} (t = {time} s): {reason}")]
+    Refused {
+        /// The sample, from 0.
+        sample: usize,
+        /// Its time.
+        time: f64,
+        /// The reason, with name, value and limit.
+        reason: String,
+    },
+    /// The results do not settle.
+    #[error("{0}")]
+    Unsettled(String),
+    /// It was ended from outside.
+    #[error("cancelled")]
+    Cancelled,
+}
+
+/// Sets parameters, all or none, and checks them against each other.
+pub fn set_up(instance: &mut Instance, parameters: &[(usize, f64)]) -> Result<(), Ended> {
+    let set = instance.set_all(Phase::Setup, parameters.iter().copied()).map_err(|refused| refused.to_string());
+    set.and_then(|()| instance.check().map_err(|fault| fault.to_string())).map_err(Ended::Setup)
+}
+
+/// Samples between two looks at the flag that ends a run.
+const PATIENCE: usize = 1024;
+
+/// Follows a course from the present state. The results at a sample are those with its inputs; `rows` has an array of one
+/// value per sample for each of the columns `results`.
+pub fn follow(
+    instance: &mut Instance,
+    course: &Course,
+    results: &[usize],
+    rows: &mut [&mut [f64]],
+    cancel: &AtomicBool,
+) -> Result<(), Ended> {
+    let Course { inputs, times, samples, between } = *course;
+    for sample in 0..samples {
+        if sample % PATIENCE == 0 && cancel.load(Ordering::Relaxed) {
+            return Err(Ended::Cancelled);
+        }
+        let refused = |reason: String| Ended::Refused { sample, time: times.at(sample), reason };
+        let values = inputs.iter().map(|input| (input.column, input.at(sample)));
+        instance.set_all(Phase::Stepping, values).map_err(|reason| refused(reason.to_string()))?;
+        for (column, row) in results.iter().zip(rows.iter_mut()) {
+            row[sample] = instance.get_column(*column).map_err(|reason| refused(reason.to_string()))?;
+        }
+        if sample + 1 < samples {
+            let step = times.step(sample);
+            if between == Between::Linear {
+                incline(instance, inputs, sample, step).map_err(|reason| refused(reason.to_string()))?;
+            }
+            instance.step(step).map_err(|reason: Fault| refused(reason.to_string()))?;
+        }
+    }
+    Ok(())
+}
+
+/// Gives the inputs that move the slopes that lead them to the next sample.
+fn incline(instance: &mut Instance, inputs: &[Input], sample: usize, step: f64) -> Result<(), Refused> {
+    for input in inputs.iter().filter(|input| input.samples.len() > 1) {
+        let is_real = instance.variable(input.column).is_some_and(|variable| matches!(variable.kind, Kind::Real(_)));
+        let change = input.at(sample + 1) - input.at(sample);
+        if is_real && change != 0.0 {
+            instance.set_slope(input.column, change / step)?;
+        }
+    }
+    Ok(())
+}
