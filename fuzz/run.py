@@ -5,7 +5,6 @@
     python3 fuzz/run.py --long 300        new inputs for 300 seconds per target, also under the address sanitizer
     python3 fuzz/run.py --keep            add the findings of long runs to the corpus, with as few inputs as possible
     python3 fuzz/run.py --long 60 fmi     one target
-    python3 fuzz/run.py --lint            only clippy
 
 An input that fails is in target/fuzz/found; `cargo fuzz fmt`, or RUST_LIBFUZZER_DEBUG_PATH=FILE and the program with
 that input, prints the calls that it encodes. The layout is that of cargo-fuzz, which can also run the targets:
@@ -65,14 +64,15 @@ def host():
     return subprocess.run(["rustc", "--print", "host-tuple"], capture_output=True, text=True, check=True).stdout.strip()
 
 
-def cargo(task, *arguments, sanitized=False):
-    """Runs cargo on all targets and returns the folder they are in. Linted code need not be built again."""
-    settings = SANITIZER if sanitized else {"RUSTFLAGS": " ".join(COVERAGE)}
+def build(sanitized):
+    """Builds and lints all targets and returns the folder they are in."""
+    flags = SANITIZER if sanitized else {"RUSTFLAGS": " ".join(COVERAGE)}
+    settings = {**flags, "RUSTC_WORKSPACE_WRAPPER": "clippy-driver"}
     folder = OUT / ("sanitized" if sanitized else "plain")
-    command = ["cargo", task, "--locked", "--release", "--manifest-path", FOLDER / "Cargo.toml"]
-    command += ["--target", host(), "--target-dir", folder, *arguments]
+    command = ["cargo", "build", "--bins", "--locked", "--release", "--manifest-path", FOLDER / "Cargo.toml"]
+    command += ["--target", host(), "--target-dir", folder]
     if subprocess.run(command, env={**os.environ, **settings}).returncode != 0:
-        sys.exit(f"fuzz/run.py: cargo {task} failed")
+        sys.exit("fuzz/run.py: cargo build failed")
     return folder / host() / "release"
 
 
@@ -156,7 +156,6 @@ def main():
     parser.add_argument("targets", nargs="*", help="; ".join(TARGETS))
     parser.add_argument("--long", type=int, metavar="SECONDS")
     parser.add_argument("--keep", action="store_true")
-    parser.add_argument("--lint", action="store_true")
     arguments = parser.parse_args()
     if platform.system() != "Linux":
         print(f"note: no fuzzing on {platform.system()}")
@@ -164,13 +163,10 @@ def main():
     unknown = set(arguments.targets) - set(TARGETS)
     if unknown:
         parser.error(f"no target {', '.join(sorted(unknown))}: there are {', '.join(TARGETS)}")
-    if arguments.lint:
-        cargo("clippy", "--all-targets", "--", "--deny", "warnings")
-        return 0
     # New inputs depend on the values that a program compares, including addresses. Where fixed addresses are forbidden,
     # inputs vary a little.
     ctypes.CDLL(None).personality(ADDR_NO_RANDOMIZE)
-    programs = cargo("build", "--bins", sanitized=arguments.long is not None)
+    programs = build(sanitized=arguments.long is not None)
     run = keep if arguments.keep else short
 
     def work(target):

@@ -22,13 +22,14 @@ def libclang() -> Path:
 
 
 def environment() -> dict[str, str]:
-    """The variables that give the crate's build the path of libclang, and the compiler's own headers, which it
-    lacks."""
+    """The variables that lint the crate while it is built, and give its build the path of libclang and the compiler's
+    own headers, which it lacks."""
+    linted = {**os.environ, "RUSTC_WORKSPACE_WRAPPER": "clippy-driver"}
     if "LIBCLANG_PATH" in os.environ:
-        return dict(os.environ)
+        return linted
     command = [os.environ.get("CC", "cc"), "-print-file-name=include"]
     headers = subprocess.run(command, capture_output=True, text=True, check=True).stdout.strip()
-    return {**os.environ, "LIBCLANG_PATH": str(libclang()), "BINDGEN_EXTRA_CLANG_ARGS": f'-I"{headers}"'}
+    return {**linted, "LIBCLANG_PATH": str(libclang()), "BINDGEN_EXTRA_CLANG_ARGS": f'-I"{headers}"'}
 
 
 def main(task: str, *arguments: str) -> int:
