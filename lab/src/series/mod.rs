@@ -120,6 +120,7 @@ pub fn follow(
     cancel: &AtomicBool,
 ) -> Result<(), Ended> {
     let Course { inputs, times, samples, between } = *course;
+    check(instance, course)?;
     for sample in 0..samples {
         if sample % PATIENCE == 0 && cancel.load(Ordering::Relaxed) {
             return Err(Ended::Cancelled);
@@ -136,6 +137,18 @@ pub fn follow(
                 incline(instance, inputs, sample, step).map_err(|reason| refused(reason.to_string()))?;
             }
             instance.step(step).map_err(|reason: Fault| refused(reason.to_string()))?;
+        }
+    }
+    Ok(())
+}
+
+/// Refuses values of inputs before anything is run.
+fn check(instance: &Instance, course: &Course) -> Result<(), Ended> {
+    for input in course.inputs {
+        for (sample, value) in input.samples.iter().enumerate() {
+            let checked = instance.check_value(Phase::Stepping, input.column, *value);
+            let time = course.times.at(sample);
+            checked.map_err(|reason| Ended::Refused { sample, time, reason: reason.to_string() })?;
         }
     }
     Ok(())

@@ -75,9 +75,8 @@ fn settled_force_of_lugre() {
 fn forces_of_all_other_laws_settle() {
     for (law, _) in documented(Family::Friction) {
         let mut instance = Instance::new(law);
-        let velocities = ["velocity", "velocity_x"].into_iter().filter_map(|name| law.find(name));
-        let forces = ["friction_force", "friction_force_x"].into_iter().filter_map(|name| law.find(name));
-        let (velocity, force) = (velocities.last().unwrap(), forces.last().unwrap());
+        let along = |name: &str| law.find(name).or_else(|| law.find(&format!("{name}_x"))).unwrap();
+        let (velocity, force) = (along("velocity"), along("friction_force"));
         let inputs = [(velocity, 0.3), (column(&instance, "normal_force"), 10.0)];
         let mut settled = [0.0];
         let result = settle(&mut instance, &inputs, 0.3, &[force], &mut settled, &NEVER);
