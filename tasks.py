@@ -5,6 +5,7 @@
     python3 tasks.py test     every check and test of the project
     python3 tasks.py bench    the benchmarks
     python3 tasks.py pack     the FMUs into dist/
+    python3 tasks.py wheel    the Python package into dist/, from the packed FMUs
     python3 tasks.py setup    .venv with the Python packages
     python3 tasks.py clean    remove the output of the other tasks
 
@@ -60,8 +61,8 @@ LAWS_OF_BENCHMARK = [
 
 # The parts of the library that contain code.
 CRATES = ["--package", "stribeck", "--package", "stribeck-ffi"]
-RUST_FOLDERS = ["src", "ffi", "tests", "benches", "fmu-build", "fuzz", "lab", "ssp", "examples"]
-PYTHON_FOLDERS = ["tasks.py", "examples", "fuzz", "tests"]
+RUST_FOLDERS = ["src", "ffi", "tests", "benches", "fmu-build", "fuzz", "lab", "python", "ssp", "examples"]
+PYTHON_FOLDERS = ["tasks.py", "examples", "fuzz", "python", "tests"]
 C_FOLDERS = ["examples/c", "examples/cpp", "examples/mujoco", "tests/c", "tests/platforms", "benches"]
 
 
@@ -273,10 +274,40 @@ def pack(*fmu_build: str | Path) -> None:
     run(*fmu_build, "ssp", "--out", "dist")
 
 
+def debug_folder() -> Path:
+    """Where cargo puts what it builds for the tests."""
+    return Path(os.environ.get("CARGO_TARGET_DIR", ROOT / "target")) / "debug"
+
+
+def package() -> None:
+    """Puts the Python package together from what cargo has built for the tests, where pytest finds it."""
+    names = {"win32": ("_stribeck.dll", "_stribeck.pyd"), "darwin": ("lib_stribeck.dylib", "_stribeck.abi3.so")}
+    built, module = names.get(sys.platform, ("lib_stribeck.so", "_stribeck.abi3.so"))
+    folder = ROOT / "out" / "package" / "stribeck"
+    shutil.rmtree(folder, ignore_errors=True)
+    shutil.copytree(ROOT / "python" / "stribeck", folder, ignore=shutil.ignore_patterns("__pycache__"))
+    shutil.copyfile(debug_folder() / built, folder / module)
+    run(PYTHON, "python/fmus.py", "dist", folder / "fmus")
+
+
+def wheel() -> None:
+    """Builds the Python package from the packed FMUs into dist/, as one file, and tests it by itself."""
+    need_rust()
+    setup()
+    if not any((ROOT / "dist").glob("*.fmu")):
+        pack()
+    for old in (ROOT / "dist").glob("stribeck-*.whl"):
+        old.unlink()
+    run(PYTHON, "python/fmus.py", "dist", "python/stribeck/fmus")
+    run(PYTHON, "-m", "maturin", "build", "--release", "--manifest-path", "python/Cargo.toml", "--out", "dist")
+    run(PYTHON, "-m", "pytest", "tests/wheel")
+
+
 def demo() -> None:
     """Packs the FMUs and runs each of them from Python; then compares solvers on the belt of the thesis."""
     setup()
     pack()
+    wheel()
     run(PYTHON, "examples/fmpy/demo.py")
     stribeck = ["cargo", "run", "--release", "--package", "lab", "--bin", "stribeck", "--"]
     run(*stribeck, "bench", "thesis", "--law", ",".join(LAWS_OF_BENCHMARK), "--out", "out/benchmark")
@@ -307,10 +338,11 @@ def test() -> None:
     # Here each benchmark runs once, to check that it runs.
     run("cargo", "test", *AS_TESTED)
     run("cargo", "doc", "--no-deps", "--workspace", RUSTDOCFLAGS="-Dwarnings")
-    run("cargo", "build", "--bin", "fmu-build", *AS_TESTED)
-    fmu_build = Path(os.environ.get("CARGO_TARGET_DIR", ROOT / "target")) / "debug" / "fmu-build"
+    run("cargo", "build", "--lib", "--bin", "fmu-build", *AS_TESTED)
+    fmu_build = debug_folder() / "fmu-build"
     run(fmu_build, "check")
     pack(fmu_build)
+    package()
     run(PYTHON, "tests/c/run.py")
     run(PYTHON, "fuzz/run.py")
     run(PYTHON, "-m", "pytest", "tests/python")
@@ -373,7 +405,7 @@ def faults() -> None:
 
 def trust() -> None:
     """Everything in docs/trust.md, one task after another, with the figures at the end."""
-    parts = [faults, platforms, fuzz, coverage, broken, mutants, supply]
+    parts = [wheel, faults, platforms, fuzz, coverage, broken, mutants, supply]
     summarise([[sys.executable, "tasks.py", part.__name__] for part in parts])
 
 
@@ -471,6 +503,7 @@ TASKS = {
     test: "check formatting and lints, run the Rust, C and Python tests: 15 to 25 minutes, then about 12",
     bench: "build and run the benchmarks: 3 to 7 minutes",
     pack: "build the library and pack every model as an FMU into dist/: 1 to 2 minutes",
+    wheel: "build the Python package into dist/ as one file, test it with numpy alone: 3 to 5 minutes",
     setup: "install the Python packages of requirements.txt into .venv: about a minute",
     clean: "remove .venv, dist, out and target",
     trust: "run everything in docs/trust.md and print the figures: one to two hours",

@@ -1,6 +1,7 @@
 """Fixtures of the tests: the packed FMUs, which must belong to the sources, and runs on the belt, computed once."""
 
 import functools
+import os
 import xml.etree.ElementTree as ElementTree
 import zipfile
 from pathlib import Path
@@ -8,6 +9,9 @@ from pathlib import Path
 import pytest
 from belt import BeltRun, run_belt
 from coupling import FMUS, PROJECT
+
+# Where the examples find FMUs of the Python package: not in the cache of whoever runs them.
+os.environ["STRIBECK_CACHE"] = str(PROJECT / "out" / "cache")
 
 DESCRIPTIONS = PROJECT / "modelDescription"
 

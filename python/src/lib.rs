@@ -1,0 +1,33 @@
+//! The extension module of the Python package `stribeck`: plain data in, plain data out. What users see is written in
+//! Python, in `stribeck/`.
+
+mod catalogue;
+mod model;
+mod series;
+mod systems;
+mod work;
+
+use pyo3::create_exception;
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+
+create_exception!(stribeck, Refused, PyValueError, "A name or a value that is refused; the message names the limit.");
+
+/// A refusal with its reason.
+fn refused(reason: impl std::fmt::Display) -> PyErr {
+    Refused::new_err(reason.to_string())
+}
+
+#[pymodule]
+fn _stribeck(module: &Bound<PyModule>) -> PyResult<()> {
+    module.add("__version__", env!("CARGO_PKG_VERSION"))?;
+    module.add("Refused", module.py().get_type::<Refused>())?;
+    module.add_class::<model::Instance>()?;
+    module.add_function(wrap_pyfunction!(catalogue::names, module)?)?;
+    module.add_function(wrap_pyfunction!(catalogue::describe, module)?)?;
+    module.add_function(wrap_pyfunction!(series::follow, module)?)?;
+    module.add_function(wrap_pyfunction!(series::settle, module)?)?;
+    module.add_function(wrap_pyfunction!(systems::systems, module)?)?;
+    module.add_function(wrap_pyfunction!(systems::solvers, module)?)?;
+    module.add_function(wrap_pyfunction!(systems::solve, module)?)
+}

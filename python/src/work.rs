@@ -1,0 +1,53 @@
+//! Work without the interpreter's lock, which Ctrl-C ends.
+
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::mpsc::{RecvTimeoutError, channel};
+use std::thread;
+use std::time::Duration;
+
+use pyo3::prelude::*;
+
+/// Time between two looks for an interrupt.
+const PATIENCE: Duration = Duration::from_millis(50);
+
+/// Does long work in a thread of its own; the flag is set if the user interrupts it.
+pub fn interruptible<T: Send>(py: Python, work: impl FnOnce(&AtomicBool) -> T + Send) -> PyResult<T> {
+    let cancel = &AtomicBool::new(false);
+    let (done, interrupt) = py.detach(|| {
+        thread::scope(|scope| {
+            let (sender, receiver) = channel();
+            let worker = scope.spawn(move || {
+                // The receiver lives until it has received this.
+                let _ = sender.send(work(cancel));
+            });
+            let mut interrupt = None;
+            let done = loop {
+                match receiver.recv_timeout(PATIENCE) {
+                    Ok(done) => break Some(done),
+                    Err(RecvTimeoutError::Disconnected) => break None,
+                    Err(RecvTimeoutError::Timeout) => {
+                        if let Err(error) = Python::attach(|py| py.check_signals()) {
+                            cancel.store(true, Ordering::Relaxed);
+                            interrupt = Some(error);
+                        }
+                    }
+                }
+            };
+            if let Err(panic) = worker.join() {
+                std::panic::resume_unwind(panic);
+            }
+            (done, interrupt)
+        })
+    });
+    match (done, interrupt) {
+        (_, Some(error)) => Err(error),
+        (Some(done), None) => Ok(done),
+        (None, None) => Err(crate::refused("the work ended without a result")),
+    }
+}
+
+/// Threads for a number of tasks: those that were asked for, or all processors.
+pub fn threads(asked: Option<usize>, tasks: usize) -> usize {
+    let processors = thread::available_parallelism().map_or(1, usize::from);
+    asked.unwrap_or(processors).clamp(1, tasks.max(1))
+}

@@ -1,0 +1,47 @@
+"""Friction force models and a telescopic shock absorber.
+
+>>> import numpy, stribeck
+>>> velocity = numpy.array([-0.1, 0.001, 0.1])  # m/s
+>>> stribeck.force("CoulombViscous", velocity, 10.0, mu_k=0.2, viscous_coefficient=1.0)
+array([-2.1  ,  2.001,  2.1  ])
+
+`laws` and `models` list what there is, `law` and `model` describe one. `force` gives the force in steady sliding,
+`simulate` the force along measured or computed motions, `solve` and `compare` the motion of whole systems, `fmu` the
+path of an FMU. `Model` and `ShockAbsorber` are stepped by the caller.
+
+Units are SI. `velocity` is that of body 1 relative to body 2; `friction_force` has its sign when sliding, and body 1
+feels the negative.
+"""
+
+from stribeck._stribeck import Refused, __version__
+from stribeck.catalogue import Description, Preset, Variable, law, laws, model, models
+from stribeck.fmus import fmu
+from stribeck.instances import Model, ShockAbsorber
+from stribeck.results import Result
+from stribeck.series import force, simulate
+from stribeck.systems import Comparison, NotConverged, Solution, compare, solve, solvers, systems
+
+__all__ = [
+    "Comparison",
+    "Description",
+    "Model",
+    "NotConverged",
+    "Preset",
+    "Refused",
+    "Result",
+    "ShockAbsorber",
+    "Solution",
+    "Variable",
+    "__version__",
+    "compare",
+    "fmu",
+    "force",
+    "law",
+    "laws",
+    "model",
+    "models",
+    "simulate",
+    "solve",
+    "solvers",
+    "systems",
+]

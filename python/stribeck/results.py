@@ -1,0 +1,87 @@
+"""Tables of results."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+if TYPE_CHECKING:
+    import pandas
+    import xarray
+    from matplotlib.figure import Figure
+
+
+class Result(Mapping[str, NDArray[np.float64]]):
+    """Results over time: a mapping from names to arrays, of the shape (samples) or (runs, samples), with `time`."""
+
+    def __init__(
+        self,
+        title: str,
+        time: NDArray[np.float64],
+        columns: dict[str, NDArray[np.float64]],
+        units: dict[str, str],
+        assumed: dict[str, float] | None = None,
+    ) -> None:
+        self.title = title
+        """What was computed."""
+        self.time = time
+        """Times in s."""
+        self.columns = columns
+        self.units = {"time": "s", **units}
+        """Unit of each result."""
+        self.assumed = assumed or {}
+        """Inputs that were not given, with the value that was taken for them."""
+
+    def __getitem__(self, name: str) -> NDArray[np.float64]:
+        return self.time if name == "time" else self.columns[name]
+
+    def __iter__(self) -> Iterator[str]:
+        yield "time"
+        yield from self.columns
+
+    def __len__(self) -> int:
+        return 1 + len(self.columns)
+
+    def __repr__(self) -> str:
+        shape = next(iter(self.columns.values())).shape if self.columns else self.time.shape
+        assumed = "".join(f"; {name} = {value:g} (not given)" for name, value in self.assumed.items())
+        return f"<{self.title}: {', '.join(self)}; shape {shape}{assumed}>"
+
+    def to_pandas(self) -> pandas.DataFrame:
+        """A DataFrame with a column per result, over `time`; of several runs over (`run`, `time`)."""
+        import pandas
+
+        first = next(iter(self.columns.values()))
+        if first.ndim == 1:
+            return pandas.DataFrame(self.columns, index=pandas.Index(self.time, name="time"))
+        index = pandas.MultiIndex.from_product([range(first.shape[0]), self.time], names=["run", "time"])
+        return pandas.DataFrame({name: column.ravel() for name, column in self.columns.items()}, index=index)
+
+    def to_xarray(self) -> xarray.Dataset:
+        """A Dataset with the units as attributes."""
+        import xarray
+
+        axes = ("run", "time")[-next(iter(self.columns.values())).ndim :]
+        columns = {name: (axes, column, {"units": self.units[name]}) for name, column in self.columns.items()}
+        return xarray.Dataset(columns, coords={"time": ("time", self.time, {"units": "s"})})
+
+    def plot(self, *names: str, over: str = "time") -> Figure:
+        """Draws results, all if none is named, over time or over another result. Returns matplotlib's Figure."""
+        import matplotlib.pyplot as plt
+
+        names = names or tuple(name for name in self.columns if name != over)
+        figure, axes = plt.subplots(len(names), 1, sharex=True, squeeze=False, layout="constrained")
+        for name, axis in zip(names, axes[:, 0], strict=True):
+            axis.plot(np.broadcast_to(self[over], self[name].shape).T, self[name].T, linewidth=1.0)
+            axis.set_ylabel(self._label(name))
+            axis.grid(alpha=0.3)
+        axes[-1, 0].set_xlabel(self._label(over))
+        figure.suptitle(self.title)
+        return figure
+
+    def _label(self, name: str) -> str:
+        unit = self.units[name]
+        return f"{name} in {unit}" if unit not in ("", "1") else name

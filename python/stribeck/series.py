@@ -1,0 +1,225 @@
+"""Friction along given motions, and in steady sliding."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from stribeck import _stribeck
+from stribeck._stribeck import Refused
+from stribeck.catalogue import Description, Variable, law, model
+from stribeck.results import Result
+
+# Inputs that may be left out, with the value that is taken for them and shown with the result.
+UNLOADED = {"external_force": 0.0}
+
+
+def force(
+    name: str | Description,
+    velocity: ArrayLike,
+    normal_force: ArrayLike,
+    *,
+    preset: str | None = None,
+    threads: int | None = None,
+    **parameters: Any,
+) -> NDArray[np.float64]:
+    """Friction force in N in steady sliding: at a velocity held until the force no longer changes.
+
+    All arguments are broadcast against each other, as numpy does it. `velocity` is in m/s, `normal_force` in N;
+    parameters are those of `stribeck.law(name).parameters`, in SI units. At velocity 0 a law without memory carries the
+    `external_force`, up to its static level; it is 0 if it is not given.
+
+    >>> force("Coulomb", [-1.0, 2.0], 10.0, mu_k=[[0.1], [0.3]])
+    array([[-1.,  1.],
+           [-3.,  3.]])
+
+    Raises `stribeck.Refused`, a ValueError, for a name that does not exist, a value outside its bound, and a law whose
+    force keeps fluctuating at a held velocity.
+    """
+    described = law(name)
+    if "velocity" not in described.inputs:
+        raise Refused(f"{described.name} has the inputs {', '.join(described.inputs)}: use stribeck.simulate")
+    given = {"velocity": velocity, "normal_force": normal_force, **parameters}
+    # Steady sliding has no acceleration.
+    for other in described.inputs:
+        given.setdefault(other, 0.0)
+    arrays = {key: _numbers(described.find(key), value) for key, value in given.items()}
+    shape = _broadcast(arrays)
+    columns = {key: np.broadcast_to(array, shape).reshape(-1, 1) for key, array in arrays.items()}
+    inputs = [(key, column) for key, column in columns.items() if key in described.inputs]
+    others = [(key, column) for key, column in columns.items() if key not in described.inputs]
+    points = int(np.prod(shape, dtype=np.int64))
+    (forces,) = _stribeck.settle(
+        described.name,
+        preset=preset,
+        parameters=others,
+        inputs=inputs,
+        results=["friction_force"],
+        points=points,
+        threads_asked=_threads(threads),
+    )
+    # Indexing by () turns a single number into a scalar.
+    return forces.reshape(shape)[()]
+
+
+def simulate(
+    name: str | Description,
+    *,
+    dt: float | None = None,
+    time: ArrayLike | None = None,
+    held: bool = False,
+    preset: str | None = None,
+    record: Sequence[str] | None = None,
+    threads: int | None = None,
+    **values: Any,
+) -> Result:
+    """Results of a model along given inputs.
+
+    An input is a number, an array over time or an array of the shape (runs, samples); a parameter is a number, the name
+    of a choice, or an array with one value per run. The samples are `dt` seconds apart, or at the times `time`. Between
+    two samples inputs move along straight lines; with `held` they keep the earlier value, as in an FMU without input
+    derivatives. Every result at a sample is that with the inputs of the sample. `record` chooses the results; all
+    outputs otherwise.
+
+    >>> import numpy
+    >>> t = numpy.arange(0.0, 1.0, 1e-3)
+    >>> result = simulate("LuGre", velocity=1e-3 * numpy.sin(6.28 * t), normal_force=10.0, dt=1e-3, sigma_0=[1e4, 1e5])
+    >>> result["friction_force"].shape, result.units["friction_force"]
+    ((2, 1000), 'N')
+
+    All inputs must be given, apart from `external_force`, which is 0 if it is not. Runs are made by all processors,
+    with the interpreter lock released; the bits do not depend on the number of `threads`. Raises `stribeck.Refused`, a
+    ValueError, naming run, sample, variable, value and bound.
+    """
+    described = model(name)
+    # Refuses a misspelled name before an input is found to be missing.
+    arrays = {key: _numbers(described.find(key), value) for key, value in values.items()}
+    assumed = _assumed(described, arrays)
+    arrays |= {key: np.asarray(value) for key, value in assumed.items()}
+    if (dt is None) == (time is None):
+        raise TypeError("give either dt or time")
+    times = None if time is None else _times(time)
+    inputs = {key: array for key, array in arrays.items() if key in described.inputs}
+    samples = _samples(inputs, times)
+    runs, single = _runs(described, arrays)
+    results = _results(described, record)
+    flat = _stribeck.follow(
+        described.name,
+        preset=preset,
+        parameters=[(key, array.reshape(-1, 1)) for key, array in arrays.items() if key not in described.inputs],
+        inputs=[(key, np.atleast_2d(array)) for key, array in inputs.items()],
+        dt=_step(dt) if times is None else 0.0,
+        times=times,
+        held=bool(held),
+        results=results,
+        runs=runs,
+        samples=samples,
+        threads_asked=_threads(threads),
+    )
+    shape = (samples,) if single else (runs, samples)
+    columns = {key: column.reshape(shape) for key, column in zip(results, flat, strict=True)}
+    axis = float(dt or 0.0) * np.arange(samples) if times is None else times
+    units = {key: described.variables[key].unit for key in results}
+    return Result(described.name, axis, columns, units, assumed)
+
+
+def _numbers(variable: Variable, value: Any) -> NDArray[np.float64]:
+    """A value, or an array of values, as numbers."""
+    if variable.role == "Output":
+        raise Refused(f"{variable.name} is computed and cannot be set")
+    if isinstance(value, str):
+        return np.asarray(variable.number(value))
+    array = np.asarray(value)
+    if array.dtype.kind == "U" and variable.kind == "choice":
+        return np.array([variable.number(str(one)) for one in array.ravel()]).reshape(array.shape)
+    if array.dtype.kind not in "biuf":
+        raise TypeError(f"{variable.name}: must be numbers, not {array.dtype}")
+    return np.asarray(array, dtype=np.float64, order="C")
+
+
+def _broadcast(arrays: Mapping[str, NDArray[np.float64]]) -> tuple[int, ...]:
+    try:
+        return np.broadcast_shapes(*(array.shape for array in arrays.values()))
+    except ValueError:
+        shapes = ", ".join(f"{name} {array.shape}" for name, array in arrays.items())
+        raise Refused(f"the shapes do not fit together: {shapes}") from None
+
+
+def _assumed(described: Description, given: Mapping[str, object]) -> dict[str, float]:
+    """The values of inputs that are not given; refuses those that must be."""
+    missing = [name for name in described.inputs if name not in given]
+    needed = [name for name in missing if name not in UNLOADED]
+    if needed:
+        hint = " (for example numpy.gradient(velocity, dt))" if needed[0] == "acceleration" else ""
+        raise Refused(f"{described.name} needs the input {needed[0]}{hint}")
+    return {name: UNLOADED[name] for name in missing}
+
+
+def _times(time: ArrayLike) -> NDArray[np.float64]:
+    times = np.ascontiguousarray(time, dtype=np.float64)
+    if times.ndim != 1:
+        raise Refused(f"time has the shape {times.shape}: must have one dimension")
+    late = np.flatnonzero(~(np.diff(times) > 0.0))
+    if late.size:
+        at = int(late[0])
+        raise Refused(f"time[{at + 1}] = {times[at + 1]} s after {times[at]} s: must grow")
+    return times
+
+
+def _step(dt: float | None) -> float:
+    step = float(dt)  # type: ignore[arg-type]
+    if not 0.0 < step < np.inf:
+        raise Refused(f"dt = {step} s: must be > 0 and finite")
+    return step
+
+
+def _samples(inputs: Mapping[str, NDArray[np.float64]], times: NDArray[np.float64] | None) -> int:
+    """Number of samples, on which all inputs and the times agree."""
+    lengths = {name: array.shape[-1] for name, array in inputs.items() if array.ndim > 0 and array.shape[-1] != 1}
+    for name, array in inputs.items():
+        if array.ndim > 2:
+            raise Refused(f"{name} has the shape {array.shape}: must be (samples) or (runs, samples)")
+    if times is not None:
+        lengths["time"] = len(times)
+    if len(set(lengths.values())) > 1:
+        told = ", ".join(f"{name} {length}" for name, length in lengths.items())
+        raise Refused(f"the numbers of samples differ: {told}")
+    samples = next(iter(lengths.values()), 1)
+    if samples == 0:
+        raise Refused("there are no samples")
+    return samples
+
+
+def _runs(described: Description, arrays: Mapping[str, NDArray[np.float64]]) -> tuple[int, bool]:
+    """Number of runs, and whether it is a single one without an axis of its own."""
+    counts = {}
+    for name, array in arrays.items():
+        runs_axis = array.ndim - (1 if name in described.inputs else 0)
+        if runs_axis > 1:
+            raise Refused(f"{name} has the shape {array.shape}: must have one value per run")
+        if runs_axis == 1:
+            counts[name] = array.shape[0]
+    several = {name: count for name, count in counts.items() if count != 1}
+    if len(set(several.values())) > 1:
+        told = ", ".join(f"{name} {count}" for name, count in several.items())
+        raise Refused(f"the numbers of runs differ: {told}")
+    runs = next(iter(several.values()), 1)
+    if runs == 0:
+        raise Refused("there are no runs")
+    return runs, not counts
+
+
+def _results(described: Description, record: Sequence[str] | None) -> list[str]:
+    if record is None:
+        return list(described.outputs)
+    names = [record] if isinstance(record, str) else list(record)
+    return [described.find(name).name for name in names]
+
+
+def _threads(threads: int | None) -> int | None:
+    if threads is not None and threads < 1:
+        raise Refused(f"threads = {threads}: must be >= 1")
+    return threads

@@ -1,0 +1,152 @@
+"""Systems of models, solved to a tolerance."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from typing import TYPE_CHECKING, Any
+
+from stribeck import _stribeck
+from stribeck.catalogue import Description, laws
+from stribeck.results import Result
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+
+class Solution(Result):
+    """Motion of a system: its results over time, its events, and what it has cost."""
+
+    def __init__(self, system: str, told: Mapping[str, Any]) -> None:
+        columns = {name: column for name, _, column in told["columns"]}
+        units = {name: unit for name, unit, _ in told["columns"]}
+        title = f"{told['law']} in {system}" if told["law"] else system
+        super().__init__(title, told["time"], columns, units)
+        self.system = system
+        """The system."""
+        self.law: str | None = told["law"]
+        """The friction law, if a part of the system can be any."""
+        self.solver: str = told["solver"]
+        """The solver that was used."""
+        self.events: list[tuple[float, str]] = told["events"]
+        """Time of each event in s, and the part that had it."""
+        self.statistics: dict[str, int] = told["statistics"]
+        """Steps, rejected steps, evaluations of the rates, Jacobians."""
+        self.end: str = told["end"]
+        """How the run ended."""
+        self.seconds: float = told["seconds"]
+        """Time on the clock."""
+
+
+class NotConverged(RuntimeError):
+    """A run that did not come to its end. `solution` is the motion up to there."""
+
+    def __init__(self, solution: Solution) -> None:
+        super().__init__(f"{solution.title}: {solution.end}")
+        self.solution = solution
+
+
+class Comparison(Mapping[str, Solution]):
+    """Motions of one system with several laws: a mapping from the law's name. `failed` has those that did not come to
+    their end."""
+
+    def __init__(self, system: str, solutions: dict[str, Solution], failed: dict[str, Solution]) -> None:
+        self.system = system
+        self.solutions = solutions
+        self.failed = failed
+
+    def __getitem__(self, law: str) -> Solution:
+        if law in self.failed:
+            raise NotConverged(self.failed[law])
+        return self.solutions[law]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self.solutions)
+
+    def __len__(self) -> int:
+        return len(self.solutions)
+
+    def __repr__(self) -> str:
+        rows = [f"{law}: {one.end}, {len(one.events)} events" for law, one in {**self.solutions, **self.failed}.items()]
+        return "\n".join([f"<{self.system} with {len(rows)} laws>", *rows])
+
+    def plot(self, name: str, over: str = "time") -> Figure:
+        """Draws one result of all laws over time or over another result. Returns matplotlib's Figure."""
+        import matplotlib.pyplot as plt
+
+        figure, axis = plt.subplots(layout="constrained")
+        for law, one in self.solutions.items():
+            axis.plot(one[over], one[name], linewidth=1.0, label=law)
+            axis.set(xlabel=one._label(over), ylabel=one._label(name), title=self.system)
+        axis.grid(alpha=0.3)
+        axis.legend()
+        return figure
+
+
+def systems() -> dict[str, str]:
+    """Names of the built-in systems, with their titles.
+
+    >>> systems()["belt"]
+    'Block on a moving belt, held by a spring'
+    """
+    return dict(_stribeck.systems())
+
+
+def solvers() -> dict[str, str]:
+    """Names of the solvers, with one line on each."""
+    return dict(_stribeck.solvers())
+
+
+def solve(system: str = "belt", law: str | Description | None = None, **options: Any) -> Solution:
+    """Motion of a system: a built-in one, or a system file (.toml). Same names, same bits as `stribeck run`.
+
+    >>> solution = solve("belt", "CoulombStiction")
+    >>> [round(time, 6) for time, part in solution.events[:2]]  # the block slips, and sticks again
+    [7.3575, 9.975922]
+
+    Options, as of `stribeck run`: `set`, a dictionary of values such as `{"rig.mass": 2.0, "mu_s": 0.2}`; `solver`, one
+    of `stribeck.solvers()`; `tol`, relative and absolute tolerance; `until` and `every`, end and interval of the
+    results in s; `record`, names of results such as `rig.position` or `der(rig.block_velocity)`; `events`, whether they
+    are located; for co-simulation `step` and `jitter` in s and `exchange`.
+
+    Raises `stribeck.Refused`, a ValueError, for what cannot be run, and `stribeck.NotConverged` for a run that ends
+    early.
+    """
+    (solution,) = _solutions(system, [] if law is None else [str(law)], options)
+    if solution.end != "reached":
+        raise NotConverged(solution)
+    return solution
+
+
+def compare(system: str = "belt", law: Sequence[str | Description] | None = None, **options: Any) -> Comparison:
+    """Motions of a system with several laws, or with all of them. Options as for `solve`.
+
+    >>> both = compare("belt", ["LuGre", "Dahl"], until=5.0)
+    >>> sorted(both)
+    ['Dahl', 'LuGre']
+    """
+    names = [str(one) for one in (laws() if law is None else law)]
+    solutions = dict(zip(names, _solutions(system, names, options), strict=True))
+    reached = {name: one for name, one in solutions.items() if one.end == "reached"}
+    failed = {name: one for name, one in solutions.items() if one.end != "reached"}
+    return Comparison(system, reached, failed)
+
+
+def _solutions(system: str, names: list[str], options: dict[str, Any]) -> list[Solution]:
+    chosen: dict[str, Any] = {
+        "set": {},
+        "solver": None,
+        "tol": None,
+        "until": None,
+        "every": None,
+        "step": None,
+        "exchange": None,
+        "jitter": None,
+        "events": True,
+        "record": [],
+    }
+    unknown = [name for name in options if name not in chosen]
+    if unknown:
+        raise TypeError(f"no option '{unknown[0]}': there are {', '.join(chosen)}")
+    chosen.update(options)
+    told = _stribeck.solve(str(system), law=names, settings=dict(chosen.pop("set")), **chosen)
+    return [Solution(str(system), one) for one in told]
