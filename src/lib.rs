@@ -5,7 +5,7 @@
 //! A model is one row of `f64` with a declared table ([`mod@model`]); its outputs are written once for every [`number`]
 //! type. Models share [`numerics`], [`laws`] and the description of a [`contact`] over a step. [`friction`],
 //! [`shock_absorber`] and [`host`] hold one model per file, listed in the [`catalogue`]. An [`instance`] is a model in
-//! use. The crate exports no C functions: those of FMI and of `stribeck.h` are in `stribeck-ffi`, from which the library
+//! use, which [`series`] leads along samples of its inputs. The crate exports no C functions: those of FMI and of `stribeck.h` are in `stribeck-ffi`, from which the library
 //! in every FMU is made.
 
 // Tests take another road.
@@ -25,6 +25,7 @@ pub mod number;
 pub mod numerics;
 pub mod reference;
 pub mod serial;
+pub mod series;
 pub mod shock_absorber;
 pub mod table;
 pub mod unit;

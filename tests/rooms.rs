@@ -33,6 +33,7 @@ const HOUSES: &[House] = &[
             "consistency",
             "instance",
             "serial",
+            "series",
         ],
     },
     House { folder: "ffi/src", rooms: &["guard", "models", "fmi2", "c"] },
@@ -42,7 +43,6 @@ const HOUSES: &[House] = &[
         rooms: &[
             "dyno",
             "tir",
-            "series",
             "solve",
             "system",
             "couple",

@@ -2,8 +2,8 @@
 //! to a tolerance.
 //!
 //! [`dyno`] makes a [`ParameterSet`](ssp::parameter_set::ParameterSet) from the measurements of a damper dynamometer,
-//! [`tir`] from a tyre property file. [`series`] has models over given inputs. [`system`] joins models, [`solve`] has the
-//! solvers, [`run`] runs them, [`picture`] draws what came of it, and [`report`] tells it all in one file.
+//! [`tir`] from a tyre property file. [`system`] joins models, [`solve`] has the solvers,
+//! [`run`] runs them,  [`picture`] draws what came of it, and [`report`] tells it all in one file.
 
 #[cfg(feature = "workbench")]
 pub mod benchmark;
@@ -16,7 +16,6 @@ pub mod picture;
 pub mod report;
 #[cfg(feature = "workbench")]
 pub mod run;
-pub mod series;
 #[cfg(feature = "workbench")]
 pub mod solve;
 #[cfg(feature = "workbench")]

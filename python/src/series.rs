@@ -4,12 +4,12 @@ use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::thread;
 
-use lab::series::{Between, Course, Ended, Input, Times, set_up};
 use numpy::{PyArray1, PyReadonlyArray1, PyReadonlyArray2, PyUntypedArrayMethods};
 use pyo3::exceptions::PyMemoryError;
 use pyo3::prelude::*;
 use stribeck::instance::Instance;
 use stribeck::model::ModelType;
+use stribeck::series::{Between, Course, Ended, Input, Times, set_up};
 
 use crate::catalogue::{column, find};
 use crate::refused;
@@ -189,7 +189,7 @@ pub fn follow<'py>(
                 inputs.iter().map(|rows| Input { column: rows.column, samples: rows.row(run) }).collect();
             let times = times.as_deref().map_or(Times::Every(dt), Times::At);
             let course = Course { inputs: &inputs, times, samples, between };
-            lab::series::follow(instance, &course, &results, &mut slot, cancel)
+            stribeck::series::follow(instance, &course, &results, &mut slot, cancel)
         })
     })?;
     done.map_err(|failure| common.text(failure))?;
@@ -231,7 +231,7 @@ pub fn settle<'py>(
             let squares = held.iter().filter(|(column, _)| is_velocity(*column)).map(|(_, value)| value * value);
             let speed = squares.sum::<f64>().sqrt();
             let mut values = vec![0.0; slot.len()];
-            lab::series::settle(instance, &held, speed, &results, &mut values, cancel)?;
+            stribeck::series::settle(instance, &held, speed, &results, &mut values, cancel)?;
             slot.iter_mut().zip(values).for_each(|(place, value)| place[0] = value);
             Ok(())
         })

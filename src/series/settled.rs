@@ -1,8 +1,10 @@
 //! Results at held inputs, once they have settled.
 
+use std::fmt;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use stribeck::instance::{Instance, Phase};
+use crate::instance::{Instance, Phase, Refused};
+use crate::model::Fault;
 
 use super::Ended;
 
@@ -29,7 +31,7 @@ pub fn settle(
     values: &mut [f64],
     cancel: &AtomicBool,
 ) -> Result<(), Ended> {
-    instance.set_all(Phase::Stepping, inputs.iter().copied()).map_err(|refused| Ended::Setup(refused.to_string()))?;
+    instance.set_all(Phase::Stepping, inputs.iter().copied()).map_err(Ended::setup)?;
     let least = if speed > 0.0 { f64::max(LEAST_TIME, LEAST_WAY / speed) } else { LEAST_TIME };
     let (mut time, mut step) = (0.0, FIRST_STEP);
     let mut history: Vec<(f64, Vec<f64>)> = Vec::new();
@@ -37,11 +39,11 @@ pub fn settle(
         if cancel.load(Ordering::Relaxed) {
             return Err(Ended::Cancelled);
         }
-        instance.step(step).map_err(|fault| Ended::Setup(fault.to_string()))?;
+        instance.step(step).map_err(|fault| Ended::setup(Refused::NotFinite(fault)))?;
         time += step;
         step *= GROWTH;
         let read = results.iter().map(|column| instance.get_column(*column)).collect::<Result<Vec<f64>, _>>();
-        history.push((time, read.map_err(|refused| Ended::Setup(refused.to_string()))?));
+        history.push((time, read.map_err(Ended::setup)?));
         history.retain(|(earlier, _)| *earlier >= 0.1 * time);
         if time >= least && is_settled(&history) {
             let last = history.last().map_or(&[][..], |(_, results)| results);
@@ -49,9 +51,26 @@ pub fn settle(
             return Ok(());
         }
     }
-    let shown: Vec<String> =
-        inputs.iter().filter_map(|(at, value)| Some(format!("{} = {value}", instance.variable(*at)?.path))).collect();
-    Err(Ended::Unsettled(format!("the results do not settle at {}: they keep fluctuating", shown.join(", "))))
+    let shown = Shown { instance, inputs };
+    Err(Ended::Unsettled(Fault::new(format_args!("the results do not settle at {shown}: they keep fluctuating"))))
+}
+
+/// Inputs as a message names them.
+struct Shown<'a> {
+    instance: &'a Instance,
+    inputs: &'a [(usize, f64)],
+}
+
+impl fmt::Display for Shown<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        for (number, (column, value)) in self.inputs.iter().enumerate() {
+            let between = if number == 0 { "" } else { ", " };
+            if let Some(variable) = self.instance.variable(*column) {
+                write!(f, "{between}{} = {value}", variable.path)?;
+            }
+        }
+        Ok(())
+    }
 }
 
 fn is_settled(history: &[(f64, Vec<f64>)]) -> bool {

@@ -1,7 +1,7 @@
 //! Series against closed forms, and against an instance that is stepped by hand.
 
 use super::*;
-use stribeck::catalogue::{Family, by_name, documented};
+use crate::catalogue::{Family, by_name, documented};
 
 static NEVER: AtomicBool = AtomicBool::new(false);
 

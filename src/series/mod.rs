@@ -1,13 +1,15 @@
-//! A model over given inputs: samples in, results out; and its results at held inputs, once they have settled.
+//! A model over given inputs: samples in, results out; and its results at held inputs, once they have settled. C, Python
+//! and whoever else follows a series of samples do it here, with the same bits.
 
 mod settled;
 #[cfg(test)]
 mod tests;
 
+use std::fmt;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use stribeck::instance::{Instance, Phase, Refused};
-use stribeck::model::{Fault, Kind};
+use crate::instance::{Instance, Phase, Refused};
+use crate::model::{Fault, Kind};
 
 pub use settled::settle;
 
@@ -78,33 +80,48 @@ pub struct Course<'a> {
 }
 
 /// Why a run did not come to its end.
-#[derive(Debug, thiserror::Error)]
+#[derive(Debug)]
 pub enum Ended {
     /// A parameter was refused.
-    #[error("{0}")]
-    Setup(String),
+    Setup(Box<Refused>),
     /// A value was refused, or a result would not be finite.
-    #[error("sample {sample} (t = {time} s): {reason}")]
-    Refused {
+    At {
         /// The sample, from 0.
         sample: usize,
-        /// Its time.
+        /// Its time in s.
         time: f64,
         /// The reason, with name, value and limit.
-        reason: String,
+        reason: Box<Refused>,
     },
     /// The results do not settle.
-    #[error("{0}")]
-    Unsettled(String),
+    Unsettled(Fault),
     /// It was ended from outside.
-    #[error("cancelled")]
     Cancelled,
+}
+
+impl fmt::Display for Ended {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        match self {
+            Ended::Setup(reason) => reason.fmt(f),
+            Ended::At { sample, time, reason } => write!(f, "sample {sample} (t = {time} s): {reason}"),
+            Ended::Unsettled(reason) => reason.fmt(f),
+            Ended::Cancelled => write!(f, "cancelled"),
+        }
+    }
+}
+
+impl std::error::Error for Ended {}
+
+impl Ended {
+    fn setup(reason: Refused) -> Ended {
+        Ended::Setup(Box::new(reason))
+    }
 }
 
 /// Sets parameters, all or none, and checks them against each other.
 pub fn set_up(instance: &mut Instance, parameters: &[(usize, f64)]) -> Result<(), Ended> {
-    let set = instance.set_all(Phase::Setup, parameters.iter().copied()).map_err(|refused| refused.to_string());
-    set.and_then(|()| instance.check().map_err(|fault| fault.to_string())).map_err(Ended::Setup)
+    let set = instance.set_all(Phase::Setup, parameters.iter().copied());
+    set.and_then(|()| instance.check().map_err(Refused::Value)).map_err(Ended::setup)
 }
 
 /// Samples between two looks at the flag that ends a run.
@@ -125,18 +142,18 @@ pub fn follow(
         if sample % PATIENCE == 0 && cancel.load(Ordering::Relaxed) {
             return Err(Ended::Cancelled);
         }
-        let refused = |reason: String| Ended::Refused { sample, time: times.at(sample), reason };
+        let at = |reason: Refused| Ended::At { sample, time: times.at(sample), reason: Box::new(reason) };
         let values = inputs.iter().map(|input| (input.column, input.at(sample)));
-        instance.set_all(Phase::Stepping, values).map_err(|reason| refused(reason.to_string()))?;
+        instance.set_all(Phase::Stepping, values).map_err(at)?;
         for (column, row) in results.iter().zip(rows.iter_mut()) {
-            row[sample] = instance.get_column(*column).map_err(|reason| refused(reason.to_string()))?;
+            row[sample] = instance.get_column(*column).map_err(at)?;
         }
         if sample + 1 < samples {
             let step = times.step(sample);
             if between == Between::Linear {
-                incline(instance, inputs, sample, step).map_err(|reason| refused(reason.to_string()))?;
+                incline(instance, inputs, sample, step).map_err(at)?;
             }
-            instance.step(step).map_err(|reason: Fault| refused(reason.to_string()))?;
+            instance.step(step).map_err(|fault| at(Refused::NotFinite(fault)))?;
         }
     }
     Ok(())
@@ -148,7 +165,7 @@ fn check(instance: &Instance, course: &Course) -> Result<(), Ended> {
         for (sample, value) in input.samples.iter().enumerate() {
             let checked = instance.check_value(Phase::Stepping, input.column, *value);
             let time = course.times.at(sample);
-            checked.map_err(|reason| Ended::Refused { sample, time, reason: reason.to_string() })?;
+            checked.map_err(|reason| Ended::At { sample, time, reason: Box::new(reason) })?;
         }
     }
     Ok(())
