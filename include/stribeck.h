@@ -147,6 +147,28 @@ typedef struct {
   double max;
 } stribeck_variable;
 
+/** Variables with arrays of values, which stribeck_run reads. The arrays belong to the caller. */
+typedef struct {
+  /** References of the variables. */
+  const uint32_t *references;
+  /** An array for each of them. */
+  const double *const *values;
+  /** Number of variables. */
+  size_t count;
+} stribeck_samples;
+
+/**
+ * Variables with arrays for their values, which stribeck_run writes. The arrays belong to the caller and do not overlap.
+ */
+typedef struct {
+  /** References of the variables. */
+  const uint32_t *references;
+  /** An array for each of them. */
+  double *const *values;
+  /** Number of variables. */
+  size_t count;
+} stribeck_results;
+
 /** An instance of a model. */
 typedef void *fmi2Component;
 
@@ -348,6 +370,36 @@ double stribeck_time(const stribeck_model *model);
  * for the friction of ShockAbsorber before its first step, which is differentiated numerically.
  */
 stribeck_status stribeck_derivative(stribeck_model *model, uint32_t output, uint32_t input, double *value);
+
+/**
+ * Leads the model along samples of its inputs, `dt` seconds apart: at each of the `samples` it sets the inputs, reads the
+ * results and, except at the last one, makes a step. Each array has a value per sample. With `held` = 0 the inputs move
+ * along straight lines between the samples; otherwise they keep the earlier value, as with stribeck_step. The results are
+ * the same, to the last bit, as those of single calls.
+ *
+ * A refused call leaves the model as it was, and stribeck_last_error names the sample; the arrays of `results` may have
+ * been written to. Nothing is allocated between the samples. `inputs` and `results` may be NULL if there are none.
+ */
+stribeck_status stribeck_run(stribeck_model *model,
+                             double dt,
+                             size_t samples,
+                             int held,
+                             const stribeck_samples *inputs,
+                             const stribeck_results *results);
+
+/**
+ * As stribeck_run, for several runs that all begin with the present state of the model, to which it returns at the end.
+ * Each array of `parameters`, which may be any variables that can be set, has a value per run; each array of `inputs` and
+ * `results` has `samples` values per run, run after run.
+ */
+stribeck_status stribeck_run_many(stribeck_model *model,
+                                  double dt,
+                                  size_t samples,
+                                  size_t runs,
+                                  int held,
+                                  const stribeck_samples *parameters,
+                                  const stribeck_samples *inputs,
+                                  const stribeck_results *results);
 
 /** Number of bytes that stribeck_save writes; 0 for NULL. */
 size_t stribeck_state_size(const stribeck_model *model);

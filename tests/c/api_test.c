@@ -588,6 +588,144 @@ static void presets_set_the_parameters(void) {
     stribeck_free(model);
 }
 
+/* ---------------------------------------------------------------- many samples */
+
+enum { SAMPLES = 50, RUNS = 3 };
+#define DT 1e-3
+
+/* A velocity that reverses, under a load that changes. */
+static void motion(double *velocity, double *load, double size) {
+    for (int i = 0; i < SAMPLES; i++) {
+        velocity[i] = size * sin(0.3 * i);
+        load[i] = 10.0 + 0.1 * i;
+    }
+}
+
+/* The forces of LuGre along a motion, call by call with held inputs. */
+static void by_single_calls(double sigma_0, const double *velocity, const double *load, double *force) {
+    stribeck_model *model = create("LuGre");
+    set(model, "sigma_0", sigma_0);
+    for (int i = 0; i < SAMPLES; i++) {
+        set(model, "velocity", velocity[i]);
+        set(model, "normal_force", load[i]);
+        force[i] = get(model, "friction_force");
+        if (i + 1 < SAMPLES) {
+            CHECK(stribeck_step(model, DT) == STRIBECK_OK);
+        }
+    }
+    stribeck_free(model);
+}
+
+static void a_run_has_the_bits_of_single_calls(void) {
+    double velocity[SAMPLES], load[SAMPLES], expected[SAMPLES], force[SAMPLES];
+    motion(velocity, load, 0.01);
+    by_single_calls(1e5, velocity, load, expected);
+    stribeck_model *model = create("LuGre");
+    const uint32_t given[] = {STRIBECK_LUGRE_VELOCITY, STRIBECK_LUGRE_NORMAL_FORCE};
+    const uint32_t wanted[] = {STRIBECK_LUGRE_FRICTION_FORCE};
+    const double *values[] = {velocity, load};
+    double *found[] = {force};
+    const stribeck_samples inputs = {given, values, 2};
+    const stribeck_results results = {wanted, found, 1};
+    CHECK(stribeck_run(model, DT, SAMPLES, 1, &inputs, &results) == STRIBECK_OK);
+    CHECK(memcmp(force, expected, sizeof force) == 0);
+    CHECK(fabs(stribeck_time(model) - (SAMPLES - 1) * DT) < 1e-12);
+    stribeck_free(model);
+}
+
+/* Dahl's law along a velocity that grows linearly: f_C (1 - exp(-sigma_0 x / f_C)), x = a t^2 / 2. With held inputs the
+ * force would be off by some percent. */
+static void inputs_may_move_along_lines(void) {
+    stribeck_model *model = create("Dahl");
+    set(model, "normal_force", 10.0);
+    const double level = 10.0 * get(model, "mu_k"), stiffness = get(model, "sigma_0");
+    const double slope = 2.0 * level / stiffness / (DT * DT * SAMPLES * SAMPLES);
+    double velocity[SAMPLES], force[SAMPLES];
+    for (int i = 0; i < SAMPLES; i++) {
+        velocity[i] = slope * DT * i;
+    }
+    const uint32_t given[] = {STRIBECK_DAHL_VELOCITY}, wanted[] = {STRIBECK_DAHL_FRICTION_FORCE};
+    const double *values[] = {velocity};
+    double *found[] = {force};
+    const stribeck_samples inputs = {given, values, 1};
+    const stribeck_results results = {wanted, found, 1};
+    CHECK(stribeck_run(model, DT, SAMPLES, 0, &inputs, &results) == STRIBECK_OK);
+    for (int i = 0; i < SAMPLES; i++) {
+        const double displacement = 0.5 * slope * DT * DT * i * i;
+        CHECK(fabs(force[i] - level * (1.0 - exp(-stiffness * displacement / level))) < 1e-8 * level);
+    }
+    stribeck_free(model);
+}
+
+static void many_runs_are_single_runs(void) {
+    double velocity[RUNS * SAMPLES], load[RUNS * SAMPLES], force[RUNS * SAMPLES], expected[SAMPLES];
+    const double stiffness[RUNS] = {1e4, 1e5, 3e5};
+    stribeck_model *model = create("LuGre");
+    set(model, "mu_s", 0.15);
+    state before = save(model);
+    const uint32_t chosen[] = {STRIBECK_LUGRE_SIGMA_0};
+    const uint32_t given[] = {STRIBECK_LUGRE_VELOCITY, STRIBECK_LUGRE_NORMAL_FORCE};
+    const uint32_t wanted[] = {STRIBECK_LUGRE_FRICTION_FORCE};
+    const double *choices[] = {stiffness}, *values[] = {velocity, load};
+    double *found[] = {force};
+    const stribeck_samples parameters = {chosen, choices, 1}, inputs = {given, values, 2};
+    const stribeck_results results = {wanted, found, 1};
+    for (int run = 0; run < RUNS; run++) {
+        motion(velocity + run * SAMPLES, load + run * SAMPLES, 0.01 * (run + 1));
+    }
+    CHECK(stribeck_run_many(model, DT, SAMPLES, RUNS, 1, &parameters, &inputs, &results) == STRIBECK_OK);
+    CHECK(is_unchanged(model, &before));
+    for (int run = 0; run < RUNS; run++) {
+        by_single_calls(stiffness[run], velocity + run * SAMPLES, load + run * SAMPLES, expected);
+        CHECK(memcmp(force + run * SAMPLES, expected, sizeof expected) == 0);
+    }
+    CHECK(stribeck_run_many(model, DT, SAMPLES, 0, 1, NULL, NULL, NULL) == STRIBECK_OK);
+    CHECK(is_unchanged(model, &before));
+    free(before.bytes);
+    stribeck_free(model);
+}
+
+static void bad_runs_change_nothing(void) {
+    double velocity[SAMPLES], load[SAMPLES], force[SAMPLES];
+    motion(velocity, load, 0.01);
+    stribeck_model *model = create("LuGre");
+    const uint32_t given[] = {STRIBECK_LUGRE_VELOCITY, STRIBECK_LUGRE_NORMAL_FORCE}, wrong[] = {7};
+    const uint32_t wanted[] = {STRIBECK_LUGRE_FRICTION_FORCE};
+    const double *values[] = {velocity, load}, *none[] = {NULL, NULL};
+    double *found[] = {force}, *nowhere[] = {NULL};
+    const stribeck_samples inputs = {given, values, 2}, without = {given, none, 2}, unknown = {wrong, values, 1};
+    const stribeck_samples null = {NULL, NULL, 2}, output = {wanted, values, 1};
+    const stribeck_results results = {wanted, found, 1}, lost = {wanted, nowhere, 1}, strange = {wrong, found, 1};
+    state before = save(model);
+    CHECK(stribeck_run(NULL, DT, SAMPLES, 1, &inputs, &results) == STRIBECK_NULL);
+    CHECK(stribeck_run(model, 0.0, SAMPLES, 1, &inputs, &results) == STRIBECK_REFUSED_VALUE);
+    CHECK(stribeck_run(model, NAN, SAMPLES, 1, &inputs, &results) == STRIBECK_REFUSED_VALUE);
+    CHECK(stribeck_run(model, DT, SAMPLES, 1, &without, &results) == STRIBECK_NULL);
+    CHECK(stribeck_run(model, DT, SAMPLES, 1, &null, &results) == STRIBECK_NULL);
+    CHECK(stribeck_run(model, DT, SAMPLES, 1, &inputs, &lost) == STRIBECK_NULL);
+    CHECK(stribeck_run(model, DT, SAMPLES, 1, &unknown, &results) == STRIBECK_UNKNOWN_VARIABLE);
+    CHECK(stribeck_run(model, DT, SAMPLES, 1, &inputs, &strange) == STRIBECK_UNKNOWN_VARIABLE);
+    CHECK(stribeck_run(model, DT, SAMPLES, 1, &output, &results) == STRIBECK_NOT_SETTABLE);
+    CHECK(stribeck_run_many(model, DT, SIZE_MAX / 8, 9, 1, NULL, &inputs, &results) == STRIBECK_REFUSED_VALUE);
+    load[40] = -1.0;
+    CHECK(stribeck_run(model, DT, SAMPLES, 1, &inputs, &results) == STRIBECK_REFUSED_VALUE);
+    CHECK(says(model, "sample 40", "normal_force = -1"));
+    load[40] = NAN;
+    CHECK(stribeck_run_many(model, DT, SAMPLES, 1, 0, NULL, &inputs, &results) == STRIBECK_REFUSED_VALUE);
+    load[40] = 1.0;
+    set(model, "viscous_coefficient", 1e300);
+    free(before.bytes);
+    before = save(model);
+    velocity[30] = 1e300;
+    CHECK(stribeck_run(model, DT, SAMPLES, 1, &inputs, &results) == STRIBECK_NOT_FINITE);
+    CHECK(says(model, "sample 30", "finite"));
+    CHECK(is_unchanged(model, &before));
+    CHECK(stribeck_run(model, DT, 0, 1, &without, &lost) == STRIBECK_OK);
+    CHECK(is_unchanged(model, &before));
+    free(before.bytes);
+    stribeck_free(model);
+}
+
 int main(void) {
     library_names_itself_and_its_models();
     every_status_has_its_own_text();
@@ -608,5 +746,9 @@ int main(void) {
     small_buffers_are_refused();
     models_do_not_disturb_each_other();
     presets_set_the_parameters();
+    a_run_has_the_bits_of_single_calls();
+    inputs_may_move_along_lines();
+    many_runs_are_single_runs();
+    bad_runs_change_nothing();
     return report();
 }

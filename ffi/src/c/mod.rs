@@ -22,8 +22,10 @@ use stribeck::instance::{Instance, Refused};
 use stribeck::memory::{self, OUT_OF_MEMORY, OutOfMemory};
 use stribeck::model::{Computed, Fault, Kind, ModelType, Role};
 
+mod run;
 mod state;
 mod warning;
+pub use run::{stribeck_results, stribeck_run, stribeck_run_many, stribeck_samples};
 pub use state::{stribeck_restore, stribeck_save, stribeck_state_size};
 pub use warning::stribeck_warning;
 

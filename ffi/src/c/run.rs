@@ -1,0 +1,247 @@
+//! Many steps in one call.
+
+use std::sync::atomic::AtomicBool;
+
+use libc::c_int;
+
+use super::stribeck_status::*;
+use super::{Outcome, Refusal, enter, fault, refuse, stribeck_model, stribeck_status};
+use crate::guard::pointer::{Null, array, array_mut};
+use stribeck::instance::{Instance, Refused, Snapshot};
+use stribeck::memory::{self, OutOfMemory};
+use stribeck::series::{self, Between, Course, Ended, Input, Times};
+
+/// Nobody ends a call from C early.
+static NEVER: AtomicBool = AtomicBool::new(false);
+
+impl From<Ended> for Refusal {
+    fn from(ended: Ended) -> Refusal {
+        let text = memory::text(&ended);
+        let Refusal(status, _) = match ended {
+            Ended::Setup(reason) | Ended::At { reason, .. } => Refusal::from(*reason),
+            Ended::Unsettled(fault) => Refusal::from(Refused::NotFinite(fault)),
+            Ended::Cancelled => Refusal(STRIBECK_INTERNAL, String::new()),
+        };
+        Refusal(status, text)
+    }
+}
+
+/// Variables with arrays of values, which stribeck_run reads. The arrays belong to the caller.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct stribeck_samples {
+    /// References of the variables.
+    pub references: *const u32,
+    /// An array for each of them.
+    pub values: *const *const f64,
+    /// Number of variables.
+    pub count: usize,
+}
+
+/// Variables with arrays for their values, which stribeck_run writes. The arrays belong to the caller and do not overlap.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct stribeck_results {
+    /// References of the variables.
+    pub references: *const u32,
+    /// An array for each of them.
+    pub values: *const *mut f64,
+    /// Number of variables.
+    pub count: usize,
+}
+
+/// Columns with the arrays that belong to them.
+struct Arrays<T> {
+    columns: Box<[usize]>,
+    values: Box<[T]>,
+}
+
+impl<T> Arrays<T> {
+    /// Looks the variables up. `at` makes an array of the pointer with this number.
+    fn of(
+        instance: &Instance,
+        references: &[u32],
+        at: impl Fn(usize) -> Result<T, Null>,
+    ) -> Result<Arrays<T>, Refusal> {
+        for (number, reference) in references.iter().enumerate() {
+            instance.column(*reference)?;
+            at(number)?;
+        }
+        // Both have just been found.
+        let columns = memory::each(references.iter(), |reference| Ok(instance.column(*reference).unwrap_or(0)))?;
+        let values = memory::each(0..references.len(), |number| at(number).map_err(|_| OutOfMemory))?;
+        Ok(Arrays { columns: columns.into(), values: values.into() })
+    }
+}
+
+impl stribeck_samples {
+    /// The arrays, each with `length` values.
+    ///
+    /// # Safety
+    /// The pointers must be NULL or lead to what the documentation of their owner says, and not be written to.
+    unsafe fn arrays<'a>(this: *const Self, instance: &Instance, length: usize) -> Result<Arrays<&'a [f64]>, Refusal> {
+        // SAFETY: the caller's promise.
+        let Some(this) = (unsafe { this.as_ref() }) else { return Arrays::of(instance, &[], |_| Ok(&[][..])) };
+        // SAFETY: the caller's promise.
+        let references = unsafe { array(this.references, this.count, "references") }?;
+        // SAFETY: the caller's promise.
+        let pointers = unsafe { array(this.values, this.count, "values") }?;
+        // SAFETY: the caller's promise.
+        Arrays::of(instance, references, |number| unsafe { array(pointers[number], length, "values") })
+    }
+}
+
+impl stribeck_results {
+    /// The arrays, each with room for `length` values.
+    ///
+    /// # Safety
+    /// As for stribeck_samples, and nothing else may use what the pointers lead to.
+    unsafe fn arrays<'a>(
+        this: *const Self,
+        instance: &Instance,
+        length: usize,
+    ) -> Result<Arrays<&'a mut [f64]>, Refusal> {
+        // SAFETY: the caller's promise.
+        let Some(this) = (unsafe { this.as_ref() }) else { return Arrays::of(instance, &[], |_| Ok(&mut [][..])) };
+        // SAFETY: the caller's promise.
+        let references = unsafe { array(this.references, this.count, "references") }?;
+        // SAFETY: the caller's promise.
+        let pointers = unsafe { array(this.values, this.count, "values") }?;
+        // SAFETY: the caller's promise.
+        Arrays::of(instance, references, |number| unsafe { array_mut(pointers[number], length, "values") })
+    }
+}
+
+/// How a model is led.
+#[derive(Clone, Copy)]
+struct Way {
+    dt: f64,
+    samples: usize,
+    runs: usize,
+    between: Between,
+}
+
+impl Way {
+    /// Checks the numbers of a call.
+    fn of(model: &mut stribeck_model, dt: f64, samples: usize, runs: usize, held: c_int) -> Result<Way, Refusal> {
+        if !(dt > 0.0 && dt.is_finite()) {
+            return refuse(STRIBECK_REFUSED_VALUE, format_args!("dt = {dt}: must be > 0 and finite"));
+        }
+        model.instance.check().map_err(fault(STRIBECK_REFUSED_VALUE))?;
+        let most = isize::MAX as usize / size_of::<f64>();
+        if samples.checked_mul(runs).is_none_or(|length| length > most) {
+            let text = format_args!("{runs} runs of {samples} samples: more than memory holds");
+            return refuse(STRIBECK_REFUSED_VALUE, text);
+        }
+        let between = if held == 0 { Between::Linear } else { Between::Held };
+        Ok(Way { dt, samples, runs, between })
+    }
+
+    /// Makes all runs from the present state. Only the first allocations are before them.
+    fn go(
+        self,
+        instance: &mut Instance,
+        parameters: &Arrays<&[f64]>,
+        given: &Arrays<&[f64]>,
+        found: Arrays<&mut [f64]>,
+        before: &Snapshot,
+    ) -> Outcome {
+        let Way { dt, samples, runs, between } = self;
+        let mut chosen = memory::each(parameters.columns.iter(), |column| Ok((*column, 0.0)))?;
+        let mut inputs = memory::each(given.columns.iter(), |column| Ok(Input { column: *column, samples: &[] }))?;
+        let mut rest = found.values;
+        let mut rows = memory::each(0..rest.len(), |_| Ok(&mut [][..]))?;
+        for run in 0..runs {
+            // The first one begins where the model is.
+            if run > 0 {
+                instance.restore(before);
+            }
+            for (place, values) in chosen.iter_mut().zip(&parameters.values) {
+                place.1 = values[run];
+            }
+            for (place, values) in inputs.iter_mut().zip(&given.values) {
+                place.samples = &values[run * samples..(run + 1) * samples];
+            }
+            for (place, rest) in rows.iter_mut().zip(&mut rest) {
+                (*place, *rest) = std::mem::take(rest).split_at_mut(samples);
+            }
+            series::set_up(instance, &chosen)?;
+            let course = Course { inputs: &inputs, times: Times::Every(dt), samples, between };
+            series::follow(instance, &course, &found.columns, &mut rows, &NEVER)?;
+        }
+        Ok(())
+    }
+}
+
+/// Leads the model along samples of its inputs, `dt` seconds apart: at each of the `samples` it sets the inputs, reads the
+/// results and, except at the last one, makes a step. Each array has a value per sample. With `held` = 0 the inputs move
+/// along straight lines between the samples; otherwise they keep the earlier value, as with stribeck_step. The results are
+/// the same, to the last bit, as those of single calls.
+///
+/// A refused call leaves the model as it was, and stribeck_last_error names the sample; the arrays of `results` may have
+/// been written to. Nothing is allocated between the samples. `inputs` and `results` may be NULL if there are none.
+///
+/// # Safety
+/// As the module says of handles and pointers.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stribeck_run(
+    model: *mut stribeck_model,
+    dt: f64,
+    samples: usize,
+    held: c_int,
+    inputs: *const stribeck_samples,
+    results: *const stribeck_results,
+) -> stribeck_status {
+    let body = |model: &mut stribeck_model| {
+        let way = Way::of(model, dt, samples, 1, held)?;
+        let instance = &mut model.instance;
+        let none = Arrays::of(instance, &[], |_| Ok(&[][..]))?;
+        // SAFETY: the caller's promises.
+        let given = unsafe { stribeck_samples::arrays(inputs, instance, samples) }?;
+        // SAFETY: the caller's promises.
+        let found = unsafe { stribeck_results::arrays(results, instance, samples) }?;
+        let before = instance.try_save()?;
+        let done = way.go(instance, &none, &given, found, &before);
+        if done.is_err() {
+            instance.restore(&before);
+        }
+        done
+    };
+    // SAFETY: the caller's promise.
+    unsafe { enter(model, body) }
+}
+
+/// As stribeck_run, for several runs that all begin with the present state of the model, to which it returns at the end.
+/// Each array of `parameters`, which may be any variables that can be set, has a value per run; each array of `inputs` and
+/// `results` has `samples` values per run, run after run.
+///
+/// # Safety
+/// As the module says of handles and pointers.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stribeck_run_many(
+    model: *mut stribeck_model,
+    dt: f64,
+    samples: usize,
+    runs: usize,
+    held: c_int,
+    parameters: *const stribeck_samples,
+    inputs: *const stribeck_samples,
+    results: *const stribeck_results,
+) -> stribeck_status {
+    let body = |model: &mut stribeck_model| {
+        let way = Way::of(model, dt, samples, runs, held)?;
+        let instance = &mut model.instance;
+        // SAFETY: the caller's promises.
+        let chosen = unsafe { stribeck_samples::arrays(parameters, instance, runs) }?;
+        // SAFETY: the caller's promises.
+        let given = unsafe { stribeck_samples::arrays(inputs, instance, samples * runs) }?;
+        // SAFETY: the caller's promises.
+        let found = unsafe { stribeck_results::arrays(results, instance, samples * runs) }?;
+        let before = instance.try_save()?;
+        let done = way.go(instance, &chosen, &given, found, &before);
+        instance.restore(&before);
+        done
+    };
+    // SAFETY: the caller's promise.
+    unsafe { enter(model, body) }
+}
