@@ -47,6 +47,7 @@ const HOUSES: &[House] = &[
             "system",
             "couple",
             "run",
+            "study",
             "benchmark",
             "picture",
             "report",

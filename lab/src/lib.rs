@@ -2,8 +2,8 @@
 //! to a tolerance.
 //!
 //! [`dyno`] makes a [`ParameterSet`](ssp::parameter_set::ParameterSet) from the measurements of a damper dynamometer,
-//! [`tir`] from a tyre property file. [`system`] joins models, [`solve`] has the solvers,
-//! [`run`] runs them,  [`picture`] draws what came of it, and [`report`] tells it all in one file.
+//! [`tir`] from a tyre property file. [`system`] joins models, [`solve`] has the solvers, [`run`] runs them, [`study`] many
+//! of them, [`picture`] draws what came of it, and [`report`] tells it all in one file.
 
 #[cfg(feature = "workbench")]
 pub mod benchmark;
@@ -18,6 +18,8 @@ pub mod report;
 pub mod run;
 #[cfg(feature = "workbench")]
 pub mod solve;
+#[cfg(feature = "workbench")]
+pub mod study;
 #[cfg(feature = "workbench")]
 pub mod system;
 pub mod tir;

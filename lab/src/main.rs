@@ -38,6 +38,8 @@ enum Task {
     Run(command::Arguments),
     /// Runs a system with several friction laws, or with all of them.
     Compare(command::Arguments),
+    /// Runs a system many times, with values from ranges, distributions or a table, and writes one table.
+    Study(command::StudyArguments),
     /// Measures all laws with all solvers, as the thesis does, and writes a page and a table.
     Bench(command::BenchArguments),
     /// Makes a parameter set of the ShockAbsorber from a damper test: damper table, friction.
@@ -64,6 +66,7 @@ fn main() -> ExitCode {
         Task::Systems { name } => return systems(name.as_deref()),
         Task::Run(arguments) => return ended(command::run(&arguments)),
         Task::Compare(arguments) => return ended(command::compare(&arguments)),
+        Task::Study(arguments) => return ended(command::study(&arguments)),
         Task::Bench(arguments) => return ended(command::bench(&arguments)),
         Task::Damper(arguments) => {
             if let Err(error) = damper::run(&arguments) {

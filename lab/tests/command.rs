@@ -49,6 +49,28 @@ fn a_run_that_does_not_converge_says_why_and_keeps_its_results() {
 }
 
 #[test]
+fn a_study_by_parts_is_the_whole_one() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = |name: &str| folder.path().join(name).to_str().expect("text").to_owned();
+    let study =
+        "samples = 1200\nkeep = [\"max rig.position\"]\n[vary]\nmu_s = { uniform = [0.1, 0.2] }\n[run]\nuntil = 1.0\n";
+    std::fs::write(folder.path().join("study.toml"), study).expect("a file");
+    let [description, whole, parts] = [file("study.toml"), file("whole"), file("parts")];
+    let output = stribeck(&["study", &description, "--out", &whole]);
+    let said = String::from_utf8(output.stdout).expect("text");
+    assert!(
+        output.status.success() && said.starts_with("1200 rows run, 0 found, 0 did not come to their end"),
+        "{said}"
+    );
+    assert!(stribeck(&["study", &description, "--out", &parts, "--shard", "2/2", "--threads", "1"]).status.success());
+    let refusal = refusal(&["study", &description, "--out", &parts, "--merge"]);
+    assert!(refusal.ends_with("1 of 2 chunks are missing, the first one is 0"), "{refusal}");
+    assert!(stribeck(&["study", &description, "--out", &parts, "--shard", "1/2"]).status.success());
+    assert!(stribeck(&["study", &description, "--out", &parts, "--merge"]).status.success());
+    assert_eq!(text(&folder.path().join("whole/study.csv")), text(&folder.path().join("parts/study.csv")));
+}
+
+#[test]
 fn a_saved_configuration_gives_the_same_bits() {
     let folder = tempfile::tempdir().expect("a folder");
     let file = |name: &str| folder.path().join(name).to_str().expect("text").to_owned();

@@ -4,6 +4,7 @@ mod bench;
 mod choice;
 mod compare;
 mod one;
+mod study;
 mod watch;
 
 use std::path::PathBuf;
@@ -15,6 +16,7 @@ pub use bench::{Arguments as BenchArguments, bench};
 pub use choice::Arguments;
 pub use compare::compare;
 pub use one::run;
+pub use study::{Arguments as StudyArguments, study};
 
 /// Why a command did not do its work.
 #[derive(Debug, thiserror::Error)]

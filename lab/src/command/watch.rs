@@ -51,6 +51,31 @@ impl Bar {
     }
 }
 
+/// A bar for rows.
+#[derive(Debug)]
+pub struct Rows(ProgressBar);
+
+impl Rows {
+    /// A bar for so many.
+    pub fn new(rows: usize) -> Rows {
+        let bar = ProgressBar::new(rows as u64);
+        if let Ok(style) = ProgressStyle::with_template("[{bar:40}] {pos} of {len} rows, {per_sec}, {eta}") {
+            bar.set_style(style.progress_chars("=> "));
+        }
+        Rows(bar)
+    }
+
+    /// So many are done.
+    pub fn reached(&self, rows: usize) {
+        self.0.set_position(rows as u64);
+    }
+
+    /// The work has ended.
+    pub fn finish(&self) {
+        self.0.finish_and_clear();
+    }
+}
+
 impl Progress for Bar {
     fn reached(&self, time: f64) {
         let done = self.done.load(Ordering::Relaxed) as f64;

@@ -47,7 +47,8 @@ impl Settings<'_> {
         Settings { solver, tolerance, until, every, events: true, master, cancel: None, progress: None }
     }
 
-    fn check(&self) -> Result<(), Fault> {
+    /// Refuses settings with which nothing can be run.
+    pub fn check(&self) -> Result<(), Fault> {
         for (name, value, unit) in
             [("until", self.until, " s"), ("every", self.every, " s"), ("tolerance", self.tolerance, "")]
         {

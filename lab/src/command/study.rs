@@ -1,0 +1,55 @@
+//! `stribeck study`: many runs, one table.
+
+use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use clap::Args;
+use lab::study::{Description, Shard, Study};
+
+use super::watch::{CANCELLED, Rows, heed_interrupts};
+use super::{Failure, Verdict};
+
+/// A study, the part of it to do, and the folder for its results.
+#[derive(Args, Clone, Debug)]
+pub struct Arguments {
+    /// The study (.toml): samples, seed, vary, table, keep, and run as `stribeck run --save-config` writes it
+    study: PathBuf,
+    /// Folder for the chunks and, once all are there, for study.csv; what is there is not run again
+    #[arg(long, short)]
+    out: PathBuf,
+    /// Part i of n, for a machine of several that share the folder
+    #[arg(long, value_name = "I/N", default_value = "1/1")]
+    shard: Shard,
+    /// Threads; all processors if it is not given
+    #[arg(long)]
+    threads: Option<usize>,
+    /// Only join the chunks that are in the folder
+    #[arg(long)]
+    merge: bool,
+}
+
+/// Makes a study, or its part, and joins it once it is complete.
+pub fn study(arguments: &Arguments) -> Result<Verdict, Failure> {
+    let folder = arguments.study.parent().unwrap_or(Path::new(""));
+    let study = Study::new(Description::load(&arguments.study)?, folder)?;
+    let table = arguments.out.join("study.csv");
+    if arguments.merge {
+        let rows = study.merge(&arguments.out, &table)?;
+        println!("{}: {rows} rows", table.display());
+        return Ok(Verdict::Done);
+    }
+    heed_interrupts();
+    let threads = arguments.threads.unwrap_or_else(|| std::thread::available_parallelism().map_or(1, usize::from));
+    let (bar, count) = (Rows::new(study.rows() / arguments.shard.count), AtomicUsize::new(0));
+    let progress = |rows: usize| bar.reached(count.fetch_add(rows, Ordering::Relaxed) + rows);
+    let done = study.make(&arguments.out, arguments.shard, threads, &CANCELLED, &progress)?;
+    bar.finish();
+    println!("{} rows run, {} found, {} did not come to their end", done.rows, done.found, done.failed);
+    if done.cancelled {
+        return Ok(Verdict::Cancelled);
+    }
+    if arguments.shard.count == 1 {
+        println!("{}: {} rows", table.display(), study.merge(&arguments.out, &table)?);
+    }
+    Ok(if done.failed > 0 { Verdict::Diverged } else { Verdict::Done })
+}

@@ -1,0 +1,218 @@
+//! Studies: many runs of a system with values from ranges, distributions or a table, whose results are few numbers each.
+//!
+//! Rows are made in chunks. Each chunk is a file that appears only when it is complete and names the study it belongs to,
+//! so that an interrupted study goes on where it was, and several machines share one.
+
+mod chunk;
+mod description;
+mod quantity;
+mod sample;
+#[cfg(test)]
+mod tests;
+
+use std::path::Path;
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::{Mutex, PoisonError};
+
+pub use chunk::merge;
+pub use description::{Description, Spread};
+pub use quantity::Quantity;
+
+use crate::run::{Settings, run};
+use crate::system::{Fault, Setting, Source, System};
+use chunk::{Chunk, chunks};
+use sample::Samples;
+
+/// A study that has passed all checks.
+#[derive(Debug)]
+pub struct Study {
+    description: Description,
+    source: Source,
+    laws: Vec<Option<String>>,
+    samples: Samples,
+    quantities: Vec<Quantity>,
+    /// Fingerprint of what determines the results.
+    hash: String,
+}
+
+/// The part of a study that one machine does: `number` of `count`, from 1.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Shard {
+    /// Its number, from 1.
+    pub number: usize,
+    /// How many there are.
+    pub count: usize,
+}
+
+impl std::str::FromStr for Shard {
+    type Err = Fault;
+
+    fn from_str(text: &str) -> Result<Shard, Fault> {
+        let wrong = || Fault::value(format_args!("shard '{text}': must be i/n with i from 1 to n"));
+        let (number, count) = text.split_once('/').ok_or_else(wrong)?;
+        let (Ok(number), Ok(count)) = (number.trim().parse(), count.trim().parse()) else { return Err(wrong()) };
+        if (1..=count).contains(&number) { Ok(Shard { number, count }) } else { Err(wrong()) }
+    }
+}
+
+/// What a study has done.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Done {
+    /// Rows that were run.
+    pub rows: usize,
+    /// Rows that were there already.
+    pub found: usize,
+    /// Rows that did not come to their end, of those that were run.
+    pub failed: usize,
+    /// Whether it was ended early.
+    pub cancelled: bool,
+}
+
+impl Study {
+    /// Checks a description; file names in it are relative to `folder`.
+    pub fn new(description: Description, folder: &Path) -> Result<Study, Fault> {
+        let source = description.run.source()?;
+        let laws: Vec<Option<String>> = match description.run.law.as_slice() {
+            [] => vec![None],
+            laws => laws.iter().cloned().map(Some).collect(),
+        };
+        let samples = Samples::of(&description, folder)?;
+        let quantities = description.keep.iter().map(|text| text.parse()).collect::<Result<Vec<Quantity>, Fault>>()?;
+        if quantities.is_empty() {
+            return Err(Fault::value("keep: must name at least one quantity, such as \"max rig.position\""));
+        }
+        let hash = chunk::hash(&description, &samples);
+        let study = Study { description, source, laws, samples, quantities, hash };
+        study.check()?;
+        Ok(study)
+    }
+
+    /// Assembles the first sample of each law: names, and results to keep, that do not exist are refused at once.
+    fn check(&self) -> Result<(), Fault> {
+        let mut systems = Vec::new();
+        for law in 0..self.laws.len() {
+            systems.push(self.system(law * self.samples.len())?);
+        }
+        System::refuse_unused(&systems)?;
+        for system in &systems {
+            self.description.run.settings(system)?.check()?;
+            for quantity in &self.quantities {
+                quantity.result().map_or(Ok(()), |name| system.source(name).map(|_| ()))?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Number of rows: all samples with each law.
+    pub fn rows(&self) -> usize {
+        self.laws.len() * self.samples.len()
+    }
+
+    fn law(&self, row: usize) -> Option<&str> {
+        self.laws[row / self.samples.len()].as_deref()
+    }
+
+    fn system(&self, row: usize) -> Result<System, Fault> {
+        let mut settings = self.description.run.values();
+        let values = self.samples.row(row % self.samples.len());
+        let named = self.samples.names().zip(values);
+        settings.extend(named.map(|(name, value)| Setting { name: name.to_owned(), value: value.to_string() }));
+        System::assemble(&self.source, self.law(row), &settings)
+    }
+
+    /// Heading of the table.
+    fn heading(&self) -> Vec<String> {
+        let fixed = ["row", "law"].map(str::to_owned);
+        let kept = self.quantities.iter().map(Quantity::to_string);
+        fixed.into_iter().chain(self.samples.names().map(str::to_owned)).chain(kept).chain(["end".to_owned()]).collect()
+    }
+
+    /// A row of the table, and whether the run came to its end. A run that did not has no results and its reason.
+    fn row(&self, row: usize, cancel: &AtomicBool) -> (Vec<String>, bool) {
+        let (kept, end) = match self.results(row, cancel) {
+            Ok(results) => (results.iter().map(f64::to_string).collect(), "reached".to_owned()),
+            Err(reason) => (vec![String::new(); self.quantities.len()], reason),
+        };
+        let values = self.samples.row(row % self.samples.len()).into_iter().map(|value| value.to_string());
+        let is_reached = end == "reached";
+        let law = self.law(row).unwrap_or("").to_owned();
+        let cells = [row.to_string(), law].into_iter().chain(values).chain(kept).chain([end]);
+        (cells.collect(), is_reached)
+    }
+
+    fn results(&self, row: usize, cancel: &AtomicBool) -> Result<Vec<f64>, String> {
+        let system = self.system(row).map_err(|fault| fault.to_string())?;
+        let settings = self.description.run.settings(&system).map_err(|fault| fault.to_string())?;
+        let names: Vec<String> = self.quantities.iter().filter_map(|one| one.result().map(str::to_owned)).collect();
+        let settings = Settings { cancel: Some(cancel), ..settings };
+        let outcome = run(&system, &settings, &names).map_err(|fault| fault.to_string())?;
+        if !outcome.is_reached() {
+            return Err(outcome.end.to_string());
+        }
+        Ok(self.quantities.iter().map(|quantity| quantity.of(&outcome)).collect())
+    }
+
+    /// Makes the chunks of a shard that are not in the folder yet, with some threads. `progress` hears of each row.
+    pub fn make(
+        &self,
+        folder: &Path,
+        shard: Shard,
+        threads: usize,
+        cancel: &AtomicBool,
+        progress: &(dyn Fn(usize) + Sync),
+    ) -> Result<Done, Fault> {
+        let mut done = Done::default();
+        for chunk in chunks(self.rows(), shard) {
+            if chunk.is_made(folder, &self.hash)? {
+                done.found += chunk.rows.len();
+                progress(chunk.rows.len());
+                continue;
+            }
+            let rows = self.chunk(&chunk, threads, cancel, progress);
+            if cancel.load(Ordering::Relaxed) {
+                done.cancelled = true;
+                break;
+            }
+            done.rows += rows.len();
+            done.failed += rows.iter().filter(|(_, is_reached)| !is_reached).count();
+            chunk.write(folder, &self.hash, &self.heading(), rows.iter().map(|(cells, _)| cells))?;
+        }
+        Ok(done)
+    }
+
+    /// The rows of a chunk, in their order.
+    fn chunk(
+        &self,
+        chunk: &Chunk,
+        threads: usize,
+        cancel: &AtomicBool,
+        progress: &(dyn Fn(usize) + Sync),
+    ) -> Vec<(Vec<String>, bool)> {
+        let (next, made) = (AtomicUsize::new(chunk.rows.start), Mutex::new(Vec::new()));
+        let work = || {
+            loop {
+                let row = next.fetch_add(1, Ordering::Relaxed);
+                if row >= chunk.rows.end || cancel.load(Ordering::Relaxed) {
+                    return;
+                }
+                let result = self.row(row, cancel);
+                made.lock().unwrap_or_else(PoisonError::into_inner).push((row, result));
+                progress(1);
+            }
+        };
+        std::thread::scope(|scope| {
+            for _ in 1..threads.max(1) {
+                scope.spawn(work);
+            }
+            work();
+        });
+        let mut made = made.into_inner().unwrap_or_else(PoisonError::into_inner);
+        made.sort_by_key(|(row, _)| *row);
+        made.into_iter().map(|(_, result)| result).collect()
+    }
+
+    /// Joins the chunks of all shards into one table.
+    pub fn merge(&self, folder: &Path, to: &Path) -> Result<usize, Fault> {
+        merge(folder, to, self.rows(), &self.hash)
+    }
+}

@@ -1,0 +1,154 @@
+//! Studies against single runs, and against themselves after interruptions.
+
+use std::fs;
+
+use super::*;
+
+/// The block on the belt with Coulomb friction and stiction: the first slip is at mu_s m g / (k v_b), and no event comes
+/// before it.
+const STUDY: &str = r#"
+samples = 2500
+seed = 7
+keep = ["max rig.position", "last rig.position", "mean rig.position", "events"]
+[vary]
+mu_s = { uniform = [0.12, 0.2] }
+"rig.mass" = { log = [0.5, 2.0] }
+"rig.stiffness" = { normal = [2.0, 0.1] }
+[run]
+law = ["CoulombStiction"]
+until = 8.0
+tol = 1e-6
+"#;
+
+const ALL: Shard = Shard { number: 1, count: 1 };
+
+fn study(text: &str) -> Result<Study, Fault> {
+    Study::new(toml::from_str(text).map_err(|error| Fault::File(error.to_string()))?, Path::new(""))
+}
+
+fn quiet(_rows: usize) {}
+
+fn make(study: &Study, folder: &Path, shard: Shard, threads: usize) -> Done {
+    study.make(folder, shard, threads, &AtomicBool::new(false), &quiet).unwrap()
+}
+
+fn table(study: &Study, folder: &Path) -> String {
+    study.merge(folder, &folder.join("study.csv")).unwrap();
+    fs::read_to_string(folder.join("study.csv")).unwrap()
+}
+
+/// While it sticks, the block moves with the belt; at the largest position of its first slip it has the energy of its
+/// start, less what friction took: x_max = x_k + sqrt((x_s - x_k)^2 + (v_b / w)^2), with x = mu m g / k.
+#[test]
+fn results_are_closed_forms_of_their_samples() {
+    let folder = tempfile::tempdir().unwrap();
+    let study = study(STUDY).unwrap();
+    assert_eq!(make(&study, folder.path(), ALL, 2), Done { rows: 2500, found: 0, failed: 0, cancelled: false });
+    let text = table(&study, folder.path());
+    assert!(
+        text.starts_with("row,law,mu_s,rig.mass,rig.stiffness,max rig.position,last rig.position,mean"),
+        "{text:.99}"
+    );
+    let mut reader = csv::Reader::from_reader(text.as_bytes());
+    let (mut rows, mut slipped, mut sums) = (0, 0, [0.0; 3]);
+    for record in reader.records() {
+        let record = record.unwrap();
+        let number = |at: usize| record[at].parse::<f64>().unwrap();
+        let (mu_s, mass, stiffness, highest) = (number(2), number(3), number(4), number(5));
+        assert!((0.12..0.2).contains(&mu_s) && (0.5..2.0).contains(&mass), "{record:?}");
+        sums = [sums[0] + mu_s, sums[1] + mass.ln(), sums[2] + stiffness];
+        let [static_limit, middle] = [mu_s, 0.1].map(|mu| mu * mass * 9.81 / stiffness);
+        let crest = middle + ((static_limit - middle).powi(2) + 0.01 * mass / stiffness).sqrt();
+        // The crest is reached before the end, and the results are 10 ms apart.
+        if static_limit / 0.1 < 5.0 {
+            assert!((highest - crest).abs() < 2e-4 * crest, "{record:?} {crest}");
+            slipped += 1;
+        }
+        rows += 1;
+    }
+    assert_eq!(rows, 2500);
+    let [mu, mass, stiffness] = sums.map(|sum| sum / 2500.0);
+    // Four standard errors of each mean.
+    assert!((mu - 0.16).abs() < 4.0 * 0.08 / (12.0f64 * 2500.0).sqrt(), "{mu}");
+    assert!(mass.abs() < 4.0 * 4.0f64.ln() / (12.0f64 * 2500.0).sqrt(), "{mass}");
+    assert!((stiffness - 2.0).abs() < 4.0 * 0.1 / 50.0, "{stiffness}");
+    assert!(slipped > 100, "{slipped}");
+}
+
+#[test]
+fn shards_threads_and_interruptions_give_the_same_bytes() {
+    let whole = tempfile::tempdir().unwrap();
+    let study = study(STUDY).unwrap();
+    make(&study, whole.path(), ALL, 1);
+    let expected = table(&study, whole.path());
+    let parts = tempfile::tempdir().unwrap();
+    for number in [3, 1, 2] {
+        make(&study, parts.path(), Shard { number, count: 3 }, 3);
+    }
+    assert!(table(&study, parts.path()) == expected);
+    let resumed = tempfile::tempdir().unwrap();
+    let cancel = AtomicBool::new(false);
+    let stop = AtomicUsize::new(0);
+    let interrupt = |rows: usize| {
+        if stop.fetch_add(rows, Ordering::Relaxed) == 1700 {
+            cancel.store(true, Ordering::Relaxed);
+        }
+    };
+    let done = study.make(resumed.path(), ALL, 2, &cancel, &interrupt).unwrap();
+    assert_eq!((done.rows, done.cancelled), (1000, true));
+    let refusal = study.merge(resumed.path(), &resumed.path().join("study.csv")).unwrap_err().to_string();
+    assert!(refusal.ends_with("2 of 3 chunks are missing, the first one is 1"), "{refusal}");
+    assert_eq!(make(&study, resumed.path(), ALL, 2), Done { rows: 1500, found: 1000, failed: 0, cancelled: false });
+    assert!(table(&study, resumed.path()) == expected);
+}
+
+#[test]
+fn rows_that_fail_keep_their_reason_and_the_others() {
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("samples.csv"), "mass, mu_s\n1.0, 0.15\n1.0, 0.05\n2.0, 0.2\n").unwrap();
+    let text =
+        "table = \"samples.csv\"\nkeep = [\"events\"]\n[run]\nlaw = [\"CoulombStiction\", \"LuGre\"]\nuntil = 9.0\n";
+    let study = Study::new(toml::from_str(text).unwrap(), folder.path()).unwrap();
+    assert_eq!(make(&study, folder.path(), ALL, 2).failed, 2);
+    let table = table(&study, folder.path());
+    let rows: Vec<&str> = table.lines().collect();
+    assert_eq!(rows.len(), 7, "{table}");
+    assert!(rows[1].starts_with("0,CoulombStiction,1,0.15,") && rows[1].ends_with(",reached"), "{table}");
+    assert!(rows[2].starts_with("1,CoulombStiction,1,0.05,,") && rows[2].contains("mu_s = 0.05"), "{table}");
+    assert!(rows[6].starts_with("5,LuGre,2,0.2,"), "{table}");
+}
+
+#[test]
+fn mistakes_are_refused_before_anything_runs() {
+    for (from, to, expected) in [
+        ("rig.mass\" =", "rig.mas\" =", "variable of rig (BeltRig) 'mas' does not exist (did you mean 'mass'?)"),
+        ("mu_s =", "mu_ss =", "variable of the system 'mu_ss' does not exist (did you mean 'mu_s'?)"),
+        (
+            "[0.12, 0.2]",
+            "[0.2, 0.12]",
+            "vary.mu_s = [0.2, 0.12]: uniform: must be finite, and the first below the second",
+        ),
+        ("[0.5, 2.0]", "[0.0, 2.0]", "vary.rig.mass = [0, 2]: log: must be > 0, and the first below the second"),
+        ("\"events\"", "\"maxi rig.position\"", "quantity 'maxi' does not exist (did you mean 'max'?)"),
+        ("\"max rig.position\"", "\"max rig.positon\"", "'positon' does not exist (did you mean 'position'?)"),
+        ("samples = 2500", "samples = 0", "samples = 0: must be from 1 to 1000000000"),
+        ("samples = 2500", "", "samples: must be given, or a table"),
+        ("samples = 2500", "table = \"none.csv\"", "none.csv: "),
+        ("tol = 1e-6", "tol = 0.5", "tolerance = 5e-1: must be between 1e-14 and 0.1"),
+        ("seed = 7", "seeds = 7", "unknown field `seeds`"),
+    ] {
+        assert!(STUDY.contains(from), "{from}");
+        let refusal = study(&STUDY.replacen(from, to, 1)).unwrap_err().to_string();
+        assert!(refusal.contains(expected), "{refusal}");
+    }
+    for text in ["0/2", "3/2", "1", "a/b", "1/0"] {
+        let refusal = text.parse::<Shard>().unwrap_err().to_string();
+        assert_eq!(refusal, format!("shard '{text}': must be i/n with i from 1 to n"));
+    }
+    let folder = tempfile::tempdir().unwrap();
+    let small = STUDY.replace("2500", "3");
+    make(&study(&small).unwrap(), folder.path(), ALL, 1);
+    let other = study(&small.replace("seed = 7", "seed = 8")).unwrap();
+    let refusal = other.make(folder.path(), ALL, 1, &AtomicBool::new(false), &quiet).unwrap_err().to_string();
+    assert!(refusal.ends_with("belongs to another study: choose another folder, or remove it"), "{refusal}");
+}
