@@ -37,7 +37,10 @@ fn rows(model: &'static ModelType, named: Named) -> PyResult<Vec<Rows>> {
     let copied = named.into_iter().map(|(name, array)| {
         let [rows, width] = [array.shape()[0], array.shape()[1]];
         let mut values = reserved(rows * width)?;
-        values.extend(array.as_array().iter());
+        match array.as_slice() {
+            Ok(slice) => values.extend_from_slice(slice),
+            Err(_) => values.extend(array.as_array().iter()),
+        }
         Ok(Rows { column: column(model, &name)?, rows, width, values })
     });
     copied.collect()
