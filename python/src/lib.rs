@@ -4,6 +4,7 @@
 mod catalogue;
 mod model;
 mod series;
+mod study;
 mod systems;
 mod work;
 
@@ -27,6 +28,8 @@ fn _stribeck(module: &Bound<PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(catalogue::describe, module)?)?;
     module.add_function(wrap_pyfunction!(series::follow, module)?)?;
     module.add_function(wrap_pyfunction!(series::settle, module)?)?;
+    module.add_function(wrap_pyfunction!(study::make_study, module)?)?;
+    module.add_function(wrap_pyfunction!(study::merge_study, module)?)?;
     module.add_function(wrap_pyfunction!(systems::systems, module)?)?;
     module.add_function(wrap_pyfunction!(systems::solvers, module)?)?;
     module.add_function(wrap_pyfunction!(systems::solve, module)?)

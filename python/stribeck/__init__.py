@@ -6,8 +6,8 @@
 array([-2.1  ,  2.001,  2.1  ])
 
 `laws` and `models` list what there is, `law` and `model` describe one. `force` gives the force in steady sliding,
-`simulate` the force along measured or computed motions, `solve` and `compare` the motion of whole systems, `fmu` the
-path of an FMU. `Model` and `ShockAbsorber` are stepped by the caller.
+`simulate` the force along measured or computed motions, `solve` and `compare` the motion of whole systems, `study`
+many of them, `fmu` the path of an FMU. `Model` and `ShockAbsorber` are stepped by the caller.
 
 Units are SI. `velocity` is that of body 1 relative to body 2; `friction_force` has its sign when sliding, and body 1
 feels the negative.
@@ -19,6 +19,7 @@ from stribeck.fmus import fmu
 from stribeck.instances import Model, ShockAbsorber
 from stribeck.results import Result
 from stribeck.series import force, simulate
+from stribeck.studies import Table, study
 from stribeck.systems import Comparison, NotConverged, Solution, compare, solve, solvers, systems
 
 __all__ = [
@@ -31,6 +32,7 @@ __all__ = [
     "Result",
     "ShockAbsorber",
     "Solution",
+    "Table",
     "Variable",
     "__version__",
     "compare",
@@ -43,5 +45,6 @@ __all__ = [
     "simulate",
     "solve",
     "solvers",
+    "study",
     "systems",
 ]

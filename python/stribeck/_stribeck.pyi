@@ -1,5 +1,6 @@
 """The extension module: plain data in, plain data out."""
 
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -47,6 +48,10 @@ def settle(
     points: int,
     threads_asked: int | None,
 ) -> list[Numbers]: ...
+def make_study(
+    study: str | dict[str, Any], folder: str, *, shard: str, threads_asked: int | None
+) -> tuple[int, int, int]: ...
+def merge_study(study: str | dict[str, Any], folder: str) -> Path: ...
 def systems() -> list[tuple[str, str]]: ...
 def solvers() -> list[tuple[str, str]]: ...
 def solve(

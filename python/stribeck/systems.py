@@ -59,6 +59,9 @@ class Comparison(Mapping[str, Solution]):
             raise NotConverged(self.failed[law])
         return self.solutions[law]
 
+    def __contains__(self, law: object) -> bool:
+        return law in self.solutions
+
     def __iter__(self) -> Iterator[str]:
         return iter(self.solutions)
 

@@ -324,13 +324,54 @@ def test_stick_slip_is_that_of_the_closed_form():
     assert "2 laws" in repr(both)
 
 
+def test_a_run_that_does_not_converge_says_so_and_keeps_its_motion():
+    printed = {"variant": "Printed"}
+    with pytest.raises(stribeck.NotConverged, match="did not converge at 3.7.*chatters") as caught:
+        stribeck.solve("belt", "RooneyDeravi", set=printed)
+    assert 3.7 < caught.value.solution.time[-1] < 3.8
+    both = stribeck.compare("belt", ["RooneyDeravi", "Coulomb"], set=printed)
+    assert list(both) == ["Coulomb"]
+    assert list(both.failed) == ["RooneyDeravi"]
+    assert "RooneyDeravi" not in both
+    with pytest.raises(stribeck.NotConverged):
+        both["RooneyDeravi"]
+
+
+STUDY = {
+    "samples": 1500,
+    "seed": 3,
+    "keep": ["max rig.position", "events"],
+    "vary": {"mu_s": {"uniform": [0.12, 0.2]}, "rig.mass": {"log": [0.5, 2.0]}},
+    "run": {"law": ["CoulombStiction"], "until": 5.0, "tol": 1e-6},
+}
+
+
+def test_a_study_is_that_of_its_runs_and_of_its_parts(tmp_path):
+    table = stribeck.study(STUDY, tmp_path / "whole")
+    assert len(table["row"]) == 1500
+    assert set(table["end"]) == {"reached"}
+    for row in (0, 700, 1499):
+        values = {name: float(table[name][row]) for name in ("mu_s", "rig.mass")}
+        alone = stribeck.solve("belt", "CoulombStiction", set=values, until=5.0, tol=1e-6)
+        assert table["max rig.position"][row] == alone["rig.position"].max()
+        assert table["events"][row] == len(alone.events)
+    for shard in ("2/2", "1/2"):
+        assert stribeck.study(STUDY, tmp_path / "parts", shard=shard, threads=1) is None
+    assert stribeck.study(STUDY, tmp_path / "parts").path.read_bytes() == table.path.read_bytes()
+    with pytest.raises(stribeck.Refused, match="belongs to another study"):
+        stribeck.study({**STUDY, "seed": 4}, tmp_path / "whole")
+    with pytest.raises(stribeck.Refused, match="did you mean 'mu_s'"):
+        stribeck.study({**STUDY, "vary": {"mus": {"uniform": [0.12, 0.2]}}}, tmp_path / "none")
+
+
 def test_an_interrupt_ends_a_long_call():
     """As Ctrl-C does: the call ends long before the run."""
     code = """
 import numpy, os, signal, stribeck, threading
+signal.signal(signal.SIGINT, signal.default_int_handler)  # programs in the background inherit that it is ignored
 threading.Timer(0.3, lambda: os.kill(os.getpid(), signal.SIGINT)).start()
 try:
-    stribeck.simulate("Bristle", velocity=numpy.ones((64, 2_000_000)), normal_force=1.0, dt=1e-3, record=["sticking"])
+    stribeck.simulate("Bristle", velocity=numpy.ones((32, 1_000_000)), normal_force=1.0, dt=1e-3, record=["sticking"])
 except KeyboardInterrupt:
     print("interrupted")
 """
@@ -366,7 +407,7 @@ def test_many_processes_ask_for_an_fmu_at_once(tmp_path):
     assert [file.name for file in tmp_path.iterdir()] == ["LuGre.fmu"]
 
 
-@pytest.mark.parametrize("module", ["", ".catalogue", ".series", ".systems", ".instances"])
+@pytest.mark.parametrize("module", ["", ".catalogue", ".series", ".systems", ".studies", ".instances"])
 def test_examples_in_the_documentation(module):
     outcome = doctest.testmod(import_module(f"stribeck{module}"), optionflags=doctest.IGNORE_EXCEPTION_DETAIL)
     assert outcome.attempted > 0
