@@ -15,7 +15,7 @@ LENGTHS = struct.Struct("<HH")
 
 
 def parts(fmu: Path) -> tuple[bytes, bytes, bytes]:
-    """What stands before the packed library of an FMU, the library, and what stands after it."""
+    """Bytes before the packed library of an FMU, the library, and the bytes after it."""
     content = fmu.read_bytes()
     with zipfile.ZipFile(fmu) as archive:
         (entry,) = (one for one in archive.infolist() if one.filename.startswith("binaries/"))

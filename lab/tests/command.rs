@@ -33,7 +33,9 @@ fn refusals_name_what_is_wrong_and_what_was_meant() {
     ] {
         assert_eq!(refusal(&arguments), format!("stribeck: {expected}"));
     }
-    assert_eq!(stribeck(&["run", "--vary", "mass=1:2:1"]).status.code(), Some(2), "a usage error of the arguments");
+    for arguments in [&["run", "--vary", "mass=1:2:1"][..], &["study", "s.toml", "--out", "o", "--threads", "0"]] {
+        assert_eq!(stribeck(arguments).status.code(), Some(2), "a usage error of the arguments: {arguments:?}");
+    }
 }
 
 #[test]

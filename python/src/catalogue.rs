@@ -27,6 +27,17 @@ pub fn column(model: &'static ModelType, name: &str) -> PyResult<usize> {
     }
 }
 
+/// The name of a preset that exists, or a refusal with the most similar name.
+pub fn preset<'a>(model: &'static ModelType, name: Option<&'a str>) -> PyResult<Option<&'a str>> {
+    let known = || model.presets.iter().map(|preset| preset.name);
+    match name {
+        Some(name) if !known().any(|other| other == name) => {
+            Err(refused(Fault::unknown(format!("preset of {}", model.name), name, known())))
+        }
+        _ => Ok(name),
+    }
+}
+
 const FAMILIES: [(Family, &str); 3] =
     [(Family::Friction, "friction"), (Family::ShockAbsorber, "shock absorber"), (Family::Host, "host")];
 

@@ -2,6 +2,7 @@
 //! Python, in `stribeck/`.
 
 mod catalogue;
+mod entries;
 mod model;
 mod series;
 mod study;

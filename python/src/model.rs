@@ -6,7 +6,7 @@ use pyo3::prelude::*;
 use stribeck::instance::{Instance as Row, Phase};
 use stribeck::model::ModelType;
 
-use crate::catalogue::{column, find};
+use crate::catalogue::{self, column, find};
 use crate::refused;
 
 /// An instance of a model.
@@ -34,11 +34,8 @@ impl Instance {
     fn new(model: &str, preset: Option<&str>) -> PyResult<Instance> {
         let model = find(model)?;
         let mut row = Row::new(model);
-        if let Some(preset) = preset
-            && !row.apply(preset)
-        {
-            let known = model.presets.iter().map(|preset| preset.name);
-            return Err(refused(lab::system::Fault::unknown(format!("preset of {}", model.name), preset, known)));
+        if let Some(preset) = catalogue::preset(model, preset)? {
+            row.apply(preset);
         }
         Ok(Instance { model, row: Mutex::new(row) })
     }

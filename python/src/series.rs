@@ -11,7 +11,7 @@ use stribeck::instance::Instance;
 use stribeck::model::ModelType;
 use stribeck::series::{Between, Course, Ended, Input, Times, set_up};
 
-use crate::catalogue::{column, find};
+use crate::catalogue::{column, find, preset as known_preset};
 use crate::refused;
 use crate::work::{interruptible, threads};
 
@@ -62,24 +62,17 @@ fn columns(model: &'static ModelType, names: &[String]) -> PyResult<Vec<usize>> 
     names.iter().map(|name| column(model, name)).collect()
 }
 
-/// Checks that a preset exists.
-fn known_preset(model: &'static ModelType, preset: Option<&str>) -> PyResult<()> {
-    let Some(name) = preset else { return Ok(()) };
-    if model.presets.iter().any(|preset| preset.name == name) {
-        return Ok(());
-    }
-    let known = model.presets.iter().map(|preset| preset.name);
-    Err(refused(lab::system::Fault::unknown(format!("preset of {}", model.name), name, known)))
-}
-
-/// What all runs have in common.
+/// Settings shared by all runs.
 struct Runs<'a> {
     model: &'static ModelType,
     preset: Option<&'a str>,
     parameters: Vec<Rows>,
-    /// What a message calls one of them, if there are several.
+    results: Vec<usize>,
+    /// Word for one of them in a message.
     each: &'static str,
     count: usize,
+    /// Samples of each.
+    samples: usize,
     threads: usize,
 }
 
@@ -135,6 +128,22 @@ impl Runs<'_> {
         set_up(instance, &values)
     }
 
+    /// Makes every run, without the interpreter's lock; one array per result, run after run.
+    fn arrays<'py>(
+        &self,
+        py: Python<'py>,
+        run: impl Fn(usize, &mut Instance, Vec<&mut [f64]>, &AtomicBool) -> Result<(), Ended> + Send + Sync,
+    ) -> PyResult<Vec<Bound<'py, PyArray1<f64>>>> {
+        let length = self.count * self.samples;
+        let mut arrays = self.results.iter().map(|_| filled(length)).collect::<PyResult<Vec<_>>>()?;
+        let done = interruptible(py, |cancel| {
+            let slots = cut(&mut arrays, self.count, self.samples);
+            self.make(slots, cancel, |number, instance, slot| run(number, instance, slot, cancel))
+        })?;
+        done.map_err(|failure| self.text(failure))?;
+        Ok(arrays.into_iter().map(|array| PyArray1::from_vec(py, array)).collect())
+    }
+
     /// The text of a failure; it names the run if there are several.
     fn text(&self, (run, ended): (usize, Ended)) -> PyErr {
         if self.count == 1 { refused(ended) } else { refused(format_args!("{} {run}: {ended}", self.each)) }
@@ -171,32 +180,26 @@ pub fn follow<'py>(
     threads_asked: Option<usize>,
 ) -> PyResult<Vec<Bound<'py, PyArray1<f64>>>> {
     let model = find(model)?;
-    known_preset(model, preset.as_deref())?;
-    let [parameters, inputs] = [rows(model, parameters)?, rows(model, inputs)?];
+    let inputs = rows(model, inputs)?;
     let times: Option<Vec<f64>> = times.map(|times| times.as_array().iter().copied().collect());
     let between = if held { Between::Held } else { Between::Linear };
-    let results = columns(model, &results)?;
-    let mut arrays = results.iter().map(|_| filled(runs * samples)).collect::<PyResult<Vec<_>>>()?;
     let common = Runs {
         model,
-        preset: preset.as_deref(),
-        parameters,
+        preset: known_preset(model, preset.as_deref())?,
+        parameters: rows(model, parameters)?,
+        results: columns(model, &results)?,
         each: "run",
         count: runs,
-        threads: threads(threads_asked, runs),
+        samples,
+        threads: threads(threads_asked)?.get().min(runs),
     };
-    let done = interruptible(py, |cancel| {
-        let slots = cut(&mut arrays, runs, samples);
-        common.make(slots, cancel, |run, instance, mut slot| {
-            let inputs: Vec<Input> =
-                inputs.iter().map(|rows| Input { column: rows.column, samples: rows.row(run) }).collect();
-            let times = times.as_deref().map_or(Times::Every(dt), Times::At);
-            let course = Course { inputs: &inputs, times, samples, between };
-            stribeck::series::follow(instance, &course, &results, &mut slot, cancel)
-        })
-    })?;
-    done.map_err(|failure| common.text(failure))?;
-    Ok(arrays.into_iter().map(|array| PyArray1::from_vec(py, array)).collect())
+    common.arrays(py, |run, instance, mut slot, cancel| {
+        let given = inputs.iter().map(|rows| Input { column: rows.column, samples: rows.row(run) });
+        let inputs: Vec<Input> = given.collect();
+        let times = times.as_deref().map_or(Times::Every(dt), Times::At);
+        let course = Course { inputs: &inputs, times, samples, between };
+        stribeck::series::follow(instance, &course, &common.results, &mut slot, cancel)
+    })
 }
 
 /// Settled results: one array per result, one value per point.
@@ -214,31 +217,22 @@ pub fn settle<'py>(
     threads_asked: Option<usize>,
 ) -> PyResult<Vec<Bound<'py, PyArray1<f64>>>> {
     let model = find(model)?;
-    known_preset(model, preset.as_deref())?;
-    let [parameters, inputs] = [rows(model, parameters)?, rows(model, inputs)?];
-    let results = columns(model, &results)?;
-    let mut arrays = results.iter().map(|_| filled(points)).collect::<PyResult<Vec<_>>>()?;
-    let is_velocity = |column: usize| model.table.at(column).path.to_string().starts_with("velocity");
+    let inputs = rows(model, inputs)?;
     let common = Runs {
         model,
-        preset: preset.as_deref(),
-        parameters,
+        preset: known_preset(model, preset.as_deref())?,
+        parameters: rows(model, parameters)?,
+        results: columns(model, &results)?,
         each: "point",
         count: points,
-        threads: threads(threads_asked, points),
+        samples: 1,
+        threads: threads(threads_asked)?.get().min(points),
     };
-    let done = interruptible(py, |cancel| {
-        let slots = cut(&mut arrays, points, 1);
-        common.make(slots, cancel, |point, instance, mut slot| {
-            let held: Vec<(usize, f64)> = inputs.iter().map(|rows| (rows.column, rows.row(point)[0])).collect();
-            let squares = held.iter().filter(|(column, _)| is_velocity(*column)).map(|(_, value)| value * value);
-            let speed = squares.sum::<f64>().sqrt();
-            let mut values = vec![0.0; slot.len()];
-            stribeck::series::settle(instance, &held, speed, &results, &mut values, cancel)?;
-            slot.iter_mut().zip(values).for_each(|(place, value)| place[0] = value);
-            Ok(())
-        })
-    })?;
-    done.map_err(|failure| common.text(failure))?;
-    Ok(arrays.into_iter().map(|array| PyArray1::from_vec(py, array)).collect())
+    common.arrays(py, |point, instance, mut slot, cancel| {
+        let held: Vec<(usize, f64)> = inputs.iter().map(|rows| (rows.column, rows.row(point)[0])).collect();
+        let mut values = vec![0.0; slot.len()];
+        stribeck::series::settle(instance, &held, &common.results, &mut values, cancel)?;
+        slot.iter_mut().zip(values).for_each(|(place, value)| place[0] = value);
+        Ok(())
+    })
 }

@@ -6,8 +6,9 @@ use lab::solve::End;
 use lab::system::{BUILT_IN, Description, System};
 use numpy::PyArray1;
 use pyo3::prelude::*;
-use pyo3::types::{PyBool, PyDict};
+use pyo3::types::PyDict;
 
+use crate::entries::as_toml;
 use crate::refused;
 use crate::work::interruptible;
 
@@ -27,44 +28,14 @@ pub fn solvers() -> Vec<(String, String)> {
         .collect()
 }
 
-/// Runs a system with each of several laws, or with its own; an outcome for each.
+/// Runs a system with each of several laws, or with its own; an outcome for each. The entries are those of a file of
+/// `stribeck run`.
 #[pyfunction]
-#[pyo3(signature = (system, *, law, settings, solver, tol, until, every, step, exchange, jitter, events, record))]
-#[allow(clippy::too_many_arguments, reason = "keywords of a call from Python, with the names of the command line")]
-pub fn solve<'py>(
-    py: Python<'py>,
-    system: String,
-    law: Vec<String>,
-    settings: &Bound<'py, PyDict>,
-    solver: Option<String>,
-    tol: Option<f64>,
-    until: Option<f64>,
-    every: Option<f64>,
-    step: Option<f64>,
-    exchange: Option<String>,
-    jitter: Option<f64>,
-    events: bool,
-    record: Vec<String>,
-) -> PyResult<Vec<Bound<'py, PyDict>>> {
-    let set = settings.iter().map(|(name, value)| Ok((name.extract::<String>()?, as_toml(&value)?)));
-    let set = set.collect::<PyResult<_>>()?;
-    let no_events = !events;
-    let system = Some(system);
-    let chosen = Configuration {
-        system,
-        law,
-        solver,
-        tol,
-        until,
-        every,
-        step,
-        exchange,
-        jitter,
-        no_events,
-        record,
-        vary: None,
-        set,
-    };
+pub fn solve<'py>(py: Python<'py>, entries: &Bound<'py, PyDict>) -> PyResult<Vec<Bound<'py, PyDict>>> {
+    let chosen: Configuration = as_toml(entries)?.try_into().map_err(refused)?;
+    if chosen.vary.is_some() {
+        return Err(refused("vary: use stribeck.study"));
+    }
     let outcomes = interruptible(py, |cancel| {
         let source = chosen.source()?;
         let laws: Vec<Option<&str>> =
@@ -82,17 +53,6 @@ pub fn solve<'py>(
         Ok::<_, lab::system::Fault>(outcomes)
     })?;
     outcomes.map_err(refused)?.into_iter().map(|outcome| as_dict(py, outcome)).collect()
-}
-
-/// A value of a variable: truth, number or name of a choice.
-fn as_toml(value: &Bound<PyAny>) -> PyResult<toml::Value> {
-    if value.is_instance_of::<PyBool>() {
-        return Ok(toml::Value::Boolean(value.extract()?));
-    }
-    if let Ok(text) = value.extract::<String>() {
-        return Ok(toml::Value::String(text));
-    }
-    Ok(toml::Value::Float(value.extract()?))
 }
 
 fn as_dict<'py>(py: Python<'py>, outcome: Outcome) -> PyResult<Bound<'py, PyDict>> {

@@ -1,5 +1,6 @@
 //! Work without the interpreter's lock, which Ctrl-C ends.
 
+use std::num::NonZeroUsize;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::thread;
@@ -10,7 +11,7 @@ use pyo3::prelude::*;
 /// Time between two looks for an interrupt.
 const PATIENCE: Duration = Duration::from_millis(50);
 
-/// Does long work in a thread of its own; the flag is set if the user interrupts it.
+/// Runs long work in a thread of its own. Ctrl-C sets the flag, on which the work must end early.
 pub fn interruptible<T: Send>(py: Python, work: impl FnOnce(&AtomicBool) -> T + Send) -> PyResult<T> {
     let cancel = &AtomicBool::new(false);
     let (done, interrupt) = py.detach(|| {
@@ -46,8 +47,8 @@ pub fn interruptible<T: Send>(py: Python, work: impl FnOnce(&AtomicBool) -> T + 
     }
 }
 
-/// Threads for a number of tasks: those that were asked for, or all processors.
-pub fn threads(asked: Option<usize>, tasks: usize) -> usize {
-    let processors = thread::available_parallelism().map_or(1, usize::from);
-    asked.unwrap_or(processors).clamp(1, tasks.max(1))
+/// The number of threads that was asked for, or of all processors.
+pub fn threads(asked: Option<usize>) -> PyResult<NonZeroUsize> {
+    let Some(asked) = asked else { return Ok(thread::available_parallelism().unwrap_or(NonZeroUsize::MIN)) };
+    NonZeroUsize::new(asked).ok_or_else(|| crate::refused(format_args!("threads = {asked}: must be >= 1")))
 }

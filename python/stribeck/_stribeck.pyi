@@ -54,18 +54,4 @@ def make_study(
 def merge_study(study: str | dict[str, Any], folder: str) -> Path: ...
 def systems() -> list[tuple[str, str]]: ...
 def solvers() -> list[tuple[str, str]]: ...
-def solve(
-    system: str,
-    *,
-    law: list[str],
-    settings: dict[str, bool | float | str],
-    solver: str | None,
-    tol: float | None,
-    until: float | None,
-    every: float | None,
-    step: float | None,
-    exchange: str | None,
-    jitter: float | None,
-    events: bool,
-    record: list[str],
-) -> list[dict[str, Any]]: ...
+def solve(entries: dict[str, Any]) -> list[dict[str, Any]]: ...

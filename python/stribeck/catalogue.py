@@ -1,4 +1,4 @@
-"""What there is: models with their variables, equations and sources."""
+"""The catalogue: models with their variables, equations and sources."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ class Variable:
     kind: str
     """`real`, `integer`, `boolean` or `choice`."""
     unit: str
-    """Unit; `1` for a pure number, empty for what is no real number."""
+    """Unit; `1` for a pure number, empty for an integer, a Boolean or a choice."""
     display_unit: str | None
     """Unit in which it is usually shown."""
     start: float
@@ -48,7 +48,7 @@ class Variable:
 
     @property
     def admits(self) -> str:
-        """What it admits, as a user writes it."""
+        """Admitted values, as a user writes them."""
         if self.kind == "choice":
             return "one of " + ", ".join(name for name, _ in self.choices)
         return "True or False" if self.kind == "boolean" else self.bound
@@ -71,7 +71,7 @@ class Preset:
 
     name: str
     source: str
-    """Where the values come from."""
+    """Source of the values."""
     values: dict[str, float]
 
 
@@ -97,17 +97,17 @@ class Description:
 
     @property
     def parameters(self) -> dict[str, Variable]:
-        """What may be set before a run."""
+        """Variables that may be set before a run."""
         return self.of_role("Fixed", "Tunable")
 
     @property
     def inputs(self) -> dict[str, Variable]:
-        """What is given over time."""
+        """Variables that are given over time."""
         return self.of_role("Input")
 
     @property
     def outputs(self) -> dict[str, Variable]:
-        """What comes out."""
+        """Results."""
         return self.of_role("StateOutput", "Output")
 
     def section(self, heading: str) -> str:
@@ -123,7 +123,7 @@ class Description:
 
     @property
     def source(self) -> str:
-        """Where the equations come from, with every deviation."""
+        """Source of the equations, with every deviation from it."""
         return self.section("Source")
 
     def find(self, name: str) -> Variable:
@@ -159,7 +159,7 @@ class Description:
 
 
 def hint(name: str, known: object) -> str:
-    """What the user may have meant."""
+    """A hint with the name that the user may have meant."""
     closest = difflib.get_close_matches(name, list(known), 1)  # type: ignore[call-overload]
     return f" (did you mean '{closest[0]}'?)" if closest else ""
 

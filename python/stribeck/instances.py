@@ -65,7 +65,7 @@ class Model(Part):
 
     @property
     def warning(self) -> str | None:
-        """What makes no sense in the present values, if anything."""
+        """Warning about present values that make no sense, if there are any."""
         return self._instance.warning()
 
     def set(self, **values: Any) -> None:

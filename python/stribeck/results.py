@@ -24,9 +24,10 @@ class Result(Mapping[str, NDArray[np.float64]]):
         columns: dict[str, NDArray[np.float64]],
         units: dict[str, str],
         assumed: dict[str, float] | None = None,
+        inputs: dict[str, NDArray[np.float64]] | None = None,
     ) -> None:
         self.title = title
-        """What was computed."""
+        """Name of the model or system."""
         self.time = time
         """Times in s."""
         self.columns = columns
@@ -34,6 +35,8 @@ class Result(Mapping[str, NDArray[np.float64]]):
         """Unit of each result."""
         self.assumed = assumed or {}
         """Inputs that were not given, with the value that was taken for them."""
+        self.inputs = inputs or {}
+        """Inputs as they were given, for pictures of results over them."""
 
     def __getitem__(self, name: str) -> NDArray[np.float64]:
         return self.time if name == "time" else self.columns[name]
@@ -69,13 +72,14 @@ class Result(Mapping[str, NDArray[np.float64]]):
         return xarray.Dataset(columns, coords={"time": ("time", self.time, {"units": "s"})})
 
     def plot(self, *names: str, over: str = "time") -> Figure:
-        """Draws results, all if none is named, over time or over another result. Returns matplotlib's Figure."""
+        """Draws results, all if none is named, over time, a result or an input. Returns matplotlib's Figure."""
         import matplotlib.pyplot as plt
 
         names = names or tuple(name for name in self.columns if name != over)
         figure, axes = plt.subplots(len(names), 1, sharex=True, squeeze=False, layout="constrained")
         for name, axis in zip(names, axes[:, 0], strict=True):
-            axis.plot(np.broadcast_to(self[over], self[name].shape).T, self[name].T, linewidth=1.0)
+            across = self.inputs[over] if over in self.inputs else self[over]
+            axis.plot(np.broadcast_to(across, self[name].shape).T, self[name].T, linewidth=1.0)
             axis.set_ylabel(self._label(name))
             axis.grid(alpha=0.3)
         axes[-1, 0].set_xlabel(self._label(over))

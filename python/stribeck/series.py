@@ -59,7 +59,7 @@ def force(
         inputs=inputs,
         results=["friction_force"],
         points=points,
-        threads_asked=_threads(threads),
+        threads_asked=threads,
     )
     # Indexing by () turns a single number into a scalar.
     return forces.reshape(shape)[()]
@@ -117,13 +117,13 @@ def simulate(
         results=results,
         runs=runs,
         samples=samples,
-        threads_asked=_threads(threads),
+        threads_asked=threads,
     )
     shape = (samples,) if single else (runs, samples)
     columns = {key: column.reshape(shape) for key, column in zip(results, flat, strict=True)}
     axis = float(dt or 0.0) * np.arange(samples) if times is None else times
-    units = {key: described.variables[key].unit for key in results}
-    return Result(described.name, axis, columns, units, assumed)
+    units = {key: described.variables[key].unit for key in [*results, *inputs]}
+    return Result(described.name, axis, columns, units, assumed, inputs)
 
 
 def _numbers(variable: Variable, value: Any) -> NDArray[np.float64]:
@@ -178,19 +178,13 @@ def _step(dt: float | None) -> float:
 
 def _samples(inputs: Mapping[str, NDArray[np.float64]], times: NDArray[np.float64] | None) -> int:
     """Number of samples, on which all inputs and the times agree."""
-    lengths = {name: array.shape[-1] for name, array in inputs.items() if array.ndim > 0 and array.shape[-1] != 1}
     for name, array in inputs.items():
         if array.ndim > 2:
             raise Refused(f"{name} has the shape {array.shape}: must be (samples) or (runs, samples)")
+    lengths = {name: array.shape[-1] for name, array in inputs.items() if array.ndim > 0 and array.shape[-1] != 1}
     if times is not None:
         lengths["time"] = len(times)
-    if len(set(lengths.values())) > 1:
-        told = ", ".join(f"{name} {length}" for name, length in lengths.items())
-        raise Refused(f"the numbers of samples differ: {told}")
-    samples = next(iter(lengths.values()), 1)
-    if samples == 0:
-        raise Refused("there are no samples")
-    return samples
+    return _agreed("samples", lengths)
 
 
 def _runs(described: Description, arrays: Mapping[str, NDArray[np.float64]]) -> tuple[int, bool]:
@@ -202,24 +196,24 @@ def _runs(described: Description, arrays: Mapping[str, NDArray[np.float64]]) -> 
             raise Refused(f"{name} has the shape {array.shape}: must have one value per run")
         if runs_axis == 1:
             counts[name] = array.shape[0]
-    several = {name: count for name, count in counts.items() if count != 1}
-    if len(set(several.values())) > 1:
-        told = ", ".join(f"{name} {count}" for name, count in several.items())
-        raise Refused(f"the numbers of runs differ: {told}")
-    runs = next(iter(several.values()), 1)
-    if runs == 0:
-        raise Refused("there are no runs")
-    return runs, not counts
+    return _agreed("runs", {name: count for name, count in counts.items() if count != 1}), not counts
+
+
+def _agreed(what: str, numbers: Mapping[str, int]) -> int:
+    """The number of samples or runs on which all arrays agree; 1 if there is none."""
+    told = ", ".join(f"{name} {number}" for name, number in numbers.items())
+    if len(set(numbers.values())) > 1:
+        raise Refused(f"the numbers of {what} differ: {told}")
+    agreed = next(iter(numbers.values()), 1)
+    if agreed == 0:
+        raise Refused(f"number of {what}: {told}: must be >= 1")
+    return agreed
 
 
 def _results(described: Description, record: Sequence[str] | None) -> list[str]:
     if record is None:
         return list(described.outputs)
     names = [record] if isinstance(record, str) else list(record)
+    if not names:
+        raise Refused("record names no result")
     return [described.find(name).name for name in names]
-
-
-def _threads(threads: int | None) -> int | None:
-    if threads is not None and threads < 1:
-        raise Refused(f"threads = {threads}: must be >= 1")
-    return threads

@@ -6,6 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from stribeck import _stribeck
+from stribeck._stribeck import Refused
 from stribeck.catalogue import Description, laws
 from stribeck.results import Result
 
@@ -128,6 +129,8 @@ def compare(system: str = "belt", law: Sequence[str | Description] | None = None
     ['Dahl', 'LuGre']
     """
     names = [str(one) for one in (laws() if law is None else law)]
+    if not names:
+        raise Refused("law names no friction law")
     solutions = dict(zip(names, _solutions(system, names, options), strict=True))
     reached = {name: one for name, one in solutions.items() if one.end == "reached"}
     failed = {name: one for name, one in solutions.items() if one.end != "reached"}
@@ -135,21 +138,10 @@ def compare(system: str = "belt", law: Sequence[str | Description] | None = None
 
 
 def _solutions(system: str, names: list[str], options: dict[str, Any]) -> list[Solution]:
-    chosen: dict[str, Any] = {
-        "set": {},
-        "solver": None,
-        "tol": None,
-        "until": None,
-        "every": None,
-        "step": None,
-        "exchange": None,
-        "jitter": None,
-        "events": True,
-        "record": [],
-    }
-    unknown = [name for name in options if name not in chosen]
-    if unknown:
-        raise TypeError(f"no option '{unknown[0]}': there are {', '.join(chosen)}")
-    chosen.update(options)
-    told = _stribeck.solve(str(system), law=names, settings=dict(chosen.pop("set")), **chosen)
+    entries = {name: value for name, value in options.items() if value is not None}
+    if not entries.pop("events", True):
+        entries["no-events"] = True
+    if isinstance(entries.get("record"), str):
+        entries["record"] = [entries["record"]]
+    told = _stribeck.solve({**entries, "system": str(system), "law": names})
     return [Solution(str(system), one) for one in told]

@@ -4,7 +4,7 @@ use std::fmt;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use crate::instance::{Instance, Phase, Refused};
-use crate::model::Fault;
+use crate::model::{Fault, Kind};
 
 use super::Ended;
 
@@ -21,17 +21,17 @@ const LEAST_WAY: f64 = 1e-2;
 /// Change, as a part of the largest result, that counts as none (chosen).
 const CHANGE: f64 = 1e-9;
 
-/// Holds inputs from the present state until the results no longer change while the time grows tenfold. `speed` is the
-/// magnitude of the velocities among the inputs. Refused if they keep fluctuating.
+/// Holds inputs from the present state until the results no longer change while the time grows tenfold. Refused if they
+/// keep fluctuating.
 pub fn settle(
     instance: &mut Instance,
     inputs: &[(usize, f64)],
-    speed: f64,
     results: &[usize],
     values: &mut [f64],
     cancel: &AtomicBool,
 ) -> Result<(), Ended> {
     instance.set_all(Phase::Stepping, inputs.iter().copied()).map_err(Ended::setup)?;
+    let speed = speed(instance, inputs);
     let least = if speed > 0.0 { f64::max(LEAST_TIME, LEAST_WAY / speed) } else { LEAST_TIME };
     let (mut time, mut step) = (0.0, FIRST_STEP);
     let mut history: Vec<(f64, Vec<f64>)> = Vec::new();
@@ -53,6 +53,15 @@ pub fn settle(
     }
     let shown = Shown { instance, inputs };
     Err(Ended::Unsettled(Fault::new(format_args!("the results do not settle at {shown}: they keep fluctuating"))))
+}
+
+/// Magnitude of the velocities among inputs, in m/s.
+fn speed(instance: &Instance, inputs: &[(usize, f64)]) -> f64 {
+    let is_velocity = |column: usize| {
+        let kind = instance.variable(column).map(|variable| variable.kind);
+        matches!(kind, Some(Kind::Real(unit)) if unit.name == "m/s")
+    };
+    inputs.iter().filter(|(column, _)| is_velocity(*column)).map(|(_, value)| value * value).sum::<f64>().sqrt()
 }
 
 /// Inputs as a message names them.

@@ -48,6 +48,7 @@ fn refusals_name_the_sample() {
     let course = Course { inputs: &inputs, times: Times::At(&[0.0, 0.1, 0.3]), samples: 3, between: Between::Held };
     let ended = follow(&mut instance, &course, &[force], &mut [&mut [0.0; 3]], &NEVER).unwrap_err();
     assert_eq!(ended.to_string(), "sample 2 (t = 0.3 s): velocity = NaN: must be a finite number");
+    assert_eq!(instance.time(), 0.0, "nothing has run");
     let mu = column(&instance, "mu_k");
     assert_eq!(set_up(&mut instance, &[(mu, -1.0)]).unwrap_err().to_string(), "mu_k = -1: must be > 0 and finite");
 }
@@ -62,7 +63,7 @@ fn settled_force_of_lugre() {
         let [velocity, load, force] =
             ["velocity", "normal_force", "friction_force"].map(|name| column(&instance, name));
         let mut settled = [0.0];
-        settle(&mut instance, &[(velocity, v), (load, 10.0)], f64::abs(v), &[force], &mut settled, &NEVER).unwrap();
+        settle(&mut instance, &[(velocity, v), (load, 10.0)], &[force], &mut settled, &NEVER).unwrap();
         let fade = (-(f64::abs(v) / start("stribeck_velocity")).powf(start("stribeck_exponent"))).exp();
         let g = 10.0 * (start("mu_k") + (start("mu_s") - start("mu_k")) * fade);
         let exact = g * v.signum() + start("viscous_coefficient") * v;
@@ -79,7 +80,7 @@ fn forces_of_all_other_laws_settle() {
         let (velocity, force) = (along("velocity"), along("friction_force"));
         let inputs = [(velocity, 0.3), (column(&instance, "normal_force"), 10.0)];
         let mut settled = [0.0];
-        let result = settle(&mut instance, &inputs, 0.3, &[force], &mut settled, &NEVER);
+        let result = settle(&mut instance, &inputs, &[force], &mut settled, &NEVER);
         assert_eq!(result.is_err(), law.name == "Bristle", "{}: {result:?}", law.name);
         assert!(result.is_err() || settled[0] > 0.0, "{}: {settled:?}", law.name);
     }

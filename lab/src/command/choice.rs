@@ -8,7 +8,7 @@ use lab::couple::Exchange;
 use lab::picture::{self, Options, Theme};
 use lab::report::{self, Facts};
 use lab::run::{Configuration, Outcome, Settings, Solver};
-use lab::system::{Fault, Setting, Source, System};
+use lab::system::{Fault, Setting, Source, System, read};
 
 use super::Failure;
 
@@ -125,7 +125,7 @@ pub struct Choice {
 impl Arguments {
     /// The configuration: that of the file, with the arguments in it.
     fn configuration(&self) -> Result<Configuration, Failure> {
-        let mut all = self.config.as_deref().map(Configuration::load).transpose()?.unwrap_or_default();
+        let mut all = self.config.as_deref().map(read::<Configuration>).transpose()?.unwrap_or_default();
         let name = |value: &dyn ToString| Some(value.to_string());
         all.system = self.system.clone().or(all.system);
         all.solver = self.solver.as_ref().map_or(all.solver, |solver| name(solver));

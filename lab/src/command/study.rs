@@ -1,10 +1,12 @@
 //! `stribeck study`: many runs, one table.
 
+use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use clap::Args;
-use lab::study::{Description, Shard, Study};
+use lab::study::{Shard, Study};
+use lab::system::read;
 
 use super::watch::{CANCELLED, Rows, heed_interrupts};
 use super::{Failure, Verdict};
@@ -22,7 +24,7 @@ pub struct Arguments {
     shard: Shard,
     /// Threads; all processors if it is not given
     #[arg(long)]
-    threads: Option<usize>,
+    threads: Option<NonZeroUsize>,
     /// Only join the chunks that are in the folder
     #[arg(long)]
     merge: bool,
@@ -31,7 +33,7 @@ pub struct Arguments {
 /// Makes a study, or its part, and joins it once it is complete.
 pub fn study(arguments: &Arguments) -> Result<Verdict, Failure> {
     let folder = arguments.study.parent().unwrap_or(Path::new(""));
-    let study = Study::new(Description::load(&arguments.study)?, folder)?;
+    let study = Study::new(read(&arguments.study)?, folder)?;
     let table = arguments.out.join("study.csv");
     if arguments.merge {
         let rows = study.merge(&arguments.out, &table)?;
@@ -39,7 +41,8 @@ pub fn study(arguments: &Arguments) -> Result<Verdict, Failure> {
         return Ok(Verdict::Done);
     }
     heed_interrupts();
-    let threads = arguments.threads.unwrap_or_else(|| std::thread::available_parallelism().map_or(1, usize::from));
+    let processors = std::thread::available_parallelism().ok();
+    let threads = arguments.threads.or(processors).unwrap_or(NonZeroUsize::MIN);
     let (bar, count) = (Rows::new(study.rows() / arguments.shard.count), AtomicUsize::new(0));
     let progress = |rows: usize| bar.reached(count.fetch_add(rows, Ordering::Relaxed) + rows);
     let done = study.make(&arguments.out, arguments.shard, threads, &CANCELLED, &progress)?;

@@ -1,7 +1,6 @@
-//! What is run, as a user writes it: in a TOML file, on the command line, in Python.
+//! A run as a user writes it: in a TOML file, on the command line, in Python.
 
 use std::collections::BTreeMap;
-use std::path::Path;
 
 use clap::ValueEnum;
 use serde::{Deserialize, Serialize};
@@ -55,15 +54,6 @@ pub struct Configuration {
 }
 
 impl Configuration {
-    /// Reads a file.
-    pub fn load(path: &Path) -> Result<Configuration, Fault> {
-        let wrong = |error: &dyn std::fmt::Display| {
-            Fault::File(format!("{}: {}", path.display(), error.to_string().trim_end()))
-        };
-        let text = std::fs::read_to_string(path).map_err(|error| wrong(&error))?;
-        toml::from_str(&text).map_err(|error| wrong(&error))
-    }
-
     /// As the text of a file.
     pub fn text(&self) -> String {
         toml::to_string(self).unwrap_or_else(|error| error.to_string())

@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use super::Shard;
 use super::description::Description;
 use super::sample::Samples;
-use crate::system::Fault;
+use crate::system::{Fault, System};
 
 /// Rows of a chunk (chosen): a second of work for the fastest runs.
 const ROWS: usize = 1000;
@@ -31,11 +31,15 @@ fn at(number: usize, rows: usize) -> Chunk {
     Chunk { number, rows: number * ROWS..rows.min((number + 1) * ROWS) }
 }
 
-/// Fingerprint of a study: of its description, its table and the version of the program (FNV-1a with 64 bits, G. Fowler,
-/// L. C. Noll, K.-P. Vo).
-pub(super) fn hash(description: &Description, samples: &Samples) -> String {
+/// Fingerprint of a study: of its description, its table, its systems with their signals, and the version of the program
+/// (FNV-1a with 64 bits, G. Fowler, L. C. Noll, K.-P. Vo; RFC 9923). A file that was changed makes another study.
+pub(super) fn hash(description: &Description, samples: &Samples, systems: &[System]) -> String {
     let described = toml::to_string(description).unwrap_or_default();
-    let text = format!("{}\n{described}\n{}", env!("CARGO_PKG_VERSION"), samples.text());
+    let mut text = format!("{}\n{described}\n{}", env!("CARGO_PKG_VERSION"), samples.text());
+    for system in systems {
+        text += &toml::to_string(&system.description).unwrap_or_default();
+        text += &format!("{:?}\n", system.signals);
+    }
     let hash = text
         .bytes()
         .fold(0xcbf2_9ce4_8422_2325u64, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3));

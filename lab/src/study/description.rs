@@ -1,7 +1,6 @@
 //! Studies as a user writes them.
 
 use std::collections::BTreeMap;
-use std::path::Path;
 
 use serde::{Deserialize, Serialize};
 
@@ -63,16 +62,5 @@ impl Spread {
         } else {
             Err(Fault::value(format_args!("vary.{name} = [{a}, {b}]: {text}")))
         }
-    }
-}
-
-impl Description {
-    /// Reads a file.
-    pub fn load(path: &Path) -> Result<Description, Fault> {
-        let wrong = |error: &dyn std::fmt::Display| {
-            Fault::File(format!("{}: {}", path.display(), error.to_string().trim_end()))
-        };
-        let text = std::fs::read_to_string(path).map_err(|error| wrong(&error))?;
-        toml::from_str(&text).map_err(|error| wrong(&error))
     }
 }

@@ -10,6 +10,7 @@ mod sample;
 #[cfg(test)]
 mod tests;
 
+use std::num::NonZeroUsize;
 use std::path::Path;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
@@ -55,7 +56,7 @@ impl std::str::FromStr for Shard {
     }
 }
 
-/// What a study has done.
+/// Outcome of a study.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Done {
     /// Rows that were run.
@@ -81,14 +82,14 @@ impl Study {
         if quantities.is_empty() {
             return Err(Fault::value("keep: must name at least one quantity, such as \"max rig.position\""));
         }
-        let hash = chunk::hash(&description, &samples);
-        let study = Study { description, source, laws, samples, quantities, hash };
-        study.check()?;
+        let mut study = Study { description, source, laws, samples, quantities, hash: String::new() };
+        let systems = study.check()?;
+        study.hash = chunk::hash(&study.description, &study.samples, &systems);
         Ok(study)
     }
 
     /// Assembles the first sample of each law: names, and results to keep, that do not exist are refused at once.
-    fn check(&self) -> Result<(), Fault> {
+    fn check(&self) -> Result<Vec<System>, Fault> {
         let mut systems = Vec::new();
         for law in 0..self.laws.len() {
             systems.push(self.system(law * self.samples.len())?);
@@ -100,7 +101,7 @@ impl Study {
                 quantity.result().map_or(Ok(()), |name| system.source(name).map(|_| ()))?;
             }
         }
-        Ok(())
+        Ok(systems)
     }
 
     /// Number of rows: all samples with each law.
@@ -157,7 +158,7 @@ impl Study {
         &self,
         folder: &Path,
         shard: Shard,
-        threads: usize,
+        threads: NonZeroUsize,
         cancel: &AtomicBool,
         progress: &(dyn Fn(usize) + Sync),
     ) -> Result<Done, Fault> {
@@ -184,7 +185,7 @@ impl Study {
     fn chunk(
         &self,
         chunk: &Chunk,
-        threads: usize,
+        threads: NonZeroUsize,
         cancel: &AtomicBool,
         progress: &(dyn Fn(usize) + Sync),
     ) -> Vec<(Vec<String>, bool)> {
@@ -201,7 +202,7 @@ impl Study {
             }
         };
         std::thread::scope(|scope| {
-            for _ in 1..threads.max(1) {
+            for _ in 1..threads.get() {
                 scope.spawn(work);
             }
             work();

@@ -1,4 +1,4 @@
-//! What is kept of a run.
+//! Numbers that are kept of a run.
 
 use std::fmt;
 use std::str::FromStr;

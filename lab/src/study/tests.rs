@@ -29,7 +29,7 @@ fn study(text: &str) -> Result<Study, Fault> {
 fn quiet(_rows: usize) {}
 
 fn make(study: &Study, folder: &Path, shard: Shard, threads: usize) -> Done {
-    study.make(folder, shard, threads, &AtomicBool::new(false), &quiet).unwrap()
+    study.make(folder, shard, NonZeroUsize::new(threads).unwrap(), &AtomicBool::new(false), &quiet).unwrap()
 }
 
 fn table(study: &Study, folder: &Path) -> String {
@@ -94,7 +94,7 @@ fn shards_threads_and_interruptions_give_the_same_bytes() {
             cancel.store(true, Ordering::Relaxed);
         }
     };
-    let done = study.make(resumed.path(), ALL, 2, &cancel, &interrupt).unwrap();
+    let done = study.make(resumed.path(), ALL, NonZeroUsize::MIN, &cancel, &interrupt).unwrap();
     assert_eq!((done.rows, done.cancelled), (1000, true));
     let refusal = study.merge(resumed.path(), &resumed.path().join("study.csv")).unwrap_err().to_string();
     assert!(refusal.ends_with("2 of 3 chunks are missing, the first one is 1"), "{refusal}");
@@ -149,6 +149,29 @@ fn mistakes_are_refused_before_anything_runs() {
     let small = STUDY.replace("2500", "3");
     make(&study(&small).unwrap(), folder.path(), ALL, 1);
     let other = study(&small.replace("seed = 7", "seed = 8")).unwrap();
-    let refusal = other.make(folder.path(), ALL, 1, &AtomicBool::new(false), &quiet).unwrap_err().to_string();
+    let refusal =
+        other.make(folder.path(), ALL, NonZeroUsize::MIN, &AtomicBool::new(false), &quiet).unwrap_err().to_string();
     assert!(refusal.ends_with("belongs to another study: choose another folder, or remove it"), "{refusal}");
+}
+
+/// Chunks of a system or a signal as it was before are not taken for those of the present one.
+#[test]
+fn a_file_that_changed_makes_another_study() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = |name: &str| folder.path().join(name);
+    let drive = include_str!("../system/built_in/belt-drive.toml");
+    let drive =
+        drive.replace("{ ramp = { rate = 0.01, to = 0.2 } }", "{ csv = { file = \"belt.csv\", column = \"v\" } }");
+    let file = path("drive.toml");
+    let text = format!("samples = 2\nkeep = [\"events\"]\n[run]\nsystem = '{}'\n", file.display());
+    let hash = |system: &str, signal: &str| {
+        fs::write(&file, system).unwrap();
+        fs::write(path("belt.csv"), signal).unwrap();
+        study(&text).unwrap().hash
+    };
+    let (signal, other) = ("time,v\n0,0\n20,0.2\n", "time,v\n0,0\n20,0.3\n");
+    let before = hash(&drive, signal);
+    assert_eq!(hash(&drive, signal), before);
+    assert_ne!(hash(&drive, other), before);
+    assert_ne!(hash(&drive.replace("until = 40.0", "until = 30.0"), signal), before);
 }

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
+use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 
 use super::{Fault, Signal};
@@ -116,10 +117,21 @@ impl Source {
         if path.extension().is_none() {
             return Err(Fault::unknown("system", name, BUILT_IN.iter().map(|(known, _)| *known)));
         }
-        let text = std::fs::read_to_string(path).map_err(|error| Fault::File(format!("{name}: {error}")))?;
-        let description = Description::parse(&text).map_err(|error| Fault::File(format!("{name}: {error}")))?;
+        let text = std::fs::read_to_string(path).map_err(|error| spoilt(path, error))?;
+        let description = Description::parse(&text).map_err(|error| spoilt(path, error))?;
         Ok(Source { description, folder: path.parent().unwrap_or(Path::new("")).to_owned() })
     }
+}
+
+/// Reads a TOML file.
+pub fn read<T: DeserializeOwned>(path: &Path) -> Result<T, Fault> {
+    let text = std::fs::read_to_string(path).map_err(|error| spoilt(path, error))?;
+    toml::from_str(&text).map_err(|error| spoilt(path, error.to_string().trim_end()))
+}
+
+/// Fault of a file.
+fn spoilt(path: &Path, error: impl std::fmt::Display) -> Fault {
+    Fault::File(format!("{}: {error}", path.display()))
 }
 
 impl Description {

@@ -13,7 +13,7 @@ mod slot;
 mod values;
 
 pub use error::Fault;
-pub use file::{BUILT_IN, Description, Source};
+pub use file::{BUILT_IN, Description, Source, read};
 pub use motion::Motion;
 pub use part::{Part, Place, System, Wire, WireSource};
 pub use signal::Signal;
