@@ -7,6 +7,7 @@ mod model;
 mod series;
 mod study;
 mod systems;
+mod tyre;
 mod work;
 
 use pyo3::create_exception;
@@ -25,6 +26,7 @@ fn _stribeck(module: &Bound<PyModule>) -> PyResult<()> {
     module.add("__version__", env!("CARGO_PKG_VERSION"))?;
     module.add("Refused", module.py().get_type::<Refused>())?;
     module.add_class::<model::Instance>()?;
+    module.add_class::<tyre::Tyre>()?;
     module.add_function(wrap_pyfunction!(catalogue::names, module)?)?;
     module.add_function(wrap_pyfunction!(catalogue::describe, module)?)?;
     module.add_function(wrap_pyfunction!(series::follow, module)?)?;

@@ -7,7 +7,8 @@ array([-2.1  ,  2.001,  2.1  ])
 
 `laws` and `models` list what there is, `law` and `model` describe one. `force` gives the force in steady sliding,
 `simulate` the force along measured or computed motions, `solve` and `compare` the motion of whole systems, `study`
-many of them, `fmu` the path of an FMU. `Model` and `ShockAbsorber` are stepped by the caller.
+many of them, `fmu` the path of an FMU. `Model` and `ShockAbsorber` are stepped by the caller, a `Tyre` is asked for its
+forces.
 
 Units are SI. `velocity` is that of body 1 relative to body 2; `friction_force` has its sign when sliding, and body 1
 feels the negative.
@@ -21,6 +22,7 @@ from stribeck.results import Result
 from stribeck.series import force, simulate
 from stribeck.studies import Table, study
 from stribeck.systems import Comparison, NotConverged, Solution, compare, solve, solvers, systems
+from stribeck.tyres import Tyre, TyreWrench
 
 __all__ = [
     "Comparison",
@@ -33,6 +35,8 @@ __all__ = [
     "ShockAbsorber",
     "Solution",
     "Table",
+    "Tyre",
+    "TyreWrench",
     "Variable",
     "__version__",
     "compare",

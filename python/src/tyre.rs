@@ -1,0 +1,63 @@
+//! The tyre of a tyre property file.
+
+use std::path::PathBuf;
+
+use lab::tir::{self, TyreFile};
+use pyo3::prelude::*;
+use stribeck::host::{Contact, MagicFormula, Side, Wrench};
+use stribeck::model::{Columns, row_of_mut, start};
+
+use crate::refused;
+
+/// A tyre that is read once and asked many times.
+#[pyclass(frozen)]
+pub struct Tyre {
+    formula: MagicFormula,
+    stiffness: f64,
+    damping: f64,
+    notes: Vec<String>,
+}
+
+#[pymethods]
+impl Tyre {
+    /// Reads a file.
+    #[new]
+    fn new(path: PathBuf) -> PyResult<Tyre> {
+        let TyreFile { set, notes, .. } = tir::read(&path).map_err(refused)?;
+        let mut formula: MagicFormula = start();
+        let row = row_of_mut(&mut formula);
+        for (column, variable) in MagicFormula::TABLE.iter().enumerate() {
+            let name = format!("tyre.{}", variable.path);
+            row[column] = set.get(&name).ok_or_else(|| refused(format!("{}: no {name}", path.display())))?;
+        }
+        let vertical = |name: &str| {
+            let key = name.to_uppercase().replace("TYRE", "VERTICAL");
+            set.get(&format!("front.{name}")).ok_or_else(|| refused(format!("{}: no {key}", path.display())))
+        };
+        Ok(Tyre { formula, stiffness: vertical("tyre_stiffness")?, damping: vertical("tyre_damping")?, notes })
+    }
+
+    /// Radius without load, vertical stiffness, vertical damping.
+    fn vertical(&self) -> (f64, f64, f64) {
+        (self.formula.unloaded_radius, self.stiffness, self.damping)
+    }
+
+    /// Assumptions about what the file does not say.
+    fn notes(&self) -> Vec<String> {
+        self.notes.clone()
+    }
+
+    /// Forces along x and y and moments about x, y and z of the road on a left or right tyre; the contact is load,
+    /// longitudinal slip, side slip, camber and speed.
+    fn wrench(&self, left: bool, contact: [f64; 5]) -> PyResult<[f64; 5]> {
+        const NAMES: [&str; 5] = ["load", "longitudinal_slip", "side_slip", "camber", "speed"];
+        if let Some((name, value)) = NAMES.iter().zip(contact).find(|(_, value)| !value.is_finite()) {
+            return Err(refused(format!("{name} = {value}: must be finite")));
+        }
+        let [load, longitudinal_slip, side_slip, camber, speed] = contact;
+        let contact = Contact { load, longitudinal_slip, side_slip, camber, speed };
+        let side = if left { Side::Left } else { Side::Right };
+        let Wrench { force_x, force_y, moment_x, moment_y, moment_z } = self.formula.wrench_on(side, &contact);
+        Ok([force_x, force_y, moment_x, moment_y, moment_z])
+    }
+}

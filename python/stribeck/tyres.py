@@ -1,0 +1,47 @@
+"""Forces and moments of rolling tyres."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+from typing import NamedTuple
+
+from stribeck import _stribeck
+
+
+class TyreWrench(NamedTuple):
+    """Forces in N and moments in N.m of the road on a tyre, at the contact point, in the axes of the wheel."""
+
+    force_x: float
+    force_y: float
+    moment_x: float
+    moment_y: float
+    moment_z: float
+
+
+class Tyre:
+    """A tyre from a tyre property file (`.tir`) with coefficients of the Magic Formula 5, that of `DoubleTrackCar`.
+
+    `radius` is the one without load, `stiffness` and `damping` are vertical; `notes` lists what had to be assumed
+    because the file does not say it. Raises `stribeck.Refused` for a file that makes no sense.
+    """
+
+    def __init__(self, path: str | os.PathLike[str]) -> None:
+        self._tyre = _stribeck.Tyre(Path(path))
+        self.radius, self.stiffness, self.damping = self._tyre.vertical()
+        self.notes = self._tyre.notes()
+
+    def wrench(
+        self,
+        load: float,
+        *,
+        longitudinal_slip: float = 0.0,
+        side_slip: float = 0.0,
+        camber: float = 0.0,
+        speed: float = 0.0,
+        left: bool = True,
+    ) -> TyreWrench:
+        """Forces and moments in steady state. Axes of ISO 8855: x forward, y left, z up. The side slip, in rad, is
+        positive if the contact point moves to the left, the slip if the tyre drives, the camber, in rad, if the top
+        leans to the right. A right tyre is the mirror image of a left one."""
+        return TyreWrench(*self._tyre.wrench(left, (load, longitudinal_slip, side_slip, camber, speed)))
