@@ -130,8 +130,9 @@ class QuarterCar:
         kinds = exudyn.OutputVariableType
         force = self.system.GetObjectOutput(self.telescope, kinds.ForceLocal)
         moment = self.system.GetObjectOutput(self.telescope, kinds.TorqueLocal)
-        # The force is that of the rod on the tube, but the moment is that of the tube on the rod: found by statics.
-        return Wrench.in_rod_eye(-force, moment, length)
+        # The force is that of the rod on the tube. The moments are multipliers of the locked rotations: only the second
+        # one turns like the moment of the tube on the rod. Found by statics.
+        return Wrench.in_rod_eye(-force, [-moment[0], moment[1], 0.0], length)
 
     def tyre(self) -> None:
         """The vertical force of the road on the wheel; in exudyn, forces that pull two bodies together are positive."""

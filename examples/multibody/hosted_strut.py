@@ -69,7 +69,7 @@ class FmuStrut(Strut):
         self.inputs = fmu.references(
             "length", "velocity", "side_force_m", "side_force_n", "side_moment_m", "side_moment_n"
         )
-        self.outputs = fmu.references("force", "friction_1", "friction_2", "normal_1", "normal_2")
+        self.outputs = fmu.references("force", "friction_1", "friction_2", "normal_1", "normal_2", "force_damper")
         self.time = 0.0
         self.attempted = 0.0
         self.saved = c_void_p()
