@@ -1,0 +1,158 @@
+#!/usr/bin/env python3
+"""A Formula Student car in exudyn, whose four struts feel the side loads of their joints.
+
+    python examples/car/car.py rest                             what the wheels and struts carry
+    python examples/car/car.py kinematics --corner rl           camber, toe and motion ratio over the travel
+    python examples/car/car.py drive --test four-post           with and without friction; writes <out>_<test>.csv, .png
+    python examples/car/car.py drive --test step-steer --law Dahl --set friction.scale=2 --with angle=0.3
+
+The car is described in stribeck_fs.toml; --car reads another file of the same form. Needs the packages stribeck and
+exudyn.
+"""
+
+import argparse
+import sys
+from pathlib import Path
+
+import numpy
+
+sys.path.append(str(Path(__file__).resolve().parents[1] / "fmpy"))
+sys.path.append(str(Path(__file__).resolve().parents[1] / "multibody"))
+
+from car_description import CAR, CORNERS, Car, CarError, read_car
+from car_rest import imbalance, settle
+from car_ride import Run, columns_with_units, simulate
+from car_stand import COLUMNS as STAND_COLUMNS
+from car_stand import Stand
+from car_struts import parameters_of
+from car_tyres import read_tyre
+from coupling import FMUS, main, parameter, positive, write_csv
+from exudyn_car import ExudynCar
+from friction_pictures import Quantity, draw_runs
+from hosted_strut import Wrench
+from manoeuvres import MANOEUVRES, manoeuvre
+
+DEGREES = 180.0 / numpy.pi
+
+
+def arguments() -> argparse.Namespace:
+    """Reads the command line."""
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--car", type=Path, default=CAR, help="description of the car (default: stribeck_fs.toml)")
+    tasks = parser.add_subparsers(dest="task", required=True)
+    tasks.add_parser("rest", help="the car at rest on its wheels")
+    stand = tasks.add_parser("kinematics", help="the suspension on a stand")
+    stand.add_argument("--corner", choices=CORNERS, default="fl")
+    stand.add_argument("--rack", type=float, default=0.0, help="travel of the rack to the left, in m")
+    stand.add_argument("--points", type=int, default=21)
+    stand.add_argument("--out", default="out/car_kinematics", help="table, without extension")
+    drive = tasks.add_parser("drive", help="a manoeuvre, with and without friction")
+    drive.add_argument("--test", choices=sorted(MANOEUVRES), default="four-post")
+    drive.add_argument("--law", default="LuGre", help="friction law of the struts (default: LuGre)")
+    drive.add_argument("--step", type=positive, default=1e-3, help="step in s (default: 1e-3)")
+    drive.add_argument("--strut", choices=CORNERS, default="fl", help="the strut in the picture (default: fl)")
+    drive.add_argument("--fmu", action="store_true", help="struts from the FMU instead of the package")
+    drive.add_argument("--fmus", type=Path, default=FMUS, help="folder of the FMUs (default: dist)")
+    settable = {"type": parameter, "action": "append", "default": [], "metavar": "NAME=VALUE"}
+    drive.add_argument("--set", help="parameter of the ShockAbsorber; repeatable", **settable)
+    drive.add_argument("--with", dest="changes", help="number of the manoeuvre; repeatable", **settable)
+    drive.add_argument("--out", default="out/car", help="result files, without extension (default: out/car)")
+    return parser.parse_args()
+
+
+def show_rest(car: Car) -> None:
+    """Prints what wheels and struts carry."""
+    model = ExudynCar(car)
+    bodies, constraints, redundant = model.mobility()
+    free = 6 * bodies - constraints
+    print(f"{car.name}: {bodies} bodies, {constraints} independent constraints, {redundant} redundant; {free} free")
+    rest = settle(model, read_tyre(car), parameters_of(car, "None", {}))
+    print("corner  wheel load [N]  strut [mm]  force [N]  side force m, n [N]  side moment m, n [N.m]")
+    for name in CORNERS:
+        w = Wrench.in_rod_eye(*model.reaction(name), rest.lengths[name])
+        print(
+            f"{name:6} {rest.loads[name]:15.3f} {1e3 * rest.lengths[name]:11.3f} {rest.forces[name]:10.3f}"
+            f" {w.force_m:9.4f} {w.force_n:9.4f} {w.moment_m:12.5f} {w.moment_n:9.5f}"
+        )
+    print(f"weight {car.mass * car.gravity:.3f} N, less the loads {imbalance(car, rest):.1e} N")
+
+
+def show_kinematics(car: Car, options: argparse.Namespace) -> None:
+    """Writes the motion of a wheel over the stroke of its strut."""
+    corner = car.corners[options.corner]
+    extended, stroke = (float(corner.strut[f"geom.{name}"]) for name in ("length_extended", "stroke"))
+    lengths = numpy.linspace(extended - 1e-3, extended - 0.8 * stroke, max(2, options.points))
+    table = Stand(car).sweep(options.corner, lengths, options.rack)
+    path = Path(f"{options.out}.csv")
+    write_csv(path, {f"{name} [{STAND_COLUMNS[name]}]": values for name, values in table.items()})
+    print("strut [mm]  travel [mm]  camber [deg]  steer [deg]  motion ratio")
+    for length, travel, camber, steer, ratio in zip(
+        *(table[name] for name in ("length", "travel", "camber", "steer", "motion_ratio")), strict=True
+    ):
+        inwards = -corner.side * DEGREES * camber
+        print(f"{1e3 * length:10.3f} {1e3 * travel:12.3f} {inwards:13.4f} {DEGREES * steer:12.4f} {ratio:13.4f}")
+    print(path)
+
+
+def show_drive(car: Car, options: argparse.Namespace) -> None:
+    """Runs a manoeuvre, writes the tables and draws a picture."""
+    course = manoeuvre(options.test, **{name: number(name, value) for name, value in options.changes})
+    through = "fmu" if options.fmu else "package"
+    runs = {}
+    for law in dict.fromkeys((options.law, "None")):
+        run = simulate(car, course, law, dict(options.set), options.step, through, options.fmus)
+        table = Path(f"{options.out}_{options.test}_{law}.csv")
+        write_csv(table, columns_with_units(run))
+        print(f"{law}: {summary(run)}\n{table}")
+        runs["without friction" if law == "None" else law] = run.columns
+    strut = options.strut
+    friction = Quantity(f"{strut}.friction", f"friction force, {strut} [N]")
+    rows = [
+        Quantity("heave", "heave [mm]", 1e3),
+        Quantity(
+            "pitch" if course.speed == 0.0 else "roll", "pitch [deg]" if course.speed == 0.0 else "roll [deg]", DEGREES
+        ),
+        friction,
+        Quantity(f"{strut}.load", f"tyre load, {strut} [N]"),
+    ]
+    loops = [
+        (Quantity(f"{strut}.velocity", f"velocity of the strut, {strut} [m/s]"), friction),
+        (Quantity(f"{strut}.length", f"length of the strut, {strut} [mm]", 1e3), friction),
+    ]
+    picture = Path(f"{options.out}_{options.test}.png")
+    draw_runs(f"{car.name}, {options.test}", runs, rows, loops, picture)
+    print(picture)
+
+
+def number(name: str, value: object) -> float:
+    """A number of a manoeuvre from the command line."""
+    try:
+        return float(value)
+    except ValueError:
+        raise CarError(f"{name} = '{value}': must be a number") from None
+
+
+def summary(run: Run) -> str:
+    """The figures of a run."""
+    roll, pitch = (numpy.abs(DEGREES * (run[name] - run[name][0])).max() for name in ("roll", "pitch"))
+    friction = max(numpy.abs(run[f"{name}.friction"]).max() for name in CORNERS)
+    return (
+        f"largest roll {roll:.3f} degrees, pitch {pitch:.3f} degrees, friction {friction:.1f} N; "
+        f"{run.iterations} iterations in {run.seconds:.1f} s"
+    )
+
+
+def program() -> None:
+    """Does what the command line asks for."""
+    options = arguments()
+    car = read_car(options.car)
+    if options.task == "rest":
+        show_rest(car)
+    elif options.task == "kinematics":
+        show_kinematics(car, options)
+    else:
+        show_drive(car, options)
+
+
+if __name__ == "__main__":
+    sys.exit(main(program))

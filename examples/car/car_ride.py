@@ -1,0 +1,211 @@
+"""The car in motion: struts and tyres are evaluated at the beginning of a step, and their forces are held over it."""
+
+import math
+import time
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+import exudyn
+import numpy
+from car_description import CORNERS, Car, CarError
+from car_rest import Rest, settle
+from car_struts import open_struts, parameters_of
+from car_tyres import ROLLING_DEFLECTION, RollingTyre, StandingTyre, read_tyre, touch
+from coupling import FMUS
+from exudyn_car import ExudynCar, steps_of
+from hosted_strut import UNLOADED, Wrench
+from manoeuvres import Manoeuvre, Pose
+
+CAR_COLUMNS = {
+    "time": "s",
+    "x": "m",
+    "y": "m",
+    "heave": "m",
+    "roll": "rad",
+    "pitch": "rad",
+    "yaw": "rad",
+    "speed": "m/s",
+    "lateral_velocity": "m/s",
+    "yaw_rate": "rad/s",
+    "steering_wheel": "rad",
+    "rack": "m",
+}
+CORNER_COLUMNS = {
+    "length": "m",
+    "velocity": "m/s",
+    "force": "N",
+    "friction": "N",
+    "friction_1": "N",
+    "friction_2": "N",
+    "normal_1": "N",
+    "normal_2": "N",
+    "damper": "N",
+    "force_x": "N",
+    "force_y": "N",
+    "load": "N",
+    "road": "m",
+}
+COLUMNS = [*CAR_COLUMNS, *(f"{name}.{column}" for name in CORNERS for column in CORNER_COLUMNS)]
+
+# Torque of the drive per deviation from the wanted speed, on both rear wheels together, in N m s/m (chosen).
+CRUISE = 300.0
+# Fastest turn of the steering wheel, in rad/s, and time constant of the arms of the driver in s (chosen).
+FASTEST_TURN = math.radians(1000.0)
+ARMS = 0.04
+# Longest step on the road in s: slip and spin of a wheel exchange their energy at up to 170 rad/s, and the tyre's force
+# is held over a step. With 2 ms it rocks itself up.
+LONGEST_STEP = 1.25e-3
+# Stiffness of the parking brake on posts, in N m/rad.
+PARKED = 2.0e3
+
+
+@dataclass(frozen=True)
+class Run:
+    """A computed motion: columns by name, one entry per step."""
+
+    label: str
+    columns: Mapping[str, numpy.ndarray]
+    rest: Rest
+    iterations: int
+    seconds: float
+    step: float
+
+    def __getitem__(self, column: str) -> numpy.ndarray:
+        return self.columns[column]
+
+
+def columns_with_units(run: Run) -> dict[str, numpy.ndarray]:
+    """The columns of a CSV file."""
+    units = {**CAR_COLUMNS, **{f"{name}.{column}": unit for name in CORNERS for column, unit in CORNER_COLUMNS.items()}}
+    return {f"{name} [{units[name]}]": values for name, values in run.columns.items()}
+
+
+class Ride:
+    """One run: the model in exudyn, its struts and tyres."""
+
+    def __init__(self, car: Car, manoeuvre: Manoeuvre, step: float):
+        self.car, self.manoeuvre, self.step = car, manoeuvre, step
+        self.model = ExudynCar(car)
+        self.tyre = read_tyre(car)
+        self.struts: Mapping[str, object] = {}
+        self.wrenches = dict.fromkeys(CORNERS, UNLOADED)
+        self.rows: list[list[float]] = []
+        self.failure: CarError | None = None
+        self.wheel = self.torque = 0.0
+        self.is_moving = manoeuvre.speed > 0.0
+        self.tyres = {name: self._tyre(name) for name in CORNERS}
+
+    def _tyre(self, name: str) -> RollingTyre | StandingTyre:
+        if self.is_moving:
+            return RollingTyre(self.tyre, self.car, name[1] == "l")
+        return StandingTyre(self.tyre, self.car, self.car.corners[name].bodies["wheel"].mass)
+
+    def start(self, parameters: Mapping[str, Mapping[str, object]]) -> Rest:
+        """Finds the rest position, and gives the car its speed or parks it on its posts."""
+        rest = settle(self.model, self.tyre, parameters)
+        if self.is_moving:
+            deflections = {name: rest.loads[name] / self.tyre.stiffness for name in CORNERS}
+            radii = {name: self.tyre.radius - ROLLING_DEFLECTION * value for name, value in deflections.items()}
+            self.model.set_in_motion(self.manoeuvre.speed, radii)
+        else:
+            for name in CORNERS:
+                self.model.park(name, PARKED)
+        for name in CORNERS:
+            self.model.set_strut(name, rest.forces[name])
+            self._push_tyre(name, 0.0, 0.0)
+        return rest
+
+    def _push_tyre(self, name: str, now: float, step: float) -> float:
+        """Sets the force of a tyre; returns the height of the road below it."""
+        carrier = self.model.carrier(name)
+        height, rise = self.manoeuvre.road(name, now, carrier.centre[0])
+        contact = touch(self.tyre, carrier, height, rise)
+        push = self.tyres[name].push(contact, carrier, step)
+        moment = push.moment + self._drive_torque(name, carrier.axis)
+        self.model.push(name, push.force, moment)
+        return height
+
+    def _drive_torque(self, name: str, axis: numpy.ndarray) -> numpy.ndarray:
+        """Torque of the drive on a wheel; its reaction acts on the chassis."""
+        if name[0] == "f":
+            return numpy.zeros(3)
+        torque = 0.5 * self.torque * axis
+        self.model.react(name, -torque)
+        return torque
+
+    def hold(self, _system, end: float) -> bool:
+        """Before a step: sets all forces, and writes a row. exudyn gives the time at the end of the step."""
+        try:
+            self._hold(end - self.step)
+        except CarError as error:
+            # exudyn would put it into a text of its own.
+            self.failure = error
+            return False
+        return True
+
+    def _hold(self, begin: float) -> None:
+        row = self._steer(begin)
+        for name in CORNERS:
+            length, velocity = self.model.look(name)
+            force, moment = self.model.reaction(name)
+            wrench = Wrench.in_rod_eye(force, moment, length)
+            pushing = self.struts[name].advance(length, velocity, self.step, wrench)
+            self.model.set_strut(name, pushing)
+            height = self._push_tyre(name, begin, self.step)
+            seen = self.struts[name].seen
+            row += [length, velocity, pushing, seen[0] + seen[1], *seen, *self.tyres[name].forces, height]
+        self.rows.append(row)
+
+    def _steer(self, now: float) -> list[float]:
+        """Moves the rack; returns the part of the row that belongs to the whole car."""
+        model = self.model
+        x, y, heave, roll, pitch, yaw = model.pose()
+        nose = model.nose()
+        speed, lateral, yaw_rate = model.motion()
+        pose = Pose(now, float(nose[0]), float(nose[1]), yaw, speed, yaw_rate)
+        wanted = self.manoeuvre.steer(pose)
+        cruise = self.manoeuvre.wanted_speed(pose)
+        self.torque = 0.0 if cruise is None else CRUISE * (cruise - speed)
+        turn = (wanted - self.wheel) * (1.0 - math.exp(-self.step / ARMS))
+        turn = min(max(turn, -FASTEST_TURN * self.step), FASTEST_TURN * self.step)
+        row = [now, x, y, heave, roll, pitch, yaw, speed, lateral, yaw_rate, self.wheel, model.travel]
+        self.wheel += turn
+        # The rack is ahead of the axle: it moves to the left to steer to the left.
+        model.move_rack(self.wheel * self.car.travel_per_turn / (2.0 * math.pi))
+        return row
+
+
+def simulate(
+    car: Car,
+    manoeuvre: Manoeuvre,
+    law: str = "LuGre",
+    changes: Mapping[str, object] | None = None,
+    step: float = 1e-3,
+    through: str = "package",
+    fmus: Path = FMUS,
+    label: str = "",
+) -> Run:
+    """Computes a manoeuvre with a friction law in all four struts."""
+    parameters = parameters_of(car, law, changes or {})
+    if manoeuvre.speed > 0.0 and step > LONGEST_STEP:
+        raise CarError(f"step = {step:g} s: must be at most {LONGEST_STEP:g} s on the road, where the wheels spin")
+    steps = round(manoeuvre.duration / step)
+    if steps < 1:
+        raise CarError(f"duration = {manoeuvre.duration:g} s: must be at least one step of {step:g} s")
+    ride = Ride(car, manoeuvre, step)
+    began = time.perf_counter()
+    rest = ride.start(parameters)
+    with open_struts(parameters, rest.lengths, through, fmus) as struts:
+        ride.struts = struts
+        ride.model.system.SetPreStepUserFunction(ride.hold)
+        try:
+            done, iterations = ride.model.integrate(steps_of(step, steps))
+        except exudyn.ModelError:
+            if ride.failure is None:
+                raise
+            raise ride.failure from None
+    if not done:
+        raise CarError(f"{label or law}: exudyn stops at {len(ride.rows) * step:.4f} s: try a smaller step")
+    columns = dict(zip(COLUMNS, numpy.array(ride.rows).T, strict=True))
+    return Run(label or law, columns, rest, iterations, time.perf_counter() - began, step)

@@ -1,0 +1,320 @@
+"""The Formula Student car: degrees of freedom, kinematics, statics and side loads by other roads; and nonsense."""
+
+import copy
+import math
+import os
+import subprocess
+import sys
+import tomllib
+from pathlib import Path
+
+import car_ride
+import numpy
+import pytest
+import stribeck
+from car_description import CAR, CORNERS, CarError, car_of, read_car
+from car_kinematics import position
+from car_rest import settle
+from car_stand import Stand
+from car_struts import PackageStrut, open_struts, parameters_of
+from car_tyres import read_tyre
+from coupling import FMUS, PROJECT
+from exudyn_car import ExudynCar, steps_of
+from hosted_strut import Wrench
+from magic_formula import LateralTyre
+from manoeuvres import manoeuvre
+
+DESCRIPTION = read_car()
+GRAVITY = 9.81
+
+
+def entries() -> dict:
+    """The description as it is in its file, to be changed."""
+    return copy.deepcopy(tomllib.loads(CAR.read_text(encoding="utf-8")))
+
+
+def test_bodies_joints_and_degrees_of_freedom():
+    # Chassis and rack; eight bodies at each wheel. Locked by each joint: hinges 5, balls 3, links 1, telescope 4,
+    # universal joints 4, the rack 6.
+    bodies = 2 + 4 * 8
+    per_wheel = 2 * (5 + 3) + 1 + 5 + (5 + 1) + (4 + 4 + 4) + (5 + 1)
+    constraints = 6 + 4 * per_wheel
+    # Six of the chassis, travel and spin of each wheel.
+    assert 6 * bodies - constraints == 6 + 4 + 4
+    assert ExudynCar(DESCRIPTION).mobility() == (bodies, constraints, 0)
+    # Bolted down, with locked wheels.
+    assert ExudynCar(DESCRIPTION, on_stand=True).mobility() == (bodies, constraints + 6 + 4, 0)
+
+
+def test_positions_of_the_suspension_follow_from_lengths_alone():
+    stand = Stand(DESCRIPTION)
+    for length, rack in ((0.186, 0.0), (0.199, 0.02), (0.175, -0.03), (0.150, 0.01)):
+        stand.place(length, rack)
+        for name in CORNERS:
+            real_length = stand.model.look(name)[0]
+            wanted = position(DESCRIPTION.corners[name], real_length, rack if name[0] == "f" else 0.0)
+            numpy.testing.assert_allclose(stand.model.wheel_centre(name), wanted.wheel_centre, rtol=0.0, atol=1e-9)
+            _, _, camber, steer = stand.wheel(name)
+            assert camber == pytest.approx(wanted.camber, abs=1e-9)
+            assert steer == pytest.approx(wanted.steer, abs=1e-9)
+
+
+def test_sweep_gives_the_motion_ratio_by_virtual_work():
+    lengths = numpy.linspace(0.19, 0.17, 5)
+    table = Stand(DESCRIPTION).sweep("rl", lengths)
+    corner = DESCRIPTION.corners["rl"]
+    heights = [position(corner, length).wheel_centre[2] for length in table["length"]]
+    numpy.testing.assert_allclose(table["travel"], heights - corner["wheel_centre"][2], rtol=0.0, atol=1e-9)
+    # The strut and the wheel move alike, within 3 %, and the wheel leans inwards when it rises.
+    assert numpy.abs(table["motion_ratio"] - 1.0).max() < 0.03
+    assert (numpy.diff(table["camber"]) > 0.0).all()
+    assert numpy.abs(table["steer"]).max() < math.radians(0.01)
+
+
+def resting(car=DESCRIPTION):
+    """The car on its wheels."""
+    model = ExudynCar(car)
+    return model, settle(model, read_tyre(car), parameters_of(car, "None", {}))
+
+
+def test_wheels_carry_the_weight_and_struts_the_springs():
+    model, rest = resting()
+    weight = GRAVITY * DESCRIPTION.mass
+    assert sum(rest.loads.values()) == pytest.approx(weight, rel=1e-9)
+    for axle in "fr":
+        assert rest.loads[f"{axle}l"] == pytest.approx(rest.loads[f"{axle}r"], rel=1e-9)
+    # Moments about the ground below the front axle, with all bodies where they are now.
+    moment = DESCRIPTION.chassis.mass * model.place(model.chassis, DESCRIPTION.chassis.centre)[0]
+    moment += DESCRIPTION.rack_mass * model.place(model.rack, model.centres[model.rack])[0]
+    contacts = 0.0
+    for name, made in model.corners.items():
+        for body, number in made.bodies.items():
+            given = made.corner.bodies[body]
+            moment += given.mass * model.place(number, given.centre)[0]
+        # The axles of these wheels are square to the car: each touches the road below its centre.
+        contacts += rest.loads[name] * model.wheel_centre(name)[0]
+    assert contacts == pytest.approx(GRAVITY * moment, rel=1e-6)
+    for name, length in rest.lengths.items():
+        strut = DESCRIPTION.corners[name].strut
+        spring = strut["spring.preload"] + strut["spring.k"] * (strut["geom.length_extended"] - length)
+        gas = stribeck.Model("GasSpring", **{"gas.p0": strut["gas.p0"], "compression": 0.2 - length})["force"]
+        assert rest.forces[name] == pytest.approx(spring + gas, rel=1e-9)
+
+
+def weight_of_strut(model: ExudynCar, name: str, gravity: numpy.ndarray) -> list[float]:
+    """The wrench of the joint from moments of tube and rod about their eyes, without any law of exudyn."""
+    corner, bodies = model.corners[name].corner, model.corners[name].bodies
+    tube_eye = model.place(bodies["tube"], corner["tube_eye"])
+    rod_eye = model.place(bodies["rod"], corner["rod_eye"])
+    length = float(numpy.linalg.norm(rod_eye - tube_eye))
+    a = (rod_eye - tube_eye) / length
+    turning = [
+        numpy.cross(model.place(bodies[body], corner.bodies[body].centre) - eye, corner.bodies[body].mass * gravity)
+        for body, eye in (("tube", tube_eye), ("rod", rod_eye))
+    ]
+    # The tube passes the moment of its weight on to the rod; about the rod's eye this, the rod's weight and the force
+    # are in balance. Moments along the axis turn the rod in the tube.
+    moment, about_rod_eye = (vector - a * (vector @ a) for vector in (turning[0], turning[0] + turning[1]))
+    force = numpy.cross(about_rod_eye, a) / length
+    m, n, _ = (model.rotation(bodies["tube"]) @ corner.strut_axes).T
+    return [force @ m, force @ n, moment @ m, moment @ n]
+
+
+@pytest.mark.parametrize("gravity", [(0.0, 0.0, -9.81), (9.81, 0.0, 0.0), (4.0, -3.0, -9.0)])
+def test_side_load_is_the_weight_of_tube_and_rod(gravity):
+    gravity = numpy.array(gravity)
+    stand = Stand(DESCRIPTION, gravity)
+    stand.place(0.178, 0.01)
+
+    def compare():
+        for name in CORNERS:
+            wanted = weight_of_strut(stand.model, name, gravity)
+            length, _ = stand.model.look(name)
+            seen = Wrench.in_rod_eye(*stand.model.reaction(name), length)
+            assert [seen.force_m, seen.force_n, seen.moment_m, seen.moment_n] == pytest.approx(wanted, abs=1e-6)
+            assert math.hypot(*wanted[2:]) > 0.1
+
+    compare()
+    # The same from the integrator, which has multipliers of its own: nothing moves.
+    done, _ = stand.model.integrate(steps_of(1e-3, 5))
+    assert done
+    compare()
+
+
+def test_two_contacts_carry_the_side_load():
+    """A side load alone, without the spring's: N1 + N2 = R, and their moment about the tube's eye is M."""
+    parameters = parameters_of(DESCRIPTION, "LuGre", {"side.offset_m": 0.0})["fl"]
+    strut = PackageStrut(parameters, 0.18)
+    strut.advance(0.18, 0.0, 1e-3, Wrench(80.0, -30.0, 2.0, 6.0))
+    normal = dict(zip(("normal_1", "normal_2"), strut.seen[2:4], strict=True))
+    overlap, guide = strut.model["overlap"], strut.model["geom.d_i"]
+    piston = guide - overlap
+    spread = numpy.hypot(overlap, strut.model["geom.h_reg"])
+    middle = 0.5 * (guide + piston)
+    # (M x a) - middle R, in m and n, over the regularised overlap.
+    couple = numpy.array([6.0 - middle * 80.0, -2.0 + middle * 30.0]) / spread
+    for name, sign in (("normal_1", 1.0), ("normal_2", -1.0)):
+        assert normal[name] == pytest.approx(
+            float(numpy.hypot(*(numpy.array([40.0, -15.0]) + sign * couple))), rel=1e-9
+        )
+
+
+SHORT = {"duration": 0.4}
+
+
+@pytest.fixture(scope="module")
+def posts():
+    """The car on its posts, with friction and without."""
+    course = manoeuvre("four-post", **SHORT)
+    return {law: car_ride.simulate(DESCRIPTION, course, law, step=2e-3) for law in ("LuGre", "None")}
+
+
+def test_friction_on_the_posts_takes_energy_and_follows_the_contacts(posts):
+    rubbing, free = posts["LuGre"], posts["None"]
+    for name in CORNERS:
+        friction, normal = rubbing[f"{name}.friction"], rubbing[f"{name}.normal_1"]
+        travel = numpy.diff(rubbing[f"{name}.length"])
+        assert (friction[1:-1] * travel[1:]).sum() > 0.2
+        assert not free[f"{name}.friction"].any()
+        # Sliding, without the Stribeck part: seals and both contacts.
+        sliding = numpy.abs(rubbing[f"{name}.velocity"]) > 0.03
+        strut = DESCRIPTION.corners[name].strut
+        level = strut["c1.preload_k"] + strut["c2.preload_k"]
+        level = level + strut["c1.mu_k"] * normal + strut["c2.mu_k"] * rubbing[f"{name}.normal_2"]
+        assert numpy.abs(friction)[sliding] == pytest.approx(level[sliding], rel=0.1)
+    # 40 mm of the posts lift the body; left and right are alike.
+    assert numpy.ptp(free["heave"]) > 0.03
+    assert numpy.abs(free["roll"]).max() < 1e-9
+    assert numpy.ptp(rubbing["pitch"]) < numpy.ptp(free["pitch"])
+
+
+def test_struts_of_package_and_fmu_agree_to_the_last_bit():
+    course = manoeuvre("four-post", duration=0.1)
+    runs = [
+        car_ride.simulate(DESCRIPTION, course, "Leuven", step=2e-3, through=through, fmus=FMUS)
+        for through in ("package", "fmu")
+    ]
+    for name, column in runs[0].columns.items():
+        assert numpy.array_equal(column, runs[1][name]), name
+
+
+def test_car_turns_where_it_is_steered():
+    course = manoeuvre("step-steer", duration=1.2, speed=12.0)
+    run = car_ride.simulate(DESCRIPTION, course, "LuGre")
+    force = sum(run[f"{name}.force_y"] for name in CORNERS)
+    # To the left: the yaw rate is positive, the left side rises, the right wheels carry more.
+    assert run["yaw_rate"][-1] > 0.3
+    assert run["roll"][-1] > math.radians(0.3)
+    assert run["fr.load"][-1] > run["fl.load"][-1] + 200.0
+    # Newton's law across the car, at the middle of the chassis; tyres and body differ by the roll motion only.
+    acceleration = numpy.gradient(run["lateral_velocity"], run["time"]) + run["speed"] * run["yaw_rate"]
+    late = slice(-200, -20)
+    assert force[late].mean() == pytest.approx(DESCRIPTION.mass * acceleration[late].mean(), rel=0.03)
+    loads = sum(run[f"{name}.load"] for name in CORNERS)
+    assert loads[late].mean() == pytest.approx(GRAVITY * DESCRIPTION.mass, rel=5e-3)
+    # The drive holds the speed within the torque it needs for that.
+    assert run["speed"][-1] == pytest.approx(12.0, abs=0.3)
+
+
+def test_tyre_of_the_package_gives_the_published_points():
+    file = PROJECT / "examples" / "tyres" / "formula_student.tir"
+    tyre, other = stribeck.Tyre(file), LateralTyre(fnomin=700.0)
+    assert (tyre.radius, tyre.stiffness, tyre.damping) == (0.2, 87563.5, 95.8)
+    for side_slip in (0.02, 0.05, 0.1, 0.15):
+        left, right = (
+            tyre.wrench(700.0, side_slip=slip, left=at).force_y for slip, at in ((side_slip, True), (-side_slip, False))
+        )
+        assert left == -right
+        # The other one is symmetric: it lies between both turns of this one.
+        both = sorted((left, -tyre.wrench(700.0, side_slip=-side_slip).force_y))
+        assert both[0] <= other.force(side_slip, 700.0) <= both[1]
+    assert tyre.wrench(0.0, side_slip=0.1) == (0.0,) * 5
+    assert tyre.wrench(700.0, longitudinal_slip=0.05).force_x > 500.0
+    with pytest.raises(stribeck.Refused, match="side_slip = NaN: must be finite"):
+        tyre.wrench(700.0, side_slip=math.nan)
+    with pytest.raises(stribeck.Refused, match="nowhere.tir"):
+        stribeck.Tyre("nowhere.tir")
+
+
+def changed(path: str, value: object) -> dict:
+    """The description with one entry changed, or removed with None."""
+    table = top = entries()
+    *folders, name = path.split("/")
+    for folder in folders:
+        table = table[folder]
+    if value is None:
+        del table[name]
+    else:
+        table[name] = value
+    return top
+
+
+@pytest.mark.parametrize(
+    ("path", "value", "text"),
+    [
+        ("chassis/mass", -1.0, "chassis.mass = -1: must be positive"),
+        ("wheelbase", "long", "wheelbase = 'long': must be a finite number"),
+        ("front/camber", None, "no entry front.camber"),
+        ("rear/lower_bal", [0.0, 0.0, 0.0], "rear.lower_bal: unknown; did you mean lower_ball?"),
+        ("front/upper_ball", [0.0, 1.0], "front.upper_ball = [0.0, 1.0]: must be three numbers"),
+        ("front/tube_eye", [0.0, 0.252, 0.587], "front.tube_eye and rod_eye: 0 m apart, must be at least 0.001 m"),
+        ("front/tube_eye", [0.0, 0.100, 0.587], "front.tube_eye and rod_eye: 0.152 m apart, must be between 0.145 and"),
+        ("front/bodies/rod/inertia", [1.0, 0.1, 0.1], "front.bodies.rod.inertia = [1.0, 0.1, 0.1]: must be positive"),
+        ("rear/bodies", 3, "rear.bodies = 3: must be a table"),
+        ("tyre/width", 0.2, "tyre.width: unknown; there are file"),
+    ],
+)
+def test_nonsense_in_the_description_is_named(path, value, text):
+    if "tube_eye" in path and value[1] == 0.1:
+        top = changed(path, value)
+        top["strut"]["geom.length_extended"] = 0.2
+        top["strut"]["geom.stroke"] = 0.040
+        text = text.replace("0.145", "0.16")
+    else:
+        top = changed(path, value)
+    with pytest.raises(CarError) as caught:
+        car_of(top)
+    assert text in str(caught.value)
+
+
+def test_nonsense_in_struts_and_manoeuvres_is_named():
+    lengths = dict.fromkeys(CORNERS, 0.186)
+
+    def opened(law, changes):
+        with open_struts(parameters_of(DESCRIPTION, law, changes), lengths):
+            pass
+
+    with pytest.raises(CarError, match="Nonsense"):
+        opened("Nonsense", {})
+    with pytest.raises(CarError, match="frictoin.scale"):
+        opened("LuGre", {"frictoin.scale": 2.0})
+    with pytest.raises(CarError, match="c1.mu_s"):
+        opened("LuGre", {"c1.mu_s": 0.01})
+    strut = PackageStrut(parameters_of(DESCRIPTION, "LuGre", {})["fl"], 0.186)
+    with pytest.raises(CarError, match=r"strut at 0\.0000 s: .*side_force_m.*inf"):
+        strut.advance(0.186, 0.0, 1e-3, Wrench(math.inf, 0.0, 0.0, 0.0))
+    with pytest.raises(CarError, match="four-post has no angle; there are speed, duration, stroke, frequency, lag"):
+        manoeuvre("four-post", angle=1.0)
+    with pytest.raises(CarError, match=r"step = 0\.002 s: must be at most 0\.00125 s on the road"):
+        car_ride.simulate(DESCRIPTION, manoeuvre("step-steer"), step=2e-3)
+    with pytest.raises(CarError, match="a wheel rolls at"):
+        car_ride.simulate(DESCRIPTION, manoeuvre("step-steer", speed=0.5, duration=0.1))
+
+
+@pytest.mark.parametrize(
+    ("options", "printed"),
+    [
+        (["rest"], "34 bodies, 190 independent constraints, 0 redundant; 14 free"),
+        (["kinematics", "--points", "3", "--corner", "rr"], "motion ratio"),
+        (["drive", "--law", "Dahl", "--with", "duration=0.1", "--step", "2e-3"], "largest roll"),
+    ],
+)
+def test_program(options, printed, tmp_path):
+    command = [sys.executable, str(PROJECT / "examples" / "car" / "car.py"), *options]
+    # The program finds the package where this test does.
+    found = {**os.environ, "PYTHONPATH": str(Path(stribeck.__file__).parents[1])}
+    done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, timeout=300, env=found)
+    assert done.returncode == 0, done.stderr
+    assert printed in done.stdout
+    for table in tmp_path.rglob("*.csv"):
+        assert numpy.isfinite(numpy.loadtxt(table, delimiter=",", skiprows=1)).all()
