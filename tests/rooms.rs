@@ -41,6 +41,7 @@ const HOUSES: &[House] = &[
     House {
         folder: "lab/src",
         rooms: &[
+            "sheet",
             "dyno",
             "tir",
             "solve",

@@ -50,7 +50,9 @@ use stribeck::model::ModelType;
 use stribeck::numerics::interpolation::Curve;
 use thiserror::Error;
 
-pub use file::{FileError, Test};
+use crate::sheet::SheetError;
+
+pub use file::Test;
 use regression::{isotonic, local, regress};
 
 /// The largest table of the shock absorber.
@@ -146,7 +148,7 @@ pub struct Damper {
 pub enum DynoError {
     /// The file cannot be read.
     #[error(transparent)]
-    File(#[from] FileError),
+    File(#[from] SheetError),
     /// An option is outside its range.
     #[error("{name} = {value}: must be {wanted}")]
     Option {

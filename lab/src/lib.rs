@@ -16,6 +16,7 @@ pub mod picture;
 pub mod report;
 #[cfg(feature = "workbench")]
 pub mod run;
+pub mod sheet;
 #[cfg(feature = "workbench")]
 pub mod solve;
 #[cfg(feature = "workbench")]

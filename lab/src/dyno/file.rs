@@ -1,10 +1,8 @@
 //! Reads the table of a damper test.
 
-use std::fs;
-use std::io;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
-use thiserror::Error;
+use crate::sheet::{DISPLACEMENT, FORCE, Sheet, SheetError, TEMPERATURE, VELOCITY};
 
 /// A damper test in SI units, with the signs of the file.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -19,172 +17,38 @@ pub struct Test {
     pub temperature: Option<Vec<f64>>,
 }
 
-/// Reason why a file is not a damper test.
-#[derive(Debug, Error)]
-pub enum FileError {
-    /// The file cannot be read.
-    #[error("{}: {source}", path.display())]
-    Unreadable {
-        /// The file.
-        path: PathBuf,
-        /// Why.
-        source: io::Error,
-    },
-    /// The rows of the table do not fit its heading.
-    #[error("no table: {0}")]
-    Table(#[from] csv::Error),
-    /// A required column is missing.
-    #[error("no column '{wanted}'; there are {found}")]
-    Column {
-        /// The column.
-        wanted: &'static str,
-        /// The headings of the file.
-        found: String,
-    },
-    /// Two columns have the same name.
-    #[error("two columns '{0}'")]
-    Twice(&'static str),
-    /// The unit in a heading is not known.
-    #[error("{column}: unit '{unit}', must be one of {wanted}")]
-    Unit {
-        /// The column.
-        column: &'static str,
-        /// Its text.
-        unit: String,
-        /// The units that are known.
-        wanted: String,
-    },
-    /// A cell is not a finite number.
-    #[error("line {line}, {column}: '{text}' is not a finite number")]
-    Number {
-        /// Line of the file.
-        line: u64,
-        /// The column.
-        column: &'static str,
-        /// Its text.
-        text: String,
-    },
-    /// The table has no rows.
-    #[error("the table has no rows")]
-    Empty,
-}
-
-/// A quantity, with its possible units in files: SI value = factor (value + offset). The first unit is the SI one.
-struct Quantity {
-    name: &'static str,
-    units: &'static [(&'static str, f64, f64)],
-}
-
-const VELOCITY: Quantity =
-    Quantity { name: "velocity", units: &[("m/s", 1.0, 0.0), ("mm/s", 1e-3, 0.0), ("in/s", 0.0254, 0.0)] };
-const FORCE: Quantity =
-    Quantity { name: "force", units: &[("N", 1.0, 0.0), ("kN", 1e3, 0.0), ("lbf", 4.448_221_615_260_5, 0.0)] };
-const DISPLACEMENT: Quantity =
-    Quantity { name: "displacement", units: &[("m", 1.0, 0.0), ("mm", 1e-3, 0.0), ("in", 0.0254, 0.0)] };
-const TEMPERATURE: Quantity = Quantity {
-    name: "temperature",
-    units: &[("K", 1.0, 0.0), ("degC", 1.0, 273.15), ("C", 1.0, 273.15), ("degF", 5.0 / 9.0, 459.67)],
-};
-
-/// A required column of the file.
-struct Column {
-    at: usize,
-    name: &'static str,
-    factor: f64,
-    offset: f64,
-}
-
 impl Test {
     /// Reads a file.
-    pub fn load(path: &Path) -> Result<Test, FileError> {
-        let bytes = fs::read(path).map_err(|source| FileError::Unreadable { path: path.into(), source })?;
-        // Files of old programs are not UTF-8; the relevant parts are ASCII.
-        Test::parse(&String::from_utf8_lossy(&bytes))
+    pub fn load(path: &Path) -> Result<Test, SheetError> {
+        Test::of(&Sheet::load(path)?)
     }
 
-    /// Reads a table: a heading that names the columns `velocity`, `force`, `displacement`, `temperature`, each with
-    /// its unit in brackets if it is not the SI unit, then rows. Other columns are ignored. The separator (tab,
-    /// semicolon or comma) is that of the heading; unless it is a comma, numbers may have a decimal comma. `#` begins a
-    /// comment.
+    /// Reads a [table](crate::sheet) with the columns `velocity`, `force`, and perhaps `displacement` and `temperature`.
     ///
     /// ```
     /// let test = lab::dyno::Test::parse("velocity [mm/s];force [N]\n100;1,5\n-100;-2\n").unwrap();
     /// assert_eq!([test.velocity[0], test.force[0]], [0.1, 1.5]);
     /// ```
-    pub fn parse(text: &str) -> Result<Test, FileError> {
-        let text = text.strip_prefix('\u{feff}').unwrap_or(text);
-        let heading = text.lines().find(|line| !line.trim().is_empty() && !line.starts_with('#')).unwrap_or_default();
-        let separator = ['\t', ';'].into_iter().find(|mark| heading.contains(*mark)).unwrap_or(',');
-        let mut reader = csv::ReaderBuilder::new()
-            .delimiter(separator as u8)
-            .comment(Some(b'#'))
-            .trim(csv::Trim::All)
-            .from_reader(text.as_bytes());
-        let names: Vec<String> = reader.headers()?.iter().map(str::to_owned).collect();
-        let find = |quantity: &Quantity| Column::find(&names, quantity);
-        let must = |quantity: &Quantity| {
-            let missing = || FileError::Column { wanted: quantity.name, found: names.join(", ") };
-            find(quantity)?.ok_or_else(missing)
-        };
-        let [velocity, force] = [must(&VELOCITY)?, must(&FORCE)?];
-        let [displacement, temperature] = [find(&DISPLACEMENT)?, find(&TEMPERATURE)?];
-        let mut test = Test {
-            displacement: displacement.is_some().then(Vec::new),
-            temperature: temperature.is_some().then(Vec::new),
-            ..Test::default()
-        };
-        for record in reader.records() {
-            let record = record?;
-            test.velocity.push(velocity.value(&record, separator)?);
-            test.force.push(force.value(&record, separator)?);
-            for (column, values) in [(&displacement, &mut test.displacement), (&temperature, &mut test.temperature)] {
-                if let (Some(column), Some(values)) = (column, values) {
-                    values.push(column.value(&record, separator)?);
-                }
-            }
-        }
-        if test.velocity.is_empty() { Err(FileError::Empty) } else { Ok(test) }
-    }
-}
-
-impl Column {
-    /// The column of a quantity, by the heading `name`, `name [unit]` or `name (unit)`.
-    fn find(names: &[String], quantity: &Quantity) -> Result<Option<Column>, FileError> {
-        let mut found = names.iter().enumerate().filter_map(|(at, heading)| {
-            let (name, unit) = heading.split_once(['[', '(']).unwrap_or((heading, ""));
-            name.trim().eq_ignore_ascii_case(quantity.name).then(|| (at, unit.trim_end_matches([']', ')'])))
-        });
-        let Some((at, unit)) = found.next() else { return Ok(None) };
-        if found.next().is_some() {
-            return Err(FileError::Twice(quantity.name));
-        }
-        // A degree sign is ignored, whatever its encoding.
-        let unit: String = unit.chars().filter(|letter| letter.is_ascii() && !letter.is_whitespace()).collect();
-        let known = quantity.units.iter().find(|known| unit.is_empty() || known.0 == unit);
-        let Some((_, factor, offset)) = known else {
-            let wanted: Vec<&str> = quantity.units.iter().map(|known| known.0).collect();
-            return Err(FileError::Unit { column: quantity.name, unit, wanted: wanted.join(", ") });
-        };
-        Ok(Some(Column { at, name: quantity.name, factor: *factor, offset: *offset }))
+    pub fn parse(text: &str) -> Result<Test, SheetError> {
+        Test::of(&Sheet::parse(text)?)
     }
 
-    /// The value in SI units.
-    fn value(&self, record: &csv::StringRecord, separator: char) -> Result<f64, FileError> {
-        let text = record.get(self.at).unwrap_or_default();
-        let number = if separator == ',' { text.parse() } else { text.replace(',', ".").parse::<f64>() };
-        match number {
-            Ok(number) if number.is_finite() => Ok(self.factor * (number + self.offset)),
-            _ => Err(FileError::Number {
-                line: record.position().map_or(0, csv::Position::line),
-                column: self.name,
-                text: text.to_owned(),
-            }),
-        }
+    fn of(sheet: &Sheet) -> Result<Test, SheetError> {
+        let [velocity, force] = [VELOCITY, FORCE].map(|quantity| sheet.required(quantity.name, &quantity));
+        let test = Test {
+            velocity: velocity?,
+            force: force?,
+            displacement: sheet.column(&DISPLACEMENT)?,
+            temperature: sheet.column(&TEMPERATURE)?,
+        };
+        if sheet.is_empty() { Err(SheetError::Empty) } else { Ok(test) }
     }
 }
 
 #[cfg(test)]
 mod tests {
+    use std::fs;
+
     use super::*;
     use approx::assert_abs_diff_eq;
 

@@ -1,0 +1,247 @@
+//! Tables of measurements as rigs and dynamometers write them.
+//!
+//! A heading names the columns, each with its unit in brackets if it is not the SI unit; a row of units may follow it
+//! instead. The separator (tab, semicolon or comma) is that of the heading; unless it is a comma, numbers may have a
+//! decimal comma. `#` begins a comment; columns that nobody asks for are ignored.
+
+use std::fs;
+use std::io;
+use std::path::{Path, PathBuf};
+
+use thiserror::Error;
+
+/// Largest file that is read, in bytes (chosen: some ten million rows).
+const LARGEST: u64 = 1 << 30;
+
+/// A quantity, with its possible units in files: SI value = factor (value + offset). The first unit is the SI one.
+#[derive(Debug)]
+pub struct Quantity {
+    /// Name of the column.
+    pub name: &'static str,
+    /// Units, factors and offsets.
+    pub units: &'static [(&'static str, f64, f64)],
+}
+
+/// Time.
+pub const TIME: Quantity =
+    Quantity { name: "time", units: &[("s", 1.0, 0.0), ("ms", 1e-3, 0.0), ("us", 1e-6, 0.0), ("min", 60.0, 0.0)] };
+/// Velocity.
+pub const VELOCITY: Quantity =
+    Quantity { name: "velocity", units: &[("m/s", 1.0, 0.0), ("mm/s", 1e-3, 0.0), ("in/s", 0.0254, 0.0)] };
+/// Force.
+pub const FORCE: Quantity =
+    Quantity { name: "force", units: &[("N", 1.0, 0.0), ("kN", 1e3, 0.0), ("lbf", 4.448_221_615_260_5, 0.0)] };
+/// Normal force.
+pub const NORMAL_FORCE: Quantity = Quantity { name: "normal_force", units: FORCE.units };
+/// Displacement.
+pub const DISPLACEMENT: Quantity = Quantity {
+    name: "displacement",
+    units: &[("m", 1.0, 0.0), ("mm", 1e-3, 0.0), ("um", 1e-6, 0.0), ("in", 0.0254, 0.0)],
+};
+/// Temperature.
+pub const TEMPERATURE: Quantity = Quantity {
+    name: "temperature",
+    units: &[("K", 1.0, 0.0), ("degC", 1.0, 273.15), ("C", 1.0, 273.15), ("degF", 5.0 / 9.0, 459.67)],
+};
+
+/// Reason why a file is not such a table.
+#[derive(Debug, Error)]
+pub enum SheetError {
+    /// The file cannot be read.
+    #[error("{}: {source}", path.display())]
+    Unreadable {
+        /// The file.
+        path: PathBuf,
+        /// Why.
+        source: io::Error,
+    },
+    /// The file is too large.
+    #[error("{}: has {bytes} bytes, must be at most {LARGEST}: record fewer samples a second", path.display())]
+    TooLarge {
+        /// The file.
+        path: PathBuf,
+        /// Its size.
+        bytes: u64,
+    },
+    /// The rows of the table do not fit its heading.
+    #[error("no table: {0}")]
+    Table(#[from] csv::Error),
+    /// A required column is missing.
+    #[error("no column '{wanted}'; there are {found}")]
+    Column {
+        /// The column.
+        wanted: String,
+        /// The headings of the file.
+        found: String,
+    },
+    /// Two columns have the same name.
+    #[error("two columns '{0}'")]
+    Twice(String),
+    /// The unit in a heading is not known.
+    #[error("{column}: unit '{unit}', must be one of {wanted}")]
+    Unit {
+        /// The column.
+        column: String,
+        /// Its text.
+        unit: String,
+        /// The units that are known.
+        wanted: String,
+    },
+    /// A cell is not a finite number.
+    #[error("line {line}, {column}: '{text}' is not a finite number")]
+    Number {
+        /// Line of the file.
+        line: u64,
+        /// The column.
+        column: String,
+        /// Its text.
+        text: String,
+    },
+    /// The table has no rows.
+    #[error("the table has no rows")]
+    Empty,
+}
+
+/// A table under its headings, as text.
+#[derive(Debug)]
+pub struct Sheet {
+    separator: char,
+    /// Name and unit of each column; an empty unit is the SI unit.
+    headings: Vec<(String, String)>,
+    rows: Vec<csv::StringRecord>,
+}
+
+impl Sheet {
+    /// Reads a file.
+    pub fn load(path: &Path) -> Result<Sheet, SheetError> {
+        let unreadable = |source| SheetError::Unreadable { path: path.into(), source };
+        let bytes = fs::metadata(path).map_err(unreadable)?.len();
+        if bytes > LARGEST {
+            return Err(SheetError::TooLarge { path: path.into(), bytes });
+        }
+        // Files of old programs are not UTF-8; the relevant parts are ASCII.
+        Sheet::parse(&String::from_utf8_lossy(&fs::read(path).map_err(unreadable)?))
+    }
+
+    /// Reads a text.
+    pub fn parse(text: &str) -> Result<Sheet, SheetError> {
+        let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+        let heading = text.lines().find(|line| !line.trim().is_empty() && !line.starts_with('#')).unwrap_or_default();
+        let separator = ['\t', ';'].into_iter().find(|mark| heading.contains(*mark)).unwrap_or(',');
+        let mut reader = csv::ReaderBuilder::new()
+            .delimiter(separator as u8)
+            .comment(Some(b'#'))
+            .trim(csv::Trim::All)
+            .from_reader(text.as_bytes());
+        let mut headings: Vec<(String, String)> = reader.headers()?.iter().map(split).collect();
+        let mut rows = reader.records().collect::<Result<Vec<csv::StringRecord>, csv::Error>>()?;
+        if rows.first().is_some_and(is_of_units) {
+            for ((_, unit), text) in headings.iter_mut().zip(rows.remove(0).iter()) {
+                if unit.is_empty() {
+                    *unit = plain(text.trim_matches(['[', ']', '(', ')']));
+                }
+            }
+        }
+        Ok(Sheet { separator, headings, rows })
+    }
+
+    /// Number of rows.
+    pub fn len(&self) -> usize {
+        self.rows.len()
+    }
+
+    /// Whether it has no rows.
+    pub fn is_empty(&self) -> bool {
+        self.rows.is_empty()
+    }
+
+    /// Line of the file on which a row is.
+    pub fn line(&self, row: usize) -> u64 {
+        self.rows.get(row).and_then(csv::StringRecord::position).map_or(0, csv::Position::line)
+    }
+
+    /// Values of the column of a quantity in SI units, if there is one.
+    pub fn column(&self, quantity: &Quantity) -> Result<Option<Vec<f64>>, SheetError> {
+        self.column_named(quantity.name, quantity)
+    }
+
+    /// As [`Sheet::column`], for a column with another name.
+    pub fn column_named(&self, name: &str, quantity: &Quantity) -> Result<Option<Vec<f64>>, SheetError> {
+        let mut found = (0..self.headings.len()).filter(|at| self.headings[*at].0.eq_ignore_ascii_case(name));
+        let Some(at) = found.next() else { return Ok(None) };
+        if found.next().is_some() {
+            return Err(SheetError::Twice(name.to_owned()));
+        }
+        let unit = &self.headings[at].1;
+        let known = quantity.units.iter().find(|known| unit.is_empty() || known.0 == unit);
+        let Some((_, factor, offset)) = known else {
+            let wanted: Vec<&str> = quantity.units.iter().map(|known| known.0).collect();
+            let [column, unit] = [name, unit].map(str::to_owned);
+            return Err(SheetError::Unit { column, unit, wanted: wanted.join(", ") });
+        };
+        let values = (0..self.rows.len()).map(|row| Ok(factor * (self.number(row, at)? + offset)));
+        values.collect::<Result<Vec<f64>, SheetError>>().map(Some)
+    }
+
+    /// As [`Sheet::column_named`], for a column that must be there.
+    pub fn required(&self, name: &str, quantity: &Quantity) -> Result<Vec<f64>, SheetError> {
+        let missing = || {
+            let found: Vec<&str> = self.headings.iter().map(|(name, _)| name.as_str()).collect();
+            SheetError::Column { wanted: name.to_owned(), found: found.join(", ") }
+        };
+        self.column_named(name, quantity)?.ok_or_else(missing)
+    }
+
+    fn number(&self, row: usize, at: usize) -> Result<f64, SheetError> {
+        let text = self.rows[row].get(at).unwrap_or_default();
+        let number = if self.separator == ',' { text.parse() } else { text.replace(',', ".").parse::<f64>() };
+        number.ok().filter(|number| number.is_finite()).ok_or_else(|| SheetError::Number {
+            line: self.line(row),
+            column: self.headings[at].0.clone(),
+            text: text.to_owned(),
+        })
+    }
+}
+
+/// Name and unit of a heading `name`, `name [unit]` or `name (unit)`.
+fn split(heading: &str) -> (String, String) {
+    let (name, unit) = heading.split_once(['[', '(']).unwrap_or((heading, ""));
+    (name.trim().to_owned(), plain(unit.trim_end_matches([']', ')'])))
+}
+
+/// A unit without a degree sign, whatever its encoding.
+fn plain(unit: &str) -> String {
+    unit.chars().filter(|letter| letter.is_ascii() && !letter.is_whitespace()).collect()
+}
+
+/// Whether a row has units: each of its cells is one, or empty, or a hyphen.
+fn is_of_units(row: &csv::StringRecord) -> bool {
+    let known = [TIME, VELOCITY, FORCE, DISPLACEMENT, TEMPERATURE];
+    let is_unit = |text: &str| {
+        let text = plain(text.trim_matches(['[', ']', '(', ')']));
+        known.iter().any(|quantity| quantity.units.iter().any(|unit| unit.0 == text))
+    };
+    let mut cells = row.iter().filter(|cell| !cell.is_empty() && *cell != "-").peekable();
+    cells.peek().is_some() && cells.all(is_unit)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn units_may_be_in_a_row_of_their_own() {
+        let sheet = Sheet::parse("time;force;note;displacement\n[ms];N;-;(mm)\n1,5;2;3;4\n").unwrap();
+        assert_eq!(sheet.column(&TIME).unwrap(), Some(vec![1.5e-3]));
+        assert_eq!(sheet.column(&DISPLACEMENT).unwrap(), Some(vec![4e-3]));
+        assert_eq!([sheet.line(0), sheet.len() as u64], [3, 1]);
+        assert_eq!(sheet.column(&VELOCITY).unwrap(), None);
+    }
+
+    #[test]
+    fn a_second_heading_is_not_a_row_of_units() {
+        let sheet = Sheet::parse("time,force\ntime,force\n1,2\n").unwrap();
+        let text = sheet.column(&TIME).unwrap_err().to_string();
+        assert_eq!(text, "line 2, time: 'time' is not a finite number");
+    }
+}
