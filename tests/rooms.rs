@@ -42,6 +42,7 @@ const HOUSES: &[House] = &[
         folder: "lab/src",
         rooms: &[
             "sheet",
+            "measured",
             "dyno",
             "tir",
             "solve",

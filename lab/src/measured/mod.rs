@@ -1,0 +1,36 @@
+//! Measured friction: from the force and the motion of a slider on a rig to friction over displacement and velocity.
+//!
+//! A slider is dragged to and fro through a load cell. With the force F of the load cell on the slider, the mass m
+//! between load cell and contact, and the acceleration a, in both strokes:
+//!
+//! ```text
+//! f_f = F - m a
+//! ```
+//!
+//! | symbol | unit | meaning                                                        |
+//! |--------|------|----------------------------------------------------------------|
+//! | F      | N    | force on the slider, positive in the direction of displacement |
+//! | m      | kg   | mass between load cell and contact                             |
+//! | a      | m/s2 | acceleration of the slider                                     |
+//! | f_f    | N    | friction force, with the sign of the velocity when sliding     |
+//!
+//! # Sign
+//! Force, displacement and velocity are positive in the same direction, so that friction takes energy out of the motion;
+//! a file in which it does not is refused.
+//!
+//! # Source
+//! Rig and balance of forces: chapter 8 of F. Novais, "A critical analysis on friction force models in dynamical
+//! systems", MSc thesis, University of Minho (2024).
+
+mod clock;
+mod cycle;
+mod polynomial;
+mod quality;
+mod record;
+#[cfg(test)]
+mod tests;
+
+pub use clock::Clocks;
+pub use cycle::{Cycle, average};
+pub use quality::{Gap, Quality};
+pub use record::{Delay, MeasuredError, Record, Rig};

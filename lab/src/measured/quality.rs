@@ -1,0 +1,138 @@
+//! Quality of a record: whether it can tell anything, before anybody fits it.
+
+use super::Record;
+use super::cycle::starts;
+
+/// A gap between samples.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Gap {
+    /// Where it begins, s.
+    pub time: f64,
+    /// Its length, s.
+    pub length: f64,
+}
+
+/// What a record is worth.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Quality {
+    /// Number of samples.
+    pub samples: usize,
+    /// Length, s.
+    pub duration: f64,
+    /// Median interval, s.
+    pub interval: f64,
+    /// Gaps longer than three intervals.
+    pub gaps: Vec<Gap>,
+    /// Share of the samples at an end of the range of the force, where the load cell may be saturated.
+    pub saturated: f64,
+    /// Noise of the force, standard deviation in N.
+    pub noise: f64,
+    /// Least change of the displacement, m.
+    pub resolution: f64,
+    /// Largest speed, m/s.
+    pub fastest: f64,
+    /// Samples per reversal in which the speed is below a tenth of the largest one.
+    pub slow: f64,
+    /// Number of reversals.
+    pub reversals: usize,
+    /// Least and largest normal force, N.
+    pub loads: [f64; 2],
+    /// What is missing or doubtful.
+    pub findings: Vec<String>,
+}
+
+/// Samples at an end of the range that look like saturation (chosen).
+const SATURATED: f64 = 0.01;
+
+/// Samples per reversal below which the approach to rest is not seen (chosen).
+const FEW: f64 = 10.0;
+
+/// Range of the normal force, relative to its mean, below which its influence is not seen (chosen).
+const ONE_LOAD: f64 = 0.1;
+
+/// Looks at a record.
+pub(super) fn quality(record: &Record) -> Quality {
+    let mut steps: Vec<f64> = record.time.windows(2).map(|pair| pair[1] - pair[0]).collect();
+    let gap = |interval: f64| {
+        let pairs = record.time.windows(2).filter(move |pair| pair[1] - pair[0] > 3.0 * interval);
+        pairs.map(|pair| Gap { time: pair[0], length: pair[1] - pair[0] }).collect()
+    };
+    let interval = median(&mut steps);
+    let fastest = record.velocity.iter().fold(0.0, |most: f64, v| most.max(v.abs()));
+    let slow = record.velocity.iter().filter(|v| v.abs() < 0.1 * fastest).count() as f64;
+    let reversals = 2 * starts(record).len();
+    let ends = |values: &[f64]| {
+        values.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], value| [low.min(*value), high.max(*value)])
+    };
+    let mut found = Quality {
+        samples: record.time.len(),
+        duration: record.time[record.time.len() - 1] - record.time[0],
+        interval,
+        gaps: gap(interval),
+        saturated: saturated(&record.force, ends(&record.force)),
+        noise: noise(&record.force),
+        resolution: resolution(&record.displacement),
+        fastest,
+        slow: slow / (reversals.max(1)) as f64,
+        reversals,
+        loads: ends(&record.normal_force),
+        findings: Vec::new(),
+    };
+    found.findings = findings(&found);
+    found
+}
+
+fn findings(found: &Quality) -> Vec<String> {
+    let mut list = Vec::new();
+    if let Some(gap) = found.gaps.first() {
+        let more = if found.gaps.len() > 1 { format!(" and {} more", found.gaps.len() - 1) } else { String::new() };
+        list.push(format!(
+            "a gap of {:.3} s at {:.3} s{more}: the law is led across it on a straight line",
+            gap.length, gap.time
+        ));
+    }
+    if found.saturated > SATURATED {
+        list.push(format!(
+            "{:.1} % of the forces are at an end of the range: is the load cell saturated?",
+            100.0 * found.saturated
+        ));
+    }
+    if found.reversals < 2 {
+        list.push("no reversal: neither pre-sliding (stiffness and damping of bristles) nor an offset can be seen; drag the slider to and fro".to_owned());
+    } else if found.slow < FEW {
+        list.push(format!("{:.1} samples per reversal below a tenth of the largest speed: the static level and the Stribeck velocity are hardly seen; sample faster or turn more slowly", found.slow));
+    }
+    let [low, high] = found.loads;
+    if high - low < ONE_LOAD * 0.5 * (high + low) {
+        list.push(format!(
+            "one normal force ({high} N): how friction depends on it cannot be seen; add a run with another load"
+        ));
+    }
+    list
+}
+
+/// Middle value; sorts the values.
+pub(super) fn median(values: &mut [f64]) -> f64 {
+    values.sort_by(f64::total_cmp);
+    values.get(values.len() / 2).copied().unwrap_or(f64::NAN)
+}
+
+/// Share of the samples that have exactly the lowest or highest value, if it occurs more than once in a row.
+fn saturated(force: &[f64], [low, high]: [f64; 2]) -> f64 {
+    let is_end = |value: &f64| *value == low || *value == high;
+    let count = force.windows(2).filter(|pair| is_end(&pair[0]) && pair[0] == pair[1]).count();
+    if low < high { count as f64 / force.len() as f64 } else { 0.0 }
+}
+
+/// Noise from differences of the third order, whose variance is 20 times that of white noise; the median of their
+/// magnitudes, 0.6745 standard deviations, is blind to the reversals.
+fn noise(force: &[f64]) -> f64 {
+    let mut third: Vec<f64> = force.windows(4).map(|f| (f[3] - 3.0 * f[2] + 3.0 * f[1] - f[0]).abs()).collect();
+    median(&mut third) / (0.6745 * f64::sqrt(20.0))
+}
+
+fn resolution(displacement: &[f64]) -> f64 {
+    let steps = displacement.windows(2).map(|pair| (pair[1] - pair[0]).abs()).filter(|step| *step > 0.0);
+    let least = steps.fold(f64::INFINITY, f64::min);
+    if least.is_finite() { least } else { 0.0 }
+}

@@ -1,0 +1,324 @@
+//! A record: force and motion on one clock, and the friction that follows from them.
+
+use super::clock::{Clocks, find};
+use super::polynomial::Local;
+use super::quality::{Quality, median, quality};
+use crate::sheet::{DISPLACEMENT, FORCE, NORMAL_FORCE, Sheet, SheetError, TIME, VELOCITY};
+
+/// What is known about a rig.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Rig {
+    /// Mass between load cell and contact, kg.
+    pub mass: f64,
+    /// Normal force, N, if the file does not have it.
+    pub normal_force: Option<f64>,
+    /// Window in which the motion is smoothed and differentiated, s; 21 samples if it is not given.
+    pub window: Option<f64>,
+    /// How far the motion is behind the force.
+    pub delay: Delay,
+    /// Start of the record that is left out, s.
+    pub skip: f64,
+}
+
+/// Delay of the motion behind the force.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Delay {
+    /// It is known, in s.
+    Known(f64),
+    /// It is to be found, at most this long, in s.
+    Find(f64),
+}
+
+impl Default for Rig {
+    /// No mass, one clock.
+    fn default() -> Rig {
+        Rig { mass: 0.0, normal_force: None, window: None, delay: Delay::Known(0.0), skip: 0.0 }
+    }
+}
+
+/// Reason why a file is not a record.
+#[derive(Debug, thiserror::Error)]
+pub enum MeasuredError {
+    /// The table cannot be read.
+    #[error(transparent)]
+    Sheet(#[from] SheetError),
+    /// A value about the rig is not admitted.
+    #[error("{name} = {value}: must be {wanted}")]
+    Rig {
+        /// Its name.
+        name: &'static str,
+        /// The value.
+        value: f64,
+        /// The condition.
+        wanted: &'static str,
+    },
+    /// Times do not ascend.
+    #[error("line {line}, time: {now} s after {before} s; times must ascend")]
+    Time {
+        /// Line of the file.
+        line: u64,
+        /// The time.
+        now: f64,
+        /// The time before it.
+        before: f64,
+    },
+    /// There are too few samples.
+    #[error("{count} samples; at least {least} are needed")]
+    Short {
+        /// Their number.
+        count: usize,
+        /// How many are needed.
+        least: usize,
+    },
+    /// A channel does not move.
+    #[error("{name}: all values are {value}; friction is seen only where it moves")]
+    Constant {
+        /// The channel.
+        name: &'static str,
+        /// Its value.
+        value: f64,
+    },
+    /// A normal force is negative.
+    #[error("line {line}, normal_force: {value} N; must be >= 0")]
+    Load {
+        /// Line of the file.
+        line: u64,
+        /// The value.
+        value: f64,
+    },
+    /// No normal force is known.
+    #[error("no column 'normal_force', and no value was given for it")]
+    NoLoad,
+    /// The motion ends before the force, or begins after it.
+    #[error("force from {} s to {} s, motion from {} s to {} s: they do not overlap", force[0], force[1], motion[0], motion[1])]
+    Apart {
+        /// First and last time of the force.
+        force: [f64; 2],
+        /// First and last time of the motion.
+        motion: [f64; 2],
+    },
+    /// Friction would drive the slider.
+    #[error(
+        "friction gives {energy:.3e} J to the slider: force and displacement are positive in opposite directions, or \
+         the mass is wrong"
+    )]
+    Drives {
+        /// The energy, J.
+        energy: f64,
+    },
+}
+
+/// Least number of samples.
+const LEAST: usize = 20;
+
+/// Samples in a window unless it is given (chosen).
+const WINDOW: f64 = 21.0;
+
+/// Force and motion of a slider, on the clock of the force.
+#[derive(Clone, Debug)]
+pub struct Record {
+    /// Time, s.
+    pub time: Vec<f64>,
+    /// Force of the load cell, N.
+    pub force: Vec<f64>,
+    /// Displacement, m.
+    pub displacement: Vec<f64>,
+    /// Velocity, m/s.
+    pub velocity: Vec<f64>,
+    /// Acceleration, m/s2.
+    pub acceleration: Vec<f64>,
+    /// Normal force, N.
+    pub normal_force: Vec<f64>,
+    /// Friction force f_f = F - m a, N.
+    pub friction_force: Vec<f64>,
+    /// Window of the filter, s.
+    pub window: f64,
+    /// Whether the velocity comes from the displacement.
+    pub is_differentiated: bool,
+    /// Clocks of force and motion.
+    pub clocks: Clocks,
+    /// What the record is worth.
+    pub quality: Quality,
+}
+
+impl Record {
+    /// Reads a table with the columns `time`, `force`, `displacement` or `velocity`, and perhaps `normal_force`; the
+    /// motion may be in a table of its own, with its own times.
+    pub fn of(sheet: &Sheet, motion: Option<&Sheet>, rig: &Rig) -> Result<Record, MeasuredError> {
+        check(rig)?;
+        let time = times(sheet)?;
+        let force = sheet.required(FORCE.name, &FORCE)?;
+        moving("force", &force)?;
+        let load = load(sheet, rig)?;
+        let moved = Motion::of(motion.unwrap_or(sheet), rig)?;
+        let own = Own { time: &time, force: &force, load: &load };
+        let record = moved.joined(&own, rig)?;
+        let energy: f64 = (1..record.time.len())
+            .map(|at| record.friction_force[at] * (record.displacement[at] - record.displacement[at - 1]))
+            .sum();
+        if energy < 0.0 {
+            return Err(MeasuredError::Drives { energy: -energy });
+        }
+        Ok(record)
+    }
+
+    /// The record as a table of values separated by commas, with units in the heading.
+    pub fn csv(&self) -> String {
+        let mut text =
+            "time [s],force [N],displacement [m],velocity [m/s],acceleration [m/s2],normal_force [N],friction_force [N]\n"
+                .to_owned();
+        let columns = [
+            &self.time,
+            &self.force,
+            &self.displacement,
+            &self.velocity,
+            &self.acceleration,
+            &self.normal_force,
+            &self.friction_force,
+        ];
+        for row in 0..self.time.len() {
+            let cells: Vec<String> = columns.iter().map(|values| values[row].to_string()).collect();
+            text += &(cells.join(",") + "\n");
+        }
+        text
+    }
+}
+
+fn check(rig: &Rig) -> Result<(), MeasuredError> {
+    let delay = match rig.delay {
+        Delay::Known(delay) => delay,
+        Delay::Find(longest) => longest,
+    };
+    let wrong = |name, value, wanted| Err(MeasuredError::Rig { name, value, wanted });
+    match rig {
+        _ if !(rig.mass >= 0.0 && rig.mass.is_finite()) => wrong("mass", rig.mass, ">= 0 and finite, in kg"),
+        _ if !(rig.skip >= 0.0 && rig.skip.is_finite()) => wrong("skip", rig.skip, ">= 0 and finite, in s"),
+        _ if !delay.is_finite() => wrong("delay", delay, "a finite number, in s"),
+        Rig { delay: Delay::Find(longest), .. } if *longest <= 0.0 => wrong("longest delay", *longest, "> 0, in s"),
+        Rig { normal_force: Some(load), .. } if !(*load >= 0.0 && load.is_finite()) => {
+            wrong("normal_force", *load, ">= 0 and finite, in N")
+        }
+        Rig { window: Some(window), .. } if !(*window >= 0.0 && window.is_finite()) => {
+            wrong("window", *window, ">= 0 and finite, in s")
+        }
+        _ => Ok(()),
+    }
+}
+
+fn times(sheet: &Sheet) -> Result<Vec<f64>, MeasuredError> {
+    let time = sheet.required(TIME.name, &TIME)?;
+    if time.len() < LEAST {
+        return Err(MeasuredError::Short { count: time.len(), least: LEAST });
+    }
+    match (1..time.len()).find(|at| time[*at] <= time[at - 1]) {
+        Some(at) => Err(MeasuredError::Time { line: sheet.line(at), now: time[at], before: time[at - 1] }),
+        None => Ok(time),
+    }
+}
+
+fn moving(name: &'static str, values: &[f64]) -> Result<(), MeasuredError> {
+    let value = values.first().copied().unwrap_or(f64::NAN);
+    if values.iter().all(|other| *other == value) { Err(MeasuredError::Constant { name, value }) } else { Ok(()) }
+}
+
+fn load(sheet: &Sheet, rig: &Rig) -> Result<Vec<f64>, MeasuredError> {
+    let Some(loads) = sheet.column(&NORMAL_FORCE)? else {
+        return rig.normal_force.map(|load| vec![load; sheet.len()]).ok_or(MeasuredError::NoLoad);
+    };
+    match loads.iter().position(|load| *load < 0.0) {
+        Some(at) => Err(MeasuredError::Load { line: sheet.line(at), value: loads[at] }),
+        None => Ok(loads),
+    }
+}
+
+/// What the load cell has on its clock.
+struct Own<'a> {
+    time: &'a [f64],
+    force: &'a [f64],
+    load: &'a [f64],
+}
+
+/// The motion on its own clock.
+struct Motion {
+    time: Vec<f64>,
+    displacement: Vec<f64>,
+    velocity: Option<Vec<f64>>,
+    window: f64,
+}
+
+impl Motion {
+    fn of(sheet: &Sheet, rig: &Rig) -> Result<Motion, MeasuredError> {
+        let time = times(sheet)?;
+        let velocity = sheet.column(&VELOCITY)?;
+        let displacement = match (sheet.column(&DISPLACEMENT)?, &velocity) {
+            (Some(displacement), _) => displacement,
+            (None, Some(velocity)) => integral(&time, velocity),
+            (None, None) => sheet.required(DISPLACEMENT.name, &DISPLACEMENT)?,
+        };
+        moving("displacement", &displacement)?;
+        let mut steps: Vec<f64> = time.windows(2).map(|pair| pair[1] - pair[0]).collect();
+        let window = rig.window.unwrap_or_else(|| (WINDOW - 0.5) * median(&mut steps));
+        Ok(Motion { time, displacement, velocity, window })
+    }
+
+    /// Force and motion on the clock of the force, where both are known.
+    fn joined(&self, own: &Own, rig: &Rig) -> Result<Record, MeasuredError> {
+        let position = Local::new(&self.time, &self.displacement, self.window);
+        let clocks = match rig.delay {
+            Delay::Known(delay) => Clocks::known(delay),
+            Delay::Find(longest) => find(own.time, own.force, &position, longest),
+        };
+        let [first, last] = [self.time[0], self.time[self.time.len() - 1]];
+        let begin = own.time[0] + rig.skip;
+        let is_inside = |t: f64| t >= begin && (first..=last).contains(&clocks.of_motion(t));
+        let inside: Vec<usize> = (0..own.time.len()).filter(|at| is_inside(own.time[*at])).collect();
+        if inside.len() < LEAST {
+            let force = [begin, own.time[own.time.len() - 1]];
+            return Err(MeasuredError::Apart { force, motion: [first, last] });
+        }
+        let take = |values: &[f64]| -> Vec<f64> { inside.iter().map(|at| values[*at]).collect() };
+        let time = take(own.time);
+        let moved: Vec<[f64; 3]> = time.iter().map(|t| self.at(&position, clocks.of_motion(*t))).collect();
+        let [displacement, velocity, acceleration] =
+            [0, 1, 2].map(|n| moved.iter().map(|all| all[n]).collect::<Vec<f64>>());
+        let force = take(own.force);
+        let friction_force = force.iter().zip(&acceleration).map(|(force, a)| force - rig.mass * a).collect();
+        let mut record = Record {
+            normal_force: take(own.load),
+            is_differentiated: self.velocity.is_none(),
+            window: self.window,
+            quality: Quality::default(),
+            time,
+            force,
+            displacement,
+            velocity,
+            acceleration,
+            friction_force,
+            clocks,
+        };
+        record.quality = quality(&record);
+        Ok(record)
+    }
+
+    /// Displacement, velocity and acceleration at a time. A velocity that was measured is not smoothed.
+    fn at(&self, position: &Local, time: f64) -> [f64; 3] {
+        match &self.velocity {
+            None => position.at(time),
+            Some(velocity) => {
+                let [_, acceleration, _] = Local::new(&self.time, velocity, self.window).at(time);
+                let [x, v] =
+                    [&self.displacement, velocity].map(|values| super::cycle::interpolate(&self.time, values, time));
+                [x, v, acceleration]
+            }
+        }
+    }
+}
+
+fn integral(time: &[f64], velocity: &[f64]) -> Vec<f64> {
+    let mut displacement = vec![0.0];
+    for at in 1..time.len() {
+        let step = 0.5 * (velocity[at] + velocity[at - 1]) * (time[at] - time[at - 1]);
+        displacement.push(displacement[at - 1] + step);
+    }
+    displacement
+}

@@ -1,0 +1,240 @@
+//! Records of a slider whose motion and friction are known in closed form, and spoilt files.
+
+use std::f64::consts::TAU;
+use std::fmt::Write;
+
+use super::*;
+use crate::sheet::Sheet;
+
+const MASS: f64 = 2.0;
+const LEVEL: f64 = 4.0;
+const LOAD: f64 = 20.0;
+const AMPLITUDE: f64 = 0.01;
+const FREQUENCY: f64 = 0.5;
+
+/// Displacement, velocity and acceleration of the slider.
+fn motion(t: f64) -> [f64; 3] {
+    let (rate, turn) = (TAU * FREQUENCY, (TAU * FREQUENCY * t).sin_cos());
+    [-AMPLITUDE * turn.1, AMPLITUDE * rate * turn.0, AMPLITUDE * rate * rate * turn.1]
+}
+
+fn friction(t: f64) -> f64 {
+    LEVEL * (motion(t)[1] / 1e-4).tanh()
+}
+
+fn force(t: f64) -> f64 {
+    friction(t) + MASS * motion(t)[2]
+}
+
+/// A file of 8 s at 1 kHz.
+fn file(row: impl Fn(f64) -> String) -> String {
+    (0..8000)
+        .map(|k| f64::from(k) / 1000.0)
+        .fold("time,force,displacement\n".to_owned(), |text, t| text + &row(t) + "\n")
+}
+
+fn rig() -> Rig {
+    Rig { mass: MASS, normal_force: Some(LOAD), ..Rig::default() }
+}
+
+fn record(text: &str, rig: &Rig) -> Result<Record, MeasuredError> {
+    Record::of(&Sheet::parse(text)?, None, rig)
+}
+
+#[test]
+fn friction_is_the_force_without_inertia_in_both_strokes() {
+    let text = file(|t| format!("{t},{},{}", force(t), motion(t)[0]));
+    let record = record(&text, &rig()).unwrap();
+    assert!(record.is_differentiated && record.time.len() == 8000);
+    for (at, t) in record.time.iter().enumerate() {
+        // A cubic over 20 ms follows the sine to 1e-7 of it.
+        assert!((record.velocity[at] - motion(*t)[1]).abs() < 1e-7, "{t}");
+        assert!((record.acceleration[at] - motion(*t)[2]).abs() < 1e-4, "{t}");
+        assert!((record.friction_force[at] - friction(*t)).abs() < 2e-4, "{t}");
+    }
+    let quality = &record.quality;
+    assert_eq!([quality.samples, quality.reversals, quality.gaps.len()], [8000, 6, 0]);
+    assert_eq!(quality.findings.len(), 1, "{quality:?}");
+    assert!(quality.findings[0].starts_with("one normal force (20 N)"), "{quality:?}");
+}
+
+#[test]
+fn a_measured_velocity_is_taken_as_it_is() {
+    let text = file(|t| format!("{t},{},{}", force(t), motion(t)[1])).replace("displacement", "velocity");
+    let record = record(&text, &rig()).unwrap();
+    assert!(!record.is_differentiated);
+    assert!(record.time.iter().zip(&record.velocity).all(|(t, v)| *v == motion(*t)[1]));
+    let travelled = record.displacement.iter().fold(0.0, |most: f64, x| most.max(*x));
+    assert!((travelled - 2.0 * AMPLITUDE).abs() < 1e-7, "{travelled}");
+}
+
+/// A camera of 100 Hz whose clock is 12.3 ms late and gains 0.2 ms per second.
+#[test]
+fn delay_and_drift_between_two_clocks_are_found() {
+    let text = file(|t| format!("{t},{},0", force(t)));
+    let forces = Sheet::parse(&text.replace("displacement", "nothing")).unwrap();
+    let camera = (0..830).map(|k| f64::from(k) * 0.01 - 0.1).fold("time,displacement\n".to_owned(), |text, t| {
+        let shown = t + 0.0123 + 2e-4 * (t - 4.0);
+        text + &format!("{shown},{}\n", motion(t)[0])
+    });
+    let camera = Sheet::parse(&camera).unwrap();
+    let window = Some(0.06);
+    let found = Record::of(&forces, Some(&camera), &Rig { delay: Delay::Find(0.05), window, ..rig() }).unwrap();
+    let clocks = found.clocks;
+    assert!((clocks.delay - 0.0123).abs() < 1e-4, "{clocks:?}");
+    assert!((clocks.drift - 2e-4).abs() < 5e-5, "{clocks:?}");
+    let worst = |record: &Record| {
+        let far = record.time.iter().enumerate().filter(|(_, t)| motion(**t)[1].abs() > 5e-3);
+        far.map(|(at, t)| (record.friction_force[at] - friction(*t)).abs()).fold(0.0, f64::max)
+    };
+    assert!(worst(&found) < 0.01, "{}", worst(&found));
+    let ignored = Record::of(&forces, Some(&camera), &Rig { window, ..rig() }).unwrap();
+    assert!(worst(&ignored) > 10.0 * worst(&found));
+}
+
+#[test]
+fn cycles_lie_on_top_of_each_other() {
+    let mut random = fastrand::Rng::with_seed(3);
+    let noise: Vec<f64> = (0..8000).map(|_| (0..12).map(|_| random.f64()).sum::<f64>() - 6.0).collect();
+    let text = file(|t| format!("{t},{},{}", force(t) + 0.1 * noise[(t * 1e3).round() as usize], motion(t)[0]));
+    let record = record(&text, &rig()).unwrap();
+    assert!((record.quality.noise - 0.1).abs() < 0.01, "{}", record.quality.noise);
+    let cycle = average(&record).unwrap();
+    assert_eq!(cycle.count, 2);
+    assert!((cycle.period - 2.0).abs() < 1e-4, "{}", cycle.period);
+    for (phase, force) in cycle.phase.iter().zip(&cycle.friction_force) {
+        // The cycle begins with the forward stroke, at t = 2 s.
+        assert!((force - friction(2.0 + 2.0 * phase)).abs() < 0.4 || phase.min(1.0 - phase) < 0.01, "{phase}: {force}");
+    }
+    let spread = cycle.deviation.iter().sum::<f64>() / cycle.deviation.len() as f64;
+    // Interpolation between two samples has less noise than one; the mean of |z| of two cycles is 0.8 sigma.
+    assert!((0.04..0.1).contains(&spread), "{spread}");
+}
+
+#[test]
+fn what_is_missing_in_a_record_is_named() {
+    let findings = |text: &str| record(text, &rig()).unwrap().quality.findings.join("\n");
+    let forward = (0..200).fold("time,force,displacement\n".to_owned(), |mut text, k| {
+        let _ = writeln!(text, "{},{},{}", k, 4.0 + 1e-3 * f64::from(k % 3), 0.01 * f64::from(k));
+        text
+    });
+    assert!(findings(&forward).contains("no reversal"));
+    let slow = (0..400).fold("time,force,displacement\n".to_owned(), |mut text, k| {
+        let t = f64::from(k) * 0.05;
+        let _ = writeln!(text, "{t},{},{}", force(t).clamp(-3.9, 3.9), motion(t)[0]);
+        text
+    });
+    let text = findings(&slow);
+    assert!(text.contains("samples per reversal") && text.contains("is the load cell saturated?"), "{text}");
+    let gap = file(|t| format!("{t},{},{}", force(t), motion(t)[0]));
+    let gap: Vec<&str> = gap.lines().enumerate().filter(|(n, _)| !(3000..3100).contains(n)).map(|(_, l)| l).collect();
+    assert!(findings(&gap.join("\n")).contains("a gap of 0.101 s at 2.998 s"));
+}
+
+/// A good row, repeated with ascending times.
+fn rows(heading: &str, row: impl Fn(usize) -> String) -> String {
+    (0..40).fold(heading.to_owned() + "\n", |text, k| text + &row(k) + "\n")
+}
+
+fn good(k: usize) -> String {
+    let t = k as f64 * 0.05;
+    format!("{t},{},{}", force(t), motion(t)[0])
+}
+
+fn spoil(at: usize, row: &str) -> String {
+    rows("time,force,displacement", |k| if k == at { row.to_owned() } else { good(k) })
+}
+
+#[test]
+fn spoilt_files_are_refused_with_line_and_column() {
+    let plain = |heading: &str| rows(heading, good);
+    let cases = [
+        (String::new(), "no column 'time'; there are "),
+        ("time\n".into(), "0 samples; at least 20 are needed"),
+        (plain("t,force,displacement"), "no column 'time'; there are t, force, displacement"),
+        (plain("time,F,displacement"), "no column 'force'; there are time, F, displacement"),
+        (plain("time,force,x"), "no column 'displacement'; there are time, force, x"),
+        (plain("time,time,displacement"), "two columns 'time'"),
+        (plain("time,force,Force"), "two columns 'force'"),
+        (plain("time [h],force,displacement"), "time: unit 'h', must be one of s, ms, us, min"),
+        (plain("time,force [kg],displacement"), "force: unit 'kg', must be one of N, kN, lbf"),
+        (plain("time,force,displacement (deg)"), "displacement: unit 'deg', must be one of m, mm, um, in"),
+        (plain("time,force [mm],displacement"), "force: unit 'mm', must be one of N, kN, lbf"),
+        (spoil(3, "0.15,,0.1"), "line 5, force: '' is not a finite number"),
+        (spoil(3, "0.15,abc,0.1"), "line 5, force: 'abc' is not a finite number"),
+        (spoil(3, "0.15,NaN,0.1"), "line 5, force: 'NaN' is not a finite number"),
+        (spoil(3, "0.15,inf,0.1"), "line 5, force: 'inf' is not a finite number"),
+        (spoil(3, "0.15,1e999,0.1"), "line 5, force: '1e999' is not a finite number"),
+        (spoil(3, "0.15,1,-"), "line 5, displacement: '-' is not a finite number"),
+        (spoil(3, "0.15,1,#N/A"), "line 5, displacement: '#N/A' is not a finite number"),
+        (spoil(3, "0:15,1,0.1"), "line 5, time: '0:15' is not a finite number"),
+        (spoil(3, "0.15,1;5,0.1"), "line 5, force: '1;5' is not a finite number"),
+        (spoil(3, "0.15,0x10,0.1"), "line 5, force: '0x10' is not a finite number"),
+        (spoil(3, "0.15,1 000,0.1"), "line 5, force: '1 000' is not a finite number"),
+        (spoil(3, "0.15,--1,0.1"), "line 5, force: '--1' is not a finite number"),
+        (spoil(3, "0.15,1 N,0.1"), "line 5, force: '1 N' is not a finite number"),
+        (spoil(3, "0.15,\"1\n2\",0.1"), "line 5, force: '1\n2' is not a finite number"),
+        (spoil(3, "0.15,1"), "no table: CSV error: record 4 (line: 5"),
+        (spoil(3, "0.15,1,5,0.1"), "no table: CSV error: record 4 (line: 5"),
+        (spoil(3, "time,force,displacement"), "line 5, time: 'time' is not a finite number"),
+        (spoil(0, "Zeit,Kraft,Weg"), "line 2, time: 'Zeit' is not a finite number"),
+        (spoil(0, "s,N,furlong"), "line 2, time: 's' is not a finite number"),
+        (spoil(3, "0.1,1,0.1"), "line 5, time: 0.1 s after 0.1 s; times must ascend"),
+        (spoil(3, "-1,1,0.1"), "line 5, time: -1 s after 0.1 s; times must ascend"),
+        (rows("time,force,displacement", |_| good(0)), "line 3, time: 0 s after 0 s; times must ascend"),
+        (rows("time,force,displacement", |k| good(40 - k)), "line 3, time: 1.95"),
+        (rows("time,force,displacement", |k| format!("{k},2.5,{k}")), "force: all values are 2.5"),
+        (rows("time,force,displacement", |k| format!("{k},{k},7")), "displacement: all values are 7"),
+        (rows("time,force,velocity", |k| format!("{k},{k},0")), "displacement: all values are 0"),
+        (
+            rows("time,force,displacement,normal_force", |k| format!("{},{}", good(k), 3 - k as i32)),
+            "line 6, normal_force: -1 N; must be >= 0",
+        ),
+        (
+            rows("time,force,displacement,normal_force", |k| good(k) + ",x"),
+            "line 2, normal_force: 'x' is not a finite number",
+        ),
+        (
+            rows("time,force,displacement,normal_force [m]", |k| good(k) + ",1"),
+            "normal_force: unit 'm', must be one of N, kN, lbf",
+        ),
+        (good(0) + "\n" + &good(1), "no column 'time'; there are 0, "),
+        ("time,force,displacement\n0,1,0\n1,1,1\n".into(), "2 samples; at least 20 are needed"),
+        (plain("time;force;displacement"), "no table: CSV error: record 1"),
+        ("\u{0}\u{1}\u{2}PK\u{3}\u{4}".into(), "no column 'time'"),
+        ("<html><body>404</body></html>".into(), "no column 'time'"),
+        ("{\"time\": [0, 1]}".into(), "no column 'time'"),
+        (rows("time,force,displacement", |k| format!("{k},{},{k}", -4.0 - 0.1 * k as f64)), "friction gives "),
+        (plain("time,force,displacement\n\""), "no table: CSV error: record 1"),
+    ];
+    for (text, wanted) in &cases {
+        let refused = record(text, &rig()).map_or_else(|error| error.to_string(), |_| "accepted".to_owned());
+        assert!(refused.contains(wanted), "{refused}\n instead of\n{wanted}\nin\n{text}");
+    }
+    let absent = Sheet::load(std::path::Path::new("absent.csv")).unwrap_err().to_string();
+    assert!(absent.starts_with("absent.csv: "), "{absent}");
+    let huge = tempfile::NamedTempFile::new().unwrap();
+    huge.as_file().set_len(10_000_000_000).unwrap();
+    let refused = Sheet::load(huge.path()).unwrap_err().to_string();
+    assert!(refused.contains("has 10000000000 bytes, must be at most 1073741824"), "{refused}");
+}
+
+#[test]
+fn impossible_rigs_are_refused() {
+    let text = file(|t| format!("{t},{},{}", force(t), motion(t)[0]));
+    let cases = [
+        (Rig { mass: -1.0, ..rig() }, "mass = -1: must be >= 0 and finite, in kg"),
+        (Rig { mass: f64::NAN, ..rig() }, "mass = NaN: must be >= 0 and finite, in kg"),
+        (Rig { normal_force: Some(-2.0), ..rig() }, "normal_force = -2: must be >= 0 and finite, in N"),
+        (Rig { window: Some(-1.0), ..rig() }, "window = -1: must be >= 0 and finite, in s"),
+        (Rig { delay: Delay::Find(0.0), ..rig() }, "longest delay = 0: must be > 0, in s"),
+        (Rig { delay: Delay::Known(f64::INFINITY), ..rig() }, "delay = inf: must be a finite number, in s"),
+        (Rig { skip: 7.99, ..rig() }, "force from 7.99 s to 7.999 s, motion from 0 s to 7.999 s: they do not overlap"),
+        (Rig { delay: Delay::Known(9.0), ..rig() }, "they do not overlap"),
+        (Rig { normal_force: None, ..rig() }, "no column 'normal_force', and no value was given for it"),
+    ];
+    for (rig, wanted) in cases {
+        let refused = record(&text, &rig).map(|_| ()).unwrap_err().to_string();
+        assert!(refused.contains(wanted), "{refused} instead of {wanted}");
+    }
+}
