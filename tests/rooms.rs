@@ -50,6 +50,7 @@ const HOUSES: &[House] = &[
             "couple",
             "run",
             "study",
+            "identify",
             "benchmark",
             "picture",
             "report",

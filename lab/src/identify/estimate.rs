@@ -1,0 +1,134 @@
+//! The unknowns after a fit, with their intervals.
+
+use super::interval::{profile, quantiles};
+use super::problem::Problem;
+use super::search::Found;
+use super::trust::{DETERMINED, Residuals, Trust, Verdict, WIDTH};
+use super::unknown::{Scale, Target, Unknown};
+
+/// An unknown after a fit.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Estimate {
+    /// Name.
+    pub name: String,
+    /// Unit.
+    pub unit: &'static str,
+    /// Best value. Not to be shown unless the verdict is [`Verdict::Determined`].
+    pub value: f64,
+    /// Standard deviation.
+    pub deviation: f64,
+    /// Whether the data determine it.
+    pub verdict: Verdict,
+    /// Interval of 95 % from the sensitivities.
+    pub linear: [f64; 2],
+    /// Interval of 95 % from the profile likelihood.
+    pub profile: Option<[f64; 2]>,
+    /// Interval of 95 % from repetitions with blocks of residuals.
+    pub repeated: Option<[f64; 2]>,
+}
+
+impl Estimate {
+    /// Interval of 95 %: by the profile likelihood and by straight lines, whichever end is farther.
+    pub fn interval(&self) -> [f64; 2] {
+        let [low, high] = self.linear;
+        self.profile.map_or(self.linear, |profile| [low.min(profile[0]), high.max(profile[1])])
+    }
+}
+
+/// A fit at its end.
+pub(super) struct Ended<'a> {
+    pub problem: &'a Problem<'a>,
+    pub best: &'a Found,
+    pub seen: &'a Residuals,
+    pub trust: &'a Trust,
+}
+
+/// Values of the unknowns in repetitions of a fit.
+struct Repeated(Vec<Vec<f64>>);
+
+impl Repeated {
+    /// Interval of a quantity; None without repetitions.
+    fn interval(&self, of: impl Fn(&[f64]) -> f64) -> Option<[f64; 2]> {
+        (!self.0.is_empty()).then(|| quantiles(self.0.iter().map(|values| of(values)).collect()))
+    }
+}
+
+fn around(value: f64, deviation: f64) -> [f64; 2] {
+    [value - WIDTH * deviation, value + WIDTH * deviation]
+}
+
+impl Ended<'_> {
+    /// The estimates; mu_s, the sum of two unknowns, comes last.
+    pub fn estimates(&self, profiles: bool, places: &[Vec<f64>]) -> Vec<Estimate> {
+        let values = self.problem.values(&self.best.places);
+        let repeated = Repeated(places.iter().map(|places| self.problem.values(places)).collect());
+        let one = |number: usize| self.estimate(number, values[number], profiles, &repeated);
+        let mut list: Vec<Estimate> = (0..values.len()).map(one).collect();
+        list.extend(self.static_level(&values, &repeated));
+        list
+    }
+
+    fn estimate(&self, number: usize, value: f64, profiles: bool, repeated: &Repeated) -> Estimate {
+        let unknown = &self.problem.unknowns[number];
+        let deviation = self.trust.deviations[number];
+        let verdict = self.trust.verdicts[number].clone();
+        let is_told = matches!(verdict, Verdict::Determined | Verdict::AtMost(_));
+        let profile = (profiles && is_told).then(|| profile(self.problem, self.best, self.seen, self.trust, number));
+        let verdict = match profile {
+            Some(ends) if is_open(unknown, value, ends) => Verdict::Undetermined(format!(
+                "other values of the others explain the force as well, with {} from {:.3e} to {:.3e}",
+                unknown.name, ends[0], ends[1]
+            )),
+            _ => verdict,
+        };
+        Estimate {
+            name: unknown.name.clone(),
+            unit: unknown.unit,
+            value,
+            deviation,
+            linear: around(value, deviation),
+            profile,
+            repeated: repeated.interval(|values| values[number]),
+            verdict,
+        }
+    }
+
+    /// mu_s = mu_k + d.
+    fn static_level(&self, values: &[f64], repeated: &Repeated) -> Option<Estimate> {
+        let unknowns = &self.problem.unknowns;
+        let (excess, over) = unknowns.iter().enumerate().find_map(|(number, unknown)| match unknown.target {
+            Target::Excess { over, .. } => Some((number, over)),
+            _ => None,
+        })?;
+        let kinetic = unknowns.iter().position(|unknown| unknown.target == Target::Column(over));
+        let held = self.problem.kinetic(over);
+        let sum = |values: &[f64]| values[excess] + kinetic.map_or(held, |kinetic| values[kinetic]);
+        let parts: Vec<usize> = kinetic.into_iter().chain([excess]).collect();
+        let pairs = parts.iter().flat_map(|a| parts.iter().map(move |b| (*a, *b)));
+        let deviation = pairs.map(|at| self.trust.covariance[at]).sum::<f64>().max(0.0).sqrt();
+        let value = sum(values);
+        let of_kinetic = kinetic.map_or(&Verdict::Determined, |kinetic| &self.trust.verdicts[kinetic]);
+        Some(Estimate {
+            name: "mu_s".to_owned(),
+            unit: unknowns[excess].unit,
+            value,
+            deviation,
+            verdict: match (&self.trust.verdicts[excess], of_kinetic) {
+                (Verdict::AtMost(_), Verdict::Determined) => Verdict::AtMost(value + WIDTH * deviation),
+                (Verdict::Determined, other) | (other, _) => other.clone(),
+            },
+            linear: around(value, deviation),
+            profile: None,
+            repeated: repeated.interval(sum),
+        })
+    }
+}
+
+/// Whether an interval is wider than that of a value that the data determine.
+fn is_open(unknown: &Unknown, value: f64, [low, high]: [f64; 2]) -> bool {
+    let far = DETERMINED * WIDTH;
+    match unknown.scale {
+        Scale::Logarithmic => 0.5 * (high / low).ln() > far,
+        Scale::Linear | Scale::Mixed(_) => 0.5 * (high - low) > far * unknown.large(value),
+    }
+}

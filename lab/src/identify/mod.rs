@@ -1,0 +1,363 @@
+//! Identification: the parameters of a law from measured friction, and how far to trust them.
+//!
+//! A law is led through the motion and the load of the experiments. Its parameters are searched over a range that follows
+//! from the data and their units, then by bounded least squares with exact sensitivities where the steps of the law are
+//! written for dual numbers, and with central differences elsewhere. What the data do not determine gets no number.
+//!
+//! # Source
+//! Task and figures: chapter 8 of F. Novais, "A critical analysis on friction force models in dynamical systems", MSc
+//! thesis, University of Minho (2024). Differential evolution: R. Storn, K. Price, Journal of Global Optimization 11
+//! (1997), doi:10.1023/A:1008202821328.
+
+mod estimate;
+mod experiment;
+mod interval;
+mod problem;
+mod rank;
+mod response;
+mod search;
+#[cfg(test)]
+mod tests;
+mod trust;
+mod unknown;
+
+use std::sync::atomic::Ordering;
+
+use stribeck::catalogue::{self, Family};
+use stribeck::instance::Instance;
+use stribeck::model::ModelType;
+
+pub use estimate::Estimate;
+pub use experiment::Experiment;
+pub use rank::{APART, Rank, rank};
+pub use search::{Method, Watch};
+pub use trust::{DETERMINED, Residuals, Verdict};
+pub use unknown::{Scale, Target, Unknown, Wishes};
+
+use crate::system::Fault;
+use estimate::Ended;
+use interval::{dependent, repetitions};
+use problem::Problem;
+use response::{Exact, Ports};
+use search::{Found, polish, search};
+use trust::{Trust, residuals, trust};
+
+/// How a law is fitted.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Task {
+    /// What is held, what is fitted, and where it is searched.
+    pub wishes: Wishes,
+    /// How the whole range is searched.
+    pub method: Method,
+    /// Seed of the search and of the repetitions.
+    pub seed: u64,
+    /// Evaluations of the law in each search over the whole range.
+    pub budget: u64,
+    /// Whether the profile likelihood is followed.
+    pub profiles: bool,
+    /// Number of repetitions with blocks of residuals; 0 for none.
+    pub repetitions: usize,
+    /// Mass between load cell and contact, kg, unless it is fitted.
+    pub mass: f64,
+}
+
+impl Default for Task {
+    /// 3000 evaluations, profiles, 40 repetitions (chosen).
+    fn default() -> Task {
+        Task {
+            wishes: Wishes::default(),
+            method: Method::Evolution,
+            seed: 1,
+            budget: 3000,
+            profiles: true,
+            repetitions: 40,
+            mass: 0.0,
+        }
+    }
+}
+
+/// A law fitted to experiments.
+#[derive(Clone, Debug)]
+pub struct Fit {
+    /// The law.
+    pub law: &'static ModelType,
+    /// The unknowns; mu_s, which follows from two of them, after them.
+    pub estimates: Vec<Estimate>,
+    /// Correlations among the unknowns.
+    pub correlation: Vec<Vec<f64>>,
+    /// Ratio of the best to the worst known direction.
+    pub condition: f64,
+    /// The residuals.
+    pub residuals: Residuals,
+    /// Number of samples.
+    pub samples: usize,
+    /// Largest force, N.
+    pub level: f64,
+    /// Evaluations of the law.
+    pub evaluations: u64,
+    /// Whether a second search over the whole range found the same values.
+    pub is_repeatable: bool,
+    /// Whether it was ended early.
+    pub is_cancelled: bool,
+    /// Whether the sensitivities are exact.
+    pub is_exact: bool,
+    /// Forces that the law explains, for each experiment.
+    pub explained: Vec<Vec<f64>>,
+    /// Values of the columns of the law.
+    pub columns: Vec<(usize, f64)>,
+    /// What the reader must know.
+    pub warnings: Vec<String>,
+    unknowns: usize,
+}
+
+impl Fit {
+    /// Number of unknowns.
+    pub fn unknowns(&self) -> usize {
+        self.unknowns
+    }
+}
+
+/// The laws that can be fitted: those of one sliding direction.
+pub fn laws() -> impl Iterator<Item = &'static ModelType> {
+    catalogue::documented(Family::Friction).map(|(law, _)| law).filter(|law| Ports::of(law).is_some())
+}
+
+/// Fits a law to experiments.
+pub fn fit(law: &'static ModelType, experiments: &[Experiment], task: &Task, watch: Watch) -> Result<Fit, Fault> {
+    let mut problem = problem(law, experiments, task)?;
+    let (best, is_repeatable) = best(&problem, task, watch);
+    if !best.cost.is_finite() {
+        return Err(Fault::value(format_args!("{}: the law is refused everywhere in the ranges", law.name)));
+    }
+    let (best, shift) = refine(&mut problem, best, task, watch);
+    finish(&problem, task, watch, &best, is_repeatable, shift)
+}
+
+/// Most parts of an interval, and the shift of the unknowns, in standard deviations, that may be left (chosen).
+const MOST_PARTS: usize = 16;
+const SHIFT: f64 = 0.2;
+
+/// Divides the intervals between samples until that no longer shifts the unknowns; the shift that is left, in standard
+/// deviations.
+fn refine(problem: &mut Problem, mut best: Found, task: &Task, watch: Watch) -> (Found, f64) {
+    loop {
+        let Some(here) = problem.residuals(&best.places) else { return (best, f64::INFINITY) };
+        let finer = Problem { parts: 2 * problem.parts, ..problem.clone() };
+        let Some(there) = finer.residuals(&best.places) else { return (best, f64::INFINITY) };
+        let seen = residuals(&here, &problem.lengths(), problem.unknowns.len());
+        let error: Vec<f64> = here.iter().zip(&there).map(|(here, there)| here - there).collect();
+        let shift = trust(problem, &best.places, &seen).shift(&error);
+        if shift <= SHIFT || finer.parts > MOST_PARTS || watch.cancel.load(Ordering::Relaxed) {
+            return (best, shift);
+        }
+        problem.parts = finer.parts;
+        best = problem.judge(best);
+        if task.method == Method::Evolution {
+            best = polish(problem, &best);
+        }
+    }
+}
+
+/// Rounds of searches, each with twice the budget of the one before, until two of them agree (chosen).
+const ROUNDS: u32 = 3;
+
+/// The best place, and whether two searches with different seeds have found it: it is then hardly one of several.
+fn best(problem: &Problem, task: &Task, watch: Watch) -> (Found, bool) {
+    let mut ends: Vec<Found> = Vec::new();
+    let mut agree = false;
+    for round in 0..ROUNDS {
+        ends.extend(searches(problem, task, task.budget << round, u64::from(round), watch));
+        ends.sort_by(|a, b| a.cost.total_cmp(&b.cost));
+        let variance = 2.0 * ends[0].cost / problem.samples() as f64;
+        agree = 2.0 * (ends[1].cost - ends[0].cost) <= variance;
+        if agree || watch.cancel.load(Ordering::Relaxed) || task.method == Method::Genetic {
+            break;
+        }
+    }
+    let evaluations = ends.iter().map(|found| found.evaluations).sum();
+    (Found { evaluations, ..ends[0].clone() }, agree)
+}
+
+/// Problem of a fit, with everything checked.
+fn problem<'a>(law: &'static ModelType, experiments: &'a [Experiment], task: &Task) -> Result<Problem<'a>, Fault> {
+    let Some(ports) = Ports::of(law) else {
+        return Err(Fault::value(format_args!("{}: only laws of one sliding direction can be fitted", law.name)));
+    };
+    if experiments.is_empty() {
+        return Err(Fault::value("there is no experiment"));
+    }
+    experiments.iter().try_for_each(Experiment::check)?;
+    let unknowns = unknown::unknowns(law, experiments, &task.wishes)?;
+    let samples: usize = experiments.iter().map(|one| one.time.len()).sum();
+    if samples <= 2 * unknowns.len() {
+        let text = format_args!("{samples} samples for {} unknowns of {}; more are needed", unknowns.len(), law.name);
+        return Err(Fault::value(text));
+    }
+    let named = |name: &str| task.wishes.fixed.iter().find(|(fixed, _)| fixed == name).map(|(_, value)| *value);
+    let held = task.wishes.fixed.iter().filter_map(|(name, value)| Some((law.find(name)?, *value))).collect();
+    let count = unknowns.len();
+    Ok(Problem {
+        law,
+        ports,
+        exact: Exact::of(law),
+        experiments,
+        held,
+        mass: named("mass").unwrap_or(task.mass),
+        offset: named("offset").unwrap_or(0.0),
+        parts: 1,
+        pinned: vec![None; count],
+        instead: None,
+        low: vec![0.0; count],
+        high: vec![1.0; count],
+        unknowns,
+    })
+}
+
+/// Samples on which the whole range is searched (chosen): more only make it slower.
+const SEARCHED: usize = 2000;
+
+/// Two searches with different seeds, side by side.
+fn searches(problem: &Problem, task: &Task, budget: u64, round: u64, watch: Watch) -> Vec<Found> {
+    let parts = problem.samples().div_ceil(SEARCHED);
+    let coarser: Vec<Experiment> = problem.experiments.iter().map(|one| one.coarser(parts)).collect();
+    let coarse = match task.method {
+        Method::Evolution if coarser.iter().all(|one| one.time.len() > 2) => {
+            Problem { experiments: &coarser, ..problem.clone() }
+        }
+        _ => problem.clone(),
+    };
+    let run = |number: u64| {
+        let seed =
+            fastrand::Rng::with_seed(task.seed ^ (number + 2 * round).wrapping_mul(0x9E37_79B9_7F4A_7C15)).u64(..);
+        let found = search(&coarse, task.method, seed, budget, watch);
+        if task.method == Method::Genetic || watch.cancel.load(Ordering::Relaxed) {
+            problem.judge(found)
+        } else {
+            polish(problem, &problem.judge(found))
+        }
+    };
+    std::thread::scope(|scope| {
+        let second = scope.spawn(move || run(1));
+        let first = run(0);
+        std::iter::once(first).chain(second.join()).collect()
+    })
+}
+
+/// Everything about a best place.
+fn finish(
+    problem: &Problem,
+    task: &Task,
+    watch: Watch,
+    best: &Found,
+    is_repeatable: bool,
+    shift: f64,
+) -> Result<Fit, Fault> {
+    let refused = |reason: String| Fault::value(format_args!("{}: {reason}", problem.law.name));
+    let left = problem.residuals(&best.places).ok_or_else(|| refused("the law is refused at the best place".into()))?;
+    let seen = residuals(&left, &problem.lengths(), problem.unknowns.len());
+    let is_cancelled = watch.cancel.load(Ordering::Relaxed);
+    let profiles = task.profiles && !is_cancelled;
+    let trust = doubted(problem, best, &seen, profiles, is_repeatable || task.method == Method::Genetic);
+    let count = if is_cancelled { 0 } else { task.repetitions };
+    let repeated = repetitions(problem, best, &seen, count, task.seed, watch);
+    let estimates = Ended { problem, best, seen: &seen, trust: &trust }.estimates(profiles, &repeated);
+    let point = problem.point(&best.places);
+    let explained = problem.explained(&mut Instance::new(problem.law), &point, problem.parts);
+    let explained = explained.map_err(|reason| refused(reason.to_string()))?;
+    let of_matrix = |row: usize| trust.correlation.row(row).iter().copied().collect();
+    Ok(Fit {
+        law: problem.law,
+        correlation: (0..problem.unknowns.len()).map(of_matrix).collect(),
+        condition: trust.condition,
+        residuals: seen,
+        samples: problem.samples(),
+        level: problem.measured().iter().fold(0.0, |most: f64, force| most.max(force.abs())),
+        evaluations: best.evaluations,
+        is_repeatable,
+        is_cancelled,
+        is_exact: problem.exact.is_some(),
+        columns: point.columns,
+        unknowns: problem.unknowns.len(),
+        explained: split(&explained, &problem.lengths()),
+        warnings: warnings(problem, &seen, &estimates, is_repeatable, shift),
+        estimates,
+    })
+}
+
+/// What the sensitivities say, and what they do not see.
+fn doubted(problem: &Problem, best: &Found, seen: &Residuals, profiles: bool, is_repeatable: bool) -> Trust {
+    let mut trust = trust(problem, &best.places, seen);
+    if !is_repeatable {
+        let reason = "searches over the whole range end at different values; narrow the ranges, or raise the budget";
+        trust.verdicts.iter_mut().for_each(|verdict| *verdict = Verdict::Undetermined(reason.to_owned()));
+    } else if profiles {
+        for (number, other) in dependent(problem, best, seen, &trust) {
+            let name = &problem.unknowns[other].name;
+            trust.verdicts[number] = Verdict::Undetermined(format!("it depends on {name}, which is not determined"));
+        }
+    }
+    trust
+}
+
+fn split(mut values: &[f64], lengths: &[usize]) -> Vec<Vec<f64>> {
+    let part = |length: &usize| {
+        let (one, rest) = values.split_at(*length);
+        values = rest;
+        one.to_vec()
+    };
+    lengths.iter().map(part).collect()
+}
+
+/// Correlation time of the residuals from which the law does not explain them, in samples (chosen).
+const SYSTEMATIC: f64 = 3.0;
+
+fn warnings(
+    problem: &Problem,
+    seen: &Residuals,
+    estimates: &[Estimate],
+    is_repeatable: bool,
+    shift: f64,
+) -> Vec<String> {
+    let mut list = Vec::new();
+    if !is_repeatable {
+        list.push(
+            "searches over the whole range ended at different values: raise the budget, or narrow the ranges"
+                .to_owned(),
+        );
+    }
+    if shift > SHIFT {
+        list.push(format!(
+            "the samples are too far apart: dividing their intervals once more shifts a value by {shift:.1} standard deviations"
+        ));
+    }
+    if seen.correlation > SYSTEMATIC {
+        list.push(format!(
+            "the residuals are not noise ({:.0} samples count as one): the law does not explain all of the force",
+            seen.correlation
+        ));
+    }
+    for estimate in estimates {
+        if let Verdict::AtEnd(end) = estimate.verdict {
+            list.push(format!("{} is at an end of its range ({end:.4e} {})", estimate.name, estimate.unit));
+        }
+    }
+    list.extend(problem.experiments.iter().filter_map(|one| smoothed(one, estimates)));
+    list
+}
+
+/// Warns where the motion was smoothed over a time in which the slider leaves the speeds at which friction falls: the
+/// static level then looks lower and the Stribeck velocity higher.
+fn smoothed(experiment: &Experiment, estimates: &[Estimate]) -> Option<String> {
+    let speed =
+        estimates.iter().find(|one| ["stribeck_velocity", "transition_velocity"].contains(&one.name.as_str()))?;
+    let turning = experiment.velocity.windows(2).zip(&experiment.acceleration).filter(|(v, _)| v[0] * v[1] <= 0.0);
+    let steepest = turning.map(|(_, a)| a.abs()).fold(0.0, f64::max);
+    let change = steepest * experiment.window;
+    (change > speed.value).then(|| {
+        format!(
+            "{}: the velocity changes by {change:.2e} m/s within the window of the filter ({:.3} s), more than {} = {:.2e} \
+             m/s: the static level is found too low and {} too high; measure the velocity, or sample the motion faster",
+            experiment.name, experiment.window, speed.name, speed.value, speed.name
+        )
+    })
+}

@@ -1,0 +1,238 @@
+//! The sum of squares of a fit, and its derivatives.
+
+use basin::{
+    BoxBounds, ConstraintDescription, ConstraintSet, Constraints, CostFunction, DenseMatrix, Jacobian, Residual,
+};
+use stribeck::instance::{Instance, Phase, Refused};
+use stribeck::model::ModelType;
+
+use super::Experiment;
+use super::response::{Exact, Ports, forces};
+use super::search::Found;
+use super::unknown::{Target, Unknown};
+
+/// A law, the experiments it is fitted to, and the unknowns.
+#[derive(Clone)]
+pub(super) struct Problem<'a> {
+    pub law: &'static ModelType,
+    pub ports: Ports,
+    pub exact: Option<Exact>,
+    pub experiments: &'a [Experiment],
+    pub unknowns: Vec<Unknown>,
+    /// Columns that are held, with their values.
+    pub held: Vec<(usize, f64)>,
+    /// Mass and offset of the rig where they are not unknown.
+    pub mass: f64,
+    pub offset: f64,
+    /// Parts into which the intervals between samples are divided.
+    pub parts: usize,
+    /// Unknowns that are held at a place, for profiles.
+    pub pinned: Vec<Option<f64>>,
+    /// Forces that are fitted instead of the measured ones, for repetitions.
+    pub instead: Option<Vec<f64>>,
+    pub low: Vec<f64>,
+    pub high: Vec<f64>,
+}
+
+/// Residual of a place at which the law is refused: larger than any force that is measured.
+const REFUSED: f64 = 1e9;
+
+/// Step of central differences of a place: about a hundredth of a value on a logarithmic scale (chosen), so that a law whose
+/// memory has the steps of the samples moves by more than one of them.
+const STEP: f64 = 1e-3;
+
+/// Values of the unknowns as a law and a rig take them.
+pub(super) struct Point {
+    pub columns: Vec<(usize, f64)>,
+    pub mass: f64,
+    pub offset: f64,
+}
+
+impl Problem<'_> {
+    /// Number of samples.
+    pub fn samples(&self) -> usize {
+        self.experiments.iter().map(|one| one.time.len()).sum()
+    }
+
+    /// Number of samples of each experiment.
+    pub fn lengths(&self) -> Vec<usize> {
+        self.experiments.iter().map(|one| one.time.len()).collect()
+    }
+
+    /// The places of all unknowns, from those that are free.
+    pub fn whole(&self, free: &[f64]) -> Vec<f64> {
+        let mut free = free.iter();
+        self.pinned.iter().map(|pin| pin.or_else(|| free.next().copied()).unwrap_or(0.5)).collect()
+    }
+
+    /// Values of the unknowns at places.
+    pub fn values(&self, places: &[f64]) -> Vec<f64> {
+        self.unknowns.iter().zip(places).map(|(unknown, place)| unknown.value(*place)[0]).collect()
+    }
+
+    /// Holds an unknown at a place.
+    pub fn pin(&mut self, number: usize, place: f64) {
+        self.pinned[number] = Some(place.clamp(0.0, 1.0));
+        let free = self.pinned.iter().filter(|pin| pin.is_none()).count();
+        self.low.truncate(free);
+        self.high.truncate(free);
+    }
+
+    pub fn point(&self, places: &[f64]) -> Point {
+        let mut point = Point { columns: self.held.clone(), mass: self.mass, offset: self.offset };
+        let mut excess = None;
+        for (unknown, value) in self.unknowns.iter().zip(self.values(places)) {
+            match unknown.target {
+                Target::Column(column) => point.columns.push((column, value)),
+                Target::Excess { of, over } => excess = Some((of, over, value)),
+                Target::Mass => point.mass = value,
+                Target::Offset => point.offset = value,
+            }
+        }
+        if let Some((of, over, value)) = excess {
+            let kinetic = point.columns.iter().rev().find(|(column, _)| *column == over).map(|(_, value)| *value);
+            point.columns.push((of, kinetic.unwrap_or_else(|| self.kinetic(over)) + value));
+        }
+        point
+    }
+
+    /// The kinetic level where it is not unknown: as it is held, or its start value.
+    pub fn kinetic(&self, column: usize) -> f64 {
+        let held = self.held.iter().find(|(held, _)| *held == column).map(|(_, value)| *value);
+        held.unwrap_or_else(|| self.law.table.at(column).start)
+    }
+
+    /// Forces of the load cell that the law explains.
+    pub fn explained(&self, instance: &mut Instance, point: &Point, parts: usize) -> Result<Vec<f64>, Refused> {
+        let mut all = Vec::with_capacity(self.samples());
+        for experiment in self.experiments {
+            let friction = forces(instance, self.ports, &point.columns, experiment, parts)?;
+            let inertia = experiment.acceleration.iter().map(|a| point.mass * a + point.offset);
+            all.extend(friction.iter().zip(inertia).map(|(friction, rest)| friction + rest));
+        }
+        Ok(all)
+    }
+
+    /// What a search on fewer samples has found, with its cost on all of them.
+    pub fn judge(&self, found: Found) -> Found {
+        let cost = self.residuals(&found.places).map_or(f64::INFINITY, |all| cost(&all));
+        Found { cost, ..found }
+    }
+
+    /// The forces that are fitted.
+    pub fn measured(&self) -> Vec<f64> {
+        self.instead
+            .clone()
+            .unwrap_or_else(|| self.experiments.iter().flat_map(|one| one.force.iter().copied()).collect())
+    }
+
+    /// Explained minus measured forces at the places of all unknowns; None where the law is refused.
+    pub fn residuals(&self, places: &[f64]) -> Option<Vec<f64>> {
+        let mut instance = Instance::new(self.law);
+        let explained = self.explained(&mut instance, &self.point(places), self.parts).ok()?;
+        Some(explained.iter().zip(self.measured()).map(|(explained, measured)| explained - measured).collect())
+    }
+
+    /// Derivatives of the residuals with respect to the value of each unknown, a column for each.
+    pub fn sensitivities(&self, places: &[f64]) -> Vec<Vec<f64>> {
+        (0..self.unknowns.len()).map(|number| self.sensitivity(places, number)).collect()
+    }
+
+    fn sensitivity(&self, places: &[f64], number: usize) -> Vec<f64> {
+        let point = self.point(places);
+        match (self.unknowns[number].target, self.exact) {
+            (Target::Mass, _) => self.experiments.iter().flat_map(|one| one.acceleration.iter().copied()).collect(),
+            (Target::Offset, _) => vec![1.0; self.samples()],
+            (Target::Column(column), Some(exact)) => {
+                // The static level moves with the kinetic one.
+                let follows = self.unknowns.iter().filter_map(|unknown| match unknown.target {
+                    Target::Excess { of, over } if over == column => Some((of, 1.0)),
+                    _ => None,
+                });
+                let seeds: Vec<(usize, f64)> = [(column, 1.0)].into_iter().chain(follows).collect();
+                self.exactly(exact, &point, &seeds)
+            }
+            (Target::Excess { of, .. }, Some(exact)) => self.exactly(exact, &point, &[(of, 1.0)]),
+            (_, None) => self.differences(places, number, STEP),
+        }
+    }
+
+    fn exactly(&self, exact: Exact, point: &Point, seeds: &[(usize, f64)]) -> Vec<f64> {
+        let mut instance = Instance::new(self.law);
+        // Refused values have led to no residuals before.
+        let _ = instance.set_all(Phase::Setup, point.columns.iter().copied());
+        let start = instance.row().to_vec();
+        let forces =
+            |one| exact.forces(&start, self.ports, seeds, one, self.parts).into_iter().map(|force| force.slope);
+        self.experiments.iter().flat_map(forces).collect()
+    }
+
+    /// Central differences; one-sided at an end of the range.
+    pub fn differences(&self, places: &[f64], number: usize, step: f64) -> Vec<f64> {
+        let at = |shift: f64| {
+            let mut moved = places.to_vec();
+            moved[number] = (moved[number] + shift).clamp(0.0, 1.0);
+            (self.unknowns[number].value(moved[number])[0], self.residuals(&moved))
+        };
+        let [(low, before), (high, after)] = [at(-step), at(step)];
+        match (before, after) {
+            (Some(before), Some(after)) if high > low => {
+                before.iter().zip(&after).map(|(before, after)| (after - before) / (high - low)).collect()
+            }
+            _ => vec![0.0; self.samples()],
+        }
+    }
+
+    /// Derivatives with respect to the places of the free unknowns.
+    fn slopes(&self, free: &[f64]) -> Vec<Vec<f64>> {
+        let places = self.whole(free);
+        let is_free = (0..self.unknowns.len()).filter(|number| self.pinned[*number].is_none());
+        let column = |number: usize| {
+            let [_, slope] = self.unknowns[number].value(places[number]);
+            self.sensitivity(&places, number).into_iter().map(|value| value * slope).collect()
+        };
+        is_free.map(column).collect()
+    }
+}
+
+fn cost(residuals: &[f64]) -> f64 {
+    0.5 * residuals.iter().map(|one| one * one).sum::<f64>()
+}
+
+impl Constraints for Problem<'_> {
+    type Set = ConstraintSet<BoxBounds<Vec<f64>>>;
+
+    fn constraints(&self) -> <Self::Set as ConstraintDescription>::Borrowed<'_> {
+        ConstraintSet::new().with_bounds(BoxBounds::new(Some(&self.low), Some(&self.high)))
+    }
+}
+
+impl CostFunction for Problem<'_> {
+    type Param = Vec<f64>;
+    type Output = f64;
+    type Error = std::convert::Infallible;
+
+    fn cost(&self, free: &Vec<f64>) -> Result<f64, Self::Error> {
+        Ok(self.residuals(&self.whole(free)).map_or(f64::INFINITY, |found| cost(&found)))
+    }
+}
+
+impl Residual for Problem<'_> {
+    type Param = Vec<f64>;
+    type Output = Vec<f64>;
+    type Error = std::convert::Infallible;
+
+    fn residual(&self, free: &Vec<f64>) -> Result<Vec<f64>, Self::Error> {
+        Ok(self.residuals(&self.whole(free)).unwrap_or_else(|| vec![REFUSED; self.samples()]))
+    }
+}
+
+impl Jacobian for Problem<'_> {
+    type Jacobian = DenseMatrix;
+
+    fn jacobian(&self, free: &Vec<f64>) -> Result<DenseMatrix, Self::Error> {
+        let columns = self.slopes(free);
+        let rows = (0..self.samples()).flat_map(|row| columns.iter().map(move |column| column[row]));
+        Ok(DenseMatrix::from_row_slice(self.samples(), columns.len(), &rows.collect::<Vec<f64>>()))
+    }
+}

@@ -1,0 +1,142 @@
+//! The response of a law to an experiment, and its sensitivities.
+//!
+//! Between two samples the law is led at their mean velocity and load, which is exact in the displacement; at a sample it
+//! has the velocity and the load of the sample. A record that begins in motion begins in steady sliding.
+
+use stribeck::instance::{Instance, Phase, Refused};
+use stribeck::model::{InLanes, Law, Model, ModelType, Steps, Visitor, model_in};
+use stribeck::number::Dual;
+
+use super::Experiment;
+
+/// Columns of a law that a rig drives and reads.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Ports {
+    velocity: usize,
+    load: usize,
+    force: usize,
+}
+
+impl Ports {
+    /// None for a law that is no scalar contact.
+    pub fn of(law: &ModelType) -> Option<Ports> {
+        let [velocity, load, force] = ["velocity", "normal_force", "friction_force"].map(|name| law.find(name));
+        Some(Ports { velocity: velocity?, load: load?, force: force? })
+    }
+}
+
+/// Way in m and time in s after which sliding is steady (chosen).
+const WAY: f64 = 0.1;
+const TIME: f64 = 1.0;
+
+/// Time for which the first velocity is held before the record begins; 0 if it begins at rest.
+fn run_up(velocity: f64) -> f64 {
+    if velocity == 0.0 { 0.0 } else { f64::max(TIME, WAY / velocity.abs()) }
+}
+
+/// Mean over a part of the interval that ends at a sample.
+fn between(values: &[f64], at: usize, part: usize, parts: usize) -> f64 {
+    let share = (part as f64 + 0.5) / parts as f64;
+    values[at - 1] + share * (values[at] - values[at - 1])
+}
+
+/// Friction force at the samples of an experiment, with each interval divided into `parts`.
+pub(super) fn forces(
+    instance: &mut Instance,
+    ports: Ports,
+    values: &[(usize, f64)],
+    experiment: &Experiment,
+    parts: usize,
+) -> Result<Vec<f64>, Refused> {
+    instance.reset();
+    instance.set_all(Phase::Setup, values.iter().copied())?;
+    instance.check().map_err(Refused::Value)?;
+    let [v, n] = [&experiment.velocity, &experiment.normal_force];
+    let set = |instance: &mut Instance, v: f64, n: f64| {
+        instance.set_column(ports.velocity, v)?;
+        instance.set_column(ports.load, n)
+    };
+    set(instance, v[0], n[0])?;
+    if v[0] != 0.0 {
+        instance.step(run_up(v[0])).map_err(Refused::NotFinite)?;
+    }
+    let mut found = Vec::with_capacity(v.len());
+    found.push(instance.get_column(ports.force)?);
+    for at in 1..v.len() {
+        let step = (experiment.time[at] - experiment.time[at - 1]) / parts as f64;
+        for part in 0..parts {
+            set(instance, between(v, at, part, parts), between(n, at, part, parts))?;
+            instance.step(step).map_err(Refused::NotFinite)?;
+        }
+        set(instance, v[at], n[at])?;
+        found.push(instance.get_column(ports.force)?);
+    }
+    Ok(found)
+}
+
+/// A law whose steps are written for every number: its response carries exact derivatives.
+#[derive(Clone, Copy)]
+pub(super) struct Exact {
+    step: fn(&mut [Dual], f64),
+    output: fn(&mut [Dual]),
+}
+
+impl Exact {
+    /// None for a law whose steps have modes: its sensitivities are differences.
+    pub fn of(law: &ModelType) -> Option<Exact> {
+        struct Search<'a>(&'a str, Option<Exact>);
+        impl Visitor for Search<'_> {
+            fn visit<M: Model>(&mut self) {}
+
+            fn visit_in_lanes<M: InLanes>(&mut self) {
+                if M::NAME == self.0 {
+                    self.1 = Some(Exact {
+                        step: |row, dt| Steps::advance(model_in::<M, Dual>(row), Dual::from(dt)),
+                        output: |row| Law::output(model_in::<M, Dual>(row)),
+                    });
+                }
+            }
+        }
+        let mut search = Search(law.name, None);
+        stribeck::catalogue::visit(&mut search);
+        search.1
+    }
+
+    /// As [`forces`], with its derivative in the direction of `seeds` (column, component), from the row of an instance
+    /// that has the values of the parameters.
+    pub fn forces(
+        self,
+        start: &[f64],
+        ports: Ports,
+        seeds: &[(usize, f64)],
+        experiment: &Experiment,
+        parts: usize,
+    ) -> Vec<Dual> {
+        let mut row: Vec<Dual> = start.iter().map(|value| Dual::from(*value)).collect();
+        for (column, component) in seeds {
+            row[*column].slope += component;
+        }
+        let [v, n] = [&experiment.velocity, &experiment.normal_force];
+        let set = |row: &mut [Dual], v: f64, n: f64| {
+            row[ports.velocity] = Dual::from(v);
+            row[ports.load] = Dual::from(n);
+        };
+        set(&mut row, v[0], n[0]);
+        if v[0] != 0.0 {
+            (self.step)(&mut row, run_up(v[0]));
+        }
+        (self.output)(&mut row);
+        let mut found = vec![row[ports.force]];
+        for at in 1..v.len() {
+            let step = (experiment.time[at] - experiment.time[at - 1]) / parts as f64;
+            for part in 0..parts {
+                set(&mut row, between(v, at, part, parts), between(n, at, part, parts));
+                (self.step)(&mut row, step);
+            }
+            set(&mut row, v[at], n[at]);
+            (self.output)(&mut row);
+            found.push(row[ports.force]);
+        }
+        found
+    }
+}

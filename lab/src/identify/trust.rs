@@ -1,0 +1,247 @@
+//! How far a fit can be trusted: which unknowns the data determine, and how well.
+//!
+//! # Equations
+//! With the sensitivities J of the forces to the unknowns p, the residuals r at n samples, and the correlation time tau of
+//! the residuals in samples:
+//!
+//! ```text
+//! s2   = tau r'r / (n - k)                           variance of the noise, as of independent samples
+//! C    = (D J'J D / s2 + I)^-1                       D: a large change of each unknown
+//! sd_i = D_i sqrt(C_ii)
+//! tau  = 1 + 2 sum of the autocorrelations of r up to the first lag M >= 5 tau(M)
+//! ```
+//!
+//! A large change is half the range on a linear scale and about the value itself on the others. I stands for the knowledge before the
+//! data: an unknown is known up to a large change, or up to ten of them if the data turn out not to determine it. The data determine an unknown if they reduce this to less than
+//! [`DETERMINED`] of it; otherwise there is no number.
+//!
+//! # Source
+//! Window of the autocorrelation: A. Sokal, "Monte Carlo methods in statistical mechanics: foundations and new
+//! algorithms", in Functional Integration (1997), doi:10.1007/978-1-4899-0319-8_6. The limits are chosen.
+
+use nalgebra::{DMatrix, DVector};
+
+use super::problem::Problem;
+use super::unknown::{Scale, Unknown};
+
+/// Part of a large change up to which the data must know an unknown.
+pub const DETERMINED: f64 = 0.4;
+
+/// Standard deviations of an interval that holds in 95 % of cases.
+pub(super) const WIDTH: f64 = 1.959_963_984_540_054;
+
+/// Distance from an end of a range, as a part of it, that counts as the end.
+const AT_END: f64 = 1e-3;
+
+/// Correlation of two unknowns that the data tell only together.
+const TOGETHER: f64 = 0.95;
+
+/// Verdict on an unknown.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Verdict {
+    /// The data determine it.
+    Determined,
+    /// The data do not tell it from 0; it is at most this, in 97.5 % of cases.
+    AtMost(f64),
+    /// The data do not determine it, for this reason.
+    Undetermined(String),
+    /// It is at an end of the range in which it was searched: the range, or the law, is wrong.
+    AtEnd(f64),
+}
+
+/// What the residuals look like.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Residuals {
+    /// Root mean square, N.
+    pub rms: f64,
+    /// Correlation of neighbours.
+    pub neighbours: f64,
+    /// Samples that count as one.
+    pub correlation: f64,
+}
+
+/// What a fit knows about its unknowns, in the order of the problem.
+pub(super) struct Trust {
+    pub deviations: Vec<f64>,
+    /// Covariance of the values.
+    pub covariance: DMatrix<f64>,
+    pub verdicts: Vec<Verdict>,
+    /// Sensitivities of the forces.
+    pub columns: Vec<Vec<f64>>,
+    /// Variance of the noise, as of independent samples.
+    pub variance: f64,
+    /// Correlations among the unknowns.
+    pub correlation: DMatrix<f64>,
+    /// Ratio of the best to the worst known direction.
+    pub condition: f64,
+}
+
+/// Residuals of several experiments, one after the other.
+pub(super) fn residuals(found: &[f64], lengths: &[usize], unknowns: usize) -> Residuals {
+    let freedom = (found.len().saturating_sub(unknowns)).max(1) as f64;
+    let square = found.iter().map(|one| one * one).sum::<f64>();
+    let lag = |lag: usize| {
+        let mut from = 0;
+        let mut sum = 0.0;
+        for length in lengths {
+            let part = &found[from..from + length];
+            sum += part.iter().zip(part.iter().skip(lag)).map(|(a, b)| a * b).sum::<f64>();
+            from += length;
+        }
+        if square > 0.0 { sum / square } else { 0.0 }
+    };
+    let longest = lengths.iter().copied().min().unwrap_or(0) / 10;
+    let mut correlation = 1.0;
+    for at in 1..=longest {
+        correlation += 2.0 * lag(at);
+        if at as f64 >= 5.0 * correlation {
+            break;
+        }
+    }
+    Residuals { rms: (square / freedom).sqrt(), neighbours: lag(1), correlation: correlation.max(1.0) }
+}
+
+/// Knowledge before the data about an unknown that the data do not determine, in large changes (chosen): what depends on it
+/// is not determined either.
+const UNKNOWN: f64 = 10.0;
+
+/// Looks at the sensitivities of the unknowns at places.
+pub(super) fn trust(problem: &Problem, places: &[f64], seen: &Residuals) -> Trust {
+    let values = problem.values(places);
+    let large: Vec<f64> = problem.unknowns.iter().zip(&values).map(|(unknown, value)| unknown.large(*value)).collect();
+    let columns = problem.sensitivities(places);
+    let count = columns.len();
+    let variance = (seen.rms * seen.rms * seen.correlation).max(f64::MIN_POSITIVE);
+    let information = DMatrix::from_fn(count, count, |a, b| {
+        let sum: f64 = columns[a].iter().zip(&columns[b]).map(|(a, b)| a * b).sum();
+        sum * large[a] * large[b] / variance
+    });
+    let scaled = spread(&information);
+    let spectrum = information.clone().symmetric_eigen().eigenvalues;
+    let covariance = DMatrix::from_fn(count, count, |a, b| scaled[(a, b)] * large[a] * large[b]);
+    let correlation = DMatrix::from_fn(count, count, |a, b| scaled[(a, b)] / (scaled[(a, a)] * scaled[(b, b)]).sqrt());
+    let verdict = |number: usize| {
+        let alone = 1.0 / (1.0 + information[(number, number)]).sqrt();
+        let partner = (0..count)
+            .filter(|other| *other != number && correlation[(number, *other)].abs() > TOGETHER)
+            .max_by(|a, b| correlation[(number, *a)].abs().total_cmp(&correlation[(number, *b)].abs()))
+            .map(|other| problem.unknowns[other].name.as_str());
+        let known = scaled[(number, number)].sqrt();
+        let one =
+            Known { value: values[number], place: places[number], known, deviation: known * large[number], alone };
+        let is_smooth = known > DETERMINED || is_smooth(problem, places, seen, number, one.deviation, &columns[number]);
+        verdict(&problem.unknowns[number], &one, partner, is_smooth)
+    };
+    Trust {
+        deviations: (0..count).map(|number| covariance[(number, number)].sqrt()).collect(),
+        verdicts: (0..count).map(verdict).collect(),
+        condition: (spectrum.max() / spectrum.min().max(f64::MIN_POSITIVE)).sqrt(),
+        covariance,
+        correlation,
+        columns,
+        variance,
+    }
+}
+
+impl Trust {
+    /// Shift of the unknowns that an error of the explained forces causes, in standard deviations; the largest one.
+    pub fn shift(&self, error: &[f64]) -> f64 {
+        let pull = |column: &Vec<f64>| column.iter().zip(error).map(|(a, b)| a * b).sum::<f64>() / self.variance;
+        let pull = DVector::from_iterator(self.columns.len(), self.columns.iter().map(pull));
+        let shifts = &self.covariance * pull;
+        shifts.iter().zip(&self.deviations).map(|(shift, deviation)| (shift / deviation).abs()).fold(0.0, f64::max)
+    }
+}
+
+/// (information + knowledge before the data)^-1, with less knowledge about what the data do not determine.
+pub(super) fn spread(information: &DMatrix<f64>) -> DMatrix<f64> {
+    let count = information.nrows();
+    let mut before = vec![1.0; count];
+    loop {
+        let known = DMatrix::from_fn(count, count, |a, b| if a == b { 1.0 / (before[a] * before[a]) } else { 0.0 });
+        let spread =
+            (information + &known).cholesky().map_or_else(|| known.map(|one| one.recip()), |all| all.inverse());
+        let is_new = |number: &usize| before[*number] == 1.0 && spread[(*number, *number)].sqrt() > DETERMINED;
+        let Some(number) = (0..count).find(is_new) else { return spread };
+        before[number] = UNKNOWN;
+    }
+}
+
+/// Factor between the foreseen and the true change of the force, up to which straight lines are believed (chosen).
+const STRAIGHT: f64 = 3.0;
+
+/// Whether the force changes as the sensitivities foresee, when an unknown alone moves by a standard deviation.
+fn is_smooth(
+    problem: &Problem,
+    places: &[f64],
+    seen: &Residuals,
+    number: usize,
+    deviation: f64,
+    sensitivity: &[f64],
+) -> bool {
+    let [value, slope] = problem.unknowns[number].value(places[number]);
+    let step = (deviation / slope.abs().max(f64::MIN_POSITIVE)).min(0.1);
+    let Some(here) = problem.residuals(places) else { return false };
+    let size = |values: &mut dyn Iterator<Item = f64>| values.map(|one| one * one).sum::<f64>().sqrt();
+    let agrees = |direction: f64| {
+        let mut moved = places.to_vec();
+        moved[number] = (moved[number] + direction * step).clamp(0.0, 1.0);
+        let distance = (problem.unknowns[number].value(moved[number])[0] - value).abs();
+        let foreseen = distance * size(&mut sensitivity.iter().copied());
+        problem.residuals(&moved).is_some_and(|there| {
+            let found = size(&mut there.iter().zip(&here).map(|(there, here)| there - here));
+            // Less than the noise does not matter.
+            found.max(foreseen) < 0.1 * seen.rms || (1.0 / STRAIGHT..=STRAIGHT).contains(&(found / foreseen))
+        })
+    };
+    // At an end of the range one side is enough.
+    [-1.0, 1.0].into_iter().filter(|side| (0.0..=1.0).contains(&(places[number] + side * step))).all(agrees)
+}
+
+/// What is known of an unknown.
+struct Known {
+    value: f64,
+    place: f64,
+    /// Standard deviation as a part of a large change.
+    known: f64,
+    deviation: f64,
+    /// The same if the others were known.
+    alone: f64,
+}
+
+fn verdict(unknown: &Unknown, one: &Known, partner: Option<&str>, is_smooth: bool) -> Verdict {
+    let can_be_zero = unknown.scale != Scale::Logarithmic && unknown.range[0] == 0.0;
+    let Known { value, place, known, deviation, alone } = *one;
+    if known > DETERMINED {
+        let reason = match partner {
+            _ if alone > DETERMINED => format!("it hardly changes the force; {}", remedy(unknown)),
+            Some(partner) => format!("only together with {partner}; {}", remedy(unknown)),
+            None => format!("only together with others; {}", remedy(unknown)),
+        };
+        Verdict::Undetermined(reason)
+    } else if !is_smooth {
+        Verdict::Undetermined("the force changes with it in jumps, so that no interval can be given".to_owned())
+    } else if can_be_zero && value < WIDTH * deviation {
+        Verdict::AtMost(value + WIDTH * deviation)
+    } else if !(AT_END..=1.0 - AT_END).contains(&place) {
+        Verdict::AtEnd(value)
+    } else {
+        Verdict::Determined
+    }
+}
+
+/// The experiment that would determine an unknown.
+fn remedy(unknown: &Unknown) -> &'static str {
+    match (unknown.name.as_str(), unknown.unit) {
+        ("mu_s - mu_k", _) => "move more slowly around rest, and break away from rest",
+        (name, "1") if name.starts_with("mu") => "slide longer at several speeds",
+        ("sigma_1", _) => "reverse faster, and sample the reversals more often",
+        ("viscous_coefficient" | "mu_v", _) => "slide faster",
+        (_, "N/m" | "m") => "reverse often, and move to and fro by less than the contact yields",
+        (_, "m/s" | "s/m") => "move more slowly around rest",
+        (_, "s") => "let it rest for different times, and change the speed quickly",
+        (_, "N") => "add runs with other normal forces",
+        ("mass", _) => "accelerate more",
+        _ => "excite it more",
+    }
+}
