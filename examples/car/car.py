@@ -5,12 +5,15 @@
     python examples/car/car.py kinematics --corner rl           camber, toe and motion ratio over the travel
     python examples/car/car.py drive --test four-post           with and without friction; writes <out>_<test>.csv, .png
     python examples/car/car.py drive --test step-steer --law Dahl --set friction.scale=2 --with angle=0.3
+    python examples/car/car.py limit --law LuGre                highest speed that passes the cones of ISO 3888-2
+    python examples/car/car.py study                            lane change and four-post with every law, side by side
 
 The car is described in stribeck_fs.toml; --car reads another file of the same form. Needs the packages stribeck and
 exudyn.
 """
 
 import argparse
+import math
 import sys
 from pathlib import Path
 
@@ -20,11 +23,14 @@ sys.path.append(str(Path(__file__).resolve().parents[1] / "fmpy"))
 sys.path.append(str(Path(__file__).resolve().parents[1] / "multibody"))
 
 from car_description import CAR, CORNERS, Car, CarError, read_car
+from car_figures import draw_study
+from car_page import write_page
 from car_rest import imbalance, settle
 from car_ride import Run, columns_with_units, simulate
 from car_stand import COLUMNS as STAND_COLUMNS
 from car_stand import Stand
 from car_struts import parameters_of
+from car_study import STUDIED, Case, courses_of, figures_of, laws_of, printed, run_study, table_of
 from car_tyres import read_tyre
 from coupling import FMUS, main, parameter, positive, write_csv
 from exudyn_car import ExudynCar
@@ -49,15 +55,29 @@ def arguments() -> argparse.Namespace:
     drive = tasks.add_parser("drive", help="a manoeuvre, with and without friction")
     drive.add_argument("--test", choices=sorted(MANOEUVRES), default="four-post")
     drive.add_argument("--law", default="LuGre", help="friction law of the struts (default: LuGre)")
-    drive.add_argument("--step", type=positive, default=1e-3, help="step in s (default: 1e-3)")
     drive.add_argument("--strut", choices=CORNERS, default="fl", help="the strut in the picture (default: fl)")
     drive.add_argument("--fmu", action="store_true", help="struts from the FMU instead of the package")
     drive.add_argument("--fmus", type=Path, default=FMUS, help="folder of the FMUs (default: dist)")
-    settable = {"type": parameter, "action": "append", "default": [], "metavar": "NAME=VALUE"}
-    drive.add_argument("--set", help="parameter of the ShockAbsorber; repeatable", **settable)
-    drive.add_argument("--with", dest="changes", help="number of the manoeuvre; repeatable", **settable)
     drive.add_argument("--out", default="out/car", help="result files, without extension (default: out/car)")
+    limit = tasks.add_parser("limit", help="the highest speed that passes the cones")
+    limit.add_argument("--law", default="LuGre", help="friction law of the struts (default: LuGre)")
+    study = tasks.add_parser("study", help="every law in the lane change and on the posts")
+    study.add_argument("--test", choices=STUDIED, action="append", help="only this one; repeatable")
+    study.add_argument("--laws", metavar="A,B,...", help="only these laws (default: every law of the struts)")
+    study.add_argument("--strut", choices=CORNERS, default="fl", help="the strut in the figures (default: fl)")
+    study.add_argument("--jobs", type=int, default=2, help="runs at a time (default: 2)")
+    study.add_argument("--out", default="out/car_study", help="folder of the results (default: out/car_study)")
+    for task in (drive, limit, study):
+        _add_settings(task)
     return parser.parse_args()
+
+
+def _add_settings(task: argparse.ArgumentParser) -> None:
+    """The options of all tasks in which the car moves."""
+    settable = {"type": parameter, "action": "append", "default": [], "metavar": "NAME=VALUE"}
+    task.add_argument("--step", type=positive, default=1e-3, help="step in s (default: 1e-3)")
+    task.add_argument("--set", help="parameter of the ShockAbsorber; repeatable", **settable)
+    task.add_argument("--with", dest="changes", help="number of the manoeuvre; repeatable", **settable)
 
 
 def show_rest(car: Car) -> None:
@@ -96,7 +116,8 @@ def show_kinematics(car: Car, options: argparse.Namespace) -> None:
 
 def show_drive(car: Car, options: argparse.Namespace) -> None:
     """Runs a manoeuvre, writes the tables and draws a picture."""
-    course = manoeuvre(options.test, **{name: number(name, value) for name, value in options.changes})
+    known = {"width": car.width} if options.test == "lane-change" else {}
+    course = manoeuvre(options.test, **{**known, **numbers(options)})
     through = "fmu" if options.fmu else "package"
     runs = {}
     for law in dict.fromkeys((options.law, "None")):
@@ -122,6 +143,61 @@ def show_drive(car: Car, options: argparse.Namespace) -> None:
     picture = Path(f"{options.out}_{options.test}.png")
     draw_runs(f"{car.name}, {options.test}", runs, rows, loops, picture)
     print(picture)
+
+
+def show_limit(car: Car, options: argparse.Namespace) -> None:
+    """Halves the range of speeds until the highest one that passes is known within 0.1 m/s."""
+    passing, failing = 0.0, 0.0
+    speed = 18.0
+    while failing == 0.0 or failing - passing > 0.1:
+        course = manoeuvre("lane-change", **{"width": car.width, **numbers(options), "speed": speed})
+        try:
+            run = simulate(car, course, options.law, dict(options.set), options.step)
+            clear = figures_of(run, course)["clearance"]
+        except CarError:
+            # Turned around on the road.
+            clear = -math.inf
+        print(f"{3.6 * speed:7.2f} km/h: {'passes' if clear > 0.0 else 'hits a cone'}, clearance {clear:.3f} m")
+        passing, failing = (speed, failing) if clear > 0.0 else (passing, speed)
+        if passing == 0.0 and speed < 5.0:
+            raise CarError("the car passes at no speed from 5 m/s on")
+        speed = 0.5 * (passing + failing) if passing and failing else speed + 2.0 if passing else speed - 2.0
+    print(f"highest speed that passes: {3.6 * passing:.1f} km/h")
+
+
+def show_study(car: Car, options: argparse.Namespace) -> None:
+    """Runs every law, prints the tables, draws the figures, writes the report."""
+    if options.jobs < 1:
+        raise CarError(f"jobs = {options.jobs}: must be at least 1")
+    laws, folder = laws_of(options.laws), Path(options.out)
+    courses = courses_of(options.test or STUDIED, car, numbers(options))
+    changes = dict(options.set)
+    cases = [
+        Case(options.car, course, law, changes, options.step, folder / f"{name}_{law}.csv")
+        for name, course in courses.items()
+        for law in laws
+    ]
+    order = {(case.course.name, case.law): at for at, case in enumerate(cases)}
+    outcomes = sorted(run_study(cases, options.jobs), key=lambda outcome: order[outcome.course, outcome.law])
+    if all(outcome.failure for outcome in outcomes):
+        raise CarError(outcomes[0].failure)
+    tables = {name: table_of(outcomes, name) for name in courses}
+    for name, rows in tables.items():
+        print(f"\n{name}\n{printed(rows)}")
+    figures = draw_study(car, courses, outcomes, options.strut, folder)
+    facts = [
+        f"{car.name}, step {options.step:g} s; strut in the figures: {options.strut}.",
+        "Run times are processor times of whole runs; relative: to the run without friction. Evaluations are steps of "
+        "all struts; iterations are those of the integrator, which holds the forces of the struts over a step.",
+    ]
+    report = folder / "report.html"
+    write_page(report, f"{car.name}: friction laws in the struts", facts, tables, figures)
+    print(f"\n{folder}: tables and figures\n{report}")
+
+
+def numbers(options: argparse.Namespace) -> dict[str, float]:
+    """The numbers of a manoeuvre from the command line."""
+    return {name: number(name, value) for name, value in options.changes}
 
 
 def number(name: str, value: object) -> float:
@@ -150,6 +226,10 @@ def program() -> None:
         show_rest(car)
     elif options.task == "kinematics":
         show_kinematics(car, options)
+    elif options.task == "limit":
+        show_limit(car, options)
+    elif options.task == "study":
+        show_study(car, options)
     else:
         show_drive(car, options)
 

@@ -9,12 +9,13 @@ from pathlib import Path
 import exudyn
 import numpy
 from car_description import CORNERS, Car, CarError
+from car_energy import Ledger, Works
 from car_rest import Rest, settle
 from car_struts import open_struts, parameters_of
-from car_tyres import ROLLING_DEFLECTION, RollingTyre, StandingTyre, read_tyre, touch
+from car_tyres import ROLLING_DEFLECTION, Carrier, Push, RollingTyre, StandingTyre, read_tyre, touch
 from coupling import FMUS
 from exudyn_car import ExudynCar, steps_of
-from hosted_strut import UNLOADED, Wrench
+from hosted_strut import Wrench
 from manoeuvres import Manoeuvre, Pose
 
 CAR_COLUMNS = {
@@ -28,6 +29,8 @@ CAR_COLUMNS = {
     "speed": "m/s",
     "lateral_velocity": "m/s",
     "yaw_rate": "rad/s",
+    "front_x": "m",
+    "front_y": "m",
     "steering_wheel": "rad",
     "rack": "m",
 }
@@ -40,7 +43,7 @@ CORNER_COLUMNS = {
     "friction_2": "N",
     "normal_1": "N",
     "normal_2": "N",
-    "damper": "N",
+    "force_damper": "N",
     "force_x": "N",
     "force_y": "N",
     "load": "N",
@@ -67,8 +70,10 @@ class Run:
     label: str
     columns: Mapping[str, numpy.ndarray]
     rest: Rest
+    works: Works
     iterations: int
     seconds: float
+    strut_seconds: float
     step: float
 
     def __getitem__(self, column: str) -> numpy.ndarray:
@@ -89,10 +94,10 @@ class Ride:
         self.model = ExudynCar(car)
         self.tyre = read_tyre(car)
         self.struts: Mapping[str, object] = {}
-        self.wrenches = dict.fromkeys(CORNERS, UNLOADED)
+        self.ledger = Ledger(self.model)
         self.rows: list[list[float]] = []
         self.failure: CarError | None = None
-        self.wheel = self.torque = 0.0
+        self.wheel = self.torque = self.strut_seconds = 0.0
         self.is_moving = manoeuvre.speed > 0.0
         self.tyres = {name: self._tyre(name) for name in CORNERS}
 
@@ -113,26 +118,19 @@ class Ride:
                 self.model.park(name, PARKED)
         for name in CORNERS:
             self.model.set_strut(name, rest.forces[name])
-            self._push_tyre(name, 0.0, 0.0)
+            self._push_tyre(name, self.model.carrier(name), 0.0, 0.0)
         return rest
 
-    def _push_tyre(self, name: str, now: float, step: float) -> float:
-        """Sets the force of a tyre; returns the height of the road below it."""
-        carrier = self.model.carrier(name)
+    def _push_tyre(self, name: str, carrier: Carrier, now: float, step: float) -> tuple[float, Push, numpy.ndarray]:
+        """Sets the force of a tyre, and the torque of the drive, whose reaction acts on the chassis; returns the height
+        of the road, the push of the tyre and the torque."""
         height, rise = self.manoeuvre.road(name, now, carrier.centre[0])
         contact = touch(self.tyre, carrier, height, rise)
         push = self.tyres[name].push(contact, carrier, step)
-        moment = push.moment + self._drive_torque(name, carrier.axis)
-        self.model.push(name, push.force, moment)
-        return height
-
-    def _drive_torque(self, name: str, axis: numpy.ndarray) -> numpy.ndarray:
-        """Torque of the drive on a wheel; its reaction acts on the chassis."""
-        if name[0] == "f":
-            return numpy.zeros(3)
-        torque = 0.5 * self.torque * axis
+        torque = (0.5 * self.torque if name[0] == "r" else 0.0) * carrier.axis
+        self.model.push(name, push.force, push.moment + torque)
         self.model.react(name, -torque)
-        return torque
+        return height, push, torque
 
     def hold(self, _system, end: float) -> bool:
         """Before a step: sets all forces, and writes a row. exudyn gives the time at the end of the step."""
@@ -145,16 +143,23 @@ class Ride:
         return True
 
     def _hold(self, begin: float) -> None:
+        self.ledger.begin_step(self.step)
         row = self._steer(begin)
         for name in CORNERS:
             length, velocity = self.model.look(name)
-            force, moment = self.model.reaction(name)
-            wrench = Wrench.in_rod_eye(force, moment, length)
-            pushing = self.struts[name].advance(length, velocity, self.step, wrench)
-            self.model.set_strut(name, pushing)
-            height = self._push_tyre(name, begin, self.step)
+            carrier = self.model.carrier(name)
+            self.ledger.book(name, carrier, length, self.step)
+            wrench = Wrench.in_rod_eye(*self.model.reaction(name), length)
+            before = time.perf_counter()
+            force = self.struts[name].advance(length, velocity, self.step, wrench)
+            self.strut_seconds += time.perf_counter() - before
+            self.model.set_strut(name, force)
+            height, push, torque = self._push_tyre(name, carrier, begin, self.step)
             seen = self.struts[name].seen
-            row += [length, velocity, pushing, seen[0] + seen[1], *seen, *self.tyres[name].forces, height]
+            friction, damper = seen[0] + seen[1], seen[4]
+            acting = (push.force, push.moment, torque)
+            self.ledger.hold(name, carrier, length, (force, friction, damper), acting)
+            row += [length, velocity, force, friction, *seen, *self.tyres[name].forces, height]
         self.rows.append(row)
 
     def _steer(self, now: float) -> list[float]:
@@ -169,7 +174,7 @@ class Ride:
         self.torque = 0.0 if cruise is None else CRUISE * (cruise - speed)
         turn = (wanted - self.wheel) * (1.0 - math.exp(-self.step / ARMS))
         turn = min(max(turn, -FASTEST_TURN * self.step), FASTEST_TURN * self.step)
-        row = [now, x, y, heave, roll, pitch, yaw, speed, lateral, yaw_rate, self.wheel, model.travel]
+        row = [now, x, y, heave, roll, pitch, yaw, speed, lateral, yaw_rate, pose.x, pose.y, self.wheel, model.travel]
         self.wheel += turn
         # The rack is ahead of the axle: it moves to the left to steer to the left.
         model.move_rack(self.wheel * self.car.travel_per_turn / (2.0 * math.pi))
@@ -208,4 +213,6 @@ def simulate(
     if not done:
         raise CarError(f"{label or law}: exudyn stops at {len(ride.rows) * step:.4f} s: try a smaller step")
     columns = dict(zip(COLUMNS, numpy.array(ride.rows).T, strict=True))
-    return Run(label or law, columns, rest, iterations, time.perf_counter() - began, step)
+    works = ride.ledger.close(step)
+    seconds = time.perf_counter() - began
+    return Run(label or law, columns, rest, works, iterations, seconds, ride.strut_seconds, step)

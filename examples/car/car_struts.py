@@ -23,7 +23,7 @@ class PackageStrut:
             self.model = stribeck.ShockAbsorber(**{**parameters, "length": length})
             # Levels that contradict each other are refused by a step only: here by one of another strut.
             stribeck.ShockAbsorber(**{**parameters, "length": length}).step(1e-6)
-        except stribeck.Refused as refusal:
+        except (stribeck.Refused, TypeError) as refusal:
             raise CarError(f"strut: {refusal}") from None
         self.seen = (0.0, 0.0, 0.0, 0.0, 0.0)
 
@@ -66,7 +66,7 @@ class RestingStrut:
     def __init__(self, parameters: Mapping[str, object]):
         try:
             self.model = stribeck.ShockAbsorber(**{**parameters, "friction.model": "None"})
-        except stribeck.Refused as refusal:
+        except (stribeck.Refused, TypeError) as refusal:
             raise CarError(f"strut: {refusal}") from None
 
     def at(self, length: float) -> tuple[float, float]:
@@ -77,7 +77,18 @@ class RestingStrut:
 
 def parameters_of(car: Car, law: str, changes: Mapping[str, object]) -> dict[str, dict[str, object]]:
     """Parameters of the struts of a car, by corner."""
-    return {name: {**corner.strut, **AT_REST, "friction.model": law, **changes} for name, corner in car.corners.items()}
+    given = {name: _plain(value) for name, value in changes.items()}
+    return {name: {**corner.strut, **AT_REST, "friction.model": law, **given} for name, corner in car.corners.items()}
+
+
+def _plain(value: object) -> object:
+    """A value from the command line: a number, true or false, or the name of a choice."""
+    if value in ("true", "false"):
+        return value == "true"
+    try:
+        return float(value)
+    except (TypeError, ValueError):
+        return value
 
 
 @contextmanager

@@ -42,6 +42,7 @@ class ExudynCar:
         self.container = exudyn.SystemContainer()
         self.system = self.container.AddSystem()
         self.centres: dict[int, Vector] = {}
+        self.tensors: dict[int, Vector] = {}
         self.travel = 0.0
         # Whether the present reactions are those of a dynamic solution.
         self.is_moving = False
@@ -68,7 +69,7 @@ class ExudynCar:
             inertia=RigidBodyInertia(body.mass, tensor),
             gravity=list(self.gravity),
         )
-        self.centres[number] = body.centre
+        self.centres[number], self.tensors[number] = body.centre, tensor
         return number
 
     def _local(self, body: int, point: Vector) -> list[float]:
@@ -100,8 +101,9 @@ class ExudynCar:
         centre = 0.5 * (ends[0] + ends[1])
         length = float(numpy.linalg.norm(ends[1] - ends[0]))
         slender = self.car.rack_mass * length**2 / 12.0
-        rack = self._body(Body(self.car.rack_mass, centre, numpy.array([slender, 1e-3 * slender, slender])))
-        joint = self._joint(self.chassis, rack, centre, numpy.eye(3), FIXED)
+        self.rack_body = Body(self.car.rack_mass, centre, numpy.array([slender, 1e-3 * slender, slender]))
+        rack = self._body(self.rack_body)
+        self.rack_joint = joint = self._joint(self.chassis, rack, centre, numpy.eye(3), FIXED)
         self.rack_place = self._local(self.chassis, centre)
         self.rack_marker = self.system.GetObjectParameter(joint, "markerNumbers")[0]
         return rack
@@ -201,6 +203,19 @@ class ExudynCar:
         """Velocity of a point that is given by its place in the design position."""
         return self.system.GetObjectOutputBody(body, ENTRY.Velocity, self._local(body, point))
 
+    def turning(self, body: int) -> Vector:
+        """Angular velocity of a body."""
+        return self.system.GetObjectOutputBody(body, ENTRY.AngularVelocity, [0.0, 0.0, 0.0])
+
+    def inertia(self, body: int) -> Vector:
+        """Inertia of a body about its centre of mass, in its own axes."""
+        return self.tensors[body]
+
+    def rack_force(self) -> float:
+        """Force of the chassis on the rack, to the left."""
+        sense = -1.0 if self.is_moving else 1.0
+        return sense * float(self.system.GetObjectOutput(self.rack_joint, ENTRY.ForceLocal)[1])
+
     def spin_axis(self, name: str) -> Vector:
         """Present axis of a wheel, to the left: it belongs to the upright, which does not spin."""
         made = self.corners[name]
@@ -216,9 +231,8 @@ class ExudynCar:
         made = self.corners[name]
         upright, wheel = made.bodies["upright"], made.bodies["wheel"]
         axis = self.rotation(upright) @ made.corner.spin_axis
-        origin = [0.0, 0.0, 0.0]
-        turning = self.system.GetObjectOutputBody(upright, ENTRY.AngularVelocity, origin)
-        spin = self.system.GetObjectOutputBody(wheel, ENTRY.AngularVelocity, origin) - turning
+        turning = self.turning(upright)
+        spin = self.turning(wheel) - turning
         centre = made.corner["wheel_centre"]
         return Carrier(self.place(upright, centre), self.velocity(upright, centre), turning, axis, float(spin @ axis))
 
@@ -306,7 +320,7 @@ class ExudynCar:
         ahead = self.rotation(self.chassis)[:2, 0]
         ahead = ahead / numpy.linalg.norm(ahead)
         velocity = self.velocity(self.chassis, self.car.chassis.centre)
-        turning = self.system.GetObjectOutputBody(self.chassis, ENTRY.AngularVelocity, [0.0, 0.0, 0.0])
+        turning = self.turning(self.chassis)
         across = -ahead[1] * velocity[0] + ahead[0] * velocity[1]
         return float(velocity[:2] @ ahead), float(across), float(turning[2])
 

@@ -2,8 +2,10 @@
 
 import math
 from dataclasses import dataclass
+from functools import cached_property
 
 from car_description import CarError
+from lane_change import Lane, lanes, way
 
 # Of a straight run before a manoeuvre begins, in s: the tyres find their rolling state.
 RUN_IN = 0.5
@@ -96,7 +98,47 @@ class Kerb(Manoeuvre):
         return 0.5 * self.height * (1.0 - math.cos(phase)), slope * self.speed
 
 
-MANOEUVRES = {kind.name: kind for kind in (FourPost, StepSteer, Kerb)}
+@dataclass(frozen=True)
+class LaneChange(Manoeuvre):
+    """The obstacle avoidance of ISO 3888-2 with the track of its second edition (2011), driven by a driver who follows
+    a path through the cones. The accelerator is released 2 m into the first lane; until then the drive holds the speed.
+    """
+
+    speed: float = 20.0
+    width: float = 1.41
+    duration: float = 5.0
+    # Distance from the middle of the front axle to the first cones.
+    approach: float = 12.0
+    # The driver: preview in s, and turn of the steering wheel per distance from the path there, in rad/m.
+    preview: float = 0.19
+    gain: float = 1.4
+    # Steering against the rate of yaw, in rad per rad/s.
+    calm: float = 0.05
+    # Where the path leaves a lane, in m before its end, and reaches the next one, in m after its beginning.
+    leaving: float = 2.8
+    arriving: float = 4.8
+    name = "lane-change"
+
+    @cached_property
+    def lanes(self) -> list[Lane]:
+        """The three lanes between cones."""
+        return lanes(self.width, self.approach)
+
+    def path(self, x: float) -> float:
+        """Lateral position of the path."""
+        return way(self.lanes, x, self.leaving, self.arriving)
+
+    def steer(self, pose: Pose) -> float:
+        distance = self.preview * pose.speed
+        expected = pose.y + distance * math.sin(pose.yaw)
+        aim = self.path(pose.x + distance * math.cos(pose.yaw))
+        return self.gain * (aim - expected) - self.calm * pose.yaw_rate
+
+    def wanted_speed(self, pose: Pose) -> float | None:
+        return self.speed if pose.x < self.approach + 2.0 else None
+
+
+MANOEUVRES = {kind.name: kind for kind in (FourPost, LaneChange, StepSteer, Kerb)}
 
 
 def manoeuvre(name: str, **changes: float) -> Manoeuvre:

@@ -103,11 +103,11 @@ def lanes(width: float, run_up: float = 20.0) -> list[Lane]:
     return [Lane(run_up + b, run_up + e, r, left) for (b, e), (r, left) in zip(places, edges, strict=True)]
 
 
-def way(course: Sequence[Lane], x: float) -> float:
+def way(course: Sequence[Lane], x: float, leave: float = LEAVING, arrive: float = ARRIVING) -> float:
     """Lateral position of the path through the lanes: from middle to middle in half cosines."""
     y = course[0].middle
     for old, new in itertools.pairwise(course):
-        leaving, arriving = old.end - LEAVING, new.begin + ARRIVING
+        leaving, arriving = old.end - leave, new.begin + arrive
         share = min(max((x - leaving) / (arriving - leaving), 0.0), 1.0)
         y += (new.middle - old.middle) * 0.5 * (1.0 - math.cos(math.pi * share))
     return y
@@ -125,7 +125,7 @@ def driver(course: Sequence[Lane], speed: float):
     return steer
 
 
-def clearance(run: Run, course: Sequence[Lane], width: float) -> float:
+def clearance(run: Run | Mapping[str, numpy.ndarray], course: Sequence[Lane], width: float) -> float:
     """Smallest distance of the car's sides from the cones, at its axles; negative if it hits one."""
     sides = []
     for ahead, side in itertools.product((0.8, -0.8), (0.5 * width, -0.5 * width)):

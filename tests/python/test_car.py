@@ -17,6 +17,7 @@ from car_kinematics import position
 from car_rest import settle
 from car_stand import Stand
 from car_struts import PackageStrut, open_struts, parameters_of
+from car_study import STUDIED, Case, courses_of, figures_of, laws_of, printed, run_case, scalar_laws, table_of
 from car_tyres import read_tyre
 from coupling import FMUS, PROJECT
 from exudyn_car import ExudynCar, steps_of
@@ -216,6 +217,47 @@ def test_car_turns_where_it_is_steered():
     assert run["speed"][-1] == pytest.approx(12.0, abs=0.3)
 
 
+def test_car_changes_lanes_between_the_cones_and_its_energy_is_accounted_for():
+    course = manoeuvre("lane-change", width=DESCRIPTION.width, duration=4.0)
+    assert course.speed == pytest.approx(72.0 / 3.6)
+    run = car_ride.simulate(DESCRIPTION, course, "LuGre")
+    # By the corners of a rectangle over both axles, as wide as the car; all three lanes are behind the car at the end.
+    assert run["front_x"][-1] - DESCRIPTION.wheelbase > course.lanes[-1].end
+    for ahead, side in ((0.0, 1.0), (0.0, -1.0), (-DESCRIPTION.wheelbase, 1.0), (-DESCRIPTION.wheelbase, -1.0)):
+        across = 0.5 * side * DESCRIPTION.width
+        x = run["front_x"] + ahead * numpy.cos(run["yaw"]) - across * numpy.sin(run["yaw"])
+        y = run["front_y"] + ahead * numpy.sin(run["yaw"]) + across * numpy.cos(run["yaw"])
+        for lane in course.lanes:
+            within = (x > lane.begin) & (x < lane.end)
+            assert (y[within] > lane.right).all()
+            assert (y[within] < lane.left).all()
+    assert figures_of(run, course)["clearance"] > 0.03
+    # What the tyres, friction and dampers have taken is missing in the motion, within 0.1 %.
+    works = run.works
+    assert works.dissipated > 5.0
+    assert abs(works.residual) < 1e-3 * (works.dissipated - works.tyres - works.drive)
+    # Friction and velocity of all struts, from the table.
+    friction = sum((run[f"{name}.friction"][:-1] * numpy.diff(run[f"{name}.length"])).sum() for name in CORNERS)
+    assert -works.friction == pytest.approx(friction, rel=1e-3)
+    damper = sum((run[f"{name}.force_damper"][:-1] * numpy.diff(run[f"{name}.length"])).sum() for name in CORNERS)
+    assert works.dampers == pytest.approx(damper, rel=1e-3)
+    # No tyre leaves the road, and each lateral force stays within what its load admits.
+    for name in CORNERS:
+        assert run[f"{name}.load"].min() > 100.0
+        assert (numpy.abs(run[f"{name}.force_y"]) < 1.4 * run[f"{name}.load"]).all()
+
+
+def test_kerb_lifts_the_left_side():
+    run = car_ride.simulate(DESCRIPTION, manoeuvre("kerb", start=1.0, duration=0.4), "None")
+    over = run["fl.road"] > 0.0
+    assert over.sum() == pytest.approx(50, abs=2)
+    assert run["fl.road"].max() == pytest.approx(0.03, rel=1e-2)
+    assert not run["fr.road"].any()
+    assert run["fl.load"][over].max() > run["fl.load"][0] + 300.0
+    # The body follows: its left side rises.
+    assert run["roll"].max() > math.radians(0.1)
+
+
 def test_tyre_of_the_package_gives_the_published_points():
     file = PROJECT / "examples" / "tyres" / "formula_student.tir"
     tyre, other = stribeck.Tyre(file), LateralTyre(fnomin=700.0)
@@ -307,6 +349,10 @@ def test_nonsense_in_struts_and_manoeuvres_is_named():
         (["rest"], "34 bodies, 190 independent constraints, 0 redundant; 14 free"),
         (["kinematics", "--points", "3", "--corner", "rr"], "motion ratio"),
         (["drive", "--law", "Dahl", "--with", "duration=0.1", "--step", "2e-3"], "largest roll"),
+        (
+            ["study", "--laws", "Dahl,Karnopp", "--test", "four-post", "--with", "duration=0.2", "--strut", "rr"],
+            "Karnopp",
+        ),
     ],
 )
 def test_program(options, printed, tmp_path):
@@ -316,5 +362,27 @@ def test_program(options, printed, tmp_path):
     done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, timeout=300, env=found)
     assert done.returncode == 0, done.stderr
     assert printed in done.stdout
+    if options[0] == "study":
+        page = (tmp_path / "out" / "car_study" / "report.html").read_text(encoding="utf-8")
+        assert page.count("data:image/png;base64,") == 5
+        assert all(f"<td>{law}</td>" in page for law in ("None", "Dahl", "Karnopp"))
     for table in tmp_path.rglob("*.csv"):
         assert numpy.isfinite(numpy.loadtxt(table, delimiter=",", skiprows=1)).all()
+
+
+def test_study_knows_its_laws_and_numbers(tmp_path):
+    assert len(scalar_laws()) >= 30
+    assert laws_of("LuGre,None,Dahl,LuGre") == ["None", "LuGre", "Dahl"]
+    assert laws_of(None) == ["None", *scalar_laws()]
+    with pytest.raises(CarError, match="Dhal is no law of the struts; there are Coulomb,"):
+        laws_of("Dhal")
+    courses = courses_of(STUDIED, DESCRIPTION, {"stroke": 0.03, "duration": 0.1})
+    assert (courses["four-post"].stroke, courses["lane-change"].duration) == (0.03, 0.1)
+    assert courses["lane-change"].width == DESCRIPTION.width
+    with pytest.raises(CarError, match="lane-change and four-post: no height; there are approach,"):
+        courses_of(STUDIED, DESCRIPTION, {"height": 1.0})
+    # A run that fails is told, and the others go on.
+    case = Case(CAR, courses["four-post"], "LuGre", {"c1.mu_k": "0.9"}, 1e-3, tmp_path / "none.csv")
+    outcome = run_case(case)
+    assert "c1.mu_s = 0.15: must be >= c1.mu_k = 0.9" in outcome.failure
+    assert "failed" in printed(table_of([outcome], "four-post"))

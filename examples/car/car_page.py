@@ -1,0 +1,39 @@
+"""The report of a study: one HTML file, with tables and figures inside, in the style of the workbench's reports."""
+
+import base64
+import html
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+
+from coupling import PROJECT
+
+STYLE = PROJECT / "lab" / "src" / "report" / "style.css"
+
+
+def write_page(
+    path: Path, title: str, facts: Sequence[str], tables: Mapping[str, list[list[str]]], figures: Mapping[str, Path]
+) -> None:
+    """Writes the file; it needs nothing beside it."""
+    parts = [f"<h1>{html.escape(title)}</h1>", *(f"<p>{html.escape(fact)}</p>" for fact in facts)]
+    for heading, rows in tables.items():
+        parts += [f"<h2>{html.escape(heading)}</h2>", _table(rows)]
+    for heading, picture in figures.items():
+        data = base64.b64encode(picture.read_bytes()).decode("ascii")
+        shown = html.escape(heading)
+        parts.append(f'<h2>{shown}</h2>\n<img alt="{shown}" src="data:image/png;base64,{data}" style="max-width:100%">')
+    style = STYLE.read_text(encoding="utf-8")
+    head = f'<meta charset="utf-8">\n<title>{html.escape(title)}</title>\n<style>\n{style}</style>'
+    path.parent.mkdir(parents=True, exist_ok=True)
+    body = "\n".join(parts)
+    path.write_text(f'<!doctype html>\n<html lang="en">\n{head}\n<body>\n{body}\n</body>\n</html>\n', encoding="utf-8")
+
+
+def _table(rows: Sequence[Sequence[str]]) -> str:
+    """A table whose first row is its head; a short row goes over all columns."""
+    head = "".join(f"<th>{html.escape(cell)}</th>" for cell in rows[0])
+    lines = [f"<tr>{head}</tr>"]
+    for row in rows[1:]:
+        last = f' colspan="{len(rows[0]) - len(row) + 1}"'
+        cells = [f"<td{last if cell is row[-1] else ''}>{html.escape(cell)}</td>" for cell in row]
+        lines.append(f"<tr>{''.join(cells)}</tr>")
+    return "<table>\n" + "\n".join(lines) + "\n</table>"

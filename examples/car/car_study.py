@@ -1,0 +1,176 @@
+"""Every friction law in the struts of the car, side by side: runs in parallel, tables of cost and of what differs."""
+
+import multiprocessing
+import time
+from collections.abc import Iterator, Mapping, Sequence
+from concurrent.futures import ProcessPoolExecutor, as_completed
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy
+import stribeck
+from car_description import CORNERS, Car, CarError, read_car
+from car_ride import Run, columns_with_units, simulate
+from coupling import write_csv
+from lane_change import clearance
+from manoeuvres import MANOEUVRES, LaneChange, Manoeuvre, manoeuvre
+from tqdm import tqdm
+
+NONE = "None"
+STUDIED = ("lane-change", "four-post")
+# Steps per row of the tables of a study.
+EVERY = 5
+DEGREES = 180.0 / numpy.pi
+
+
+@dataclass(frozen=True)
+class Case:
+    """One run of a study."""
+
+    car: Path
+    course: Manoeuvre
+    law: str
+    changes: Mapping[str, object]
+    step: float
+    table: Path
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """What a study keeps of a run, or why it failed."""
+
+    law: str
+    course: str
+    figures: Mapping[str, float]
+    columns: Mapping[str, numpy.ndarray]
+    failure: str = ""
+
+
+def scalar_laws() -> list[str]:
+    """The laws that the struts can have, without the one that is none."""
+    choices = stribeck.model("ShockAbsorber").variables["friction.model"].choices
+    return [name for name, *_ in choices if name != NONE]
+
+
+def laws_of(text: str | None) -> list[str]:
+    """Laws from the command line, with none first: all friction is compared with it."""
+    known = scalar_laws()
+    chosen = known if text is None else [name for name in text.split(",") if name and name != NONE]
+    for name in chosen:
+        if name not in known:
+            raise CarError(f"{name} is no law of the struts; there are {', '.join(known)}")
+    return [NONE, *dict.fromkeys(chosen)]
+
+
+def courses_of(names: Sequence[str], car: Car, given: Mapping[str, float]) -> dict[str, Manoeuvre]:
+    """Manoeuvres by name; a number must belong to at least one of them."""
+    fields = {name: MANOEUVRES[name].__dataclass_fields__ for name in names}
+    for number in given:
+        if not any(number in known for known in fields.values()):
+            every = sorted({field for known in fields.values() for field in known})
+            raise CarError(f"{' and '.join(names)}: no {number}; there are {', '.join(every)}")
+    courses = {}
+    for name, known in fields.items():
+        own = {"width": car.width} if "width" in known else {}
+        courses[name] = manoeuvre(name, **own | {number: value for number, value in given.items() if number in known})
+    return courses
+
+
+def run_case(case: Case) -> Outcome:
+    """Computes a run in a process of its own, and writes its table."""
+    began = time.process_time()
+    try:
+        run = simulate(read_car(case.car), case.course, case.law, case.changes, case.step)
+    except CarError as error:
+        return Outcome(case.law, case.course.name, {}, {}, str(error))
+    seconds = time.process_time() - began
+    thin = {name: values[::EVERY] for name, values in run.columns.items()}
+    write_csv(case.table, {name: values[::EVERY] for name, values in columns_with_units(run).items()})
+    return Outcome(case.law, case.course.name, {"seconds": seconds, **figures_of(run, case.course)}, thin)
+
+
+def figures_of(run: Run, course: Manoeuvre) -> dict[str, float]:
+    """The numbers of a run that the tables show."""
+    roll, pitch = (DEGREES * (run[name] - run[name][0]) for name in ("roll", "pitch"))
+    figures = {
+        "iterations": run.iterations,
+        "evaluations": 4.0 * len(run["time"]),
+        "strut_seconds": run.strut_seconds,
+        "roll": float(numpy.abs(roll).max()),
+        "roll_left": float(roll[-1]),
+        "pitch": float(numpy.ptp(pitch)),
+        "friction": max(float(numpy.abs(run[f"{name}.friction"]).max()) for name in CORNERS),
+        "friction_work": 0.0 - run.works.friction,
+        "damper_work": 0.0 - run.works.dampers,
+        "residual": run.works.residual,
+    }
+    if isinstance(course, LaneChange):
+        motion = {"position_x": run["front_x"] - 0.8 * numpy.cos(run["yaw"]), "yaw_angle": run["yaw"]}
+        motion["position_y"] = run["front_y"] - 0.8 * numpy.sin(run["yaw"])
+        figures["clearance"] = clearance(motion, course.lanes, course.width)
+    return figures
+
+
+def run_study(cases: Sequence[Case], jobs: int) -> Iterator[Outcome]:
+    """The outcomes, as they come, with a bar that shows how far the study is."""
+    # Processes that share nothing: exudyn keeps state of its own.
+    context = multiprocessing.get_context("spawn")
+    with ProcessPoolExecutor(jobs, mp_context=context) as pool:
+        waiting = [pool.submit(run_case, case) for case in cases]
+        for done in tqdm(as_completed(waiting), total=len(waiting), unit="run", disable=None):
+            yield done.result()
+
+
+# Columns of the printed table: heading, figure, digits.
+COST = [
+    ("run time [s]", "seconds", 2),
+    ("struts [s]", "strut_seconds", 3),
+    ("iterations", "iterations", 0),
+    ("evaluations", "evaluations", 0),
+]
+EFFECT = {
+    "lane-change": [
+        ("roll [deg]", "roll", 3),
+        ("left [deg]", "roll_left", 4),
+        ("friction [N]", "friction", 1),
+        ("by friction [J]", "friction_work", 2),
+        ("by dampers [J]", "damper_work", 2),
+        ("clearance [m]", "clearance", 3),
+    ],
+    "four-post": [
+        ("pitch [deg]", "pitch", 3),
+        ("friction [N]", "friction", 1),
+        ("by friction [J]", "friction_work", 2),
+        ("by dampers [J]", "damper_work", 2),
+    ],
+}
+
+
+def table_of(outcomes: Sequence[Outcome], course: str) -> list[list[str]]:
+    """Rows of text: the cost of each law, absolute and relative to none, and its effect on the car."""
+    rows = [["law", *(name for name, _, _ in COST), "relative", *(name for name, _, _ in EFFECT[course])]]
+    done = [outcome for outcome in outcomes if outcome.course == course]
+    least = next((o.figures["seconds"] for o in done if o.law == NONE and not o.failure), None)
+    for outcome in done:
+        if outcome.failure:
+            rows.append([outcome.law, f"failed: {outcome.failure}"])
+            continue
+        seen = outcome.figures
+        cost = [f"{seen[figure]:.{digits}f}" for _, figure, digits in COST]
+        relative = f"{seen['seconds'] / least:.2f}" if least else "-"
+        effect = [f"{seen[figure]:.{digits}f}" for _, figure, digits in EFFECT[course]]
+        rows.append([outcome.law, *cost, relative, *effect])
+    return rows
+
+
+def printed(rows: Sequence[Sequence[str]]) -> str:
+    """A table in columns of equal width."""
+    full = [row for row in rows if len(row) == len(rows[0])]
+    widths = [max(len(row[at]) for row in full) for at in range(len(rows[0]))]
+    lines = []
+    for row in rows:
+        first = f"{row[0]:{widths[0]}}"
+        lines.append(
+            "  ".join([first, *(f"{cell:>{width}}" for cell, width in zip(row[1:], widths[1:], strict=False))])
+        )
+    return "\n".join(lines)
