@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""A Formula Student car in exudyn, whose four struts feel the side loads of their joints.
+"""A Formula Student car in exudyn or MuJoCo, whose four struts feel the side loads of their joints.
 
     python examples/car/car.py rest                             what the wheels and struts carry
     python examples/car/car.py kinematics --corner rl           camber, toe and motion ratio over the travel
@@ -8,8 +8,8 @@
     python examples/car/car.py limit --law LuGre                highest speed that passes the cones of ISO 3888-2
     python examples/car/car.py study                            lane change and four-post with every law, side by side
 
-The car is described in stribeck_fs.toml; --car reads another file of the same form. Needs the packages stribeck and
-exudyn.
+The car is described in stribeck_fs.toml; --car reads another file of the same form. Needs the packages
+stribeck, exudyn and mujoco. --code mujoco runs the same car in MuJoCo.
 """
 
 import argparse
@@ -21,12 +21,13 @@ import numpy
 
 sys.path.append(str(Path(__file__).resolve().parents[1] / "fmpy"))
 sys.path.append(str(Path(__file__).resolve().parents[1] / "multibody"))
+sys.path.append(str(Path(__file__).resolve().parents[1] / "mujoco"))
 
 from car_description import CAR, CORNERS, Car, CarError, read_car
 from car_figures import draw_study
 from car_page import write_page
 from car_rest import imbalance, settle
-from car_ride import Run, columns_with_units, simulate
+from car_ride import EXUDYN, MUJOCO, Run, columns_with_units, simulate
 from car_stand import COLUMNS as STAND_COLUMNS
 from car_stand import Stand
 from car_struts import parameters_of
@@ -75,6 +76,7 @@ def arguments() -> argparse.Namespace:
 def _add_settings(task: argparse.ArgumentParser) -> None:
     """The options of all tasks in which the car moves."""
     settable = {"type": parameter, "action": "append", "default": [], "metavar": "NAME=VALUE"}
+    task.add_argument("--code", choices=(EXUDYN, MUJOCO), default=EXUDYN, help="simulator (default: exudyn)")
     task.add_argument("--step", type=positive, default=1e-3, help="step in s (default: 1e-3)")
     task.add_argument("--set", help="parameter of the ShockAbsorber; repeatable", **settable)
     task.add_argument("--with", dest="changes", help="number of the manoeuvre; repeatable", **settable)
@@ -121,7 +123,7 @@ def show_drive(car: Car, options: argparse.Namespace) -> None:
     through = "fmu" if options.fmu else "package"
     runs = {}
     for law in dict.fromkeys((options.law, "None")):
-        run = simulate(car, course, law, dict(options.set), options.step, through, options.fmus)
+        run = simulate(car, course, law, dict(options.set), options.step, through, options.fmus, code=options.code)
         table = Path(f"{options.out}_{options.test}_{law}.csv")
         write_csv(table, columns_with_units(run))
         print(f"{law}: {summary(run)}\n{table}")
@@ -152,7 +154,7 @@ def show_limit(car: Car, options: argparse.Namespace) -> None:
     while failing == 0.0 or failing - passing > 0.1:
         course = manoeuvre("lane-change", **{"width": car.width, **numbers(options), "speed": speed})
         try:
-            run = simulate(car, course, options.law, dict(options.set), options.step)
+            run = simulate(car, course, options.law, dict(options.set), options.step, code=options.code)
             clear = figures_of(run, course)["clearance"]
         except CarError:
             # Turned around on the road.
@@ -173,7 +175,7 @@ def show_study(car: Car, options: argparse.Namespace) -> None:
     courses = courses_of(options.test or STUDIED, car, numbers(options))
     changes = dict(options.set)
     cases = [
-        Case(options.car, course, law, changes, options.step, folder / f"{name}_{law}.csv")
+        Case(options.car, course, law, changes, options.step, folder / f"{name}_{law}.csv", options.code)
         for name, course in courses.items()
         for law in laws
     ]
@@ -186,7 +188,7 @@ def show_study(car: Car, options: argparse.Namespace) -> None:
         print(f"\n{name}\n{printed(rows)}")
     figures = draw_study(car, courses, outcomes, options.strut, folder)
     facts = [
-        f"{car.name}, step {options.step:g} s; strut in the figures: {options.strut}.",
+        f"{car.name} in {options.code}, step {options.step:g} s; strut in the figures: {options.strut}.",
         "Run times are processor times of whole runs; relative: to the run without friction. Evaluations are steps of "
         "all struts; iterations are those of the integrator, which holds the forces of the struts over a step.",
     ]

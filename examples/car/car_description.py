@@ -114,6 +114,13 @@ class Car:
     bar_stiffness: Mapping[str, float]
 
     @property
+    def rack(self) -> Body:
+        """The steering rack: a slender rod between the inner ends of the tie rods."""
+        left, right = (self.corners[name]["inner_tie"] for name in ("fl", "fr"))
+        moment = self.rack_mass * float((left - right) @ (left - right)) / 12.0
+        return Body(self.rack_mass, 0.5 * (left + right), numpy.array([moment, 1e-3 * moment, moment]))
+
+    @property
     def mass(self) -> float:
         """Mass of all bodies."""
         parts = [body.mass for corner in self.corners.values() for body in corner.bodies.values()]

@@ -105,7 +105,7 @@ def _wheel_turning(carrier: Carrier) -> Vector:
 
 def stored_energy(model: ExudynCar) -> float:
     """Kinetic energy, energy of height and of the anti-roll bars."""
-    energy = _body_energy(model, model.chassis, model.car.chassis) + _body_energy(model, model.rack, model.rack_body)
+    energy = _body_energy(model, model.chassis, model.car.chassis) + _body_energy(model, model.rack, model.car.rack)
     for made in model.corners.values():
         for name, body in made.corner.bodies.items():
             energy += _body_energy(model, made.bodies[name], body)

@@ -6,8 +6,9 @@ from dataclasses import dataclass
 import numpy
 from car_description import CORNERS, Car, CarError
 from car_struts import RestingStrut
-from car_tyres import Contact, touch
+from car_tyres import UP, Contact, touch
 from exudyn_car import ExudynCar
+from mujoco_car import MujocoCar
 from stribeck import Tyre
 
 # Springs that hold a wheel in the road and against spinning while the balance is computed; no force remains in them.
@@ -45,6 +46,29 @@ def settle(model: ExudynCar, tyre: Tyre, parameters: Mapping[str, Mapping[str, o
         if before and max(abs(seen[name].load - before[name]) for name in CORNERS) < CHANGE:
             return _rest(model, struts, seen)
     raise CarError("the car finds no rest on its springs within 20 iterations")
+
+
+# Damping of the struts, in N s/m, and time in s, until a car that cannot be solved for its rest has come to it.
+CALMING, CALM = 4000.0, 2.0
+
+
+def relax(model: MujocoCar, tyre: Tyre, parameters: Mapping[str, Mapping[str, object]], step: float) -> Rest:
+    """Lets the car come to rest on parked wheels, without friction and with much damping."""
+    struts = {name: RestingStrut(parameters[name]) for name in CORNERS}
+    lengths, loads = {}, {}
+
+    def hold(_time: float) -> None:
+        for name in CORNERS:
+            lengths[name], velocity = model.look(name)
+            model.set_strut(name, struts[name].at(lengths[name])[0] - CALMING * velocity)
+            contact = touch(tyre, model.carrier(name), 0.0, 0.0)
+            loads[name] = contact.load
+            up = contact.load * UP
+            model.push(name, up, numpy.cross(contact.arm, up))
+
+    model.run(step, round(CALM / step), hold)
+    model.stop()
+    return Rest(loads, lengths, {name: struts[name].at(lengths[name])[0] for name in CORNERS})
 
 
 def _rest(model: ExudynCar, struts: Mapping[str, RestingStrut], seen: Mapping[str, Contact]) -> Rest:

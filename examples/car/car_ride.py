@@ -10,13 +10,14 @@ import exudyn
 import numpy
 from car_description import CORNERS, Car, CarError
 from car_energy import Ledger, Works
-from car_rest import Rest, settle
+from car_rest import Rest, relax, settle
 from car_struts import open_struts, parameters_of
 from car_tyres import ROLLING_DEFLECTION, Carrier, Push, RollingTyre, StandingTyre, read_tyre, touch
 from coupling import FMUS
 from exudyn_car import ExudynCar, steps_of
 from hosted_strut import Wrench
 from manoeuvres import Manoeuvre, Pose
+from mujoco_car import MujocoCar
 
 CAR_COLUMNS = {
     "time": "s",
@@ -51,6 +52,8 @@ CORNER_COLUMNS = {
 }
 COLUMNS = [*CAR_COLUMNS, *(f"{name}.{column}" for name in CORNERS for column in CORNER_COLUMNS)]
 
+EXUDYN, MUJOCO = "exudyn", "mujoco"
+
 # Torque of the drive per deviation from the wanted speed, on both rear wheels together, in N m s/m (chosen).
 CRUISE = 300.0
 # Fastest turn of the steering wheel, in rad/s, and time constant of the arms of the driver in s (chosen).
@@ -70,7 +73,7 @@ class Run:
     label: str
     columns: Mapping[str, numpy.ndarray]
     rest: Rest
-    works: Works
+    works: Works | None
     iterations: int
     seconds: float
     strut_seconds: float
@@ -89,12 +92,13 @@ def columns_with_units(run: Run) -> dict[str, numpy.ndarray]:
 class Ride:
     """One run: the model in exudyn, its struts and tyres."""
 
-    def __init__(self, car: Car, manoeuvre: Manoeuvre, step: float):
+    def __init__(self, car: Car, manoeuvre: Manoeuvre, step: float, code: str = EXUDYN):
         self.car, self.manoeuvre, self.step = car, manoeuvre, step
-        self.model = ExudynCar(car)
+        self.model = ExudynCar(car) if code == EXUDYN else MujocoCar(car, step)
         self.tyre = read_tyre(car)
         self.struts: Mapping[str, object] = {}
-        self.ledger = Ledger(self.model)
+        # The balance needs the force that moves the rack, which MuJoCo does not tell.
+        self.ledger = Ledger(self.model) if code == EXUDYN else None
         self.rows: list[list[float]] = []
         self.failure: CarError | None = None
         self.wheel = self.torque = self.strut_seconds = 0.0
@@ -108,7 +112,10 @@ class Ride:
 
     def start(self, parameters: Mapping[str, Mapping[str, object]]) -> Rest:
         """Finds the rest position, and gives the car its speed or parks it on its posts."""
-        rest = settle(self.model, self.tyre, parameters)
+        if self.ledger:
+            rest = settle(self.model, self.tyre, parameters)
+        else:
+            rest = relax(self.model, self.tyre, parameters, self.step)
         if self.is_moving:
             deflections = {name: rest.loads[name] / self.tyre.stiffness for name in CORNERS}
             radii = {name: self.tyre.radius - ROLLING_DEFLECTION * value for name, value in deflections.items()}
@@ -142,13 +149,31 @@ class Ride:
             return False
         return True
 
+    def integrate(self, steps: int) -> int:
+        """Moves the car on; returns the number of iterations, of which MuJoCo needs none."""
+        if isinstance(self.model, MujocoCar):
+            self.model.run(self.step, steps, self._hold)
+            return 0
+        self.model.system.SetPreStepUserFunction(self.hold)
+        try:
+            done, iterations = self.model.integrate(steps_of(self.step, steps))
+        except exudyn.ModelError:
+            if self.failure is None:
+                raise
+            raise self.failure from None
+        if not done:
+            raise CarError(f"exudyn stops at {len(self.rows) * self.step:.4f} s: try a smaller step")
+        return iterations
+
     def _hold(self, begin: float) -> None:
-        self.ledger.begin_step(self.step)
+        if self.ledger:
+            self.ledger.begin_step(self.step)
         row = self._steer(begin)
         for name in CORNERS:
             length, velocity = self.model.look(name)
             carrier = self.model.carrier(name)
-            self.ledger.book(name, carrier, length, self.step)
+            if self.ledger:
+                self.ledger.book(name, carrier, length, self.step)
             wrench = Wrench.in_rod_eye(*self.model.reaction(name), length)
             before = time.perf_counter()
             force = self.struts[name].advance(length, velocity, self.step, wrench)
@@ -157,8 +182,9 @@ class Ride:
             height, push, torque = self._push_tyre(name, carrier, begin, self.step)
             seen = self.struts[name].seen
             friction, damper = seen[0] + seen[1], seen[4]
-            acting = (push.force, push.moment, torque)
-            self.ledger.hold(name, carrier, length, (force, friction, damper), acting)
+            if self.ledger:
+                acting = (push.force, push.moment, torque)
+                self.ledger.hold(name, carrier, length, (force, friction, damper), acting)
             row += [length, velocity, force, friction, *seen, *self.tyres[name].forces, height]
         self.rows.append(row)
 
@@ -190,29 +216,22 @@ def simulate(
     through: str = "package",
     fmus: Path = FMUS,
     label: str = "",
+    code: str = EXUDYN,
 ) -> Run:
-    """Computes a manoeuvre with a friction law in all four struts."""
+    """Computes a manoeuvre with a friction law in all four struts, in exudyn or in MuJoCo."""
     parameters = parameters_of(car, law, changes or {})
     if manoeuvre.speed > 0.0 and step > LONGEST_STEP:
         raise CarError(f"step = {step:g} s: must be at most {LONGEST_STEP:g} s on the road, where the wheels spin")
     steps = round(manoeuvre.duration / step)
     if steps < 1:
         raise CarError(f"duration = {manoeuvre.duration:g} s: must be at least one step of {step:g} s")
-    ride = Ride(car, manoeuvre, step)
+    ride = Ride(car, manoeuvre, step, code)
     began = time.perf_counter()
     rest = ride.start(parameters)
     with open_struts(parameters, rest.lengths, through, fmus) as struts:
         ride.struts = struts
-        ride.model.system.SetPreStepUserFunction(ride.hold)
-        try:
-            done, iterations = ride.model.integrate(steps_of(step, steps))
-        except exudyn.ModelError:
-            if ride.failure is None:
-                raise
-            raise ride.failure from None
-    if not done:
-        raise CarError(f"{label or law}: exudyn stops at {len(ride.rows) * step:.4f} s: try a smaller step")
+        iterations = ride.integrate(steps)
     columns = dict(zip(COLUMNS, numpy.array(ride.rows).T, strict=True))
-    works = ride.ledger.close(step)
+    works = ride.ledger.close(step) if ride.ledger else None
     seconds = time.perf_counter() - began
     return Run(label or law, columns, rest, works, iterations, seconds, ride.strut_seconds, step)

@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy
 import stribeck
 from car_description import CORNERS, Car, CarError, read_car
-from car_ride import Run, columns_with_units, simulate
+from car_ride import EXUDYN, Run, columns_with_units, simulate
 from coupling import write_csv
 from lane_change import clearance
 from manoeuvres import MANOEUVRES, LaneChange, Manoeuvre, manoeuvre
@@ -33,6 +33,7 @@ class Case:
     changes: Mapping[str, object]
     step: float
     table: Path
+    code: str = EXUDYN
 
 
 @dataclass(frozen=True)
@@ -80,7 +81,7 @@ def run_case(case: Case) -> Outcome:
     """Computes a run in a process of its own, and writes its table."""
     began = time.process_time()
     try:
-        run = simulate(read_car(case.car), case.course, case.law, case.changes, case.step)
+        run = simulate(read_car(case.car), case.course, case.law, case.changes, case.step, code=case.code)
     except CarError as error:
         return Outcome(case.law, case.course.name, {}, {}, str(error))
     seconds = time.process_time() - began
@@ -100,15 +101,19 @@ def figures_of(run: Run, course: Manoeuvre) -> dict[str, float]:
         "roll_left": float(roll[-1]),
         "pitch": float(numpy.ptp(pitch)),
         "friction": max(float(numpy.abs(run[f"{name}.friction"]).max()) for name in CORNERS),
-        "friction_work": 0.0 - run.works.friction,
-        "damper_work": 0.0 - run.works.dampers,
-        "residual": run.works.residual,
+        "friction_work": _heat(run, "friction"),
+        "damper_work": -_heat(run, "force_damper"),
     }
     if isinstance(course, LaneChange):
         motion = {"position_x": run["front_x"] - 0.8 * numpy.cos(run["yaw"]), "yaw_angle": run["yaw"]}
         motion["position_y"] = run["front_y"] - 0.8 * numpy.sin(run["yaw"])
         figures["clearance"] = clearance(motion, course.lanes, course.width)
     return figures
+
+
+def _heat(run: Run, column: str) -> float:
+    """Work of a force of all struts along their motion."""
+    return sum(float(run[f"{name}.{column}"][:-1] @ numpy.diff(run[f"{name}.length"])) for name in CORNERS)
 
 
 def run_study(cases: Sequence[Case], jobs: int) -> Iterator[Outcome]:

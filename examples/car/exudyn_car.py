@@ -97,14 +97,10 @@ class ExudynCar:
 
     def _rack(self) -> int:
         """The steering rack. Its travel to the left is prescribed by moving the place at which it is held."""
-        ends = [self.car.corners[name]["inner_tie"] for name in ("fl", "fr")]
-        centre = 0.5 * (ends[0] + ends[1])
-        length = float(numpy.linalg.norm(ends[1] - ends[0]))
-        slender = self.car.rack_mass * length**2 / 12.0
-        self.rack_body = Body(self.car.rack_mass, centre, numpy.array([slender, 1e-3 * slender, slender]))
-        rack = self._body(self.rack_body)
-        self.rack_joint = joint = self._joint(self.chassis, rack, centre, numpy.eye(3), FIXED)
-        self.rack_place = self._local(self.chassis, centre)
+        given = self.car.rack
+        rack = self._body(given)
+        self.rack_joint = joint = self._joint(self.chassis, rack, given.centre, numpy.eye(3), FIXED)
+        self.rack_place = self._local(self.chassis, given.centre)
         self.rack_marker = self.system.GetObjectParameter(joint, "markerNumbers")[0]
         return rack
 

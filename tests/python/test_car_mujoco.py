@@ -1,0 +1,88 @@
+"""The Formula Student car in MuJoCo: the same degrees of freedom, positions and side loads, and the same motion."""
+
+import car_ride
+import numpy
+import pytest
+from car_description import CORNERS, read_car
+from car_kinematics import position
+from car_rest import relax
+from car_struts import parameters_of
+from car_tyres import read_tyre
+from manoeuvres import manoeuvre
+from mujoco_car import MujocoCar
+
+DESCRIPTION = read_car()
+
+
+def floating() -> MujocoCar:
+    """The car without weight."""
+    model = MujocoCar(DESCRIPTION, 1e-3)
+    model.model.opt.gravity[:] = 0.0
+    return model
+
+
+def test_degrees_of_freedom_are_those_of_exudyn():
+    model = floating()
+    data = model.data
+    rows = data.efc_J.reshape(-1, model.model.nv)[: data.nefc]
+    assert numpy.linalg.matrix_rank(rows) == len(rows)
+    # Six of the chassis, travel and spin of each wheel, and the rack, whose motion is set.
+    assert model.model.nv - len(rows) == 6 + 4 + 4 + 1
+
+
+@pytest.mark.parametrize(("length", "rack"), [(0.186, 0.0), (0.197, 0.02), (0.160, -0.02)])
+def test_positions_of_the_suspension_follow_from_lengths_alone(length, rack):
+    model = floating()
+
+    def hold(time: float) -> None:
+        model.move_rack(min(1.0, 2.0 * time) * rack)
+        for name in CORNERS:
+            now, velocity = model.look(name)
+            model.set_strut(name, 2e5 * (length - now) - 4e3 * velocity)
+
+    # Without load the springs that close the loops do not deflect.
+    model.run(1e-3, 1500, hold)
+    turned, origin = model.rotation(model.chassis), model.nose()
+    for name in CORNERS:
+        wanted = position(DESCRIPTION.corners[name], model.look(name)[0], rack if name[0] == "f" else 0.0)
+        carrier = model.carrier(name)
+        numpy.testing.assert_allclose(turned.T @ (carrier.centre - origin), wanted.wheel_centre, rtol=0.0, atol=1e-6)
+        numpy.testing.assert_allclose(turned.T @ carrier.axis, wanted.spin_axis, rtol=0.0, atol=1e-6)
+
+
+def test_car_at_rest_carries_its_weight_and_struts_feel_theirs():
+    model = MujocoCar(DESCRIPTION, 1e-3)
+    rest = relax(model, read_tyre(DESCRIPTION), parameters_of(DESCRIPTION, "None", {}), 1e-3)
+    assert sum(rest.loads.values()) == pytest.approx(9.81 * DESCRIPTION.mass, rel=1e-6)
+    gravity = numpy.array([0.0, 0.0, -9.81])
+    for name in CORNERS:
+        eyes = [model.data.site(f"{name}.{eye}").xpos for eye in ("tube_eye", "rod_eye")]
+        length = float(numpy.linalg.norm(eyes[1] - eyes[0]))
+        a = (eyes[1] - eyes[0]) / length
+        turning = [
+            numpy.cross(model.data.body(f"{name}.{body}").xipos - eye, mass * gravity)
+            for (body, mass), eye in zip((("tube", 0.45), ("rod", 0.30)), eyes, strict=True)
+        ]
+        # About the eye of the rod: the moment that the tube passes on, and the weight of the rod.
+        about = sum(turning) - a * (a @ sum(turning))
+        force, moment = model.reaction(name)
+        m, n, _ = model.data.site(f"{name}.rod_eye").xmat.reshape(3, 3).T
+        wanted = numpy.cross(about, a) / length
+        assert force[:2] == pytest.approx([wanted @ m, wanted @ n], abs=1e-5)
+        own = -turning[1]
+        assert moment[:2] == pytest.approx([own @ m, own @ n], abs=1e-5)
+        assert numpy.hypot(*force[:2]) > 0.4
+
+
+def largest(run, column: str) -> float:
+    """Largest deviation of a column from its start."""
+    return float(numpy.abs(run[column] - run[column][0]).max())
+
+
+def test_both_codes_compute_the_same_turn():
+    course = manoeuvre("step-steer", duration=1.0, speed=15.0)
+    runs = {code: car_ride.simulate(DESCRIPTION, course, "LuGre", code=code) for code in ("exudyn", "mujoco")}
+    for column in ("roll", "yaw_rate", "yaw", "fl.load", "fr.load", "rl.load", "rr.load", "fl.length", "fl.friction"):
+        one, other = (largest(run, column) for run in runs.values())
+        assert one == pytest.approx(other, rel=0.02), column
+    assert largest(runs["exudyn"], "roll") > 0.01
