@@ -79,6 +79,34 @@ class StepSteer(Manoeuvre):
 
 
 @dataclass(frozen=True)
+class ConstantRadius(Manoeuvre):
+    """A circle to the left, entered along its tangent, with a speed that rises slowly; the driver steers in proportion
+    to the distance from the circle ahead."""
+
+    speed: float = 8.0
+    radius: float = 25.0
+    acceleration: float = 0.5
+    duration: float = 12.0
+    # Preview in s, and turn of the steering wheel per distance, in rad/m.
+    preview: float = 0.3
+    gain: float = 1.0
+    name = "constant-radius"
+
+    def steer(self, pose: Pose) -> float:
+        ahead = self.preview * pose.speed
+        # From the centre of the circle, to the left of where the run-in ends.
+        x = pose.x + ahead * math.cos(pose.yaw) - self.speed * RUN_IN
+        y = pose.y + ahead * math.sin(pose.yaw) - self.radius
+        # Before its end the car keeps to the tangent.
+        if x < 0.0 and y < 0.0 and pose.x < self.speed * RUN_IN:
+            return -self.gain * (y + self.radius)
+        return self.gain * (math.hypot(x, y) - self.radius)
+
+    def wanted_speed(self, pose: Pose) -> float | None:
+        return self.speed + self.acceleration * max(0.0, pose.time - 4.0 * RUN_IN)
+
+
+@dataclass(frozen=True)
 class Kerb(Manoeuvre):
     """A kerb below the left wheels: a bump of one period of a cosine."""
 
@@ -138,7 +166,7 @@ class LaneChange(Manoeuvre):
         return self.speed if pose.x < self.approach + 2.0 else None
 
 
-MANOEUVRES = {kind.name: kind for kind in (FourPost, LaneChange, StepSteer, Kerb)}
+MANOEUVRES = {kind.name: kind for kind in (FourPost, LaneChange, StepSteer, ConstantRadius, Kerb)}
 
 
 def manoeuvre(name: str, **changes: float) -> Manoeuvre:

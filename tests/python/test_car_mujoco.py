@@ -8,7 +8,7 @@ from car_kinematics import position
 from car_rest import relax
 from car_struts import parameters_of
 from car_tyres import read_tyre
-from manoeuvres import manoeuvre
+from manoeuvres import RUN_IN, manoeuvre
 from mujoco_car import MujocoCar
 
 DESCRIPTION = read_car()
@@ -86,3 +86,20 @@ def test_both_codes_compute_the_same_turn():
         one, other = (largest(run, column) for run in runs.values())
         assert one == pytest.approx(other, rel=0.02), column
     assert largest(runs["exudyn"], "roll") > 0.01
+
+
+def test_car_keeps_to_a_circle_while_its_speed_rises():
+    course = manoeuvre("constant-radius", duration=4.0, acceleration=1.0)
+    run = car_ride.simulate(DESCRIPTION, course, "None", code="mujoco")
+    radius = numpy.hypot(run["front_x"] - course.speed * RUN_IN, run["front_y"] - course.radius)
+    late = run["time"] > 3.0
+    assert radius[late] == pytest.approx(course.radius, abs=0.3)
+    # The drive is proportional: it lags by the torque that accelerates the car, over its gain.
+    lag = DESCRIPTION.mass * course.acceleration * 0.2 / car_ride.CRUISE
+    assert run["speed"][-1] == pytest.approx(course.speed + 2.0 - lag, abs=0.05)
+    # The course, yaw and side slip together, turns at the speed over the radius, both those of the centre of mass.
+    turning = run["yaw_rate"] + numpy.gradient(numpy.arctan2(run["lateral_velocity"], run["speed"]), run["time"])
+    path = numpy.hypot(run["speed"], run["lateral_velocity"])
+    centre = numpy.hypot(run["x"] - course.speed * RUN_IN, run["y"] - course.radius)
+    assert (turning * centre)[late] == pytest.approx(path[late], rel=0.01)
+    assert (numpy.diff(run["roll"][late][::200]) > 0.0).all()
