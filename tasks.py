@@ -304,12 +304,16 @@ def wheel() -> None:
 
 
 def demo() -> None:
-    """Packs the FMUs and runs each of them from Python; then compares solvers on the belt of the thesis."""
+    """Packs the FMUs and runs each of them from Python, identifies a law, and compares solvers on the belt of the
+    thesis."""
     setup()
     pack()
     wheel()
     run(PYTHON, "examples/fmpy/demo.py")
     stribeck = ["cargo", "run", "--release", "--package", "lab", "--bin", "stribeck", "--"]
+    run(*stribeck, "rig", "--law", "LuGre", "--out", "out/rig")
+    known = ["--law", "LuGre", "--mass", "2", "--normal-force", "20", "--reference", "out/rig/truth.toml"]
+    run(*stribeck, "identify", "out/rig/force.csv", *known, "--report", "out/identification.html")
     run(*stribeck, "bench", "thesis", "--law", ",".join(LAWS_OF_BENCHMARK), "--out", "out/benchmark")
 
 

@@ -51,6 +51,7 @@ const HOUSES: &[House] = &[
             "run",
             "study",
             "identify",
+            "rig",
             "benchmark",
             "picture",
             "report",

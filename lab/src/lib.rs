@@ -20,6 +20,8 @@ pub mod picture;
 #[cfg(feature = "workbench")]
 pub mod report;
 #[cfg(feature = "workbench")]
+pub mod rig;
+#[cfg(feature = "workbench")]
 pub mod run;
 pub mod sheet;
 #[cfg(feature = "workbench")]

@@ -1,4 +1,5 @@
-//! `stribeck`: the bench. Lists and shows models, runs systems of them, and reads files of dampers and tyres.
+//! `stribeck`: the bench. Lists and shows models, runs systems of them, fits laws to measurements, and reads files of
+//! dampers and tyres.
 
 mod command;
 mod damper;
@@ -12,7 +13,8 @@ use ssp::parameter_set::text_of;
 use stribeck::catalogue;
 use stribeck::model::{Kind, ModelType, Variable};
 
-/// Lists and shows friction force models, runs systems of them, and reads files of dampers and tyres.
+/// Lists and shows friction force models, runs systems of them, fits them to measurements, and reads files of dampers and
+/// tyres.
 #[derive(Parser)]
 #[command(name = "stribeck", version)]
 struct Arguments {
@@ -40,6 +42,10 @@ enum Task {
     Compare(command::Arguments),
     /// Runs a system many times, with values from ranges, distributions or a table, and writes one table.
     Study(command::StudyArguments),
+    /// Finds the parameters of a friction law in measured friction, and how far to trust them; ranks several laws.
+    Identify(command::IdentifyArguments),
+    /// Writes the records of a virtual rig whose friction law is known.
+    Rig(command::RigArguments),
     /// Measures all laws with all solvers, as the thesis does, and writes a page and a table.
     Bench(command::BenchArguments),
     /// Makes a parameter set of the ShockAbsorber from a damper test: damper table, friction.
@@ -67,6 +73,8 @@ fn main() -> ExitCode {
         Task::Run(arguments) => return ended(command::run(&arguments)),
         Task::Compare(arguments) => return ended(command::compare(&arguments)),
         Task::Study(arguments) => return ended(command::study(&arguments)),
+        Task::Identify(arguments) => return ended(command::identify(&arguments)),
+        Task::Rig(arguments) => return ended(command::rig(&arguments)),
         Task::Bench(arguments) => return ended(command::bench(&arguments)),
         Task::Damper(arguments) => {
             if let Err(error) = damper::run(&arguments) {

@@ -137,3 +137,75 @@ fn pictures_and_report_are_written() {
     let report = text(Path::new(&file("report.html")));
     assert!(report.contains("LuGre") && report.contains("Dahl") && report.contains("<svg"));
 }
+
+/// A virtual rig, its law found again, and the result run.
+#[test]
+fn a_virtual_rig_is_identified_and_the_result_runs() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = |name: &str| folder.path().join(name).to_str().expect("text").to_owned();
+    let truth = ["--set", "mu_k=0.2", "--set", "sigma_0=3e4"];
+    let out = file("rig");
+    let rig = [&["rig", "--law", "Dahl", "--duration", "1", "--out", &out], &truth[..]].concat();
+    assert_eq!(stribeck(&rig).status.code(), Some(0));
+    let record = file("rig/force.csv");
+    let known = ["identify", &record, "--mass", "2", "--normal-force", "20", "--law"];
+    let outputs =
+        [file("fitted.toml"), file("fitted.csv"), file("curves"), file("report.html"), file("rig/truth.toml")];
+    let [toml, csv, curves, report, reference] = outputs.each_ref().map(String::as_str);
+    let more = ["Dahl", "--reference", reference, "--out", toml, "--curves", curves, "--report", report];
+    let output = stribeck(&[&known[..], &more].concat());
+    assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
+    let shown = String::from_utf8(output.stdout).expect("text");
+    assert!(
+        shown.contains("one normal force (20 N)") && shown.contains("at rest, with the contact unloaded"),
+        "{shown}"
+    );
+    assert!(shown.contains("reference 0.2000, difference 0."), "{shown}");
+    let page = text(Path::new(report));
+    assert!(page.contains("Identification of Dahl") && page.matches("<svg").count() == 3, "{page}");
+    roxmltree::Document::parse(page.trim_start_matches("<!DOCTYPE html>\n")).expect("a page");
+    assert!(text(&Path::new(curves).join("force.csv")).lines().count() == 1002);
+    let line = stribeck(&["run", "--config", toml, "--until", "1"]);
+    assert!(String::from_utf8_lossy(&line.stdout).starts_with("Dahl: reached"));
+
+    let output = stribeck(&[&known[..], &["Dahl,Coulomb", "--json", "--repetitions", "0", "--out", csv]].concat());
+    let found: serde_json::Value = serde_json::from_slice(&output.stdout).expect("JSON");
+    let laws = found["laws"].as_array().expect("laws");
+    assert_eq!([&laws[0]["law"], &laws[1]["law"]], ["Dahl", "Coulomb"]);
+    assert!(laws[1]["behind"].as_f64().expect("a number") > 10.0 && laws[1]["tied"] == false);
+    let estimates = laws[0]["estimates"].as_array().expect("estimates");
+    let stiffness = estimates.iter().find(|one| one["name"] == "sigma_0").expect("sigma_0");
+    assert!((stiffness["value"].as_f64().expect("a number") / 3e4 - 1.0).abs() < 0.02, "{stiffness}");
+    assert!(text(Path::new(csv)).contains("sigma_0"));
+
+    let check = stribeck(&[&known[..], &["Dahl", "--check"]].concat());
+    let check = String::from_utf8(check.stdout).expect("text");
+    assert!(check.ends_with("Dahl:\n  mu_k: can be determined\n  sigma_0: can be determined\n"), "{check}");
+}
+
+#[test]
+fn refusals_of_an_identification_name_what_is_wrong() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("r.csv");
+    let record = path.to_str().expect("text");
+    let rows = |k: i32| format!("{},{},{}\n", k, (k % 7) - 3, (k * k) % 11);
+    std::fs::write(&path, "time,force,displacement\n".to_owned() + &(0..30).map(rows).collect::<String>())
+        .expect("a file");
+    let law = ["identify", record, "--law"];
+    for (arguments, expected) in [
+        (vec!["LuGr"], "friction law 'LuGr' does not exist (did you mean 'LuGre'?)".to_owned()),
+        (vec!["Dahl"], format!("{record}: no column 'normal_force', and no value was given for it")),
+        (vec!["Dahl", "--normal-force=-1"], format!("{record}: normal_force = -1: must be >= 0 and finite, in N")),
+        (vec!["Dahl", "--mass=-1"], format!("{record}: mass = -1: must be >= 0 and finite, in kg")),
+        (vec!["Dahl", "--fix", "mu_k=x"], "mu_k = x: must be a number".to_owned()),
+        (vec!["Dahl", "--motion", "absent.csv"], "absent.csv: No such file or directory (os error 2)".to_owned()),
+    ] {
+        assert_eq!(refusal(&[&law[..], &arguments].concat()), format!("stribeck: {expected}"));
+    }
+    let rig = refusal(&["rig", "--law", "LuGrePlanar", "--out", "x"]);
+    assert!(rig.starts_with("stribeck: friction law 'LuGrePlanar' does not exist"), "{rig}");
+    for arguments in [["--range", "mu_k=1"], ["--delay", "late"]] {
+        let usage = stribeck(&[&law[..], &["Dahl"], &arguments].concat());
+        assert_eq!(usage.status.code(), Some(2), "{arguments:?}");
+    }
+}

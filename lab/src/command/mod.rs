@@ -1,9 +1,11 @@
-//! The commands that run systems.
+//! The commands that run systems and fit laws.
 
 mod bench;
 mod choice;
 mod compare;
+mod identify;
 mod one;
+mod rig;
 mod study;
 mod watch;
 
@@ -15,7 +17,9 @@ use lab::system::Fault;
 pub use bench::{Arguments as BenchArguments, bench};
 pub use choice::Arguments;
 pub use compare::compare;
+pub use identify::{Arguments as IdentifyArguments, identify};
 pub use one::run;
+pub use rig::{Arguments as RigArguments, rig};
 pub use study::{Arguments as StudyArguments, study};
 
 /// Why a command did not do its work.

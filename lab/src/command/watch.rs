@@ -76,6 +76,38 @@ impl Rows {
     }
 }
 
+/// The best cost so far, on a terminal.
+#[derive(Debug)]
+pub struct Best {
+    bar: ProgressBar,
+    best: std::sync::Mutex<f64>,
+}
+
+impl Best {
+    /// Of the search for the values of a law.
+    pub fn new(law: &str) -> Best {
+        let bar = ProgressBar::new_spinner();
+        bar.set_prefix(law.to_owned());
+        if let Ok(style) = ProgressStyle::with_template("{prefix}: {pos} generations, {msg}, {elapsed}") {
+            bar.set_style(style);
+        }
+        Best { bar, best: f64::INFINITY.into() }
+    }
+
+    /// A generation is done; so much is not explained at its best place.
+    pub fn reached(&self, rms: f64) {
+        let mut best = self.best.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
+        *best = best.min(rms);
+        self.bar.set_message(format!("{:.4e} N not explained", *best));
+        self.bar.inc(1);
+    }
+
+    /// The work has ended.
+    pub fn finish(&self) {
+        self.bar.finish_and_clear();
+    }
+}
+
 impl Progress for Bar {
     fn reached(&self, time: f64) {
         let done = self.done.load(Ordering::Relaxed) as f64;

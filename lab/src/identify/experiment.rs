@@ -18,8 +18,8 @@ pub struct Experiment {
     pub normal_force: Vec<f64>,
     /// Force of the load cell: m a + f_f + offset, N.
     pub force: Vec<f64>,
-    /// Window in which the motion was smoothed, s; 0 if its velocity was measured.
-    pub window: f64,
+    /// Error of the velocity around rest, m/s; 0 if it is not known.
+    pub velocity_error: f64,
 }
 
 impl Experiment {
@@ -32,7 +32,7 @@ impl Experiment {
             acceleration: record.acceleration.clone(),
             normal_force: record.normal_force.clone(),
             force: record.force.clone(),
-            window: if record.is_differentiated { record.window } else { 0.0 },
+            velocity_error: record.velocity_error,
         }
     }
 
@@ -46,13 +46,19 @@ impl Experiment {
             acceleration: take(&self.acceleration),
             normal_force: take(&self.normal_force),
             force: take(&self.force),
-            window: self.window,
+            velocity_error: self.velocity_error,
         }
     }
 
     /// Length, s.
     pub fn duration(&self) -> f64 {
         self.time[self.time.len() - 1] - self.time[0]
+    }
+
+    /// Whether it begins in motion: faster than a hundredth of the highest speed, below which it is noise (chosen).
+    pub fn begins_in_motion(&self) -> bool {
+        let fastest = self.velocity.iter().fold(0.0, |most: f64, v| most.max(v.abs()));
+        self.velocity[0].abs() > 0.01 * fastest
     }
 
     /// Range of the displacement, m.

@@ -12,6 +12,7 @@
 mod estimate;
 mod experiment;
 mod interval;
+mod output;
 mod problem;
 mod rank;
 mod response;
@@ -29,6 +30,7 @@ use stribeck::model::ModelType;
 
 pub use estimate::Estimate;
 pub use experiment::Experiment;
+pub use output::{Difference, Reference, difference, preset, respond};
 pub use rank::{APART, Rank, rank};
 pub use search::{Method, Watch};
 pub use trust::{DETERMINED, Residuals, Verdict};
@@ -105,6 +107,8 @@ pub struct Fit {
     pub explained: Vec<Vec<f64>>,
     /// Values of the columns of the law.
     pub columns: Vec<(usize, f64)>,
+    /// The columns among them that were held.
+    pub held: Vec<(usize, f64)>,
     /// What the reader must know.
     pub warnings: Vec<String>,
     unknowns: usize,
@@ -277,6 +281,7 @@ fn finish(
         is_cancelled,
         is_exact: problem.exact.is_some(),
         columns: point.columns,
+        held: problem.held.clone(),
         unknowns: problem.unknowns.len(),
         explained: split(&explained, &problem.lengths()),
         warnings: warnings(problem, &seen, &estimates, is_repeatable, shift),
@@ -332,7 +337,8 @@ fn warnings(
     }
     if seen.correlation > SYSTEMATIC {
         list.push(format!(
-            "the residuals are not noise ({:.0} samples count as one): the law does not explain all of the force",
+            "the residuals are not noise ({:.0} samples count as one): law, clocks or mass are not those of the rig, and the \
+             intervals may not hold",
             seen.correlation
         ));
     }
@@ -341,23 +347,24 @@ fn warnings(
             list.push(format!("{} is at an end of its range ({end:.4e} {})", estimate.name, estimate.unit));
         }
     }
-    list.extend(problem.experiments.iter().filter_map(|one| smoothed(one, estimates)));
+    list.extend(problem.experiments.iter().filter_map(|one| blurred(one, estimates)));
     list
 }
 
-/// Warns where the motion was smoothed over a time in which the slider leaves the speeds at which friction falls: the
-/// static level then looks lower and the Stribeck velocity higher.
-fn smoothed(experiment: &Experiment, estimates: &[Estimate]) -> Option<String> {
+/// Error of the velocity, as a part of the speed at which friction falls, from which its parameters are biased (chosen).
+const BLURRED: f64 = 0.25;
+
+/// Warns of a velocity that is not known well enough where friction falls with it: the static level then looks lower and the
+/// Stribeck velocity higher than they are, while the residuals look fine.
+fn blurred(experiment: &Experiment, estimates: &[Estimate]) -> Option<String> {
     let speed =
         estimates.iter().find(|one| ["stribeck_velocity", "transition_velocity"].contains(&one.name.as_str()))?;
-    let turning = experiment.velocity.windows(2).zip(&experiment.acceleration).filter(|(v, _)| v[0] * v[1] <= 0.0);
-    let steepest = turning.map(|(_, a)| a.abs()).fold(0.0, f64::max);
-    let change = steepest * experiment.window;
-    (change > speed.value).then(|| {
+    let error = experiment.velocity_error;
+    (error > BLURRED * speed.value).then(|| {
         format!(
-            "{}: the velocity changes by {change:.2e} m/s within the window of the filter ({:.3} s), more than {} = {:.2e} \
-             m/s: the static level is found too low and {} too high; measure the velocity, or sample the motion faster",
-            experiment.name, experiment.window, speed.name, speed.value, speed.name
+            "{}: the velocity around rest is known to {error:.1e} m/s only, with {} = {:.1e} m/s: the static level is \
+             found too low and {} too high; measure the velocity, or sample the motion faster",
+            experiment.name, speed.name, speed.value, speed.name
         )
     })
 }

@@ -1,7 +1,8 @@
 //! The response of a law to an experiment, and its sensitivities.
 //!
 //! Between two samples the law is led at their mean velocity and load, which is exact in the displacement; at a sample it
-//! has the velocity and the load of the sample. A record that begins in motion begins in steady sliding.
+//! has the velocity and the load of the sample. A record that begins in motion begins in steady sliding; one that begins
+//! at rest begins with the start values of the law, such as unloaded bristles.
 
 use stribeck::instance::{Instance, Phase, Refused};
 use stribeck::model::{InLanes, Law, Model, ModelType, Steps, Visitor, model_in};
@@ -29,9 +30,9 @@ impl Ports {
 const WAY: f64 = 0.1;
 const TIME: f64 = 1.0;
 
-/// Time for which the first velocity is held before the record begins; 0 if it begins at rest.
-fn run_up(velocity: f64) -> f64 {
-    if velocity == 0.0 { 0.0 } else { f64::max(TIME, WAY / velocity.abs()) }
+/// Time for which the first velocity is held before the record begins, if it begins in motion.
+fn run_up(experiment: &Experiment) -> Option<f64> {
+    experiment.begins_in_motion().then(|| f64::max(TIME, WAY / experiment.velocity[0].abs()))
 }
 
 /// Mean over a part of the interval that ends at a sample.
@@ -57,8 +58,8 @@ pub(super) fn forces(
         instance.set_column(ports.load, n)
     };
     set(instance, v[0], n[0])?;
-    if v[0] != 0.0 {
-        instance.step(run_up(v[0])).map_err(Refused::NotFinite)?;
+    if let Some(time) = run_up(experiment) {
+        instance.step(time).map_err(Refused::NotFinite)?;
     }
     let mut found = Vec::with_capacity(v.len());
     found.push(instance.get_column(ports.force)?);
@@ -122,8 +123,8 @@ impl Exact {
             row[ports.load] = Dual::from(n);
         };
         set(&mut row, v[0], n[0]);
-        if v[0] != 0.0 {
-            (self.step)(&mut row, run_up(v[0]));
+        if let Some(time) = run_up(experiment) {
+            (self.step)(&mut row, time);
         }
         (self.output)(&mut row);
         let mut found = vec![row[ports.force]];

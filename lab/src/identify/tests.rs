@@ -25,7 +25,7 @@ fn standard(samples: u32) -> Experiment {
         acceleration: time.iter().map(|t| slope(*t)).collect(),
         normal_force: time.iter().map(|t| 20.0 + wave(5.0, 0.3, *t)).collect(),
         force: vec![0.0; time.len()],
-        window: 0.0,
+        velocity_error: 0.0,
         time,
     }
 }
@@ -269,11 +269,11 @@ fn evolution_and_slopes_reach_the_noise_where_a_genetic_algorithm_does_not() {
 }
 
 #[test]
-fn a_filter_that_is_too_long_for_the_reversals_is_warned_of() {
+fn a_velocity_that_is_known_too_badly_is_warned_of() {
     let data = measured("LuGre", &SLIDER, &standard(1000), 0.01, 2);
     let sharp = fitted("LuGre", std::slice::from_ref(&data), &quick());
     assert!(sharp.warnings.is_empty(), "{:?}", sharp.warnings);
-    let smooth = fitted("LuGre", &[Experiment { window: 0.1, ..data }], &quick());
+    let smooth = fitted("LuGre", &[Experiment { velocity_error: 2e-3, ..data }], &quick());
     assert!(
         smooth.warnings.iter().any(|text| text.contains("the static level is found too low")),
         "{:?}",

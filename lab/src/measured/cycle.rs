@@ -21,6 +21,19 @@ pub struct Cycle {
     pub deviation: Vec<f64>,
 }
 
+impl Cycle {
+    /// The cycle as a table of values separated by commas, with units in the heading.
+    pub fn csv(&self) -> String {
+        let mut text = "phase,displacement [m],velocity [m/s],friction_force [N],standard_deviation [N]\n".to_owned();
+        let columns = [&self.phase, &self.displacement, &self.velocity, &self.friction_force, &self.deviation];
+        for row in 0..self.phase.len() {
+            let cells: Vec<String> = columns.iter().map(|values| values[row].to_string()).collect();
+            text += &(cells.join(",") + "\n");
+        }
+        text
+    }
+}
+
 /// Places of a cycle (chosen).
 const PLACES: usize = 400;
 

@@ -29,6 +29,11 @@ impl<'a> Local<'a> {
         Local { time, values, window }
     }
 
+    /// First and last time.
+    pub fn ends(&self) -> [f64; 2] {
+        [self.time[0], self.time[self.time.len() - 1]]
+    }
+
     /// Value, first and second derivative at a time.
     pub fn at(&self, time: f64) -> [f64; 3] {
         let (from, to) = self.samples(time);

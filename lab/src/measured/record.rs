@@ -1,6 +1,6 @@
 //! A record: force and motion on one clock, and the friction that follows from them.
 
-use super::clock::{Clocks, find};
+use super::clock::{Clocks, Pair};
 use super::polynomial::Local;
 use super::quality::{Quality, median, quality};
 use crate::sheet::{DISPLACEMENT, FORCE, NORMAL_FORCE, Sheet, SheetError, TIME, VELOCITY};
@@ -12,7 +12,8 @@ pub struct Rig {
     pub mass: f64,
     /// Normal force, N, if the file does not have it.
     pub normal_force: Option<f64>,
-    /// Window in which the motion is smoothed and differentiated, s; 21 samples if it is not given.
+    /// Window in which the motion is smoothed and differentiated, s; if it is not given, 5 to 31 samples, whichever lets the
+    /// motion explain most of the force.
     pub window: Option<f64>,
     /// How far the motion is behind the force.
     pub delay: Delay,
@@ -111,8 +112,8 @@ pub enum MeasuredError {
 /// Least number of samples.
 const LEAST: usize = 20;
 
-/// Samples in a window unless it is given (chosen).
-const WINDOW: f64 = 21.0;
+/// Samples in a window unless it is given (chosen): the one with which the motion explains most of the force.
+const WINDOWS: [f64; 6] = [5.0, 7.0, 11.0, 15.0, 21.0, 31.0];
 
 /// Force and motion of a slider, on the clock of the force.
 #[derive(Clone, Debug)]
@@ -135,6 +136,9 @@ pub struct Record {
     pub window: f64,
     /// Whether the velocity comes from the displacement.
     pub is_differentiated: bool,
+    /// Error of the velocity around rest, m/s: how much it changes (root mean square) with a window of half the length; 0
+    /// if it was measured.
+    pub velocity_error: f64,
     /// Clocks of force and motion.
     pub clocks: Clocks,
     /// What the record is worth.
@@ -150,9 +154,10 @@ impl Record {
         let force = sheet.required(FORCE.name, &FORCE)?;
         moving("force", &force)?;
         let load = load(sheet, rig)?;
-        let moved = Motion::of(motion.unwrap_or(sheet), rig)?;
         let own = Own { time: &time, force: &force, load: &load };
-        let record = moved.joined(&own, rig)?;
+        let moved = Motion::of(motion.unwrap_or(sheet))?;
+        let (window, clocks) = moved.tuned(&own, rig);
+        let record = moved.joined(&own, rig, window, clocks)?;
         let energy: f64 = (1..record.time.len())
             .map(|at| record.friction_force[at] * (record.displacement[at] - record.displacement[at - 1]))
             .sum();
@@ -243,11 +248,10 @@ struct Motion {
     time: Vec<f64>,
     displacement: Vec<f64>,
     velocity: Option<Vec<f64>>,
-    window: f64,
 }
 
 impl Motion {
-    fn of(sheet: &Sheet, rig: &Rig) -> Result<Motion, MeasuredError> {
+    fn of(sheet: &Sheet) -> Result<Motion, MeasuredError> {
         let time = times(sheet)?;
         let velocity = sheet.column(&VELOCITY)?;
         let displacement = match (sheet.column(&DISPLACEMENT)?, &velocity) {
@@ -256,18 +260,33 @@ impl Motion {
             (None, None) => sheet.required(DISPLACEMENT.name, &DISPLACEMENT)?,
         };
         moving("displacement", &displacement)?;
-        let mut steps: Vec<f64> = time.windows(2).map(|pair| pair[1] - pair[0]).collect();
-        let window = rig.window.unwrap_or_else(|| (WINDOW - 0.5) * median(&mut steps));
-        Ok(Motion { time, displacement, velocity, window })
+        Ok(Motion { time, displacement, velocity })
+    }
+
+    /// Window and clocks, as they are known or as they let the motion explain most of the force.
+    fn tuned(&self, own: &Own, rig: &Rig) -> (f64, Clocks) {
+        let mut steps: Vec<f64> = self.time.windows(2).map(|pair| pair[1] - pair[0]).collect();
+        let interval = median(&mut steps);
+        let windows =
+            rig.window.map_or_else(|| WINDOWS.map(|samples| (samples - 0.5) * interval).to_vec(), |one| vec![one]);
+        if let ([window], Delay::Known(delay)) = (windows.as_slice(), rig.delay) {
+            return (*window, Clocks::known(delay));
+        }
+        let tried = windows.into_iter().map(|window| {
+            let pair = Pair::new(own.time, own.force, &Local::new(&self.time, &self.displacement, window));
+            let clocks = match rig.delay {
+                Delay::Known(delay) => Clocks::known(delay),
+                Delay::Find(longest) => pair.find(longest),
+            };
+            (pair.unexplained(&clocks), window, clocks)
+        });
+        let best = tried.min_by(|a, b| a.0.total_cmp(&b.0));
+        best.map_or((0.0, Clocks::known(0.0)), |(_, window, clocks)| (window, clocks))
     }
 
     /// Force and motion on the clock of the force, where both are known.
-    fn joined(&self, own: &Own, rig: &Rig) -> Result<Record, MeasuredError> {
-        let position = Local::new(&self.time, &self.displacement, self.window);
-        let clocks = match rig.delay {
-            Delay::Known(delay) => Clocks::known(delay),
-            Delay::Find(longest) => find(own.time, own.force, &position, longest),
-        };
+    fn joined(&self, own: &Own, rig: &Rig, window: f64, clocks: Clocks) -> Result<Record, MeasuredError> {
+        let position = Local::new(&self.time, &self.displacement, window);
         let [first, last] = [self.time[0], self.time[self.time.len() - 1]];
         let begin = own.time[0] + rig.skip;
         let is_inside = |t: f64| t >= begin && (first..=last).contains(&clocks.of_motion(t));
@@ -278,7 +297,7 @@ impl Motion {
         }
         let take = |values: &[f64]| -> Vec<f64> { inside.iter().map(|at| values[*at]).collect() };
         let time = take(own.time);
-        let moved: Vec<[f64; 3]> = time.iter().map(|t| self.at(&position, clocks.of_motion(*t))).collect();
+        let moved: Vec<[f64; 3]> = time.iter().map(|t| self.at(&position, window, clocks.of_motion(*t))).collect();
         let [displacement, velocity, acceleration] =
             [0, 1, 2].map(|n| moved.iter().map(|all| all[n]).collect::<Vec<f64>>());
         let force = take(own.force);
@@ -286,7 +305,8 @@ impl Motion {
         let mut record = Record {
             normal_force: take(own.load),
             is_differentiated: self.velocity.is_none(),
-            window: self.window,
+            window,
+            velocity_error: 0.0,
             quality: Quality::default(),
             time,
             force,
@@ -296,16 +316,29 @@ impl Motion {
             friction_force,
             clocks,
         };
+        if record.is_differentiated {
+            record.velocity_error = self.velocity_error(&record);
+        }
         record.quality = quality(&record);
         Ok(record)
     }
 
+    /// Noise and what the filter swallows, together: the change of the velocity with half the window, where it is below a
+    /// tenth of the largest one.
+    fn velocity_error(&self, record: &Record) -> f64 {
+        let narrow = Local::new(&self.time, &self.displacement, 0.5 * record.window);
+        let fastest = record.velocity.iter().fold(0.0, |most: f64, v| most.max(v.abs()));
+        let slow = record.time.iter().zip(&record.velocity).filter(|(_, v)| v.abs() < 0.1 * fastest);
+        let changes: Vec<f64> = slow.map(|(t, v)| narrow.at(record.clocks.of_motion(*t))[1] - v).collect();
+        (changes.iter().map(|one| one * one).sum::<f64>() / changes.len().max(1) as f64).sqrt()
+    }
+
     /// Displacement, velocity and acceleration at a time. A velocity that was measured is not smoothed.
-    fn at(&self, position: &Local, time: f64) -> [f64; 3] {
+    fn at(&self, position: &Local, window: f64, time: f64) -> [f64; 3] {
         match &self.velocity {
             None => position.at(time),
             Some(velocity) => {
-                let [_, acceleration, _] = Local::new(&self.time, velocity, self.window).at(time);
+                let [_, acceleration, _] = Local::new(&self.time, velocity, window).at(time);
                 let [x, v] =
                     [&self.displacement, velocity].map(|values| super::cycle::interpolate(&self.time, values, time));
                 [x, v, acceleration]

@@ -19,6 +19,18 @@ pub enum Quantity {
 }
 
 impl Quantity {
+    /// SI unit.
+    pub fn unit(self) -> &'static str {
+        match self {
+            Quantity::Time | Quantity::SwitchingError => "s",
+            Quantity::Position | Quantity::Displacement | Quantity::Error => "m",
+            Quantity::Velocity => "m/s",
+            Quantity::Acceleration => "m/s2",
+            Quantity::Force => "N",
+            Quantity::Evaluations => "1",
+        }
+    }
+
     /// Name, letter and index.
     pub fn names(self) -> (&'static str, &'static str, &'static str) {
         match self {

@@ -137,6 +137,22 @@ impl Picture {
     }
 }
 
+/// A curve with its name.
+pub type Named = (String, Vec<[f64; 2]>);
+
+/// A picture of friction forces from elsewhere, in SI units, as a diagram of this kind. None without a finite point.
+pub fn curves(kind: Kind, title: &str, curves: Vec<Named>, theme: Theme) -> Option<Picture> {
+    let lines = curves.into_iter().take(MOST_LAWS).map(|(name, points)| Line { name, points, is_cut: false });
+    let lines: Vec<Line> = lines.collect();
+    let is_finite = |point: &[f64; 2]| point.iter().all(|value| value.is_finite());
+    lines.iter().flat_map(|line| &line.points).find(|point| is_finite(point))?;
+    let quantities = kind.quantities();
+    let units = quantities.map(Quantity::unit);
+    let axes = axes(quantities, units, &lines, &None);
+    let svg = Drawing { title, axes: &axes, lines: &lines, theme }.svg();
+    Some(Picture { kind, part: 1, parts: 1, title: title.to_owned(), svg })
+}
+
 /// The name of the variable that a system shows as this quantity.
 fn shown(system: &System, quantity: Quantity) -> Option<&str> {
     let show = &system.description.show;

@@ -1,16 +1,18 @@
-//! Report of runs: one HTML file with everything about them, which can be mailed.
+//! Reports of runs and of identifications: one HTML file with everything about them, which can be mailed.
 //!
 //! It needs no script and no network, and follows the reader's choice of light or dark.
 
 mod html;
+pub mod identification;
 
-use stribeck::model::Role;
+use stribeck::model::{ModelType, Role};
 use stribeck::unit::UNITS;
 
 use crate::picture::{self, Options, Theme, escape, typeset_unit};
 use crate::run::Outcome;
 use crate::system::{Part, Place, Signal, System, WireSource};
 use html::Page;
+pub use identification::Identification;
 
 const STYLE: &str = include_str!("style.css");
 
@@ -205,15 +207,21 @@ fn differences(part: &Part) -> Vec<[String; 5]> {
 
 /// Versions: of the program, and of the interface of each model.
 fn versions(page: &mut Page, system: &System, facts: &Facts) {
+    let parts = systems(system, facts).iter().chain([system]).flat_map(|system| &system.parts);
+    versions_of(page, parts.map(|part| part.model));
+}
+
+/// Version of the program, and the guid of each of the models.
+fn versions_of(page: &mut Page, models: impl IntoIterator<Item = &'static ModelType>) {
     page.heading("Versions");
     page.paragraph("", &format!("Stribeck {}", env!("CARGO_PKG_VERSION")));
     let head = ["Model", "Guid"];
     page.begin_table(&head);
     let mut seen = Vec::new();
-    for part in systems(system, facts).iter().chain([system]).flat_map(|system| &system.parts) {
-        if !seen.contains(&part.model.name) {
-            seen.push(part.model.name);
-            page.row("", &head, &[part.model.name.to_owned(), part.model.guid().to_string()]);
+    for model in models {
+        if !seen.contains(&model.name) {
+            seen.push(model.name);
+            page.row("", &head, &[model.name.to_owned(), model.guid().to_string()]);
         }
     }
     page.end_table();

@@ -1,0 +1,411 @@
+//! `stribeck identify`: parameters of laws from records of a rig.
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use std::str::FromStr;
+
+use clap::{Args, ValueEnum};
+use lab::identify::{Experiment, Fit, Method, Rank, Reference, Task, Verdict, Watch, Wishes, fit, laws, preset, rank};
+use lab::measured::{Delay, Record, Rig, average};
+use lab::report::{Identification, identification};
+use lab::run::Configuration;
+use lab::sheet::Sheet;
+use lab::system::{Fault, Setting, read};
+use serde_json::json;
+use ssp::parameter_set::ParameterSet;
+use stribeck::catalogue;
+use stribeck::model::ModelType;
+
+use super::watch::{Best, CANCELLED, heed_interrupts};
+use super::{Failure, Verdict as Ending, write};
+
+/// Records, laws, what is known of the rig, and the files for the results.
+#[derive(Args, Clone, Debug)]
+pub struct Arguments {
+    /// Records: tables with time, force, and displacement or velocity, perhaps normal_force; units in brackets
+    #[arg(required = true)]
+    records: Vec<PathBuf>,
+    /// Table of the motion on its own clock (a camera), for a single record
+    #[arg(long, value_name = "FILE")]
+    motion: Option<PathBuf>,
+    /// Friction laws; several, or `all`, are ranked
+    #[arg(long, alias = "laws", required = true, num_args = 1.., value_delimiter = ',')]
+    law: Vec<String>,
+    /// Mass between load cell and contact in kg
+    #[arg(long, default_value_t = 0.0)]
+    mass: f64,
+    /// Normal force in N, if the record has none
+    #[arg(long)]
+    normal_force: Option<f64>,
+    /// Window in s in which the motion is smoothed and differentiated (default: 5 to 31 samples, whichever explains most)
+    #[arg(long)]
+    window: Option<f64>,
+    /// Delay of the motion behind the force in s; or `find`, or `find:LONGEST`
+    #[arg(long, default_value = "0")]
+    delay: DelayChoice,
+    /// Start of the record that is left out, in s
+    #[arg(long, default_value_t = 0.0)]
+    skip: f64,
+    /// Parameter that is held: sigma_1=0; also mass and offset of the rig
+    #[arg(long, value_name = "NAME=VALUE")]
+    fix: Vec<Setting>,
+    /// Parameter that is fitted although it usually is not: an exponent, mass, offset
+    #[arg(long, value_name = "NAME", num_args = 1.., value_delimiter = ',')]
+    fit: Vec<String>,
+    /// Range instead of the one that follows from the data
+    #[arg(long, value_name = "NAME=LOW:HIGH")]
+    range: Vec<RangeChoice>,
+    /// Search over the whole range
+    #[arg(long, value_enum, default_value_t = MethodChoice::Evolution)]
+    method: MethodChoice,
+    /// Evaluations of the law in a search
+    #[arg(long, default_value_t = Task::default().budget)]
+    budget: u64,
+    /// Seed of the search and of the repetitions
+    #[arg(long, default_value_t = Task::default().seed)]
+    seed: u64,
+    /// Repetitions with blocks of residuals
+    #[arg(long, default_value_t = Task::default().repetitions)]
+    repetitions: usize,
+    /// Only say what the record is worth and which parameters it can determine
+    #[arg(long)]
+    check: bool,
+    /// Values to compare with: a preset of the law, or a parameter set (.toml, .csv, .ssv)
+    #[arg(long, value_name = "PRESET|FILE")]
+    reference: Option<String>,
+    /// Parameter set of the best law (.toml for `run --config`, .csv, .ssv)
+    #[arg(long, short)]
+    out: Option<PathBuf>,
+    /// Folder for friction over time, displacement and velocity: tables and pictures
+    #[arg(long, value_name = "FOLDER")]
+    curves: Option<PathBuf>,
+    /// File for a report (.html)
+    #[arg(long, value_name = "FILE")]
+    report: Option<PathBuf>,
+    /// Print the outcome as JSON
+    #[arg(long)]
+    json: bool,
+}
+
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum MethodChoice {
+    /// Differential evolution, then bounded least squares
+    Evolution,
+    /// A genetic algorithm alone, for comparison
+    Genetic,
+}
+
+/// Longest delay that is looked for unless it is given, s (chosen).
+const LONGEST_DELAY: f64 = 0.1;
+
+#[derive(Clone, Copy, Debug)]
+struct DelayChoice(Delay);
+
+impl FromStr for DelayChoice {
+    type Err = Fault;
+
+    fn from_str(text: &str) -> Result<DelayChoice, Fault> {
+        let number = |text: &str| {
+            let wrong = || Fault::value(format_args!("'{text}': must be a number in s, find, or find:LONGEST"));
+            text.trim().parse::<f64>().map_err(|_| wrong())
+        };
+        Ok(DelayChoice(match text.split_once(':') {
+            Some(("find", longest)) => Delay::Find(number(longest)?),
+            None if text == "find" => Delay::Find(LONGEST_DELAY),
+            _ => Delay::Known(number(text)?),
+        }))
+    }
+}
+
+#[derive(Clone, Debug)]
+struct RangeChoice(String, [f64; 2]);
+
+impl FromStr for RangeChoice {
+    type Err = Fault;
+
+    fn from_str(text: &str) -> Result<RangeChoice, Fault> {
+        let wrong = || Fault::value(format_args!("'{text}': must be name=low:high"));
+        let (name, range) = text.split_once('=').ok_or_else(wrong)?;
+        let (low, high) = range.split_once(':').ok_or_else(wrong)?;
+        let number = |text: &str| text.trim().parse::<f64>().map_err(|_| wrong());
+        Ok(RangeChoice(name.trim().to_owned(), [number(low)?, number(high)?]))
+    }
+}
+
+/// Evaluations with which it is looked at what a record can determine (chosen).
+const CHECK: u64 = 400;
+
+impl Arguments {
+    fn rig(&self) -> Rig {
+        let DelayChoice(delay) = self.delay;
+        Rig { mass: self.mass, normal_force: self.normal_force, window: self.window, delay, skip: self.skip }
+    }
+
+    fn records(&self) -> Result<Vec<(String, Record)>, Failure> {
+        if self.motion.is_some() && self.records.len() > 1 {
+            return Err(Fault::value("--motion: is for a single record").into());
+        }
+        let rig = self.rig();
+        let motion = self.motion.as_deref().map(sheet).transpose()?;
+        let read = |path: &PathBuf| {
+            let name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+            let record = Record::of(&sheet(path)?, motion.as_ref(), &rig);
+            Ok((name, record.map_err(|error| Fault::File(format!("{}: {error}", path.display())))?))
+        };
+        self.records.iter().map(read).collect()
+    }
+
+    fn laws(&self) -> Result<Vec<&'static ModelType>, Fault> {
+        if self.law.iter().any(|law| law == "all") {
+            return Ok(laws().collect());
+        }
+        let known = || laws().map(|law| law.name);
+        let find =
+            |name: &String| catalogue::by_name(name).ok_or_else(|| Fault::unknown("friction law", name, known()));
+        self.law.iter().map(find).collect()
+    }
+
+    fn task(&self) -> Result<Task, Fault> {
+        let number = |setting: &Setting| {
+            let wrong = |_| Fault::value(format_args!("{} = {}: must be a number", setting.name, setting.value));
+            Ok((setting.name.clone(), setting.value.parse::<f64>().map_err(wrong)?))
+        };
+        let fixed = self.fix.iter().map(number).collect::<Result<Vec<(String, f64)>, Fault>>()?;
+        let ranges = self.range.iter().map(|RangeChoice(name, ends)| (name.clone(), *ends)).collect();
+        Ok(Task {
+            wishes: Wishes { fixed, fitted: self.fit.clone(), ranges },
+            method: match self.method {
+                MethodChoice::Evolution => Method::Evolution,
+                MethodChoice::Genetic => Method::Genetic,
+            },
+            seed: self.seed,
+            budget: self.budget,
+            repetitions: self.repetitions,
+            mass: self.mass,
+            ..Task::default()
+        })
+    }
+
+    fn reference(&self, law: &'static ModelType) -> Result<Option<Reference>, Failure> {
+        let Some(text) = &self.reference else { return Ok(None) };
+        let path = Path::new(text);
+        if path.extension().is_none() {
+            return Ok(Some(preset(law, text)?));
+        }
+        if path.extension().is_some_and(|extension| extension == "toml") {
+            let known: Configuration = read(path)?;
+            let number = |(name, value): (String, toml::Value)| {
+                value.as_float().or_else(|| value.as_integer().map(|whole| whole as f64)).map(|value| (name, value))
+            };
+            return Ok(Some(known.set.into_iter().filter_map(number).collect()));
+        }
+        let set = ParameterSet::load(law, path).map_err(|error| Fault::File(error.to_string()))?;
+        Ok(Some(set.values().map(|(variable, value)| (variable.path.to_string(), value)).collect::<BTreeMap<_, _>>()))
+    }
+}
+
+fn sheet(path: impl AsRef<Path>) -> Result<Sheet, Fault> {
+    let path = path.as_ref();
+    Sheet::load(path).map_err(|error| {
+        let text = error.to_string();
+        let name = path.display().to_string();
+        Fault::File(if text.starts_with(&name) { text } else { format!("{name}: {text}") })
+    })
+}
+
+/// Finds the parameters of laws, ranks the laws if there are several, and tells how far to trust them.
+pub fn identify(arguments: &Arguments) -> Result<Ending, Failure> {
+    let (laws, task) = (arguments.laws()?, arguments.task()?);
+    let records = arguments.records()?;
+    let experiments: Vec<Experiment> = records.iter().map(|(name, record)| Experiment::new(name, record)).collect();
+    heed_interrupts();
+    if !arguments.json {
+        for ((name, record), experiment) in records.iter().zip(&experiments) {
+            let begin =
+                if experiment.begins_in_motion() { "in steady sliding" } else { "at rest, with the contact unloaded" };
+            println!("{}  taken to begin {begin}", worth(name, record));
+        }
+    }
+    if arguments.check {
+        return check(&laws, &experiments, &task);
+    }
+    let (fits, ranks) = fits(&laws, &experiments, &task)?;
+    let best = &fits[ranks[0].fit];
+    let reference = arguments.reference(best.law)?;
+    if arguments.json {
+        println!("{}", as_json(&fits, &ranks));
+    } else {
+        print!("{}{}", ranking(&fits, &ranks), best.table(reference.as_ref()));
+    }
+    save(arguments, best)?;
+    let facts = Identification { records: &records, fits: &fits, ranks: &ranks, reference: reference.as_ref() };
+    if let Some(folder) = &arguments.curves {
+        std::fs::create_dir_all(folder).map_err(|source| Failure::File { path: folder.clone(), source })?;
+        curves(folder, &records, &facts)?;
+    }
+    if let Some(path) = &arguments.report {
+        write(path, identification::html(&facts)?)?;
+    }
+    Ok(if best.is_cancelled { Ending::Cancelled } else { Ending::Done })
+}
+
+/// What a record is worth.
+fn worth(name: &str, record: &Record) -> String {
+    let quality = &record.quality;
+    let mut text = format!(
+        "{name}: {} samples over {:.3} s, {} reversals, up to {:.4} m/s; noise of the force {:.3e} N\n",
+        quality.samples, quality.duration, quality.reversals, quality.fastest, quality.noise
+    );
+    if record.is_differentiated {
+        text += &format!(
+            "  velocity from the displacement, in a window of {:.4} s; known to {:.1e} m/s around rest\n",
+            record.window, record.velocity_error
+        );
+    }
+    let clocks = record.clocks;
+    if clocks.deviation > 0.0 {
+        text += &format!(
+            "  the motion is {:.5} s behind the force (standard deviation {:.1e} s), {:.1e} s more each second\n",
+            clocks.delay, clocks.deviation, clocks.drift
+        );
+    }
+    quality.findings.iter().for_each(|finding| text += &format!("  {finding}\n"));
+    text
+}
+
+/// Says what the data can determine, without a number.
+fn check(laws: &[&'static ModelType], experiments: &[Experiment], task: &Task) -> Result<Ending, Failure> {
+    let task = Task { budget: CHECK, profiles: false, repetitions: 0, ..task.clone() };
+    for law in laws {
+        let bar = Best::new(law.name);
+        let found = fit(law, experiments, &task, Watch { cancel: &CANCELLED, progress: &|rms| bar.reached(rms) })?;
+        bar.finish();
+        println!("{}:", law.name);
+        for one in &found.estimates {
+            let verdict = match &one.verdict {
+                Verdict::Determined => "can be determined".to_owned(),
+                Verdict::AtMost(_) => "cannot be told from 0".to_owned(),
+                Verdict::Undetermined(reason) => format!("cannot be determined: {reason}"),
+                Verdict::AtEnd(_) => "is beyond its range".to_owned(),
+            };
+            println!("  {}: {verdict}", one.name);
+        }
+    }
+    Ok(if CANCELLED.load(std::sync::atomic::Ordering::Relaxed) { Ending::Cancelled } else { Ending::Done })
+}
+
+/// Fits the laws, and the best of several once more with all intervals.
+fn fits(
+    laws: &[&'static ModelType],
+    experiments: &[Experiment],
+    task: &Task,
+) -> Result<(Vec<Fit>, Vec<Rank>), Failure> {
+    let one = |law: &'static ModelType, task: &Task| {
+        let bar = Best::new(law.name);
+        let found = fit(law, experiments, task, Watch { cancel: &CANCELLED, progress: &|rms| bar.reached(rms) });
+        bar.finish();
+        found
+    };
+    if let [law] = laws {
+        let fits = vec![one(law, task)?];
+        let ranks = rank(&fits);
+        return Ok((fits, ranks));
+    }
+    let quick = Task { profiles: false, repetitions: 0, ..task.clone() };
+    let mut fits = Vec::new();
+    for law in laws {
+        fits.push(one(law, &quick)?);
+        if fits.last().is_some_and(|fit| fit.is_cancelled) {
+            break;
+        }
+    }
+    let ranks = rank(&fits);
+    let best = ranks[0].fit;
+    if !fits[best].is_cancelled {
+        fits[best] = one(fits[best].law, task)?;
+    }
+    Ok((fits, ranks))
+}
+
+/// The laws, the best first.
+fn ranking(fits: &[Fit], ranks: &[Rank]) -> String {
+    if ranks.len() < 2 {
+        return String::new();
+    }
+    let mut text = "\n  law                  unexplained   unknowns   behind\n".to_owned();
+    for place in ranks {
+        let fit = &fits[place.fit];
+        let note = if place.is_tied { "  cannot be told apart" } else { "" };
+        let note = if fit.is_repeatable { note } else { "  the searches did not agree" };
+        text += &format!(
+            "  {:<20} {:>9.3e} N {:>9} {:>8.1}{note}\n",
+            fit.law.name,
+            fit.residuals.rms,
+            fit.unknowns(),
+            place.behind
+        );
+    }
+    text + "\n"
+}
+
+fn as_json(fits: &[Fit], ranks: &[Rank]) -> serde_json::Value {
+    let estimate = |one: &lab::identify::Estimate| {
+        let (value, verdict) = match &one.verdict {
+            Verdict::Determined => (Some(one.value), "determined".to_owned()),
+            Verdict::AtMost(most) => (None, format!("at most {most}")),
+            Verdict::Undetermined(reason) => (None, format!("not determined: {reason}")),
+            Verdict::AtEnd(end) => (None, format!("at an end of its range: {end}")),
+        };
+        let is_told = value.is_some();
+        json!({
+            "name": one.name, "unit": one.unit, "value": value, "verdict": verdict,
+            "interval": is_told.then(|| one.interval()), "repeated": one.repeated.filter(|_| is_told),
+        })
+    };
+    let laws: Vec<_> = ranks
+        .iter()
+        .map(|place| {
+            let fit = &fits[place.fit];
+            json!({
+                "law": fit.law.name, "behind": place.behind, "tied": place.is_tied, "rms": fit.residuals.rms,
+                "samples": fit.samples, "correlation": fit.residuals.correlation, "repeatable": fit.is_repeatable,
+                "evaluations": fit.evaluations, "warnings": fit.warnings,
+                "estimates": fit.estimates.iter().map(estimate).collect::<Vec<_>>(),
+            })
+        })
+        .collect();
+    json!({ "laws": laws })
+}
+
+fn save(arguments: &Arguments, best: &Fit) -> Result<(), Failure> {
+    let Some(path) = &arguments.out else { return Ok(()) };
+    let left: Vec<&str> = best.undetermined().filter(|name| best.law.find(name).is_some()).collect();
+    if path.extension().is_some_and(|extension| extension == "toml") {
+        write(path, best.configuration().text())?;
+    } else {
+        let name = path.file_stem().unwrap_or_default().to_string_lossy();
+        best.parameter_set(&name)?.save(path).map_err(|error| Fault::File(error.to_string()))?;
+    }
+    if !left.is_empty() {
+        eprintln!("stribeck: {}: left out, because it is not determined: {}", path.display(), left.join(", "));
+    }
+    Ok(())
+}
+
+/// Width of PNG pictures (chosen: a column of 85 mm at 600 dots per inch).
+const PIXELS: u32 = 2000;
+
+fn curves(folder: &Path, records: &[(String, Record)], facts: &Identification) -> Result<(), Failure> {
+    for (number, (name, record)) in records.iter().enumerate() {
+        write(&folder.join(format!("{name}.csv")), record.csv())?;
+        if let Some(cycle) = average(record) {
+            write(&folder.join(format!("{name}-cycle.csv")), cycle.csv())?;
+        }
+        for picture in identification::pictures(facts, number)? {
+            let path = folder.join(format!("{name}-{}", picture.name()));
+            write(&path.with_extension("svg"), &picture.svg)?;
+            write(&path.with_extension("png"), picture.png(PIXELS)?)?;
+        }
+    }
+    Ok(())
+}

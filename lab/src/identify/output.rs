@@ -1,0 +1,162 @@
+//! What leaves a fit: parameter sets, differences to a reference, a table for a terminal.
+
+use std::collections::BTreeMap;
+use std::fmt::Write;
+
+use ssp::parameter_set::ParameterSet;
+use stribeck::instance::Instance;
+use stribeck::model::ModelType;
+
+use super::response::{Ports, forces};
+use super::{Estimate, Experiment, Fit, Verdict};
+use crate::measured::Record;
+use crate::run::Configuration;
+use crate::system::Fault;
+
+/// A difference to a reference in both usual definitions, in percent.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Difference {
+    /// |a - b| / |b|, with the reference b.
+    pub to_reference: f64,
+    /// |a - b| / ((a + b) / 2).
+    pub to_mean: f64,
+}
+
+/// The difference of a value to a reference.
+pub fn difference(value: f64, reference: f64) -> Difference {
+    let apart = 100.0 * (value - reference).abs();
+    Difference { to_reference: apart / reference.abs(), to_mean: apart / (0.5 * (value + reference)).abs() }
+}
+
+/// Values of parameters to compare with, by name.
+pub type Reference = BTreeMap<String, f64>;
+
+/// The values of a preset of a law; those it does not name are the start values.
+pub fn preset(law: &ModelType, name: &str) -> Result<Reference, Fault> {
+    let presets = law.presets;
+    let found = presets.iter().find(|preset| preset.name == name);
+    let preset = found.ok_or_else(|| {
+        Fault::unknown(format!("{}: preset", law.name), name, presets.iter().map(|preset| preset.name))
+    })?;
+    let starts = law.variables().map(|(_, variable)| (variable.path.to_string(), variable.start));
+    Ok(starts.chain(preset.values.iter().map(|(name, value)| ((*name).to_owned(), *value))).collect())
+}
+
+/// Friction force of a law with these values over the motion and the load of a record. Values of inputs and results are
+/// ignored, since the record has them.
+pub fn respond(law: &'static ModelType, values: &Reference, record: &Record) -> Result<Vec<f64>, Fault> {
+    let all: Vec<(String, usize)> =
+        law.variables().map(|(column, variable)| (variable.path.to_string(), column)).collect();
+    let mut columns = Vec::new();
+    for (name, value) in values {
+        let column = all.iter().find(|(known, _)| known == name).map(|(_, column)| *column);
+        let column = column.ok_or_else(|| {
+            Fault::unknown(format!("{}: variable", law.name), name, all.iter().map(|(name, _)| name.as_str()))
+        })?;
+        if law.table.at(column).role.is_parameter() {
+            columns.push((column, *value));
+        }
+    }
+    let refused = |reason: &dyn std::fmt::Display| Fault::value(format_args!("{}: {reason}", law.name));
+    let ports = Ports::of(law).ok_or_else(|| refused(&"only laws of one sliding direction can be fitted"))?;
+    let experiment = Experiment::new("record", record);
+    forces(&mut Instance::new(law), ports, &columns, &experiment, 1).map_err(|reason| refused(&reason))
+}
+
+impl Fit {
+    /// Name of a column of the law.
+    pub fn name_of(&self, column: usize) -> String {
+        self.law.table.at(column).path.to_string()
+    }
+
+    /// The parameters of the law that the data determine, and those that were held; what is not determined is left out.
+    pub fn values(&self) -> Vec<(String, f64)> {
+        let is_told = |one: &&Estimate| one.verdict == Verdict::Determined && self.law.find(&one.name).is_some();
+        let held = self.held.iter().map(|(column, value)| (self.name_of(*column), *value));
+        let told = self.estimates.iter().filter(is_told).map(|one| (one.name.clone(), one.value));
+        held.chain(told).collect()
+    }
+
+    /// The same as a parameter set, for the FMU and the C library.
+    pub fn parameter_set(&self, name: &str) -> Result<ParameterSet, Fault> {
+        ParameterSet::new(self.law, name, self.values()).map_err(Fault::value)
+    }
+
+    /// The same for `stribeck run --config`.
+    pub fn configuration(&self) -> Configuration {
+        let set = self.values().into_iter().map(|(name, value)| (name, toml::Value::Float(value))).collect();
+        Configuration { law: vec![self.law.name.to_owned()], set, ..Configuration::default() }
+    }
+
+    /// Names of the unknowns that have no number.
+    pub fn undetermined(&self) -> impl Iterator<Item = &str> {
+        let is_open = |one: &&Estimate| one.verdict != Verdict::Determined;
+        self.estimates.iter().filter(is_open).map(|one| one.name.as_str())
+    }
+
+    /// The fit as a table for a terminal, with the differences to a reference if there is one.
+    pub fn table(&self, reference: Option<&Reference>) -> String {
+        let seen = &self.residuals;
+        let mut text = format!(
+            "{}: {} N of {} N is not explained (root mean square; {} samples, of which {:.1} count as one)\n",
+            self.law.name,
+            digits(seen.rms),
+            digits(self.level),
+            self.samples,
+            seen.correlation
+        );
+        let how = if self.is_exact { "exact" } else { "by differences" };
+        let _ =
+            writeln!(text, "{} evaluations, sensitivities {how}, condition {:.1e}", self.evaluations, self.condition);
+        let width = self.estimates.iter().map(|one| one.name.len()).max().unwrap_or(0);
+        for one in &self.estimates {
+            let _ = writeln!(text, "  {:<width$}  {}{}", one.name, told(one), compared(one, reference));
+        }
+        if self.is_cancelled {
+            text += "ended early: the best values so far, without profiles and repetitions\n";
+        }
+        for warning in &self.warnings {
+            let _ = writeln!(text, "warning: {warning}");
+        }
+        text
+    }
+}
+
+/// Four digits.
+fn digits(value: f64) -> String {
+    let is_plain = value == 0.0 || (1e-3..1e5).contains(&value.abs());
+    let decimals = (3.0 - value.abs().max(1e-300).log10().floor()).max(0.0) as usize;
+    if is_plain { format!("{value:.decimals$}") } else { format!("{value:.3e}") }
+}
+
+fn told(one: &Estimate) -> String {
+    let unit = if one.unit == "1" { "" } else { one.unit };
+    match &one.verdict {
+        Verdict::Determined => {
+            let [low, high] = one.interval().map(digits);
+            let repeated = one.repeated.map(|ends| ends.map(digits));
+            let repeated = repeated.map_or(String::new(), |[low, high]| format!("; repeated {low} to {high}"));
+            format!("{} {unit} (95 %: {low} to {high}{repeated})", digits(one.value)).replace("  ", " ")
+        }
+        Verdict::AtMost(most) => format!("not told from 0; at most {} {unit}", digits(*most)),
+        Verdict::Undetermined(reason) => format!("not determined: {reason}"),
+        Verdict::AtEnd(end) => format!("at the end {} {unit} of its range", digits(*end)),
+    }
+}
+
+fn compared(one: &Estimate, reference: Option<&Reference>) -> String {
+    let Some(known) = reference.and_then(|reference| known(reference, &one.name)) else { return String::new() };
+    if one.verdict != Verdict::Determined {
+        return format!("; reference {}", digits(known));
+    }
+    let Difference { to_reference, to_mean } = difference(one.value, known);
+    format!("; reference {}, difference {to_reference:.1} % of it, {to_mean:.1} % of the mean", digits(known))
+}
+
+/// The value of a reference for an unknown.
+fn known(reference: &Reference, name: &str) -> Option<f64> {
+    match name {
+        "mu_s - mu_k" => Some(reference.get("mu_s")? - reference.get("mu_k")?),
+        _ => reference.get(name).copied(),
+    }
+}

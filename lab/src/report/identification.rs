@@ -1,0 +1,205 @@
+//! Report of an identification.
+
+use super::html::Page;
+use super::{STYLE, versions_of};
+use crate::identify::{Estimate, Fit, Rank, Reference, Verdict, respond};
+use crate::measured::{Record, average};
+use crate::picture::{Kind, Named, Picture, Theme, curves};
+use crate::system::Fault;
+
+/// What was identified, and from what.
+#[derive(Clone, Copy, Debug)]
+pub struct Identification<'a> {
+    /// The records with their names.
+    pub records: &'a [(String, Record)],
+    /// The fits.
+    pub fits: &'a [Fit],
+    /// Their ranking, the best first.
+    pub ranks: &'a [Rank],
+    /// Values to compare the best fit with.
+    pub reference: Option<&'a Reference>,
+}
+
+impl Identification<'_> {
+    fn best(&self) -> Option<&Fit> {
+        self.fits.get(self.ranks.first()?.fit)
+    }
+}
+
+/// The report, as one HTML file.
+pub fn html(facts: &Identification) -> Result<String, Fault> {
+    let Some(best) = facts.best() else { return Err(Fault::value("there is no fit")) };
+    let mut page = Page::new(&format!("Identification of {}", best.law.name), STYLE);
+    for warning in &best.warnings {
+        page.paragraph("warning", warning);
+    }
+    estimates(&mut page, best, facts.reference);
+    page.heading("Pictures");
+    for number in 0..facts.records.len() {
+        for picture in drawn(facts, number, Theme::Auto)? {
+            page.raw(&format!("<figure>\n{}</figure>\n", picture.svg));
+        }
+    }
+    ranking(&mut page, facts);
+    records(&mut page, facts);
+    correlations(&mut page, best);
+    page.heading("To repeat it");
+    page.listing("stribeck run --config fitted.toml      # with this in fitted.toml:");
+    page.listing(&best.configuration().text());
+    versions_of(&mut page, [best.law]);
+    Ok(page.end())
+}
+
+fn number(value: f64) -> String {
+    format!("{value:.4e}")
+}
+
+fn estimates(page: &mut Page, best: &Fit, reference: Option<&Reference>) {
+    page.heading("Parameters");
+    let head = ["Parameter", "Unit", "#Value", "95 % interval", "From repetitions", "#Reference", "Verdict"];
+    page.begin_table(&head);
+    let ends = |[low, high]: [f64; 2]| format!("{} to {}", number(low), number(high));
+    for one in &best.estimates {
+        let Estimate { name, unit, value, verdict, repeated, .. } = one;
+        let is_told = *verdict == Verdict::Determined;
+        let known = reference.and_then(|reference| reference.get(name)).map_or(String::new(), |value| number(*value));
+        let told = |text: String| if is_told { text } else { String::new() };
+        let cells = [
+            name.clone(),
+            (*unit).to_owned(),
+            told(number(*value)),
+            told(ends(one.interval())),
+            told(repeated.map_or(String::new(), ends)),
+            known,
+            match verdict {
+                Verdict::Determined => "determined".to_owned(),
+                Verdict::AtMost(most) => format!("cannot be told from 0; at most {}", number(*most)),
+                Verdict::Undetermined(reason) => format!("not determined: {reason}"),
+                Verdict::AtEnd(end) => format!("at an end of its range: {}", number(*end)),
+            },
+        ];
+        page.row(if is_told { "" } else { "failed" }, &head, &cells);
+    }
+    page.end_table();
+    let seen = &best.residuals;
+    page.paragraph(
+        "note",
+        &format!(
+            "Not explained: {} N (root mean square) of {} N. Correlation of neighbouring residuals {:.2}; {:.1} of {} samples \
+             count as one. Condition {:.1e}. {} evaluations; sensitivities {}.",
+            number(seen.rms),
+            number(best.level),
+            seen.neighbours,
+            seen.correlation,
+            best.samples,
+            best.condition,
+            best.evaluations,
+            if best.is_exact { "exact" } else { "by central differences" }
+        ),
+    );
+}
+
+fn ranking(page: &mut Page, facts: &Identification) {
+    if facts.ranks.len() < 2 {
+        return;
+    }
+    page.heading("Laws");
+    let head = ["Law", "#Unexplained in N", "#Unknowns", "#Behind", "Verdict"];
+    page.begin_table(&head);
+    for rank in facts.ranks {
+        let fit = &facts.fits[rank.fit];
+        let verdict = match (fit.is_repeatable, rank.is_tied) {
+            (false, _) => "the searches did not agree",
+            (true, true) => "cannot be told apart from the first",
+            (true, false) => "",
+        };
+        let count = fit.unknowns().to_string();
+        let cells =
+            [fit.law.name.into(), number(fit.residuals.rms), count, format!("{:.1}", rank.behind), verdict.into()];
+        page.row("", &head, &cells);
+    }
+    page.end_table();
+}
+
+fn records(page: &mut Page, facts: &Identification) {
+    page.heading("Records");
+    let head =
+        ["Record", "#Samples", "#Length in s", "#Reversals", "#Noise in N", "#Delay of the motion in s", "Findings"];
+    page.begin_table(&head);
+    for (name, record) in facts.records {
+        let quality = &record.quality;
+        let cells = [
+            name.clone(),
+            quality.samples.to_string(),
+            format!("{:.3}", quality.duration),
+            quality.reversals.to_string(),
+            number(quality.noise),
+            format!("{:.5}", record.clocks.delay),
+            quality.findings.join("; "),
+        ];
+        page.row("", &head, &cells);
+    }
+    page.end_table();
+}
+
+fn correlations(page: &mut Page, best: &Fit) {
+    page.heading("Correlations");
+    let names: Vec<&str> = best.estimates.iter().take(best.unknowns()).map(|one| one.name.as_str()).collect();
+    let titles: Vec<String> = names.iter().map(|name| format!("#{name}")).collect();
+    let head: Vec<&str> = std::iter::once("").chain(titles.iter().map(String::as_str)).collect();
+    page.begin_table(&head);
+    for (name, row) in names.iter().zip(&best.correlation) {
+        let cells = row.iter().map(|value| format!("{value:.2}"));
+        let cells: Vec<String> = std::iter::once((*name).to_owned()).chain(cells).collect();
+        page.row("", &head, &cells);
+    }
+    page.end_table();
+}
+
+/// Friction of a record over time, velocity and displacement: measured, of the reference, and fitted (the thesis'
+/// Figures 8.7 to 8.11). Over velocity and displacement it is the mean cycle, if the record has cycles.
+pub fn pictures(facts: &Identification, number: usize) -> Result<Vec<Picture>, Fault> {
+    drawn(facts, number, Theme::Light)
+}
+
+fn drawn(facts: &Identification, number: usize, theme: Theme) -> Result<Vec<Picture>, Fault> {
+    let (Some(best), Some((name, record))) = (facts.best(), facts.records.get(number)) else { return Ok(Vec::new()) };
+    let mut all = vec![("measured".to_owned(), record.clone())];
+    if let Some(reference) = facts.reference {
+        all.push(("reference".to_owned(), with_law(best, reference, record)?));
+    }
+    let mut values: Reference = best.columns.iter().map(|(column, value)| (best.name_of(*column), *value)).collect();
+    values.retain(|_, value| value.is_finite());
+    all.push((format!("{} fitted", best.law.name), with_law(best, &values, record)?));
+    let cycled: Vec<(String, Record)> = all.iter().map(|(name, record)| (name.clone(), mean(record))).collect();
+    let kinds = [Kind::Force, Kind::ForceOverVelocity, Kind::ForceOverDisplacement];
+    let picture = |kind: Kind| {
+        let source = if kind == Kind::Force { &all } else { &cycled };
+        let lines: Vec<Named> = source.iter().map(|(name, record)| (name.clone(), points(kind, record))).collect();
+        curves(kind, &format!("{name}: {}", kind.title()), lines, theme)
+    };
+    Ok(kinds.into_iter().filter_map(picture).collect())
+}
+
+fn with_law(best: &Fit, values: &Reference, record: &Record) -> Result<Record, Fault> {
+    Ok(Record { friction_force: respond(best.law, values, record)?, ..record.clone() })
+}
+
+/// The mean cycle; the record itself if it has none.
+fn mean(record: &Record) -> Record {
+    let Some(cycle) = average(record) else { return record.clone() };
+    let mut mean = record.clone();
+    mean.time = cycle.phase;
+    (mean.displacement, mean.velocity, mean.friction_force) =
+        (cycle.displacement, cycle.velocity, cycle.friction_force);
+    mean
+}
+
+fn points(kind: Kind, record: &Record) -> Vec<[f64; 2]> {
+    let across = match kind {
+        Kind::ForceOverVelocity => &record.velocity,
+        Kind::ForceOverDisplacement => &record.displacement,
+        _ => &record.time,
+    };
+    across.iter().zip(&record.friction_force).map(|(x, y)| [*x, *y]).collect()
+}
