@@ -57,7 +57,7 @@ def arguments() -> argparse.Namespace:
     drive.add_argument("--test", choices=sorted(MANOEUVRES), default="four-post")
     drive.add_argument("--law", default="LuGre", help="friction law of the struts (default: LuGre)")
     drive.add_argument("--strut", choices=CORNERS, default="fl", help="the strut in the picture (default: fl)")
-    drive.add_argument("--fmu", action="store_true", help="struts from the FMU instead of the package")
+    drive.add_argument("--through", choices=("package", "fmu", "c"), default="package", help="what computes the struts")
     drive.add_argument("--fmus", type=Path, default=FMUS, help="folder of the FMUs (default: dist)")
     drive.add_argument("--out", default="out/car", help="result files, without extension (default: out/car)")
     limit = tasks.add_parser("limit", help="the highest speed that passes the cones")
@@ -120,10 +120,11 @@ def show_drive(car: Car, options: argparse.Namespace) -> None:
     """Runs a manoeuvre, writes the tables and draws a picture."""
     known = {"width": car.width} if options.test == "lane-change" else {}
     course = manoeuvre(options.test, **{**known, **numbers(options)})
-    through = "fmu" if options.fmu else "package"
     runs = {}
     for law in dict.fromkeys((options.law, "None")):
-        run = simulate(car, course, law, dict(options.set), options.step, through, options.fmus, code=options.code)
+        run = simulate(
+            car, course, law, dict(options.set), options.step, options.through, options.fmus, code=options.code
+        )
         table = Path(f"{options.out}_{options.test}_{law}.csv")
         write_csv(table, columns_with_units(run))
         print(f"{law}: {summary(run)}\n{table}")

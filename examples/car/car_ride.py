@@ -62,6 +62,8 @@ ARMS = 0.04
 # Longest step on the road in s: slip and spin of a wheel exchange their energy at up to 170 rad/s, and the tyre's force
 # is held over a step. With 2 ms it rocks itself up.
 LONGEST_STEP = 1.25e-3
+# Side load beyond which a run is given up, in N or N m: 35 times the weight of the car.
+LARGEST_SIDE_LOAD = 1e5
 # Stiffness of the parking brake on posts, in N m/rad.
 PARKED = 2.0e3
 
@@ -87,6 +89,15 @@ def columns_with_units(run: Run) -> dict[str, numpy.ndarray]:
     """The columns of a CSV file."""
     units = {**CAR_COLUMNS, **{f"{name}.{column}": unit for name in CORNERS for column, unit in CORNER_COLUMNS.items()}}
     return {f"{name} [{units[name]}]": values for name, values in run.columns.items()}
+
+
+def side_load(name: str, now: float, wrench: Wrench) -> Wrench:
+    """A wrench that a joint of this car can have: beyond, strut and car have rocked each other up."""
+    largest = max(map(abs, (wrench.force_m, wrench.force_n, wrench.moment_m, wrench.moment_n)))
+    if not largest <= LARGEST_SIDE_LOAD:
+        seen = f"side load of {largest:g} N or N.m: must be at most {LARGEST_SIDE_LOAD:.0f} N; try a smaller step"
+        raise CarError(f"{name} at {now:.4f} s: {seen}")
+    return wrench
 
 
 class Ride:
@@ -174,7 +185,7 @@ class Ride:
             carrier = self.model.carrier(name)
             if self.ledger:
                 self.ledger.book(name, carrier, length, self.step)
-            wrench = Wrench.in_rod_eye(*self.model.reaction(name), length)
+            wrench = side_load(name, begin, Wrench.in_rod_eye(*self.model.reaction(name), length))
             before = time.perf_counter()
             force = self.struts[name].advance(length, velocity, self.step, wrench)
             self.strut_seconds += time.perf_counter() - before

@@ -1,12 +1,16 @@
-"""The struts of the car: the ShockAbsorber of the package, or its FMU; both give the same forces to the last bit."""
+"""The struts of the car: the ShockAbsorber of the package, of its FMU, or of the C library, to the last bit the same."""
 
+import ctypes
+import tempfile
+import zipfile
 from collections.abc import Iterator, Mapping
 from contextlib import ExitStack, contextmanager
 from pathlib import Path
 
+import fmpy
 import stribeck
 from car_description import CORNERS, Car, CarError
-from coupling import FMUS
+from coupling import FMUS, path_of
 from hosted_strut import UNLOADED, Wrench, open_strut
 
 READINGS = ("friction_1", "friction_2", "normal_1", "normal_2", "force_damper")
@@ -60,6 +64,61 @@ class FmuStrut:
         return force
 
 
+class CStrut:
+    """The strut of the C library, whose functions every FMU contains."""
+
+    INPUTS = ("length", "velocity", "side_force_m", "side_force_n", "side_moment_m", "side_moment_n")
+
+    def __init__(self, library: ctypes.CDLL, parameters: Mapping[str, object], length: float):
+        self.library, self.handle = library, ctypes.c_void_p()
+        library.stribeck_last_error.restype = ctypes.c_char_p
+        self._call("create", b"ShockAbsorber", ctypes.byref(self.handle), of_model=False)
+        # The C library takes the number of a choice, which the package knows.
+        find = stribeck.model("ShockAbsorber").find
+        for name, value in {**parameters, "length": length}.items():
+            self._call("set_by_name", name.encode(), ctypes.c_double(find(name).number(value)))
+        self.inputs = [self._reference(name) for name in self.INPUTS]
+        self.outputs = [self._reference(name) for name in ("force", *READINGS)]
+        self.seen = (0.0, 0.0, 0.0, 0.0, 0.0)
+
+    def advance(self, length: float, velocity: float, step: float, wrench: Wrench = UNLOADED) -> float:
+        """Makes one step with held inputs and returns the force."""
+        loads = (wrench.force_m, wrench.force_n, wrench.moment_m, wrench.moment_n)
+        for reference, value in zip(self.inputs, (length, velocity, *loads), strict=True):
+            self._call("set", reference, ctypes.c_double(value))
+        self._call("step", ctypes.c_double(step))
+        force, *seen = (self._get(reference) for reference in self.outputs)
+        self.seen = tuple(seen)
+        return force
+
+    def close(self) -> None:
+        """Frees the model."""
+        self.library.stribeck_free(self.handle)
+
+    def _reference(self, name: str) -> ctypes.c_uint32:
+        reference = ctypes.c_uint32()
+        self._call("find", name.encode(), ctypes.byref(reference))
+        return reference
+
+    def _get(self, reference: ctypes.c_uint32) -> float:
+        value = ctypes.c_double()
+        self._call("get", reference, ctypes.byref(value))
+        return value.value
+
+    def _call(self, name: str, *arguments: object, of_model: bool = True) -> None:
+        given = (self.handle, *arguments) if of_model else arguments
+        if getattr(self.library, f"stribeck_{name}")(*given) != 0:
+            raise CarError(f"strut: {self.library.stribeck_last_error(self.handle).decode()}")
+
+
+@contextmanager
+def _library_in(fmu: Path) -> Iterator[ctypes.CDLL]:
+    """The library of an FMU for this machine."""
+    with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as folder, zipfile.ZipFile(fmu) as archive:
+        member = f"binaries/{fmpy.platform}/ShockAbsorber{fmpy.sharedLibraryExtension}"
+        yield ctypes.CDLL(archive.extract(member, folder))
+
+
 class RestingStrut:
     """Force and stiffness of a strut without friction that does not move."""
 
@@ -68,6 +127,10 @@ class RestingStrut:
             self.model = stribeck.ShockAbsorber(**{**parameters, "friction.model": "None"})
         except (stribeck.Refused, TypeError) as refusal:
             raise CarError(f"strut: {refusal}") from None
+        overlap = self.model["overlap"] - self.model["compression"]
+        if overlap <= 0.0:
+            where = "overlap at full extension, geom.d_i + geom.d_j - geom.length_extended"
+            raise CarError(f"strut: {where} = {overlap:g} m: must be positive")
 
     def at(self, length: float) -> tuple[float, float]:
         """Force, and by how much it falls per length."""
@@ -97,15 +160,18 @@ def open_struts(
     lengths: Mapping[str, float],
     through: str = "package",
     fmus: Path = FMUS,
-) -> Iterator[dict[str, PackageStrut | FmuStrut]]:
-    """Four struts at rest."""
+) -> Iterator[dict[str, PackageStrut | FmuStrut | CStrut]]:
+    """Four struts at rest: through the `package`, the `fmu` or `c`."""
     with ExitStack() as stack:
         struts = {}
+        library = stack.enter_context(_library_in(path_of("ShockAbsorber", fmus))) if through == "c" else None
         for name in CORNERS:
+            given = parameters[name], lengths[name]
             if through == "package":
-                struts[name] = PackageStrut(parameters[name], lengths[name])
+                struts[name] = PackageStrut(*given)
+            elif through == "c":
+                struts[name] = CStrut(library, *given)
+                stack.callback(struts[name].close)
             else:
-                struts[name] = FmuStrut(
-                    stack.enter_context(open_strut(parameters[name], lengths[name], native=False, fmus=fmus))
-                )
+                struts[name] = FmuStrut(stack.enter_context(open_strut(*given, native=False, fmus=fmus)))
         yield struts

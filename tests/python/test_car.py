@@ -189,14 +189,15 @@ def test_friction_on_the_posts_takes_energy_and_follows_the_contacts(posts):
     assert numpy.ptp(rubbing["pitch"]) < numpy.ptp(free["pitch"])
 
 
-def test_struts_of_package_and_fmu_agree_to_the_last_bit():
+def test_struts_of_package_fmu_and_c_library_agree_to_the_last_bit():
     course = manoeuvre("four-post", duration=0.1)
     runs = [
         car_ride.simulate(DESCRIPTION, course, "Leuven", step=2e-3, through=through, fmus=FMUS)
-        for through in ("package", "fmu")
+        for through in ("package", "fmu", "c")
     ]
     for name, column in runs[0].columns.items():
         assert numpy.array_equal(column, runs[1][name]), name
+        assert numpy.array_equal(column, runs[2][name]), name
 
 
 def test_car_turns_where_it_is_steered():
@@ -335,6 +336,16 @@ def test_nonsense_in_struts_and_manoeuvres_is_named():
     strut = PackageStrut(parameters_of(DESCRIPTION, "LuGre", {})["fl"], 0.186)
     with pytest.raises(CarError, match=r"strut at 0\.0000 s: .*side_force_m.*inf"):
         strut.advance(0.186, 0.0, 1e-3, Wrench(math.inf, 0.0, 0.0, 0.0))
+    with (
+        pytest.raises(CarError, match="c1.mu_s"),
+        open_struts(parameters_of(DESCRIPTION, "LuGre", {"c1.mu_s": -0.1}), lengths, "c", FMUS),
+    ):
+        pass
+    short = parameters_of(DESCRIPTION, "LuGre", {"geom.d_i": 0.09})
+    with pytest.raises(CarError, match=r"overlap at full extension, .* = -0\.005 m: must be positive"):
+        settle(ExudynCar(DESCRIPTION), read_tyre(DESCRIPTION), short)
+    with pytest.raises(CarError, match=r"fl at 0\.0000 s: side load of 200000 N or N.m: must be at most 100000 N"):
+        car_ride.side_load("fl", 0.0, Wrench(2e5, 0.0, 0.0, 0.0))
     with pytest.raises(CarError, match="four-post has no angle; there are speed, duration, stroke, frequency, lag"):
         manoeuvre("four-post", angle=1.0)
     with pytest.raises(CarError, match=r"step = 0\.002 s: must be at most 0\.00125 s on the road"):
