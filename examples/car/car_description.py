@@ -110,6 +110,7 @@ class Car:
     rack_mass: float
     travel_per_turn: float
     tyre: Tyre
+    front_brakes: float
     corners: Mapping[str, Corner]
     bar_stiffness: Mapping[str, float]
 
@@ -145,7 +146,7 @@ def car_of(entries: Mapping[str, object], folder: Path = CAR.parent) -> Car:
     axles = {letter: top.table(axle) for letter, axle in AXLES.items()}
     corners = {name: _corner(name, axles[name[0]], wheelbase, shared) for name in CORNERS}
     bars = {letter: axles[letter].table("anti_roll_bar") for letter in AXLES}
-    tyre, steering = top.table("tyre"), top.table("steering")
+    tyre, steering, brakes = (top.table(name) for name in ("tyre", "steering", "brakes"))
     car = Car(
         name=str(top.take("name")),
         gravity=gravity,
@@ -160,10 +161,11 @@ def car_of(entries: Mapping[str, object], folder: Path = CAR.parent) -> Car:
             patch_stiffness=tyre.positive("patch_stiffness"),
             patch_damping=tyre.positive("patch_damping"),
         ),
+        front_brakes=brakes.share("front_share"),
         corners=corners,
         bar_stiffness={letter: bars[letter].positive("stiffness") for letter in AXLES},
     )
-    for table in (*bars.values(), *axles.values(), tyre, steering, top):
+    for table in (*bars.values(), *axles.values(), tyre, steering, brakes, top):
         table.finish()
     return car
 
@@ -261,6 +263,12 @@ class _Table:
         value = self.number(name)
         if value <= 0.0:
             raise CarError(f"{self.path}{name} = {value:g}: must be positive")
+        return value
+
+    def share(self, name: str) -> float:
+        value = self.number(name)
+        if not 0.0 <= value <= 1.0:
+            raise CarError(f"{self.path}{name} = {value:g}: must be between 0 and 1")
         return value
 
     def vector(self, name: str) -> Vector:

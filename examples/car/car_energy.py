@@ -17,13 +17,14 @@ class Works:
     dampers: float = 0.0
     tyres: float = 0.0
     drive: float = 0.0
+    brakes: float = 0.0
     rack: float = 0.0
     stored: float = 0.0
 
     @property
     def residual(self) -> float:
         """What the balance does not account for: errors, and on posts the parking brakes."""
-        return self.struts + self.tyres + self.drive + self.rack - self.stored
+        return self.struts + self.tyres + self.drive + self.brakes + self.rack - self.stored
 
     @property
     def dissipated(self) -> float:
@@ -42,8 +43,10 @@ class _Held:
     push: Vector
     moment: Vector
     torque: Vector
+    brake: Vector
     centre: Vector
     turning: Vector
+    upright: Vector
 
 
 @dataclass
@@ -84,11 +87,13 @@ class Ledger:
         turned = 0.5 * step * (held.turning + _wheel_turning(carrier))
         self.works.tyres += float(held.push @ (carrier.centre - held.centre) + held.moment @ turned)
         self.works.drive += float(held.torque @ turned)
+        self.works.brakes += float(held.brake @ (turned - 0.5 * step * (held.upright + carrier.turning)))
 
     def hold(self, name: str, carrier: Carrier, length: float, strut: tuple, tyre: tuple) -> None:
         """Notes what acts at a corner over the step that begins now: force, friction and damper of the strut; force and
-        moment of the tyre, torque of the drive."""
-        self._held[name] = _Held(*strut, length, *tyre, carrier.centre, _wheel_turning(carrier))
+        moment of the tyre, torques of drive and brake."""
+        places = carrier.centre, _wheel_turning(carrier), carrier.turning
+        self._held[name] = _Held(*strut, length, *tyre, *places)
 
     def close(self, step: float) -> Works:
         """Books the last step; the works of the run."""

@@ -112,7 +112,7 @@ class Ride:
         self.ledger = Ledger(self.model) if code == EXUDYN else None
         self.rows: list[list[float]] = []
         self.failure: CarError | None = None
-        self.wheel = self.torque = self.strut_seconds = 0.0
+        self.wheel = self.torque = self.brake = self.strut_seconds = 0.0
         self.is_moving = manoeuvre.speed > 0.0
         self.tyres = {name: self._tyre(name) for name in CORNERS}
 
@@ -139,16 +139,19 @@ class Ride:
             self._push_tyre(name, self.model.carrier(name), 0.0, 0.0)
         return rest
 
-    def _push_tyre(self, name: str, carrier: Carrier, now: float, step: float) -> tuple[float, Push, numpy.ndarray]:
-        """Sets the force of a tyre, and the torque of the drive, whose reaction acts on the chassis; returns the height
-        of the road, the push of the tyre and the torque."""
+    def _push_tyre(self, name: str, carrier: Carrier, now: float, step: float) -> tuple[float, Push, tuple]:
+        """Sets the force of a tyre, the torque of the drive, whose reaction acts on the chassis, and that of the brake,
+        whose reaction acts on the upright; returns the height of the road, the push of the tyre and the torques."""
         height, rise = self.manoeuvre.road(name, now, carrier.centre[0])
         contact = touch(self.tyre, carrier, height, rise)
         push = self.tyres[name].push(contact, carrier, step)
-        torque = (0.5 * self.torque if name[0] == "r" else 0.0) * carrier.axis
-        self.model.push(name, push.force, push.moment + torque)
-        self.model.react(name, -torque)
-        return height, push, torque
+        share = self.car.front_brakes if name[0] == "f" else 1.0 - self.car.front_brakes
+        drive = (0.5 * self.torque if name[0] == "r" else 0.0) * carrier.axis
+        brake = -0.5 * share * math.copysign(self.brake, carrier.spin) * carrier.axis
+        self.model.push(name, push.force, push.moment + drive + brake)
+        self.model.react(name, -drive)
+        self.model.brake(name, -brake)
+        return height, push, (drive, brake)
 
     def hold(self, _system, end: float) -> bool:
         """Before a step: sets all forces, and writes a row. exudyn gives the time at the end of the step."""
@@ -190,11 +193,11 @@ class Ride:
             force = self.struts[name].advance(length, velocity, self.step, wrench)
             self.strut_seconds += time.perf_counter() - before
             self.model.set_strut(name, force)
-            height, push, torque = self._push_tyre(name, carrier, begin, self.step)
+            height, push, torques = self._push_tyre(name, carrier, begin, self.step)
             seen = self.struts[name].seen
             friction, damper = seen[0] + seen[1], seen[4]
             if self.ledger:
-                acting = (push.force, push.moment, torque)
+                acting = (push.force, push.moment, *torques)
                 self.ledger.hold(name, carrier, length, (force, friction, damper), acting)
             row += [length, velocity, force, friction, *seen, *self.tyres[name].forces, height]
         self.rows.append(row)
@@ -208,6 +211,7 @@ class Ride:
         pose = Pose(now, float(nose[0]), float(nose[1]), yaw, speed, yaw_rate)
         wanted = self.manoeuvre.steer(pose)
         cruise = self.manoeuvre.wanted_speed(pose)
+        self.brake = self.manoeuvre.brake(pose)
         self.torque = 0.0 if cruise is None else CRUISE * (cruise - speed)
         turn = (wanted - self.wheel) * (1.0 - math.exp(-self.step / ARMS))
         turn = min(max(turn, -FASTEST_TURN * self.step), FASTEST_TURN * self.step)

@@ -1,4 +1,4 @@
-"""The struts of the car: the ShockAbsorber of the package, of its FMU, or of the C library, to the last bit the same."""
+"""The struts of the car: the ShockAbsorber of the package, of its FMU or of the C library, with the same bits."""
 
 import ctypes
 import tempfile

@@ -29,7 +29,7 @@ class CornerBodies:
         self.corner = corner
         self.bodies: dict[str, int] = {}
         self.telescope = self.strut = self.parking = -1
-        self.patch = self.force = self.moment = self.shaft = -1
+        self.patch = self.force = self.moment = self.shaft = self.caliper = -1
 
 
 class ExudynCar:
@@ -157,6 +157,7 @@ class ExudynCar:
         centre = self._local(b["wheel"], p["wheel_centre"])
         made.force = self.system.CreateForce(itemNumber=b["wheel"], loadVector=[0.0] * 3, localPosition=centre)
         made.moment = self.system.CreateTorque(itemNumber=b["wheel"], loadVector=[0.0] * 3)
+        made.caliper = self.system.CreateTorque(itemNumber=b["upright"], loadVector=[0.0] * 3)
         made.shaft = self.system.CreateTorque(itemNumber=self.chassis, loadVector=[0.0] * 3)
 
     def _anti_roll_bar(self, left: CornerBodies, right: CornerBodies) -> None:
@@ -257,6 +258,10 @@ class ExudynCar:
     def react(self, name: str, moment: Vector) -> None:
         """Sets the moment of a driven wheel's shaft on the chassis."""
         self.system.SetLoadParameter(self.corners[name].shaft, "loadVector", list(moment))
+
+    def brake(self, name: str, moment: Vector) -> None:
+        """Sets the moment of a wheel's brake on its upright."""
+        self.system.SetLoadParameter(self.corners[name].caliper, "loadVector", list(moment))
 
     def park(self, name: str, stiffness: float) -> None:
         """Pulls the parking brake of a wheel: a stiff spring, well damped."""

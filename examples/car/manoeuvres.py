@@ -39,6 +39,10 @@ class Manoeuvre:
         """Angle of the steering wheel in rad, positive to the left."""
         return 0.0
 
+    def brake(self, pose: Pose) -> float:  # noqa: ARG002
+        """Torque of all brakes together in N m."""
+        return 0.0
+
     def wanted_speed(self, pose: Pose) -> float | None:  # noqa: ARG002
         """Speed that the drive holds; None for a released accelerator, or none."""
         return self.speed or None
@@ -76,6 +80,24 @@ class StepSteer(Manoeuvre):
     def steer(self, pose: Pose) -> float:
         passed = min(1.0, max(0.0, (pose.time - RUN_IN) / self.rise))
         return 0.5 * self.angle * (1.0 - math.cos(math.pi * passed))
+
+
+@dataclass(frozen=True)
+class Braking(Manoeuvre):
+    """Straight-line braking with a torque of all brakes together, which rises in a quarter of a cosine."""
+
+    speed: float = 20.0
+    torque: float = 350.0
+    rise: float = 0.1
+    duration: float = 2.5
+    name = "braking"
+
+    def brake(self, pose: Pose) -> float:
+        passed = min(1.0, max(0.0, (pose.time - RUN_IN) / self.rise))
+        return 0.5 * self.torque * (1.0 - math.cos(math.pi * passed))
+
+    def wanted_speed(self, pose: Pose) -> float | None:
+        return self.speed if pose.time < RUN_IN else None
 
 
 @dataclass(frozen=True)
@@ -166,7 +188,7 @@ class LaneChange(Manoeuvre):
         return self.speed if pose.x < self.approach + 2.0 else None
 
 
-MANOEUVRES = {kind.name: kind for kind in (FourPost, LaneChange, StepSteer, ConstantRadius, Kerb)}
+MANOEUVRES = {kind.name: kind for kind in (FourPost, LaneChange, StepSteer, ConstantRadius, Braking, Kerb)}
 
 
 def manoeuvre(name: str, **changes: float) -> Manoeuvre:

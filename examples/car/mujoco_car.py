@@ -193,6 +193,10 @@ class MujocoCar:
         self.shafts[name] = moment
         self.data.xfrc_applied[self.chassis, 3:] = sum(self.shafts.values())
 
+    def brake(self, name: str, moment: Vector) -> None:
+        """Sets the moment of a wheel's brake on its upright."""
+        self.data.xfrc_applied[self.names[name][0], 3:] = moment
+
     def move_rack(self, travel: float) -> None:
         """Moves the rack to a travel, which it has at the end of the step."""
         self.travel = travel

@@ -259,6 +259,26 @@ def test_kerb_lifts_the_left_side():
     assert run["roll"].max() > math.radians(0.1)
 
 
+def test_brakes_stop_the_car_and_lower_its_nose():
+    course = manoeuvre("braking", duration=1.2)
+    run = car_ride.simulate(DESCRIPTION, course, "None")
+    late = slice(-300, -20)
+    force = sum(run[f"{name}.force_x"] for name in CORNERS)[late].mean()
+    slowing = numpy.gradient(run["speed"], run["time"])[late].mean()
+    assert force == pytest.approx(DESCRIPTION.mass * slowing, rel=0.01)
+    # The brakes act on the wheels, whose spin slows down too; the arm of the force is the loaded radius.
+    radius = 0.2 - GRAVITY * DESCRIPTION.mass / 4.0 / 87563.5
+    spinning = 4.0 * DESCRIPTION.corners["fl"].bodies["wheel"].inertia[1] * slowing / radius
+    assert -force * radius == pytest.approx(course.torque + spinning, rel=0.02)
+    # Load moves forward by m a h / l, and the nose goes down.
+    moved = run["fl.load"][late].mean() - run["fl.load"][0]
+    height = 0.286 + run["heave"][late].mean()
+    assert moved == pytest.approx(-DESCRIPTION.mass * slowing * height / DESCRIPTION.wheelbase / 2.0, rel=0.05)
+    assert run["pitch"][-1] > math.radians(0.1)
+    works = run.works
+    assert abs(works.residual) < 1e-3 * -works.brakes
+
+
 def test_tyre_of_the_package_gives_the_published_points():
     file = PROJECT / "examples" / "tyres" / "formula_student.tir"
     tyre, other = stribeck.Tyre(file), LateralTyre(fnomin=700.0)
@@ -304,6 +324,7 @@ def changed(path: str, value: object) -> dict:
         ("front/tube_eye", [0.0, 0.100, 0.587], "front.tube_eye and rod_eye: 0.152 m apart, must be between 0.145 and"),
         ("front/bodies/rod/inertia", [1.0, 0.1, 0.1], "front.bodies.rod.inertia = [1.0, 0.1, 0.1]: must be positive"),
         ("rear/bodies", 3, "rear.bodies = 3: must be a table"),
+        ("brakes/front_share", 1.5, "brakes.front_share = 1.5: must be between 0 and 1"),
         ("tyre/width", 0.2, "tyre.width: unknown; there are file"),
     ],
 )
