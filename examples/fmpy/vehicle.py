@@ -90,8 +90,21 @@ class Choice:
         return dict(layout.struts.get(axle, {})) | common | own
 
 
-def friction(model: str, level: float) -> dict[str, object]:
-    """Parameters of a strut whose friction has the same level at every load: the kinetic one, in newtons."""
+# Friction with the levels of the strut's own parameters: those of the seals, and of the load that the spring's seat,
+# beside the axis, puts on both contacts. No other side load is known to a car without joints.
+BY_LOAD = None
+
+
+def level(text: str) -> float | None:
+    """Reads a level of friction: newtons, or `load`."""
+    return BY_LOAD if text == "load" else not_negative(text)
+
+
+def friction(model: str, level: float | None) -> dict[str, object]:
+    """Parameters of a strut whose friction has the same level at every load, the kinetic one in newtons; or whose
+    friction depends on the load."""
+    if level is BY_LOAD:
+        return {"friction.model": model}
     loads = {f"c{contact}.{name}": 0.0 for contact in (1, 2) for name in ("mu_s", "mu_k", "preload_s", "preload_k")}
     return loads | {"friction.model": model, "c1.preload_k": level, "c1.preload_s": STATIC_RATIO * level}
 
@@ -328,11 +341,12 @@ def options_of(about: str, out: str) -> argparse.ArgumentParser:
     )
     parser.add_argument(
         "--levels",
-        type=not_negative,
+        type=level,
         nargs="+",
         default=[0.0, 20.0, 50.0],
         metavar="N",
-        help="kinetic friction of each strut in N, side by side (default: 0 20 50); breakaway is 1.3 times as high",
+        help="kinetic friction of each strut in N, side by side (default: 0 20 50); breakaway is 1.3 times as high. "
+        "load: friction of the seals, and of both contacts under the side load of the spring's seat",
     )
     parser.add_argument("--step", type=positive, default=1e-3, help="communication step in s (default: 1e-3)")
     return parser
@@ -343,7 +357,7 @@ def choices_of(options: argparse.Namespace) -> dict[str, Choice]:
     return {label_of(level): choice_of(options, options.model, level) for level in options.levels}
 
 
-def choice_of(options: argparse.Namespace, model: str, level: float) -> Choice:
+def choice_of(options: argparse.Namespace, model: str, level: float | None) -> Choice:
     """The choices of the command line, with the given law and level."""
     struts = options.strut_file | friction(model, level) | dict(options.set)
     return Choice(options.fmus, struts, options.car_file | dict(options.car))
@@ -361,8 +375,10 @@ def parameter_set(text: str) -> dict[str, str]:
         return {row["variable"]: row["value"] for row in rows}
 
 
-def label_of(level: float) -> str:
+def label_of(level: float | None) -> str:
     """Label of a level of friction."""
+    if level is BY_LOAD:
+        return "by load"
     return f"{level:g} N" if level > 0.0 else "no friction"
 
 
@@ -381,7 +397,8 @@ def add_laws(parser: argparse.ArgumentParser) -> None:
         nargs="*",
         default=LAWS,
         metavar="LAW",
-        help=f"laws to compare at the highest level, none to skip the comparison (default: {' '.join(LAWS)})",
+        help="laws to compare at the highest level, or by load if that is one of the levels; none to skip the "
+        f"comparison (default: {' '.join(LAWS)})",
     )
     parser.add_argument(
         "--tolerance",
@@ -400,7 +417,8 @@ def check_laws(options: argparse.Namespace) -> None:
 def run_laws(layout: Layout, excitation: Excitation, options: argparse.Namespace) -> list[Run]:
     """The same motion with each of several laws, each with its own steps, up to ten times as long as in the other
     runs."""
-    level, longest = max(options.levels), 10.0 * options.step
+    level = BY_LOAD if BY_LOAD in options.levels else max(options.levels)
+    longest = 10.0 * options.step
     return [
         run_car(layout, excitation, choice_of(options, law, level), options.time, longest, options.tolerance, law)
         for law in options.laws

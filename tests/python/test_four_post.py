@@ -9,7 +9,7 @@ import numpy
 import pytest
 from coupling import FMUS
 from four_post import measure, posts, run_four_post
-from vehicle import FOUR_POST_CAR, Choice, friction, run_car
+from vehicle import BY_LOAD, FOUR_POST_CAR, Choice, choices_of, friction, options_of, run_car
 
 FREQUENCY = 2.0
 NO_GAS = {"gas.enabled": False}
@@ -140,3 +140,24 @@ def test_parameters_of_an_axle_take_precedence_over_common_ones():
     assert choice.of_axle(FOUR_POST_CAR, "front.") == {"spring.k": 4e4, "damper.scale": 0.5}
     assert choice.of_axle(FOUR_POST_CAR, "rear.") == {"spring.k": 3e4, "damper.scale": 0.5}
     assert Choice(FMUS).of_axle(FOUR_POST_CAR, "rear.") == {"spring.k": 35000.0}
+
+
+def test_friction_by_load_follows_the_spring_whose_seat_is_beside_the_axis():
+    """A couple: the spring's force on an arm of 3 mm, over the overlap of 230 mm less the length."""
+    strut = friction("Coulomb", BY_LOAD) | NO_GAS
+    found = run_four_post(Choice(FMUS, strut), time=1.5)
+    length, velocity = found["fl.length"], found["fl.velocity"]
+    spring = 150.0 + 45000.0 * (0.2 - length)
+    normal = 0.003 * spring / numpy.hypot(0.23 - length, 0.002)
+    wanted = 8.0 + 6.0 + (0.10 + 0.08) * normal
+    sliding = numpy.abs(velocity) > 0.02
+    assert numpy.abs(found["fl.force_friction"])[sliding] == pytest.approx(wanted[sliding], rel=5e-3)
+    assert numpy.ptp(wanted[sliding]) > 1.0
+
+
+def test_levels_are_numbers_or_the_load():
+    options = options_of("", "out").parse_args(["--levels", "0", "20", "load"])
+    assert list(choices_of(options)) == ["no friction", "20 N", "by load"]
+    for text in ("-1", "loads"):
+        with pytest.raises(SystemExit):
+            options_of("", "out").parse_args(["--levels", text])
