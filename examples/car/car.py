@@ -31,7 +31,7 @@ from car_ride import EXUDYN, MUJOCO, Run, columns_with_units, simulate
 from car_stand import COLUMNS as STAND_COLUMNS
 from car_stand import Stand
 from car_struts import parameters_of
-from car_study import STUDIED, Case, courses_of, figures_of, laws_of, printed, run_study, table_of
+from car_study import STUDIED, Case, contacts_of, courses_of, figures_of, laws_of, printed, run_study, table_of
 from car_tyres import read_tyre
 from coupling import FMUS, main, parameter, positive, write_csv
 from exudyn_car import ExudynCar
@@ -187,6 +187,7 @@ def show_study(car: Car, options: argparse.Namespace) -> None:
     tables = {name: table_of(outcomes, name) for name in courses}
     for name, rows in tables.items():
         print(f"\n{name}\n{printed(rows)}")
+    tables["contacts of the struts"] = contacts_of(car, changes)
     figures = draw_study(car, courses, outcomes, options.strut, folder)
     facts = [
         f"{car.name} in {options.code}, step {options.step:g} s; strut in the figures: {options.strut}.",

@@ -20,7 +20,8 @@ def write_page(
     for heading, picture in figures.items():
         data = base64.b64encode(picture.read_bytes()).decode("ascii")
         shown = html.escape(heading)
-        parts.append(f'<h2>{shown}</h2>\n<img alt="{shown}" src="data:image/png;base64,{data}" style="max-width:100%">')
+        image = f'<img alt="{shown}" src="data:image/png;base64,{data}" style="max-width:100%">'
+        parts.append(f"<h2>{shown}</h2>\n<figure>{image}</figure>")
     style = STYLE.read_text(encoding="utf-8")
     head = f'<meta charset="utf-8">\n<title>{html.escape(title)}</title>\n<style>\n{style}</style>'
     path.parent.mkdir(parents=True, exist_ok=True)
@@ -29,11 +30,17 @@ def write_page(
 
 
 def _table(rows: Sequence[Sequence[str]]) -> str:
-    """A table whose first row is its head; a short row goes over all columns."""
-    head = "".join(f"<th>{html.escape(cell)}</th>" for cell in rows[0])
+    """A table whose first row is its head, with numbers to the right; a short row tells why a run failed."""
+    first, *others = rows[0]
+    head = f"<th>{html.escape(first)}</th>" + "".join(f'<th class="number">{html.escape(cell)}</th>' for cell in others)
     lines = [f"<tr>{head}</tr>"]
-    for row in rows[1:]:
-        last = f' colspan="{len(rows[0]) - len(row) + 1}"'
-        cells = [f"<td{last if cell is row[-1] else ''}>{html.escape(cell)}</td>" for cell in row]
-        lines.append(f"<tr>{''.join(cells)}</tr>")
-    return "<table>\n" + "\n".join(lines) + "\n</table>"
+    for law, *cells in rows[1:]:
+        shown = [html.escape(cell) for cell in cells]
+        if len(cells) < len(others):
+            lines.append(
+                f'<tr class="failed"><td>{html.escape(law)}</td><td colspan="{len(others)}">{shown[0]}</td></tr>'
+            )
+        else:
+            numbers = "".join(f'<td class="number">{cell}</td>' for cell in shown)
+            lines.append(f"<tr><td>{html.escape(law)}</td>{numbers}</tr>")
+    return '<div class="wide"><table>\n' + "\n".join(lines) + "\n</table></div>"

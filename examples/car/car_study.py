@@ -11,6 +11,7 @@ import numpy
 import stribeck
 from car_description import CORNERS, Car, CarError, read_car
 from car_ride import EXUDYN, Run, columns_with_units, simulate
+from car_struts import parameters_of
 from coupling import write_csv
 from lane_change import clearance
 from manoeuvres import MANOEUVRES, LaneChange, Manoeuvre, manoeuvre
@@ -165,6 +166,16 @@ def table_of(outcomes: Sequence[Outcome], course: str) -> list[list[str]]:
         relative = f"{seen['seconds'] / least:.2f}" if least else "-"
         effect = [f"{seen[figure]:.{digits}f}" for _, figure, digits in EFFECT[course]]
         rows.append([outcome.law, *cost, relative, *effect])
+    return rows
+
+
+def contacts_of(car: Car, changes: Mapping[str, object]) -> list[list[str]]:
+    """The levels of both contacts, the same for every law (Table 9.3)."""
+    given = parameters_of(car, NONE, changes)["fl"]
+    names = ("mu_s", "mu_k", "preload_s", "preload_k")
+    rows = [["contact", *(f"{name} [{'1' if name.startswith('mu') else 'N'}]" for name in names)]]
+    for contact, where in (("c1", "rod guide"), ("c2", "piston")):
+        rows.append([where, *(f"{given[f'{contact}.{name}']:g}" for name in names)])
     return rows
 
 

@@ -398,6 +398,7 @@ def test_program(options, printed, tmp_path):
         page = (tmp_path / "out" / "car_study" / "report.html").read_text(encoding="utf-8")
         assert page.count("data:image/png;base64,") == 5
         assert all(f"<td>{law}</td>" in page for law in ("None", "Dahl", "Karnopp"))
+        assert '<td>piston</td><td class="number">0.1</td><td class="number">0.08</td>' in page
     for table in tmp_path.rglob("*.csv"):
         assert numpy.isfinite(numpy.loadtxt(table, delimiter=",", skiprows=1)).all()
 
