@@ -145,6 +145,21 @@ impl Sheet {
         Ok(Sheet { separator, headings, rows })
     }
 
+    /// A table of columns that a program has, in SI units.
+    pub fn of_columns(columns: &[(String, Vec<f64>)]) -> Result<Sheet, SheetError> {
+        let names: Vec<&str> = columns.iter().map(|(name, _)| name.as_str()).collect();
+        let mut writer = csv::Writer::from_writer(Vec::new());
+        writer.write_record(&names)?;
+        let count = columns.iter().map(|(_, values)| values.len()).max().unwrap_or(0);
+        for row in 0..count {
+            // A number in its shortest form is read back with the same bits; a column that is too short has no number.
+            let cell = |values: &Vec<f64>| values.get(row).map_or(String::new(), f64::to_string);
+            writer.write_record(columns.iter().map(|(_, values)| cell(values)))?;
+        }
+        let text = writer.into_inner().map_err(|error| csv::Error::from(error.into_error()))?;
+        Sheet::parse(&String::from_utf8_lossy(&text))
+    }
+
     /// Number of rows.
     pub fn len(&self) -> usize {
         self.rows.len()
@@ -236,6 +251,14 @@ mod tests {
         assert_eq!(sheet.column(&DISPLACEMENT).unwrap(), Some(vec![4e-3]));
         assert_eq!([sheet.line(0), sheet.len() as u64], [3, 1]);
         assert_eq!(sheet.column(&VELOCITY).unwrap(), None);
+    }
+
+    #[test]
+    fn columns_keep_their_bits() {
+        let values = vec![0.1 + 0.2, -1e-300, f64::MAX];
+        let sheet = Sheet::of_columns(&[("time".into(), values.clone()), ("force".into(), vec![1.0])]).unwrap();
+        assert_eq!(sheet.column(&TIME).unwrap(), Some(values));
+        assert_eq!(sheet.column(&FORCE).unwrap_err().to_string(), "line 3, force: '' is not a finite number");
     }
 
     #[test]

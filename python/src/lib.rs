@@ -3,6 +3,7 @@
 
 mod catalogue;
 mod entries;
+mod identification;
 mod model;
 mod series;
 mod study;
@@ -31,6 +32,7 @@ fn _stribeck(module: &Bound<PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(catalogue::describe, module)?)?;
     module.add_function(wrap_pyfunction!(series::follow, module)?)?;
     module.add_function(wrap_pyfunction!(series::settle, module)?)?;
+    module.add_function(wrap_pyfunction!(identification::identify, module)?)?;
     module.add_function(wrap_pyfunction!(study::make_study, module)?)?;
     module.add_function(wrap_pyfunction!(study::merge_study, module)?)?;
     module.add_function(wrap_pyfunction!(systems::systems, module)?)?;

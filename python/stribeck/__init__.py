@@ -7,8 +7,8 @@ array([-2.1  ,  2.001,  2.1  ])
 
 `laws` and `models` list what there is, `law` and `model` describe one. `force` gives the force in steady sliding,
 `simulate` the force along measured or computed motions, `solve` and `compare` the motion of whole systems, `study`
-many of them, `fmu` the path of an FMU. `Model` and `ShockAbsorber` are stepped by the caller, a `Tyre` is asked for its
-forces.
+many of them, `identify` the parameters of a law from measured friction, `fmu` the path of an FMU. `Model` and
+`ShockAbsorber` are stepped by the caller, a `Tyre` is asked for its forces.
 
 Units are SI. `velocity` is that of body 1 relative to body 2; `friction_force` has its sign when sliding, and body 1
 feels the negative.
@@ -17,6 +17,7 @@ feels the negative.
 from stribeck._stribeck import Refused, __version__
 from stribeck.catalogue import Description, Preset, Variable, law, laws, model, models
 from stribeck.fmus import fmu
+from stribeck.identification import Estimate, Fit, Identification, identify
 from stribeck.instances import Model, ShockAbsorber
 from stribeck.results import Result
 from stribeck.series import force, simulate
@@ -27,6 +28,9 @@ from stribeck.tyres import Tyre, TyreWrench
 __all__ = [
     "Comparison",
     "Description",
+    "Estimate",
+    "Fit",
+    "Identification",
     "Model",
     "NotConverged",
     "Preset",
@@ -42,6 +46,7 @@ __all__ = [
     "compare",
     "fmu",
     "force",
+    "identify",
     "law",
     "laws",
     "model",

@@ -1,9 +1,11 @@
 """The Python package against the FMUs, closed forms and the command line; and what it refuses."""
 
 import doctest
+import json
 import os
 import pickle
 import random
+import re
 import subprocess
 import sys
 import threading
@@ -430,3 +432,61 @@ def test_the_interface_is_documented():
     for name in stribeck.__all__:
         if name != "__version__":
             assert getattr(stribeck, name).__doc__, name
+
+
+@pytest.fixture(scope="module")
+def rig(tmp_path_factory):
+    """A record of a virtual rig with Dahl's law, written by the command line."""
+    folder = tmp_path_factory.mktemp("rig")
+    values = ["--set", "mu_k=0.2", "--set", "sigma_0=3e4"]
+    program("rig", "--law", "Dahl", "--duration", "1", *values, "--out", folder)
+    return folder / "force.csv"
+
+
+def test_identify_gives_the_numbers_of_the_command_line(rig):
+    found = stribeck.identify(rig, ["Coulomb", "Dahl"], mass=2.0, normal_force=20.0, repetitions=10)
+    arguments = ["--law", "Coulomb,Dahl", "--mass", "2", "--normal-force", "20", "--repetitions", "10", "--json"]
+    output = program("identify", rig, *arguments).stdout
+    for fit, other in zip(found.fits, json.loads(output)["laws"], strict=True):
+        assert (fit.law, fit.rms, fit.values) == (other["law"], other["rms"], other["values"])
+        assert [one.value for one in fit.estimates.values()] == [one["value"] for one in other["estimates"]]
+    assert found.best.law == "Dahl"
+    assert not found.fits[1].tied
+    low, high = found.best.estimates["mu_k"].interval
+    assert low < 0.2 < high
+    record = found.records["force"]
+    rest = record["force"] - record["explained"]
+    assert numpy.sqrt(numpy.sum(rest**2) / (rest.size - 2)) == pytest.approx(found.best.rms, rel=1e-12)
+    again = stribeck.simulate("Dahl", velocity=record["velocity"], normal_force=20.0, dt=1e-3, **found.best.values)
+    acceleration = numpy.gradient(record["velocity"], 1e-3)
+    # The window of the filter and the differences of the second order.
+    assert numpy.abs(again["friction_force"] + 2.0 * acceleration - record["explained"]).max() < 0.05
+    assert "mu_k = 0.2" in repr(found)
+
+
+def test_identify_takes_arrays_and_gives_no_number_for_what_is_not_determined(rig):
+    table = numpy.genfromtxt(rig, delimiter=",", names=True)
+    record = dict(zip(("time", "force", "displacement"), (table[name] for name in table.dtype.names), strict=True))
+    known = {"mass": 2.0, "normal_force": 20.0, "repetitions": 0}
+    found = stribeck.identify(record, "Dahl", **known)
+    assert found.best.values == stribeck.identify(rig, "Dahl", **known).best.values
+    held = stribeck.identify(record, "Dahl", fix={"sigma_0": 3e4}, **known)
+    assert held.best.values["sigma_0"] == 3e4
+    assert set(held.best.estimates) == {"mu_k"}
+    radius = stribeck.identify(record, "RollingResistance", **known).best
+    assert radius.estimates["wheel_radius"].value is None
+    assert "wheel_radius" not in radius.values
+    for wrong, text in [
+        ({**record, "force": record["force"][:-1]}, "force: '' is not a finite number"),
+        ({**record, "force": numpy.full(table.size, numpy.nan)}, "line 2, force: 'NaN' is not a finite number"),
+        ({"time": record["time"], "force": record["force"]}, "no column 'displacement'"),
+        ({}, "no column 'time'"),
+    ]:
+        with pytest.raises(stribeck.Refused, match=re.escape(text)):
+            stribeck.identify(wrong, "Dahl", **known)
+    with pytest.raises(stribeck.Refused, match="did you mean 'Dahl'"):
+        stribeck.identify(record, "Dal", **known)
+    with pytest.raises(stribeck.Refused, match="did you mean 'sigma_0'"):
+        stribeck.identify(record, "Dahl", fix={"sigma": 1.0}, **known)
+    with pytest.raises(stribeck.Refused, match="there is no law to fit"):
+        stribeck.identify(record, [], **known)

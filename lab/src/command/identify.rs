@@ -5,15 +5,15 @@ use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
 use clap::{Args, ValueEnum};
-use lab::identify::{Experiment, Fit, Method, Rank, Reference, Task, Verdict, Watch, Wishes, fit, laws, preset, rank};
+use lab::identify::{
+    Experiment, Fit, Method, Rank, Reference, Task, Verdict, Watch, Wishes, as_json, fit, fit_all, laws_named, preset,
+};
 use lab::measured::{Delay, Record, Rig, average};
 use lab::report::{Identification, identification};
 use lab::run::Configuration;
 use lab::sheet::Sheet;
 use lab::system::{Fault, Setting, read};
-use serde_json::json;
 use ssp::parameter_set::ParameterSet;
-use stribeck::catalogue;
 use stribeck::model::ModelType;
 
 use super::watch::{Best, CANCELLED, heed_interrupts};
@@ -155,16 +155,6 @@ impl Arguments {
         self.records.iter().map(read).collect()
     }
 
-    fn laws(&self) -> Result<Vec<&'static ModelType>, Fault> {
-        if self.law.iter().any(|law| law == "all") {
-            return Ok(laws().collect());
-        }
-        let known = || laws().map(|law| law.name);
-        let find =
-            |name: &String| catalogue::by_name(name).ok_or_else(|| Fault::unknown("friction law", name, known()));
-        self.law.iter().map(find).collect()
-    }
-
     fn task(&self) -> Result<Task, Fault> {
         let number = |setting: &Setting| {
             let wrong = |_| Fault::value(format_args!("{} = {}: must be a number", setting.name, setting.value));
@@ -215,7 +205,7 @@ fn sheet(path: impl AsRef<Path>) -> Result<Sheet, Fault> {
 
 /// Finds the parameters of laws, ranks the laws if there are several, and tells how far to trust them.
 pub fn identify(arguments: &Arguments) -> Result<Ending, Failure> {
-    let (laws, task) = (arguments.laws()?, arguments.task()?);
+    let (laws, task) = (laws_named(&arguments.law)?, arguments.task()?);
     let records = arguments.records()?;
     let experiments: Vec<Experiment> = records.iter().map(|(name, record)| Experiment::new(name, record)).collect();
     heed_interrupts();
@@ -229,7 +219,10 @@ pub fn identify(arguments: &Arguments) -> Result<Ending, Failure> {
     if arguments.check {
         return check(&laws, &experiments, &task);
     }
-    let (fits, ranks) = fits(&laws, &experiments, &task)?;
+    let bar = Best::new();
+    let watch = Watch { cancel: &CANCELLED, progress: &|rms| bar.reached(rms) };
+    let (fits, ranks) = fit_all(&laws, &experiments, &task, &mut |law| bar.begin(law.name), watch)?;
+    bar.finish();
     let best = &fits[ranks[0].fit];
     let reference = arguments.reference(best.law)?;
     if arguments.json {
@@ -277,7 +270,8 @@ fn worth(name: &str, record: &Record) -> String {
 fn check(laws: &[&'static ModelType], experiments: &[Experiment], task: &Task) -> Result<Ending, Failure> {
     let task = Task { budget: CHECK, profiles: false, repetitions: 0, ..task.clone() };
     for law in laws {
-        let bar = Best::new(law.name);
+        let bar = Best::new();
+        bar.begin(law.name);
         let found = fit(law, experiments, &task, Watch { cancel: &CANCELLED, progress: &|rms| bar.reached(rms) })?;
         bar.finish();
         println!("{}:", law.name);
@@ -292,39 +286,6 @@ fn check(laws: &[&'static ModelType], experiments: &[Experiment], task: &Task) -
         }
     }
     Ok(if CANCELLED.load(std::sync::atomic::Ordering::Relaxed) { Ending::Cancelled } else { Ending::Done })
-}
-
-/// Fits the laws, and the best of several once more with all intervals.
-fn fits(
-    laws: &[&'static ModelType],
-    experiments: &[Experiment],
-    task: &Task,
-) -> Result<(Vec<Fit>, Vec<Rank>), Failure> {
-    let one = |law: &'static ModelType, task: &Task| {
-        let bar = Best::new(law.name);
-        let found = fit(law, experiments, task, Watch { cancel: &CANCELLED, progress: &|rms| bar.reached(rms) });
-        bar.finish();
-        found
-    };
-    if let [law] = laws {
-        let fits = vec![one(law, task)?];
-        let ranks = rank(&fits);
-        return Ok((fits, ranks));
-    }
-    let quick = Task { profiles: false, repetitions: 0, ..task.clone() };
-    let mut fits = Vec::new();
-    for law in laws {
-        fits.push(one(law, &quick)?);
-        if fits.last().is_some_and(|fit| fit.is_cancelled) {
-            break;
-        }
-    }
-    let ranks = rank(&fits);
-    let best = ranks[0].fit;
-    if !fits[best].is_cancelled {
-        fits[best] = one(fits[best].law, task)?;
-    }
-    Ok((fits, ranks))
 }
 
 /// The laws, the best first.
@@ -346,35 +307,6 @@ fn ranking(fits: &[Fit], ranks: &[Rank]) -> String {
         );
     }
     text + "\n"
-}
-
-fn as_json(fits: &[Fit], ranks: &[Rank]) -> serde_json::Value {
-    let estimate = |one: &lab::identify::Estimate| {
-        let (value, verdict) = match &one.verdict {
-            Verdict::Determined => (Some(one.value), "determined".to_owned()),
-            Verdict::AtMost(most) => (None, format!("at most {most}")),
-            Verdict::Undetermined(reason) => (None, format!("not determined: {reason}")),
-            Verdict::AtEnd(end) => (None, format!("at an end of its range: {end}")),
-        };
-        let is_told = value.is_some();
-        json!({
-            "name": one.name, "unit": one.unit, "value": value, "verdict": verdict,
-            "interval": is_told.then(|| one.interval()), "repeated": one.repeated.filter(|_| is_told),
-        })
-    };
-    let laws: Vec<_> = ranks
-        .iter()
-        .map(|place| {
-            let fit = &fits[place.fit];
-            json!({
-                "law": fit.law.name, "behind": place.behind, "tied": place.is_tied, "rms": fit.residuals.rms,
-                "samples": fit.samples, "correlation": fit.residuals.correlation, "repeatable": fit.is_repeatable,
-                "evaluations": fit.evaluations, "warnings": fit.warnings,
-                "estimates": fit.estimates.iter().map(estimate).collect::<Vec<_>>(),
-            })
-        })
-        .collect();
-    json!({ "laws": laws })
 }
 
 fn save(arguments: &Arguments, best: &Fit) -> Result<(), Failure> {

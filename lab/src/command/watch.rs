@@ -84,14 +84,20 @@ pub struct Best {
 }
 
 impl Best {
-    /// Of the search for the values of a law.
-    pub fn new(law: &str) -> Best {
+    /// Of no search yet.
+    pub fn new() -> Best {
         let bar = ProgressBar::new_spinner();
-        bar.set_prefix(law.to_owned());
         if let Ok(style) = ProgressStyle::with_template("{prefix}: {pos} generations, {msg}, {elapsed}") {
             bar.set_style(style);
         }
         Best { bar, best: f64::INFINITY.into() }
+    }
+
+    /// The search for the values of a law begins.
+    pub fn begin(&self, law: &str) {
+        *self.best.lock().unwrap_or_else(std::sync::PoisonError::into_inner) = f64::INFINITY;
+        self.bar.set_prefix(law.to_owned());
+        self.bar.set_position(0);
     }
 
     /// A generation is done; so much is not explained at its best place.

@@ -30,7 +30,7 @@ use stribeck::model::ModelType;
 
 pub use estimate::Estimate;
 pub use experiment::Experiment;
-pub use output::{Difference, Reference, difference, preset, respond};
+pub use output::{Difference, Reference, as_json, difference, preset, respond};
 pub use rank::{APART, Rank, rank};
 pub use search::{Method, Watch};
 pub use trust::{DETERMINED, Residuals, Verdict};
@@ -43,6 +43,7 @@ use problem::Problem;
 use response::{Exact, Ports};
 use search::{Found, polish, search};
 use trust::{Trust, residuals, trust};
+use unknown::OF_RIG;
 
 /// How a law is fitted.
 #[derive(Clone, Debug, PartialEq)]
@@ -126,6 +127,51 @@ pub fn laws() -> impl Iterator<Item = &'static ModelType> {
     catalogue::documented(Family::Friction).map(|(law, _)| law).filter(|law| Ports::of(law).is_some())
 }
 
+/// The laws of these names, or all that can be fitted for the name `all`.
+pub fn laws_named(names: &[String]) -> Result<Vec<&'static ModelType>, Fault> {
+    if names.iter().any(|name| name == "all") {
+        return Ok(laws().collect());
+    }
+    let known = || laws().map(|law| law.name);
+    let find = |name: &String| catalogue::by_name(name).ok_or_else(|| Fault::unknown("friction law", name, known()));
+    names.iter().map(find).collect()
+}
+
+/// Fits laws to the same experiments and ranks them; the best of several once more with all intervals. `begin` hears of
+/// each law.
+pub fn fit_all(
+    laws: &[&'static ModelType],
+    experiments: &[Experiment],
+    task: &Task,
+    begin: &mut dyn FnMut(&'static ModelType),
+    watch: Watch,
+) -> Result<(Vec<Fit>, Vec<Rank>), Fault> {
+    let mut one = |law: &'static ModelType, task: &Task| {
+        begin(law);
+        fit(law, experiments, task, watch)
+    };
+    let [first, rest @ ..] = laws else { return Err(Fault::value("there is no law to fit")) };
+    if rest.is_empty() {
+        let fits = vec![one(first, task)?];
+        let ranks = rank(&fits);
+        return Ok((fits, ranks));
+    }
+    let quick = Task { profiles: false, repetitions: 0, ..task.clone() };
+    let mut fits = Vec::new();
+    for law in laws {
+        fits.push(one(law, &quick)?);
+        if watch.cancel.load(Ordering::Relaxed) {
+            break;
+        }
+    }
+    let ranks = rank(&fits);
+    let best = ranks[0].fit;
+    if !fits[best].is_cancelled {
+        fits[best] = one(fits[best].law, task)?;
+    }
+    Ok((fits, ranks))
+}
+
 /// Fits a law to experiments.
 pub fn fit(law: &'static ModelType, experiments: &[Experiment], task: &Task, watch: Watch) -> Result<Fit, Fault> {
     let mut problem = problem(law, experiments, task)?;
@@ -198,7 +244,8 @@ fn problem<'a>(law: &'static ModelType, experiments: &'a [Experiment], task: &Ta
         return Err(Fault::value(text));
     }
     let named = |name: &str| task.wishes.fixed.iter().find(|(fixed, _)| fixed == name).map(|(_, value)| *value);
-    let held = task.wishes.fixed.iter().filter_map(|(name, value)| Some((law.find(name)?, *value))).collect();
+    let of_law = task.wishes.fixed.iter().filter(|(name, _)| !OF_RIG.contains(&name.as_str()));
+    let held = of_law.filter_map(|(name, value)| Some((law.find(name)?, *value))).collect();
     let count = unknowns.len();
     Ok(Problem {
         law,

@@ -3,12 +3,14 @@
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
+use serde_json::json;
 use ssp::parameter_set::ParameterSet;
 use stribeck::instance::Instance;
 use stribeck::model::ModelType;
 
 use super::response::{Ports, forces};
-use super::{Estimate, Experiment, Fit, Verdict};
+use super::unknown::OF_RIG;
+use super::{Estimate, Experiment, Fit, Rank, Verdict};
 use crate::measured::Record;
 use crate::run::Configuration;
 use crate::system::Fault;
@@ -71,7 +73,9 @@ impl Fit {
 
     /// The parameters of the law that the data determine, and those that were held; what is not determined is left out.
     pub fn values(&self) -> Vec<(String, f64)> {
-        let is_told = |one: &&Estimate| one.verdict == Verdict::Determined && self.law.find(&one.name).is_some();
+        // Some laws have a parameter mass as well, which is not that of the rig.
+        let is_of_law = |name: &str| !OF_RIG.contains(&name) && self.law.find(name).is_some();
+        let is_told = |one: &&Estimate| one.verdict == Verdict::Determined && is_of_law(&one.name);
         let held = self.held.iter().map(|(column, value)| (self.name_of(*column), *value));
         let told = self.estimates.iter().filter(is_told).map(|one| (one.name.clone(), one.value));
         held.chain(told).collect()
@@ -120,6 +124,46 @@ impl Fit {
         }
         text
     }
+}
+
+/// Fits with their ranking, for programs. What is not determined has no value.
+pub fn as_json(fits: &[Fit], ranks: &[Rank]) -> serde_json::Value {
+    let law = |place: &Rank| {
+        let fit = &fits[place.fit];
+        json!({
+            "law": fit.law.name,
+            "behind": place.behind,
+            "tied": place.is_tied,
+            "rms": fit.residuals.rms,
+            "samples": fit.samples,
+            "correlation": fit.residuals.correlation,
+            "repeatable": fit.is_repeatable,
+            "exact": fit.is_exact,
+            "evaluations": fit.evaluations,
+            "warnings": fit.warnings,
+            "values": fit.values().into_iter().collect::<BTreeMap<String, f64>>(),
+            "estimates": fit.estimates.iter().map(estimate).collect::<Vec<_>>(),
+        })
+    };
+    json!({ "laws": ranks.iter().map(law).collect::<Vec<_>>() })
+}
+
+fn estimate(one: &Estimate) -> serde_json::Value {
+    let verdict = match &one.verdict {
+        Verdict::Determined => "determined".to_owned(),
+        Verdict::AtMost(most) => format!("cannot be told from 0; at most {most}"),
+        Verdict::Undetermined(reason) => format!("not determined: {reason}"),
+        Verdict::AtEnd(end) => format!("at an end of its range: {end}"),
+    };
+    let is_told = one.verdict == Verdict::Determined;
+    json!({
+        "name": one.name,
+        "unit": one.unit,
+        "verdict": verdict,
+        "value": is_told.then_some(one.value),
+        "interval": is_told.then(|| one.interval()),
+        "repeated": one.repeated.filter(|_| is_told),
+    })
 }
 
 /// Four digits.

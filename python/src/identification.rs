@@ -1,0 +1,94 @@
+//! Parameters of laws from measured friction.
+
+use std::path::PathBuf;
+
+use lab::identify::{Experiment, Task, Watch, Wishes, as_json, fit_all, laws_named};
+use lab::measured::{Delay, Record, Rig};
+use lab::sheet::Sheet;
+use lab::system::Fault;
+use numpy::PyArray1;
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+use crate::refused;
+use crate::work::interruptible;
+
+/// What is known of a rig, and how its laws are fitted.
+#[derive(FromPyObject)]
+#[pyo3(from_item_all)]
+pub struct Known {
+    mass: f64,
+    normal_force: Option<f64>,
+    window: Option<f64>,
+    delay: Option<f64>,
+    longest_delay: f64,
+    skip: f64,
+    fix: Vec<(String, f64)>,
+    fit: Vec<String>,
+    range: Vec<(String, [f64; 2])>,
+    budget: u64,
+    seed: u64,
+    repetitions: usize,
+}
+
+/// A table: the path of a file, or a dictionary of arrays.
+fn sheet(table: &Bound<PyAny>) -> PyResult<Sheet> {
+    if let Ok(columns) = table.cast::<PyDict>() {
+        let columns: Vec<(String, Vec<f64>)> =
+            columns.iter().map(|(name, values)| Ok((name.extract()?, values.extract()?))).collect::<PyResult<_>>()?;
+        return Sheet::of_columns(&columns).map_err(refused);
+    }
+    Sheet::load(&table.extract::<PathBuf>()?).map_err(refused)
+}
+
+/// Fits laws to records. The outcome as JSON, and for each record a dictionary of arrays: time, velocity, normal_force,
+/// force, and the force that the best law explains.
+#[pyfunction]
+pub fn identify<'py>(
+    py: Python<'py>,
+    records: Vec<(String, Bound<'py, PyAny>)>,
+    motion: Option<Bound<'py, PyAny>>,
+    laws: Vec<String>,
+    known: Known,
+) -> PyResult<(String, Vec<Bound<'py, PyDict>>)> {
+    let laws = laws_named(&laws).map_err(refused)?;
+    let delay = known.delay.map_or(Delay::Find(known.longest_delay), Delay::Known);
+    let Known { mass, normal_force, window, skip, .. } = known;
+    let rig = Rig { mass, normal_force, window, delay, skip };
+    let motion = motion.as_ref().map(sheet).transpose()?;
+    let mut experiments = Vec::new();
+    for (name, table) in &records {
+        let record = Record::of(&sheet(table)?, motion.as_ref(), &rig);
+        let record = record.map_err(|error| refused(format_args!("{name}: {error}")))?;
+        experiments.push(Experiment::new(name, &record));
+    }
+    let task = Task {
+        wishes: Wishes { fixed: known.fix, fitted: known.fit, ranges: known.range },
+        budget: known.budget,
+        seed: known.seed,
+        repetitions: known.repetitions,
+        mass: known.mass,
+        ..Task::default()
+    };
+    let outcome = interruptible(py, |cancel| {
+        let watch = Watch { cancel, progress: &|_| {} };
+        let (fits, ranks) = fit_all(&laws, &experiments, &task, &mut |_| {}, watch)?;
+        let explained = fits[ranks[0].fit].explained.clone();
+        Ok::<_, Fault>((as_json(&fits, &ranks).to_string(), explained))
+    })?;
+    let (text, explained) = outcome.map_err(refused)?;
+    let tables = experiments.into_iter().zip(explained).map(|(experiment, explained)| {
+        let table = PyDict::new(py);
+        for (name, values) in [
+            ("time", experiment.time),
+            ("velocity", experiment.velocity),
+            ("normal_force", experiment.normal_force),
+            ("force", experiment.force),
+            ("explained", explained),
+        ] {
+            table.set_item(name, PyArray1::from_vec(py, values))?;
+        }
+        Ok(table)
+    });
+    Ok((text, tables.collect::<PyResult<_>>()?))
+}

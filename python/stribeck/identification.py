@@ -1,0 +1,161 @@
+"""Parameters of laws from measured friction, and how far to trust them."""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from stribeck import _stribeck
+
+Record = str | os.PathLike[str] | Mapping[str, ArrayLike]
+"""A table of a rig: a file, or a mapping from `time`, `force`, `displacement` or `velocity`, and perhaps `normal_force`
+to arrays in SI units."""
+
+
+@dataclass(frozen=True)
+class Estimate:
+    """A parameter after a fit."""
+
+    name: str
+    unit: str
+    verdict: str
+    """`determined`, or why there is no value."""
+    value: float | None
+    """None unless the data determine it."""
+    interval: tuple[float, float] | None
+    """Interval of 95 %, by the sensitivities and the profile likelihood."""
+    repeated: tuple[float, float] | None
+    """Interval of 95 %, from repetitions with blocks of residuals."""
+
+
+@dataclass(frozen=True)
+class Fit:
+    """A law fitted to records."""
+
+    law: str
+    rms: float
+    """Root mean square of what is not explained, N."""
+    behind: float
+    """Criterion (BIC) above that of the best law."""
+    tied: bool
+    """Whether it cannot be told apart from the best law."""
+    repeatable: bool
+    """Whether two searches agreed."""
+    estimates: dict[str, Estimate]
+    warnings: list[str]
+    values: dict[str, float]
+    """The parameters of the law that were held or that the data determine, as `force` and `simulate` take them."""
+
+
+class Identification:
+    """Laws fitted to records, the best first."""
+
+    def __init__(self, text: str, records: dict[str, dict[str, NDArray[np.float64]]]) -> None:
+        self.fits = [_fit(one) for one in json.loads(text)["laws"]]
+        """The fits."""
+        self.records = records
+        """For each record the arrays `time`, `velocity`, `normal_force`, `force`, and `explained` by the best law."""
+
+    @property
+    def best(self) -> Fit:
+        """The best fit."""
+        return self.fits[0]
+
+    def __repr__(self) -> str:
+        best = self.best
+        lines = [f"{best.law}: {best.rms:.4g} N not explained"]
+        for one in best.estimates.values():
+            if one.value is None or one.interval is None:
+                lines.append(f"  {one.name}: {one.verdict}")
+            else:
+                low, high = one.interval
+                unit = "" if one.unit == "1" else f" {one.unit}"
+                lines.append(f"  {one.name} = {one.value:.4g}{unit} (95 %: {low:.4g} to {high:.4g})")
+        lines += [f"  warning: {warning}" for warning in best.warnings]
+        lines += [f"  {fit.law}: behind by {fit.behind:.1f}" for fit in self.fits[1:]]
+        return "\n".join(lines)
+
+
+def _fit(one: dict[str, Any]) -> Fit:
+    names = ("name", "unit", "verdict", "value")
+    ends = ("interval", "repeated")
+    estimates = [
+        Estimate(**{name: each[name] for name in names}, **{name: each[name] and tuple(each[name]) for name in ends})
+        for each in one["estimates"]
+    ]
+    plain = ("law", "rms", "behind", "tied", "repeatable", "warnings", "values")
+    return Fit(**{name: one[name] for name in plain}, estimates={each.name: each for each in estimates})
+
+
+def identify(
+    records: Record | Sequence[Record],
+    law: str | Sequence[str],
+    *,
+    mass: float = 0.0,
+    normal_force: float | None = None,
+    motion: Record | None = None,
+    window: float | None = None,
+    delay: float | None = 0.0,
+    longest_delay: float = 0.1,
+    skip: float = 0.0,
+    fix: Mapping[str, float] | None = None,
+    fit: Sequence[str] = (),
+    ranges: Mapping[str, tuple[float, float]] | None = None,
+    budget: int = 3000,
+    seed: int = 1,
+    repetitions: int = 40,
+) -> Identification:
+    """Finds the parameters of a law, or of several (`"all"`), as `stribeck identify` does, with the same numbers.
+
+    `mass` (kg) is that between load cell and contact, `normal_force` (N) is for records without such a column, `motion`
+    is the table of a camera with its own clock. `delay=None` looks for its delay, up to `longest_delay` (s). `fix`
+    holds parameters, `fit` adds some that are held otherwise, `ranges` narrows them.
+
+    >>> time = np.linspace(0.0, 2.0, 1001)
+    >>> velocity = 0.02 * np.sin(2 * np.pi * time)
+    >>> import stribeck
+    >>> force = stribeck.simulate("Dahl", velocity=velocity, normal_force=20.0, dt=0.002, sigma_0=2e4)["friction_force"]
+    >>> noise = np.random.default_rng(1).normal(0.0, 0.02, time.size)
+    >>> found = identify({"time": time, "velocity": velocity, "force": force + noise}, "Dahl", normal_force=20.0)
+    >>> round(found.best.values["mu_k"], 3)
+    0.1
+    >>> 0.95 < found.best.values["sigma_0"] / 2e4 < 1.05
+    True
+    """
+    several = [records] if isinstance(records, str | os.PathLike | Mapping) else list(records)
+    named = [(_name(number, record), _plain(record)) for number, record in enumerate(several)]
+    known = {
+        "mass": mass,
+        "normal_force": normal_force,
+        "window": window,
+        "delay": delay,
+        "longest_delay": longest_delay,
+        "skip": skip,
+        "fix": list((fix or {}).items()),
+        "fit": list(fit),
+        "range": [(name, list(ends)) for name, ends in (ranges or {}).items()],
+        "budget": budget,
+        "seed": seed,
+        "repetitions": repetitions,
+    }
+    laws = [law] if isinstance(law, str) else list(law)
+    seen = None if motion is None else _plain(motion)
+    text, tables = _stribeck.identify(named, seen, laws, known)
+    return Identification(text, {name: table for (name, _), table in zip(named, tables, strict=True)})
+
+
+def _name(number: int, record: Record) -> str:
+    return f"record {number + 1}" if isinstance(record, Mapping) else Path(record).stem
+
+
+def _plain(record: Record) -> str | dict[str, NDArray[np.float64]]:
+    if isinstance(record, Mapping):
+        return {name: np.atleast_1d(np.asarray(values, dtype=float)) for name, values in record.items()}
+    return os.fspath(record)
