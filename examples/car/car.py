@@ -2,7 +2,7 @@
 """A Formula Student car in exudyn or MuJoCo, whose four struts feel the side loads of their joints.
 
     python examples/car/car.py rest                             what the wheels and struts carry
-    python examples/car/car.py kinematics --corner rl           camber, toe and motion ratio over the travel
+    python examples/car/car.py kinematics --rack -0.02 0 0.02   camber, steer and motion ratio over travel and rack
     python examples/car/car.py drive --test four-post           with and without friction; writes <out>_<test>.csv, .png
     python examples/car/car.py drive --test step-steer --law Dahl --set friction.scale=2 --with angle=0.3
     python examples/car/car.py limit --law LuGre                highest speed that passes the cones of ISO 3888-2
@@ -24,7 +24,7 @@ sys.path.append(str(Path(__file__).resolve().parents[1] / "multibody"))
 sys.path.append(str(Path(__file__).resolve().parents[1] / "mujoco"))
 
 from car_description import CAR, CORNERS, Car, CarError, read_car
-from car_figures import draw_study
+from car_figures import draw_kinematics, draw_study
 from car_page import write_page
 from car_rest import imbalance, settle
 from car_ride import EXUDYN, MUJOCO, Run, columns_with_units, simulate
@@ -50,7 +50,9 @@ def arguments() -> argparse.Namespace:
     tasks.add_parser("rest", help="the car at rest on its wheels")
     stand = tasks.add_parser("kinematics", help="the suspension on a stand")
     stand.add_argument("--corner", choices=CORNERS, default="fl")
-    stand.add_argument("--rack", type=float, default=0.0, help="travel of the rack to the left, in m")
+    stand.add_argument(
+        "--rack", type=float, nargs="+", default=[0.0], metavar="M", help="travels of the rack to the left, in m"
+    )
     stand.add_argument("--points", type=int, default=21)
     stand.add_argument("--out", default="out/car_kinematics", help="table, without extension")
     drive = tasks.add_parser("drive", help="a manoeuvre, with and without friction")
@@ -100,20 +102,24 @@ def show_rest(car: Car) -> None:
 
 
 def show_kinematics(car: Car, options: argparse.Namespace) -> None:
-    """Writes the motion of a wheel over the stroke of its strut."""
+    """Writes and draws the motion of a wheel over the stroke of its strut."""
+    if options.points < 2:
+        raise CarError(f"points = {options.points}: must be at least 2")
     corner = car.corners[options.corner]
     extended, stroke = (float(corner.strut[f"geom.{name}"]) for name in ("length_extended", "stroke"))
-    lengths = numpy.linspace(extended - 1e-3, extended - 0.8 * stroke, max(2, options.points))
-    table = Stand(car).sweep(options.corner, lengths, options.rack)
-    path = Path(f"{options.out}.csv")
+    lengths = numpy.linspace(extended - 1e-3, extended - 0.8 * stroke, options.points)
+    stand = Stand(car)
+    tables = {f"rack {1e3 * rack:g} mm": stand.sweep(options.corner, lengths, rack) for rack in options.rack}
+    table = {name: numpy.concatenate([one[name] for one in tables.values()]) for name in STAND_COLUMNS}
+    path, picture = Path(f"{options.out}.csv"), Path(f"{options.out}.png")
     write_csv(path, {f"{name} [{STAND_COLUMNS[name]}]": values for name, values in table.items()})
-    print("strut [mm]  travel [mm]  camber [deg]  steer [deg]  motion ratio")
-    for length, travel, camber, steer, ratio in zip(
-        *(table[name] for name in ("length", "travel", "camber", "steer", "motion_ratio")), strict=True
-    ):
+    print("rack [mm]  strut [mm]  travel [mm]  camber [deg]  steer [deg]  motion ratio")
+    for length, rack, travel, camber, steer, ratio in zip(*(table[name] for name in STAND_COLUMNS), strict=True):
         inwards = -corner.side * DEGREES * camber
-        print(f"{1e3 * length:10.3f} {1e3 * travel:12.3f} {inwards:13.4f} {DEGREES * steer:12.4f} {ratio:13.4f}")
-    print(path)
+        shown = f"{1e3 * rack:9.2f} {1e3 * length:11.3f} {1e3 * travel:12.3f}"
+        print(f"{shown} {inwards:13.4f} {DEGREES * steer:12.4f} {ratio:13.4f}")
+    draw_kinematics(f"{car.name}, {options.corner}", tables, corner.side, picture)
+    print(f"{path}\n{picture}")
 
 
 def show_drive(car: Car, options: argparse.Namespace) -> None:

@@ -54,6 +54,25 @@ def draw_spring_curves(car: Car, path: Path) -> None:
     save(figure, path)
 
 
+def draw_kinematics(title: str, tables: Mapping[str, Mapping[str, numpy.ndarray]], inwards: float, path: Path) -> None:
+    """Camber, steer and motion ratio over the travel of a wheel, for positions of the rack by their labels."""
+    figure = Figure(figsize=(11, 4), layout="constrained")
+    figure.suptitle(title, x=0.02, horizontalalignment="left")
+    panels = figure.subplots(1, 3)
+    quantities = (
+        ("camber", "camber [deg]", -inwards * DEGREES),
+        ("steer", "steer, to the left [deg]", DEGREES),
+        ("motion_ratio", "strut travel per wheel travel", 1.0),
+    )
+    for axes, (column, label, factor) in zip(panels, quantities, strict=True):
+        labelled(axes, "travel of the wheel [mm]", label)
+        for at, (name, table) in enumerate(tables.items()):
+            axes.plot(1e3 * table["travel"], factor * table[column], color=f"C{at}", label=name)
+    if len(tables) > 1:
+        figure.legend(handles=panels[0].get_lines(), loc="outside upper right", ncols=len(tables), frameon=False)
+    save(figure, path)
+
+
 def draw_course(outcomes: Sequence[Outcome], course: LaneChange, path: Path) -> None:
     """Angle of the steering wheel over time (Fig. 9.24), and the paths between the cones."""
     figure = Figure(figsize=(11, 6), layout="constrained")

@@ -42,5 +42,5 @@ class Stand:
             seen = self.wheel(name)
             rows.append([seen[0], rack, *seen[1:]])
         table = numpy.array(rows).T
-        ratio = -numpy.gradient(table[0], table[2])
+        ratio = -numpy.gradient(table[0], table[2], edge_order=min(2, len(lengths) - 1))
         return dict(zip(COLUMNS, [*table, ratio], strict=True))

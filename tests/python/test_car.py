@@ -24,6 +24,7 @@ from exudyn_car import ExudynCar, steps_of
 from hosted_strut import Wrench
 from magic_formula import LateralTyre
 from manoeuvres import manoeuvre
+from test_programs import is_drawn
 
 DESCRIPTION = read_car()
 GRAVITY = 9.81
@@ -379,7 +380,7 @@ def test_nonsense_in_struts_and_manoeuvres_is_named():
     ("options", "printed"),
     [
         (["rest"], "34 bodies, 190 independent constraints, 0 redundant; 14 free"),
-        (["kinematics", "--points", "3", "--corner", "rr"], "motion ratio"),
+        (["kinematics", "--points", "3", "--corner", "fr", "--rack", "-0.02", "0.02"], "motion ratio"),
         (["drive", "--law", "Dahl", "--with", "duration=0.1", "--step", "2e-3"], "largest roll"),
         (
             ["study", "--laws", "Dahl,Karnopp", "--test", "four-post", "--with", "duration=0.2", "--strut", "rr"],
@@ -394,6 +395,12 @@ def test_program(options, printed, tmp_path):
     done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, timeout=300, env=found)
     assert done.returncode == 0, done.stderr
     assert printed in done.stdout
+    if options[0] == "kinematics":
+        table = numpy.loadtxt(tmp_path / "out" / "car_kinematics.csv", delimiter=",", skiprows=1)
+        assert table[:, 1] == pytest.approx([-0.02] * 3 + [0.02] * 3)
+        # Steered to the right, then to the left.
+        assert (numpy.sign(table[:, 4]) == [-1.0] * 3 + [1.0] * 3).all()
+        assert is_drawn(tmp_path / "out" / "car_kinematics.png")
     if options[0] == "study":
         page = (tmp_path / "out" / "car_study" / "report.html").read_text(encoding="utf-8")
         assert page.count("data:image/png;base64,") == 5
