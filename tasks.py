@@ -407,9 +407,14 @@ def faults() -> None:
     summarise(commands, MIRIFLAGS="-Zmiri-env-set=STRIBECK_TEST_PANICS=1 -Zmiri-deterministic-floats")
 
 
+def identified() -> None:
+    """How often the intervals of an identification hold the truth: 200 seeds of every law; takes hours."""
+    run("cargo", "bench", "--package", "lab", "--bench", "identify")
+
+
 def trust() -> None:
     """Everything in docs/trust.md, one task after another, with the figures at the end."""
-    parts = [wheel, faults, platforms, fuzz, coverage, broken, mutants, supply]
+    parts = [wheel, faults, platforms, fuzz, coverage, broken, mutants, identified, supply]
     summarise([[sys.executable, "tasks.py", part.__name__] for part in parts])
 
 
@@ -502,15 +507,15 @@ def clean() -> None:
 
 # Description of each task, printed when it starts. The times are those of a first run on two cores.
 TASKS = {
-    demo: "install the Python packages, build and pack the FMUs, run each of them, draw the results, compare "
-    "solvers: 7 to 11 minutes, then about 2",
+    demo: "install the Python packages, build and pack the FMUs, run each of them, draw the results, identify "
+    "a law, compare solvers: 10 to 16 minutes, then about 3",
     test: "check formatting and lints, run the Rust, C and Python tests: 15 to 25 minutes, then about 12",
     bench: "build and run the benchmarks: 3 to 7 minutes",
     pack: "build the library and pack every model as an FMU into dist/: 1 to 2 minutes",
     wheel: "build the Python package into dist/ as one file, test it with numpy alone: 3 to 5 minutes",
     setup: "install the Python packages of requirements.txt into .venv: about a minute",
     clean: "remove .venv, dist, out and target",
-    trust: "run everything in docs/trust.md and print the figures: one to two hours",
+    trust: "run everything in docs/trust.md and print the figures: many hours",
     faults: "test the library with importers and faults of the host, in full, and print the figures: 10 to 20 minutes",
     platforms: "pack for all platforms twice, compare, run the libraries under wine and qemu; as root it installs what "
     "it needs with apt: 15 to 30 minutes",
@@ -520,6 +525,7 @@ TASKS = {
     broken: "deliberately break copies of the library and show which tests fail: 5 to 10 minutes",
     mutants: "install cargo-mutants, change the friction laws in more than 200 small ways, one at a time, and count "
     "how many the tests catch: 10 to 20 minutes",
+    identified: "identify the laws in records of a virtual rig and count how often the intervals hold the truth: hours",
     supply: "check licences, bans and sources of the crates, and known vulnerabilities if github.com is reachable: "
     "5 to 10 minutes, then seconds",
 }

@@ -72,9 +72,8 @@ pub fn identify<'py>(
     };
     let outcome = interruptible(py, |cancel| {
         let watch = Watch { cancel, progress: &|_| {} };
-        let (fits, ranks) = fit_all(&laws, &experiments, &task, &mut |_| {}, watch)?;
-        let explained = fits[ranks[0].fit].explained.clone();
-        Ok::<_, Fault>((as_json(&fits, &ranks).to_string(), explained))
+        let ranking = fit_all(&laws, &experiments, &task, &mut |_| {}, watch)?;
+        Ok::<_, Fault>((as_json(&ranking).to_string(), ranking.best().explained.clone()))
     })?;
     let (text, explained) = outcome.map_err(refused)?;
     let tables = experiments.into_iter().zip(explained).map(|(experiment, explained)| {

@@ -6,7 +6,8 @@ use std::str::FromStr;
 
 use clap::{Args, ValueEnum};
 use lab::identify::{
-    Experiment, Fit, Method, Rank, Reference, Task, Verdict, Watch, Wishes, as_json, fit, fit_all, laws_named, preset,
+    Experiment, Fit, Method, Ranking, Reference, Task, Verdict, Watch, Wishes, as_json, fit, fit_all, laws_named,
+    preset,
 };
 use lab::measured::{Delay, Record, Rig, average};
 use lab::report::{Identification, identification};
@@ -221,17 +222,17 @@ pub fn identify(arguments: &Arguments) -> Result<Ending, Failure> {
     }
     let bar = Best::new();
     let watch = Watch { cancel: &CANCELLED, progress: &|rms| bar.reached(rms) };
-    let (fits, ranks) = fit_all(&laws, &experiments, &task, &mut |law| bar.begin(law.name), watch)?;
+    let ranking = fit_all(&laws, &experiments, &task, &mut |law| bar.begin(law.name), watch)?;
     bar.finish();
-    let best = &fits[ranks[0].fit];
+    let best = ranking.best();
     let reference = arguments.reference(best.law)?;
     if arguments.json {
-        println!("{}", as_json(&fits, &ranks));
+        println!("{}", as_json(&ranking));
     } else {
-        print!("{}{}", ranking(&fits, &ranks), best.table(reference.as_ref()));
+        print!("{}{}", table(&ranking), best.table(reference.as_ref()));
     }
     save(arguments, best)?;
-    let facts = Identification { records: &records, fits: &fits, ranks: &ranks, reference: reference.as_ref() };
+    let facts = Identification { records: &records, ranking: &ranking, reference: reference.as_ref() };
     if let Some(folder) = &arguments.curves {
         std::fs::create_dir_all(folder).map_err(|source| Failure::File { path: folder.clone(), source })?;
         curves(folder, &records, &facts)?;
@@ -289,14 +290,14 @@ fn check(laws: &[&'static ModelType], experiments: &[Experiment], task: &Task) -
 }
 
 /// The laws, the best first.
-fn ranking(fits: &[Fit], ranks: &[Rank]) -> String {
-    if ranks.len() < 2 {
+fn table(ranking: &Ranking) -> String {
+    if ranking.ranks.len() + ranking.refused.len() < 2 {
         return String::new();
     }
     let mut text = "\n  law                  unexplained   unknowns   behind\n".to_owned();
-    for place in ranks {
-        let fit = &fits[place.fit];
-        let note = if place.is_tied { "  cannot be told apart" } else { "" };
+    for (number, place) in ranking.ranks.iter().enumerate() {
+        let fit = &ranking.fits[place.fit];
+        let note = if place.is_tied && number > 0 { "  cannot be told apart from the first" } else { "" };
         let note = if fit.is_repeatable { note } else { "  the searches did not agree" };
         text += &format!(
             "  {:<20} {:>9.3e} N {:>9} {:>8.1}{note}\n",
@@ -306,6 +307,7 @@ fn ranking(fits: &[Fit], ranks: &[Rank]) -> String {
             place.behind
         );
     }
+    ranking.refused.iter().for_each(|(_, reason)| text += &format!("  {reason}\n"));
     text + "\n"
 }
 

@@ -64,7 +64,8 @@ impl Ended<'_> {
         let repeated = Repeated(places.iter().map(|places| self.problem.values(places)).collect());
         let one = |number: usize| self.estimate(number, values[number], profiles, &repeated);
         let mut list: Vec<Estimate> = (0..values.len()).map(one).collect();
-        list.extend(self.static_level(&values, &repeated));
+        let level = self.static_level(&values, &list, &repeated);
+        list.extend(level);
         list
     }
 
@@ -94,7 +95,7 @@ impl Ended<'_> {
     }
 
     /// mu_s = mu_k + d.
-    fn static_level(&self, values: &[f64], repeated: &Repeated) -> Option<Estimate> {
+    fn static_level(&self, values: &[f64], known: &[Estimate], repeated: &Repeated) -> Option<Estimate> {
         let unknowns = &self.problem.unknowns;
         let (excess, over) = unknowns.iter().enumerate().find_map(|(number, unknown)| match unknown.target {
             Target::Excess { over, .. } => Some((number, over)),
@@ -107,13 +108,13 @@ impl Ended<'_> {
         let pairs = parts.iter().flat_map(|a| parts.iter().map(move |b| (*a, *b)));
         let deviation = pairs.map(|at| self.trust.covariance[at]).sum::<f64>().max(0.0).sqrt();
         let value = sum(values);
-        let of_kinetic = kinetic.map_or(&Verdict::Determined, |kinetic| &self.trust.verdicts[kinetic]);
+        let of_kinetic = kinetic.map_or(&Verdict::Determined, |kinetic| &known[kinetic].verdict);
         Some(Estimate {
             name: "mu_s".to_owned(),
             unit: unknowns[excess].unit,
             value,
             deviation,
-            verdict: match (&self.trust.verdicts[excess], of_kinetic) {
+            verdict: match (&known[excess].verdict, of_kinetic) {
                 (Verdict::AtMost(_), Verdict::Determined) => Verdict::AtMost(value + WIDTH * deviation),
                 (Verdict::Determined, other) | (other, _) => other.clone(),
             },

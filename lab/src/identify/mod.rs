@@ -30,7 +30,7 @@ use stribeck::model::ModelType;
 
 pub use estimate::Estimate;
 pub use experiment::Experiment;
-pub use output::{Difference, Reference, as_json, difference, preset, respond};
+pub use output::{Difference, Reference, as_json, difference, digits, preset, respond};
 pub use rank::{APART, Rank, rank};
 pub use search::{Method, Watch};
 pub use trust::{DETERMINED, Residuals, Verdict};
@@ -137,6 +137,24 @@ pub fn laws_named(names: &[String]) -> Result<Vec<&'static ModelType>, Fault> {
     names.iter().map(find).collect()
 }
 
+/// Laws fitted to the same experiments.
+#[derive(Clone, Debug)]
+pub struct Ranking {
+    /// The fits.
+    pub fits: Vec<Fit>,
+    /// Their places, the best first; there is at least one.
+    pub ranks: Vec<Rank>,
+    /// Laws that cannot be fitted, with the reason.
+    pub refused: Vec<(&'static str, String)>,
+}
+
+impl Ranking {
+    /// The best fit.
+    pub fn best(&self) -> &Fit {
+        &self.fits[self.ranks[0].fit]
+    }
+}
+
 /// Fits laws to the same experiments and ranks them; the best of several once more with all intervals. `begin` hears of
 /// each law.
 pub fn fit_all(
@@ -145,31 +163,29 @@ pub fn fit_all(
     task: &Task,
     begin: &mut dyn FnMut(&'static ModelType),
     watch: Watch,
-) -> Result<(Vec<Fit>, Vec<Rank>), Fault> {
-    let mut one = |law: &'static ModelType, task: &Task| {
-        begin(law);
-        fit(law, experiments, task, watch)
-    };
-    let [first, rest @ ..] = laws else { return Err(Fault::value("there is no law to fit")) };
-    if rest.is_empty() {
-        let fits = vec![one(first, task)?];
-        let ranks = rank(&fits);
-        return Ok((fits, ranks));
-    }
-    let quick = Task { profiles: false, repetitions: 0, ..task.clone() };
-    let mut fits = Vec::new();
+) -> Result<Ranking, Fault> {
+    let quick = if laws.len() > 1 { Task { profiles: false, repetitions: 0, ..task.clone() } } else { task.clone() };
+    let (mut fits, mut refused, mut reason) = (Vec::new(), Vec::new(), Fault::value("there is no law to fit"));
     for law in laws {
-        fits.push(one(law, &quick)?);
+        begin(law);
+        match fit(law, experiments, &quick, watch) {
+            Ok(fit) => fits.push(fit),
+            Err(fault) => {
+                refused.push((law.name, fault.to_string()));
+                reason = fault;
+            }
+        }
         if watch.cancel.load(Ordering::Relaxed) {
             break;
         }
     }
     let ranks = rank(&fits);
-    let best = ranks[0].fit;
-    if !fits[best].is_cancelled {
-        fits[best] = one(fits[best].law, task)?;
+    let Some(best) = ranks.first().map(|place| place.fit) else { return Err(reason) };
+    if laws.len() > 1 && !fits[best].is_cancelled {
+        begin(fits[best].law);
+        fits[best] = fit(fits[best].law, experiments, task, watch)?;
     }
-    Ok((fits, ranks))
+    Ok(Ranking { fits, ranks, refused })
 }
 
 /// Fits a law to experiments.
@@ -211,15 +227,19 @@ fn refine(problem: &mut Problem, mut best: Found, task: &Task, watch: Watch) -> 
 /// Rounds of searches, each with twice the budget of the one before, until two of them agree (chosen).
 const ROUNDS: u32 = 3;
 
+/// Part of the sum of squares of the force below which costs do not differ (chosen).
+const ROUNDING: f64 = 1e-9;
+
 /// The best place, and whether two searches with different seeds have found it: it is then hardly one of several.
 fn best(problem: &Problem, task: &Task, watch: Watch) -> (Found, bool) {
+    let rounding = ROUNDING * problem.measured().iter().map(|force| force * force).sum::<f64>();
     let mut ends: Vec<Found> = Vec::new();
     let mut agree = false;
     for round in 0..ROUNDS {
         ends.extend(searches(problem, task, task.budget << round, u64::from(round), watch));
         ends.sort_by(|a, b| a.cost.total_cmp(&b.cost));
         let variance = 2.0 * ends[0].cost / problem.samples() as f64;
-        agree = 2.0 * (ends[1].cost - ends[0].cost) <= variance;
+        agree = 2.0 * (ends[1].cost - ends[0].cost) <= variance.max(rounding);
         if agree || watch.cancel.load(Ordering::Relaxed) || task.method == Method::Genetic {
             break;
         }
@@ -235,6 +255,12 @@ fn problem<'a>(law: &'static ModelType, experiments: &'a [Experiment], task: &Ta
     };
     if experiments.is_empty() {
         return Err(Fault::value("there is no experiment"));
+    }
+    if task.budget == 0 {
+        return Err(Fault::value("budget = 0: must be at least 1 evaluation"));
+    }
+    if !(task.mass >= 0.0 && task.mass.is_finite()) {
+        return Err(Fault::value(format_args!("mass = {}: must be >= 0 and finite", task.mass)));
     }
     experiments.iter().try_for_each(Experiment::check)?;
     let unknowns = unknown::unknowns(law, experiments, &task.wishes)?;

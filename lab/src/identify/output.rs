@@ -10,7 +10,7 @@ use stribeck::model::ModelType;
 
 use super::response::{Ports, forces};
 use super::unknown::OF_RIG;
-use super::{Estimate, Experiment, Fit, Rank, Verdict};
+use super::{Estimate, Experiment, Fit, Rank, Ranking, Verdict};
 use crate::measured::Record;
 use crate::run::Configuration;
 use crate::system::Fault;
@@ -127,9 +127,9 @@ impl Fit {
 }
 
 /// Fits with their ranking, for programs. What is not determined has no value.
-pub fn as_json(fits: &[Fit], ranks: &[Rank]) -> serde_json::Value {
+pub fn as_json(ranking: &Ranking) -> serde_json::Value {
     let law = |place: &Rank| {
-        let fit = &fits[place.fit];
+        let fit = &ranking.fits[place.fit];
         json!({
             "law": fit.law.name,
             "behind": place.behind,
@@ -145,7 +145,11 @@ pub fn as_json(fits: &[Fit], ranks: &[Rank]) -> serde_json::Value {
             "estimates": fit.estimates.iter().map(estimate).collect::<Vec<_>>(),
         })
     };
-    json!({ "laws": ranks.iter().map(law).collect::<Vec<_>>() })
+    let refused = ranking.refused.iter().map(|(law, reason)| json!({ "law": law, "reason": reason }));
+    json!({
+        "laws": ranking.ranks.iter().map(law).collect::<Vec<_>>(),
+        "refused": refused.collect::<Vec<_>>(),
+    })
 }
 
 fn estimate(one: &Estimate) -> serde_json::Value {
@@ -166,8 +170,8 @@ fn estimate(one: &Estimate) -> serde_json::Value {
     })
 }
 
-/// Four digits.
-fn digits(value: f64) -> String {
+/// A number with four digits.
+pub fn digits(value: f64) -> String {
     let is_plain = value == 0.0 || (1e-3..1e5).contains(&value.abs());
     let decimals = (3.0 - value.abs().max(1e-300).log10().floor()).max(0.0) as usize;
     if is_plain { format!("{value:.decimals$}") } else { format!("{value:.3e}") }

@@ -25,7 +25,7 @@ pub struct Rank {
     pub fit: usize,
     /// Criterion above that of the best law.
     pub behind: f64,
-    /// Whether it cannot be told apart from the best one.
+    /// Whether it cannot be told apart from the best one, which is tied with itself.
     pub is_tied: bool,
 }
 

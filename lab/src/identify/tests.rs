@@ -319,6 +319,46 @@ fn impossible_wishes_are_refused() {
     assert_eq!(refused, "standard: force[0] = NaN: must be finite");
     let refused = fit(by_name("Dahl").unwrap(), &[], &quick(), quiet()).map(|_| ()).unwrap_err().to_string();
     assert_eq!(refused, "there is no experiment");
+    for (task, wanted) in [
+        (Task { budget: 0, ..quick() }, "budget = 0: must be at least 1 evaluation"),
+        (Task { mass: -1.0, ..quick() }, "mass = -1: must be >= 0 and finite"),
+    ] {
+        let refused = fit(by_name("Dahl").unwrap(), &data, &task, quiet()).map(|_| ()).unwrap_err().to_string();
+        assert_eq!(refused, wanted);
+    }
+}
+
+#[test]
+fn a_law_that_cannot_be_fitted_does_not_stop_the_others() {
+    let data = [measured("Dahl", &[], &standard(200), 0.01, 1)];
+    let wishes = Wishes { fixed: vec![("sigma_0".into(), 1e5)], ..Wishes::default() };
+    let task = Task { wishes, ..quick() };
+    let laws = laws_named(&["Coulomb".into(), "Dahl".into()]).unwrap();
+    let mut begun = Vec::new();
+    let ranking = fit_all(&laws, &data, &task, &mut |law| begun.push(law.name), quiet()).unwrap();
+    assert_eq!(begun, ["Coulomb", "Dahl", "Dahl"]);
+    assert_eq!(ranking.best().law.name, "Dahl");
+    assert_eq!(
+        ranking.best().values(),
+        [("sigma_0".to_owned(), 1e5), ("mu_k".to_owned(), ranking.best().estimates[0].value)]
+    );
+    assert_eq!(ranking.refused.len(), 1);
+    assert_eq!(ranking.refused[0].0, "Coulomb");
+    assert!(ranking.refused[0].1.starts_with("Coulomb: parameter 'sigma_0' does not exist"), "{:?}", ranking.refused);
+    let none = fit_all(&laws[..1], &data, &task, &mut |_| {}, quiet()).map(|_| ()).unwrap_err();
+    assert_eq!(none.to_string(), ranking.refused[0].1);
+}
+
+/// Without noise nothing but the division of the intervals is left.
+#[test]
+fn data_without_noise_give_the_truth() {
+    let data = [measured("Dahl", &[], &standard(1000), 0.0, 1)];
+    let fit = fitted("Dahl", &data, &Task { profiles: true, repetitions: 3, budget: 400, ..quick() });
+    for (name, truth) in [("mu_k", 0.1), ("sigma_0", 1e5)] {
+        let one = estimate(&fit, name);
+        assert!((one.value / truth - 1.0).abs() < 1e-3, "{one:?}");
+        assert!(one.verdict == Verdict::Determined && one.interval().iter().all(|end| end.is_finite()), "{one:?}");
+    }
 }
 
 #[test]

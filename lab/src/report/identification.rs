@@ -2,7 +2,7 @@
 
 use super::html::Page;
 use super::{STYLE, versions_of};
-use crate::identify::{Estimate, Fit, Rank, Reference, Verdict, respond};
+use crate::identify::{Estimate, Fit, Ranking, Reference, Verdict, digits, respond};
 use crate::measured::{Record, average};
 use crate::picture::{Kind, Named, Picture, Theme, curves};
 use crate::system::Fault;
@@ -13,22 +13,14 @@ pub struct Identification<'a> {
     /// The records with their names.
     pub records: &'a [(String, Record)],
     /// The fits.
-    pub fits: &'a [Fit],
-    /// Their ranking, the best first.
-    pub ranks: &'a [Rank],
+    pub ranking: &'a Ranking,
     /// Values to compare the best fit with.
     pub reference: Option<&'a Reference>,
 }
 
-impl Identification<'_> {
-    fn best(&self) -> Option<&Fit> {
-        self.fits.get(self.ranks.first()?.fit)
-    }
-}
-
 /// The report, as one HTML file.
 pub fn html(facts: &Identification) -> Result<String, Fault> {
-    let Some(best) = facts.best() else { return Err(Fault::value("there is no fit")) };
+    let best = facts.ranking.best();
     let mut page = Page::new(&format!("Identification of {}", best.law.name), STYLE);
     for warning in &best.warnings {
         page.paragraph("warning", warning);
@@ -50,32 +42,28 @@ pub fn html(facts: &Identification) -> Result<String, Fault> {
     Ok(page.end())
 }
 
-fn number(value: f64) -> String {
-    format!("{value:.4e}")
-}
-
 fn estimates(page: &mut Page, best: &Fit, reference: Option<&Reference>) {
     page.heading("Parameters");
     let head = ["Parameter", "Unit", "#Value", "95 % interval", "From repetitions", "#Reference", "Verdict"];
     page.begin_table(&head);
-    let ends = |[low, high]: [f64; 2]| format!("{} to {}", number(low), number(high));
+    let ends = |[low, high]: [f64; 2]| format!("{} to {}", digits(low), digits(high));
     for one in &best.estimates {
         let Estimate { name, unit, value, verdict, repeated, .. } = one;
         let is_told = *verdict == Verdict::Determined;
-        let known = reference.and_then(|reference| reference.get(name)).map_or(String::new(), |value| number(*value));
+        let known = reference.and_then(|reference| reference.get(name)).map_or(String::new(), |value| digits(*value));
         let told = |text: String| if is_told { text } else { String::new() };
         let cells = [
             name.clone(),
             (*unit).to_owned(),
-            told(number(*value)),
+            told(digits(*value)),
             told(ends(one.interval())),
             told(repeated.map_or(String::new(), ends)),
             known,
             match verdict {
                 Verdict::Determined => "determined".to_owned(),
-                Verdict::AtMost(most) => format!("cannot be told from 0; at most {}", number(*most)),
+                Verdict::AtMost(most) => format!("cannot be told from 0; at most {}", digits(*most)),
                 Verdict::Undetermined(reason) => format!("not determined: {reason}"),
-                Verdict::AtEnd(end) => format!("at an end of its range: {}", number(*end)),
+                Verdict::AtEnd(end) => format!("at an end of its range: {}", digits(*end)),
             },
         ];
         page.row(if is_told { "" } else { "failed" }, &head, &cells);
@@ -87,8 +75,8 @@ fn estimates(page: &mut Page, best: &Fit, reference: Option<&Reference>) {
         &format!(
             "Not explained: {} N (root mean square) of {} N. Correlation of neighbouring residuals {:.2}; {:.1} of {} samples \
              count as one. Condition {:.1e}. {} evaluations; sensitivities {}.",
-            number(seen.rms),
-            number(best.level),
+            digits(seen.rms),
+            digits(best.level),
             seen.neighbours,
             seen.correlation,
             best.samples,
@@ -100,25 +88,28 @@ fn estimates(page: &mut Page, best: &Fit, reference: Option<&Reference>) {
 }
 
 fn ranking(page: &mut Page, facts: &Identification) {
-    if facts.ranks.len() < 2 {
+    if facts.ranking.ranks.len() < 2 {
         return;
     }
     page.heading("Laws");
     let head = ["Law", "#Unexplained in N", "#Unknowns", "#Behind", "Verdict"];
     page.begin_table(&head);
-    for rank in facts.ranks {
-        let fit = &facts.fits[rank.fit];
-        let verdict = match (fit.is_repeatable, rank.is_tied) {
+    for (number_of_law, rank) in facts.ranking.ranks.iter().enumerate() {
+        let fit = &facts.ranking.fits[rank.fit];
+        let verdict = match (fit.is_repeatable, rank.is_tied && number_of_law > 0) {
             (false, _) => "the searches did not agree",
             (true, true) => "cannot be told apart from the first",
             (true, false) => "",
         };
         let count = fit.unknowns().to_string();
         let cells =
-            [fit.law.name.into(), number(fit.residuals.rms), count, format!("{:.1}", rank.behind), verdict.into()];
+            [fit.law.name.into(), digits(fit.residuals.rms), count, format!("{:.1}", rank.behind), verdict.into()];
         page.row("", &head, &cells);
     }
     page.end_table();
+    for (_, reason) in &facts.ranking.refused {
+        page.paragraph("note", reason);
+    }
 }
 
 fn records(page: &mut Page, facts: &Identification) {
@@ -133,7 +124,7 @@ fn records(page: &mut Page, facts: &Identification) {
             quality.samples.to_string(),
             format!("{:.3}", quality.duration),
             quality.reversals.to_string(),
-            number(quality.noise),
+            digits(quality.noise),
             format!("{:.5}", record.clocks.delay),
             quality.findings.join("; "),
         ];
@@ -163,7 +154,8 @@ pub fn pictures(facts: &Identification, number: usize) -> Result<Vec<Picture>, F
 }
 
 fn drawn(facts: &Identification, number: usize, theme: Theme) -> Result<Vec<Picture>, Fault> {
-    let (Some(best), Some((name, record))) = (facts.best(), facts.records.get(number)) else { return Ok(Vec::new()) };
+    let Some((name, record)) = facts.records.get(number) else { return Ok(Vec::new()) };
+    let best = facts.ranking.best();
     let mut all = vec![("measured".to_owned(), record.clone())];
     if let Some(reference) = facts.reference {
         all.push(("reference".to_owned(), with_law(best, reference, record)?));
