@@ -4,30 +4,39 @@
 //! [`dyno`] makes a [`ParameterSet`](ssp::parameter_set::ParameterSet) from the measurements of a damper dynamometer,
 //! [`tir`] from a tyre property file. [`measured`] makes friction of what a rig has recorded, and [`identify`] finds the
 //! parameters of a law in it. [`system`] joins models, [`solve`] has the solvers, [`run`] runs them, [`study`] many of
-//! them, [`picture`] draws what came of it, and [`report`] tells it all in one file.
+//! them, [`picture`] draws what came of it in the colours of [`palette`], and [`report`] tells it all in one file.
+//!
+//! Systems and solvers use the elementary functions of the models only: a run has the same bits on every platform and in
+//! a browser.
 
 #[cfg(feature = "workbench")]
 pub mod benchmark;
-#[cfg(feature = "workbench")]
+#[cfg(feature = "systems")]
+#[cfg_attr(not(test), deny(clippy::disallowed_methods))]
 pub mod couple;
 pub mod dyno;
 #[cfg(feature = "workbench")]
 pub mod identify;
 #[cfg(feature = "workbench")]
 pub mod measured;
+#[cfg(feature = "systems")]
+pub mod palette;
 #[cfg(feature = "workbench")]
 pub mod picture;
 #[cfg(feature = "workbench")]
 pub mod report;
 #[cfg(feature = "workbench")]
 pub mod rig;
-#[cfg(feature = "workbench")]
+#[cfg(feature = "systems")]
+#[cfg_attr(not(test), deny(clippy::disallowed_methods))]
 pub mod run;
 pub mod sheet;
-#[cfg(feature = "workbench")]
+#[cfg(feature = "systems")]
+#[cfg_attr(not(test), deny(clippy::disallowed_methods))]
 pub mod solve;
 #[cfg(feature = "workbench")]
 pub mod study;
-#[cfg(feature = "workbench")]
+#[cfg(feature = "systems")]
+#[cfg_attr(not(test), deny(clippy::disallowed_methods))]
 pub mod system;
 pub mod tir;

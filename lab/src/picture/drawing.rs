@@ -7,8 +7,8 @@ use std::fmt::Write;
 
 use super::axis::{Axis, Quantity};
 use super::curve::{self, Point};
-use super::style::{DASHES, Theme};
 use super::text::{FAMILY, escape, fitted, width};
+use crate::palette::{DASHES, Theme};
 
 /// Width of the drawing in its own units, and millimetres per unit: 150 mm is a column of a thesis.
 const WIDTH: f64 = 600.0;

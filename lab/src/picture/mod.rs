@@ -4,7 +4,6 @@ mod axis;
 mod curve;
 mod drawing;
 mod precision;
-mod style;
 mod text;
 mod zoom;
 
@@ -13,8 +12,8 @@ use std::fmt;
 use resvg::tiny_skia::{Pixmap, Transform};
 use resvg::usvg::Tree;
 
+pub use crate::palette::{MOST_LAWS, Theme};
 pub use precision::{Precision, work_precision};
-pub use style::{MOST_LAWS, Theme};
 pub(crate) use text::{escape, typeset_unit};
 
 use crate::run::Outcome;

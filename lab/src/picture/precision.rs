@@ -2,8 +2,8 @@
 
 use super::axis::{Axis, Quantity};
 use super::drawing::{Drawing, Line};
-use super::style::{MOST_LAWS, Theme};
 use crate::benchmark::Measurement;
+use crate::palette::{MOST_LAWS, Theme};
 use crate::run::Solver;
 
 /// Error that a diagram shows.

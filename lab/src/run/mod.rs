@@ -4,14 +4,16 @@ mod configuration;
 mod outcome;
 mod solver;
 
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
 pub use configuration::Configuration;
 pub use outcome::{Column, Outcome, Passed};
 pub use solver::{Kind, Solver};
 
 use crate::couple::{Exchange, Master, by_steps, co_simulation};
-use crate::solve::{End, Equations, Grid, Options, Progress, Recorder, Statistics, solve, solve_foreign};
+#[cfg(feature = "workbench")]
+use crate::solve::solve_foreign;
+use crate::solve::{End, Equations, Grid, Options, Progress, Recorder, Statistics, solve};
 use crate::system::{Fault, Motion, Part, System, WireSource};
 
 /// How a system is run.
@@ -90,7 +92,8 @@ pub fn run(system: &System, settings: &Settings, results: &[String]) -> Result<O
     settings.check()?;
     let sources = results.iter().map(|name| system.source(name)).collect::<Result<Vec<WireSource>, Fault>>()?;
     let solver = settings.solver.for_system(system);
-    let begin = Instant::now();
+    // A browser has its own clock, which the standard library does not know.
+    let begin = cfg!(not(target_family = "wasm")).then(Instant::now);
     let Ran { end, statistics, time, values, parts } = start(system, solver, settings, &sources)?;
     let columns = results.iter().zip(&sources).zip(values);
     let columns =
@@ -98,7 +101,8 @@ pub fn run(system: &System, settings: &Settings, results: &[String]) -> Result<O
     let columns = columns.collect();
     let events = statistics.events.iter().zip(parts).map(|(event, part)| Passed { time: event.time, part });
     let events = events.collect();
-    Ok(Outcome { law: system.law, solver, time, columns, end, statistics, events, elapsed: begin.elapsed() })
+    let elapsed = begin.map_or(Duration::ZERO, |begin| begin.elapsed());
+    Ok(Outcome { law: system.law, solver, time, columns, end, statistics, events, elapsed })
 }
 
 /// What a solver gives back.
@@ -114,7 +118,7 @@ struct Ran {
 fn start(system: &System, solver: Solver, settings: &Settings, sources: &[WireSource]) -> Result<Ran, Fault> {
     let (grid, options) = (settings.grid(), settings.options());
     let kind = solver.kind();
-    if !settings.events && matches!(kind, Kind::Own(_) | Kind::Foreign(_)) {
+    if !settings.events && !matches!(kind, Kind::Steps | Kind::CoSimulation) {
         needs_no_events(system)?;
     }
     let (end, statistics, (time, values)) = match kind {
@@ -123,6 +127,7 @@ fn start(system: &System, solver: Solver, settings: &Settings, sources: &[WireSo
                 Ok(solve(method, motion, states, &options, recorder))
             });
         }
+        #[cfg(feature = "workbench")]
         Kind::Foreign(foreign) => {
             return of_motion(system, sources, grid, |motion, states, recorder| {
                 if settings.events && motion.indicators() > 0 && !foreign.has_events() {

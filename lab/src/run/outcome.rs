@@ -45,7 +45,7 @@ pub struct Outcome {
     pub statistics: Statistics,
     /// The events.
     pub events: Vec<Passed>,
-    /// Time on the clock.
+    /// Time on the clock; zero in a browser, where this library has none.
     pub elapsed: Duration,
 }
 

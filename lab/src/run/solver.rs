@@ -2,7 +2,9 @@
 
 use std::fmt;
 
-use crate::solve::{Foreign, Method};
+#[cfg(feature = "workbench")]
+use crate::solve::Foreign;
+use crate::solve::Method;
 use crate::system::{Motion, System};
 
 /// A solver, with the class of MATLAB's solvers that it belongs to.
@@ -16,14 +18,19 @@ pub enum Solver {
     /// Modified Rosenbrock method 2(3), the class of ode23s.
     Rosenbrock23,
     /// Explicit Runge-Kutta method of order 5, of the crate ode_solvers, the class of ode45.
+    #[cfg(feature = "workbench")]
     Dopri5,
     /// Explicit Runge-Kutta method of order 8, of the crate ode_solvers, the class of ode78; without events.
+    #[cfg(feature = "workbench")]
     Dop853,
     /// Backward differentiation formulas of orders 1 to 5, of the crate diffsol, the class of ode15s.
+    #[cfg(feature = "workbench")]
     Bdf,
     /// Trapezoidal rule with backward differentiation formula, of the crate diffsol, the class of ode23tb.
+    #[cfg(feature = "workbench")]
     TrBdf2,
     /// Diagonally implicit Runge-Kutta method of order 3, of the crate diffsol.
+    #[cfg(feature = "workbench")]
     Esdirk34,
     /// Steps of all models together, halved until two halves agree.
     Steps,
@@ -37,6 +44,7 @@ pub enum Kind {
     /// It solves the equations of motion by a method of ours.
     Own(Method),
     /// It solves the equations of motion by another crate.
+    #[cfg(feature = "workbench")]
     Foreign(Foreign),
     /// It makes steps of the models.
     Steps,
@@ -59,10 +67,15 @@ impl Solver {
         match self {
             Solver::Auto | Solver::Rodas5P => Kind::Own(Method::Rodas5P),
             Solver::Rosenbrock23 => Kind::Own(Method::Rosenbrock23),
+            #[cfg(feature = "workbench")]
             Solver::Dopri5 => Kind::Foreign(Foreign::Dopri5),
+            #[cfg(feature = "workbench")]
             Solver::Dop853 => Kind::Foreign(Foreign::Dop853),
+            #[cfg(feature = "workbench")]
             Solver::Bdf => Kind::Foreign(Foreign::Bdf),
+            #[cfg(feature = "workbench")]
             Solver::TrBdf2 => Kind::Foreign(Foreign::TrBdf2),
+            #[cfg(feature = "workbench")]
             Solver::Esdirk34 => Kind::Foreign(Foreign::Esdirk34),
             Solver::Steps => Kind::Steps,
             Solver::CoSimulation => Kind::CoSimulation,

@@ -5,6 +5,7 @@
 
 mod elimination;
 mod event;
+#[cfg(feature = "workbench")]
 mod foreign;
 mod march;
 mod method;
@@ -15,6 +16,7 @@ mod statistics;
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
+#[cfg(feature = "workbench")]
 pub use foreign::{Foreign, solve_foreign};
 pub use method::Method;
 pub use recorder::{Grid, Piece, Recorder};

@@ -1,4 +1,4 @@
-//! Colours and dashes.
+//! Colours and dashes of the laws in pictures and on the page.
 
 /// For light or dark surroundings.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, clap::ValueEnum)]
@@ -21,10 +21,15 @@ pub const DASHES: [&str; MOST_LAWS] =
 
 /// Colours of a picture.
 pub struct Colours {
+    /// Background.
     pub paper: &'static str,
+    /// Texts.
     pub ink: &'static str,
+    /// Lines of the grid.
     pub grid: &'static str,
+    /// Axes.
     pub axis: &'static str,
+    /// Curves.
     pub laws: [&'static str; MOST_LAWS],
 }
 
