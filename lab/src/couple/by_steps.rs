@@ -7,6 +7,7 @@
 //! step is made as a whole and in two halves, and divided where they differ.
 
 use stribeck::instance::Snapshot;
+use stribeck::number::elementary::pow;
 
 use super::train::{Recorded, Train};
 use crate::solve::{End, Grid, Options, Statistics};
@@ -132,7 +133,7 @@ impl<'a> Coupling<'a> {
             let (length, target) = if h >= room / 1.01 { (room, wall) } else { (h, from + h) };
             match self.attempt(length) {
                 Ok(error) => {
-                    let factor = 0.9 * error.powf(-1.0 / 3.0);
+                    let factor = 0.9 * pow(error, -1.0 / 3.0);
                     let factor = if factor.is_nan() { 0.25 } else { factor.clamp(0.2, 4.0) };
                     if error <= 1.0 {
                         self.train.time = target;

@@ -1,5 +1,7 @@
 //! Steps with error control from event to event.
 
+use stribeck::number::elementary::pow;
+
 use super::event::{Bracket, Watch};
 use super::method::{Beginning, Step};
 use super::recorder::{Piece, Recorder};
@@ -160,7 +162,7 @@ impl<S: Step<N>, const N: usize> March<'_, S, N> {
             let is_last = h >= room / 1.01;
             let length = if is_last { room } else { h };
             let error = if self.attempt(length) { self.norm(self.step.error(), self.step.end()) } else { f64::NAN };
-            let factor = SAFETY * error.powf(-1.0 / S::ERROR_ORDER);
+            let factor = SAFETY * pow(error, -1.0 / S::ERROR_ORDER);
             let factor = if factor.is_nan() { SHRINK } else { factor.clamp(SHRINK, GROW) };
             let crossing = if error.is_nan() { None } else { self.first_change(length) };
             if error <= 1.0 {

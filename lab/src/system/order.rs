@@ -1,6 +1,7 @@
 //! Order in which the outputs of a system are computed and passed on.
 
 use stribeck::model::{Kind, ModelType, Role};
+use stribeck::number::elementary::pow;
 
 use super::part::{System, Wire, WireSource};
 use super::{Fault, Place};
@@ -120,7 +121,7 @@ impl Random {
         if let Kind::Enumeration(choices) = variable.kind {
             return 1.0 + (self.unit() * choices.items.len() as f64).floor();
         }
-        let size = 10f64.powf(4.0 * self.unit() - 3.0) * variable.nominal.max(variable.start.abs());
+        let size = pow(10.0, 4.0 * self.unit() - 3.0) * variable.nominal.max(variable.start.abs());
         let value = if self.unit() < 0.5 { size } else { -size };
         let value = variable.bound.nearest(value);
         if matches!(variable.kind, Kind::Real(_)) { value } else { value.round() }

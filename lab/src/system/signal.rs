@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use serde::{Deserialize, Serialize};
+use stribeck::number::elementary::{cos, sin};
 
 use super::Fault;
 
@@ -132,8 +133,8 @@ impl Signal {
             }
             Signal::Course(Course::Sine { mean, amplitude, frequency, phase }) => {
                 let omega = 2.0 * std::f64::consts::PI * frequency;
-                let (sine, cosine) = (omega * t + phase).sin_cos();
-                (mean + amplitude * sine, amplitude * omega * cosine)
+                let angle = omega * t + phase;
+                (mean + amplitude * sin(angle), amplitude * omega * cos(angle))
             }
             Signal::Course(Course::Points { time, value }) => {
                 let after = time.partition_point(|at| *at <= t);
@@ -156,7 +157,7 @@ impl Signal {
         match self {
             Signal::Course(Course::Sine { amplitude, frequency, phase, .. }) => {
                 let omega = 2.0 * std::f64::consts::PI * frequency;
-                -amplitude * omega * omega * (omega * t + phase).sin()
+                -amplitude * omega * omega * sin(omega * t + phase)
             }
             _ => 0.0,
         }
