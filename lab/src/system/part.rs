@@ -121,7 +121,11 @@ impl System {
         let models = systems.iter().flat_map(|system| &system.parts).map(|part| part.model);
         let known: BTreeSet<String> =
             models.flat_map(ModelType::variables).map(|(_, variable)| variable.path.to_string()).collect();
-        Err(Fault::unknown("variable of the system", &setting.name, known.iter().map(String::as_str)))
+        let variable = setting.name.split_once('.').map_or(setting.name.as_str(), |(part, variable)| {
+            let is_part = systems.iter().flat_map(|system| &system.parts).any(|known| known.name == part);
+            if is_part { variable } else { setting.name.as_str() }
+        });
+        Err(Fault::unknown("variable of the system", variable, known.iter().map(String::as_str)))
     }
 
     fn add(&mut self, name: &str, part: &PartDescription, law: Option<&str>) -> Result<(), Fault> {
@@ -266,6 +270,11 @@ impl System {
             && self.parts.iter().any(|known| known.name == part)
         {
             let (part, variable) = self.split(&setting.name)?;
+            let Part { model, is_law, .. } = self.parts[part];
+            if is_law && model.find(variable).is_none() {
+                self.unused.push(setting.clone());
+                return Ok(());
+            }
             return self.set_in(part, variable, &setting.value);
         }
         let has = |part: &&usize| self.parts[**part].model.find(&setting.name).is_some();
