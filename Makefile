@@ -1,6 +1,6 @@
 PYTHON ?= python3
 
-.PHONY: demo test bench clean
+.PHONY: demo test bench page clean
 
 demo:
 	$(PYTHON) tasks.py demo
@@ -10,6 +10,9 @@ test:
 
 bench:
 	$(PYTHON) tasks.py bench
+
+page:
+	$(PYTHON) tasks.py page
 
 clean:
 	$(PYTHON) tasks.py clean

@@ -6,6 +6,7 @@
     python3 tasks.py bench    the benchmarks
     python3 tasks.py pack     the FMUs into dist/
     python3 tasks.py wheel    the Python package into dist/, from the packed FMUs
+    python3 tasks.py page     the page for a browser, one file, into dist/, and its tests; needs Node and npm
     python3 tasks.py setup    .venv with the Python packages
     python3 tasks.py clean    remove the output of the other tasks
 
@@ -61,8 +62,8 @@ LAWS_OF_BENCHMARK = [
 
 # The parts of the library that contain code.
 CRATES = ["--package", "stribeck", "--package", "stribeck-ffi"]
-RUST_FOLDERS = ["src", "ffi", "tests", "benches", "fmu-build", "fuzz", "lab", "python", "ssp", "examples"]
-PYTHON_FOLDERS = ["tasks.py", "examples", "fuzz", "python", "tests"]
+RUST_FOLDERS = ["src", "ffi", "tests", "benches", "fmu-build", "fuzz", "lab", "python", "ssp", "web", "examples"]
+PYTHON_FOLDERS = ["tasks.py", "examples", "fuzz", "python", "tests", "web/tests"]
 C_FOLDERS = ["examples/c", "examples/cpp", "examples/mujoco", "tests/c", "tests/platforms", "benches"]
 
 
@@ -87,6 +88,8 @@ TEST_PROGRAMS = {
 }
 # Those for the task faults.
 FAULT_PROGRAMS = {"valgrind": "valgrind", "gcc": "gcc", **TEST_PROGRAMS}
+# That in which the page is tested.
+PAGE_PROGRAMS = {"chromium": "chromium"}
 # Those that build for other platforms and run the results.
 PLATFORM_PROGRAMS = {
     "x86_64-w64-mingw32-gcc": "gcc-mingw-w64-x86-64-win32",
@@ -169,7 +172,7 @@ def files(folders: list[str], *endings: str) -> list[Path]:
         for folder in folders
         for ending in endings
         for path in sorted((ROOT / folder).rglob(f"*{ending}"))
-        if "target" not in path.parts
+        if not {"target", "node_modules"} & set(path.parts)
     ]
     if not found:
         raise TaskError(f"no {', '.join(endings)} file in {', '.join(folders)}")
@@ -301,6 +304,39 @@ def wheel() -> None:
     run(PYTHON, "python/fmus.py", "dist", "python/stribeck/fmus")
     run(PYTHON, "-m", "maturin", "build", "--release", "--manifest-path", "python/Cargo.toml", "--out", "dist")
     run(PYTHON, "-m", "pytest", "tests/wheel")
+
+
+def page() -> None:
+    """Builds the page into dist/, as one file, and tests it in Chromium and against the library for this machine."""
+    need_rust()
+    for program in ("node", "npm"):
+        need(program, "install Node 20 or newer from https://nodejs.org")
+    target = "wasm32-unknown-unknown"
+    found = subprocess.run(
+        ["rustc", "--print", "target-libdir", "--target", target], capture_output=True, text=True, encoding="utf-8"
+    )
+    if not any(Path(found.stdout.strip()).glob("libstd-*.rlib")):
+        need("rustup", f"this task needs Rust's standard library for {target}, which the Rust of https://rustup.rs has")
+        run("rustup", "target", "add", target)
+    npm = shutil.which("npm")
+    run(npm, "ci", "--prefix", "web", "--ignore-scripts", "--no-audit", "--no-fund")
+    run(npm, "exec", "--prefix", "web", "--", "tsc", "--project", "web")
+    run("cargo", "build", "--release", "--package", "stribeck-page", "--target", target)
+    built = Path(os.environ.get("CARGO_TARGET_DIR", ROOT / "target"))
+    library = built / target / "release" / "stribeck_page.wasm"
+    run("node", "web/build.mjs", library, ROOT / "dist" / "page.html")
+    run("cargo", "build", "--package", "stribeck-page")
+    names = {"win32": "stribeck_page.dll", "darwin": "libstribeck_page.dylib"}
+    if platform.system() == "Linux":
+        install_missing(PAGE_PROGRAMS)
+    run(
+        *("node", "--test", "web/tests"),
+        CHROMIUM=shutil.which("chromium") or "",
+        LIBRARY=str(library),
+        PAGE=str(ROOT / "dist" / "page.html"),
+        NATIVE=str(debug_folder() / names.get(sys.platform, "libstribeck_page.so")),
+        PYTHON=sys.executable,
+    )
 
 
 def demo() -> None:
@@ -513,6 +549,7 @@ TASKS = {
     bench: "build and run the benchmarks: 3 to 7 minutes",
     pack: "build the library and pack every model as an FMU into dist/: 1 to 2 minutes",
     wheel: "build the Python package into dist/ as one file, test it with numpy alone: 3 to 5 minutes",
+    page: "build the page as one file into dist/ and test it in Chromium: 3 to 6 minutes",
     setup: "install the Python packages of requirements.txt into .venv: about a minute",
     clean: "remove .venv, dist, out and target",
     trust: "run everything in docs/trust.md and print the figures: many hours",

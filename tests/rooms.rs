@@ -53,6 +53,7 @@ const HOUSES: &[House] = &[
             "identify",
             "rig",
             "benchmark",
+            "palette",
             "picture",
             "report",
             "damper",
@@ -60,6 +61,7 @@ const HOUSES: &[House] = &[
             "command",
         ],
     },
+    House { folder: "web/src", rooms: &["answer", "catalogue", "system", "solution", "law", "question"] },
     House { folder: "fmu-build/src", rooms: &["project", "build", "describe", "page", "pack"] },
 ];
 

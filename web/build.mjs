@@ -1,0 +1,48 @@
+// Writes the page as one file: node build.mjs LIBRARY.wasm PAGE.html
+
+import { createHash } from "node:crypto";
+import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
+import { dirname, join } from "node:path";
+import { fileURLToPath } from "node:url";
+import { gzipSync } from "node:zlib";
+import { build } from "esbuild";
+
+const HERE = dirname(fileURLToPath(import.meta.url));
+const source = (name) => join(HERE, "page", name);
+
+/** A bundle of TypeScript or CSS as text. */
+async function bundle(entry, define = {}) {
+  const options = { bundle: true, write: false, minify: true, format: "esm", target: "es2022", logLevel: "warning" };
+  const { outputFiles } = await build({ ...options, entryPoints: [entry], define });
+  return outputFiles[0].text.trim();
+}
+
+/** What the policy of the page lets run: this text and nothing else. */
+const hash = (text) => `'sha256-${createHash("sha256").update(text).digest("base64")}'`;
+
+const [library, page] = process.argv.slice(2);
+if (!page) throw new Error("node build.mjs LIBRARY.wasm PAGE.html");
+const worker = await bundle(source("worker.ts"));
+const main = await bundle(source("main.ts"), { WORKER: JSON.stringify(worker) });
+const script = main.replaceAll("</script", "<\\/script");
+const style = (await bundle(join(HERE, "node_modules/uplot/dist/uPlot.min.css"))) + (await bundle(source("style.css")));
+const policy = [
+  "default-src 'none'",
+  `script-src ${hash(script)} 'wasm-unsafe-eval'`,
+  `style-src ${hash(style)}`,
+  "worker-src blob:",
+  "img-src data:",
+  "base-uri 'none'",
+  "form-action 'none'",
+].join("; ");
+const parts = {
+  POLICY: policy,
+  STYLE: style,
+  SCRIPT: script,
+  LIBRARY: gzipSync(readFileSync(library), { level: 9 }).toString("base64"),
+  LICENCES: readFileSync(join(HERE, "node_modules/uplot/LICENSE"), "utf8").replaceAll("&", "&amp;").replaceAll("<", "&lt;"),
+};
+const html = readFileSync(source("index.html"), "utf8").replace(/%([A-Z]+)%/g, (_, name) => parts[name]);
+mkdirSync(dirname(page), { recursive: true });
+writeFileSync(page, html);
+console.log(`${page}: ${html.length} bytes, ${gzipSync(html, { level: 9 }).length} compressed`);

@@ -1,0 +1,146 @@
+/** A diagram with two axes, drawn on a canvas or into an SVG. */
+
+import { unitText } from "./format";
+import type { Pen } from "./pen";
+import type { Colours } from "./types";
+
+export interface Curve {
+  name: string;
+  x: ArrayLike<number>;
+  y: ArrayLike<number>;
+  /** Number of its colour and dashes. */
+  law: number;
+}
+
+export interface Label {
+  name: string;
+  unit: string;
+}
+
+export interface Diagram {
+  title: string;
+  x: Label;
+  y: Label;
+  curves: Curve[];
+}
+
+export type Range = [number, number];
+
+const ROOM = 0.04;
+
+/** Smallest and largest number of arrays, with some room. */
+export function range(arrays: ArrayLike<number>[], room = ROOM): Range {
+  let low = Infinity;
+  let high = -Infinity;
+  for (const values of arrays) {
+    for (let at = 0; at < values.length; at++) {
+      const value = values[at]!;
+      if (value < low) low = value;
+      if (value > high) high = value;
+    }
+  }
+  if (!(low <= high)) return [-1, 1];
+  const size = Math.max(Math.abs(low), Math.abs(high));
+  // What differs by rounding only is a constant.
+  if (high - low <= 1e-9 * size) return size > 0 ? [low - 0.5 * size, high + 0.5 * size] : [-1, 1];
+  return [low - room * (high - low), high + room * (high - low)];
+}
+
+/** Round values within a range. */
+export function ticks([low, high]: Range, count: number): { values: number[]; decimals: number } {
+  const rough = (high - low) / Math.max(count, 1);
+  const power = 10 ** Math.floor(Math.log10(rough));
+  const step = power * ([1, 2, 5, 10].find((factor) => factor * power >= rough) ?? 10);
+  const values: number[] = [];
+  for (let number = Math.ceil(low / step); number * step <= high; number++) values.push(number * step);
+  return { values, decimals: Math.max(0, -Math.floor(Math.log10(step) + 1e-9)) };
+}
+
+/** The text of a tick. */
+export function tickText(value: number, decimals: number): string {
+  const text = decimals > 5 || Math.abs(value) >= 1e6 ? value.toExponential(2) : value.toFixed(decimals);
+  return (Number(text) === 0 ? text.replace("-", "") : text).replace("-", "\u2212");
+}
+
+export function labelText({ name, unit }: Label): string {
+  return unitText(unit) ? `${name} in ${unitText(unit)}` : name;
+}
+
+/** Area of the curves and how values become places in it. */
+export class Frame {
+  readonly left = 62;
+  readonly top: number;
+  readonly right: number;
+  readonly bottom: number;
+
+  constructor(
+    width: number,
+    height: number,
+    readonly x: Range,
+    readonly y: Range,
+    head: number,
+  ) {
+    this.top = head;
+    this.right = width - 14;
+    this.bottom = height - 44;
+  }
+
+  across(value: number): number {
+    return this.left + ((value - this.x[0]) / (this.x[1] - this.x[0])) * (this.right - this.left);
+  }
+
+  up(value: number): number {
+    return this.bottom - ((value - this.y[0]) / (this.y[1] - this.y[0])) * (this.bottom - this.top);
+  }
+
+  /** The values at a place. */
+  at(right: number, down: number): [number, number] {
+    const [x, y] = [(right - this.left) / (this.right - this.left), (this.bottom - down) / (this.bottom - this.top)];
+    return [this.x[0] + x * (this.x[1] - this.x[0]), this.y[0] + y * (this.y[1] - this.y[0])];
+  }
+}
+
+/** Draws axes and curves. */
+export function draw(pen: Pen, frame: Frame, diagram: Diagram, colours: Colours, dashes: string[]): void {
+  pen.fill(colours.paper);
+  const { left, right, top, bottom } = frame;
+  const across = ticks(frame.x, (right - left) / 90);
+  for (const value of across.values) {
+    const x = frame.across(value);
+    pen.line([x, top], [x, bottom], colours.grid);
+    pen.text([x, bottom + 17], tickText(value, across.decimals), colours.ink, "middle");
+  }
+  const upwards = ticks(frame.y, (bottom - top) / 45);
+  for (const value of upwards.values) {
+    const y = frame.up(value);
+    pen.line([left, y], [right, y], colours.grid);
+    pen.text([left - 7, y + 4], tickText(value, upwards.decimals), colours.ink, "end");
+  }
+  pen.line([left, top], [left, bottom], colours.axis);
+  pen.line([left, bottom], [right, bottom], colours.axis);
+  pen.text([(left + right) / 2, bottom + 37], labelText(diagram.x), colours.ink, "middle");
+  pen.text([14, (top + bottom) / 2], labelText(diagram.y), colours.ink, "middle", true);
+  for (const { x, y, law } of diagram.curves) {
+    const placed = { x: new Float64Array(x.length), y: new Float64Array(x.length) };
+    for (let at = 0; at < x.length; at++) {
+      placed.x[at] = frame.across(x[at]!);
+      placed.y[at] = frame.up(y[at] ?? NaN);
+    }
+    pen.curve(placed, [left, top, right - left, bottom - top], colours.laws[law]!, dashes[law]!, 1.75);
+  }
+}
+
+/** The names of the curves in a line above the diagram; returns its height. */
+export function legend(pen: Pen, diagram: Diagram, colours: Colours, dashes: string[], width: number): number {
+  pen.text([14, 20], diagram.title, colours.ink, "start");
+  let [x, y] = [14, 40];
+  for (const { name, law } of diagram.curves) {
+    const wide = 48 + 7 * name.length;
+    if (x + wide > width && x > 14) [x, y] = [14, y + 18];
+    const points = { x: [x, x + 30], y: [y - 4, y - 4] };
+    pen.curve(points, [x, y - 10, 30, 12], colours.laws[law]!, dashes[law]!, 2);
+    pen.text([x + 36, y], name, colours.ink, "start");
+    x += wide;
+  }
+  return y + 14;
+}

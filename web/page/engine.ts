@@ -1,0 +1,113 @@
+/** Workers with the library. */
+
+import { type Answer, type Question, Refused } from "./types";
+
+declare const WORKER: string;
+
+let compiled: Promise<WebAssembly.Module> | undefined;
+let script: string | undefined;
+
+/** The library that lies in this page, compiled once. */
+function module(): Promise<WebAssembly.Module> {
+  compiled ??= (async () => {
+    const packed = document.getElementById("library")?.textContent?.trim() ?? "";
+    const bytes = Uint8Array.from(atob(packed), (letter) => letter.charCodeAt(0));
+    const plain = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip"));
+    return WebAssembly.compile(await new Response(plain).arrayBuffer());
+  })();
+  return compiled;
+}
+
+interface Waiting {
+  question: Question;
+  resolve(answer: Answer<unknown>): void;
+  reject(reason: unknown): void;
+}
+
+/** A question that was given up because a newer one was put, or because it was stopped. */
+export class Superseded extends Error {}
+
+/** Time after which a run under way is given up for a newer one, in ms (chosen). */
+const PATIENCE = 250;
+
+/** A worker of which only the newest question counts. */
+export class Lane {
+  private worker: Worker | undefined;
+  private asked: (Waiting & { since: number; number: number }) | undefined;
+  private next: Waiting | undefined;
+  private count = 0;
+  private timer: ReturnType<typeof setTimeout> | undefined;
+
+  /** Whether a question is under way, and since when. */
+  get since(): number | undefined {
+    return this.asked?.since;
+  }
+
+  /** Puts a question; an older one that waits is given up, one under way after some patience. */
+  ask<T>(question: Question): Promise<Answer<T>> {
+    return new Promise((resolve, reject) => {
+      this.next?.reject(new Superseded());
+      this.next = { question, resolve: resolve as Waiting["resolve"], reject };
+      if (!this.asked) {
+        this.send();
+        return;
+      }
+      const left = PATIENCE - (performance.now() - this.asked.since);
+      clearTimeout(this.timer);
+      this.timer = setTimeout(() => this.restart(), Math.max(left, 0));
+    });
+  }
+
+  /** Gives up whatever is under way. */
+  stop(): void {
+    this.next?.reject(new Superseded());
+    this.next = undefined;
+    if (this.asked) this.restart();
+  }
+
+  private restart(): void {
+    if (!this.asked) return;
+    this.worker?.terminate();
+    this.worker = undefined;
+    const given = this.asked;
+    this.asked = undefined;
+    given.reject(new Superseded());
+    this.send();
+  }
+
+  private async send(): Promise<void> {
+    const next = this.next;
+    if (!next) return;
+    this.next = undefined;
+    const number = ++this.count;
+    this.asked = { ...next, since: performance.now(), number };
+    const worker = (this.worker ??= await this.start());
+    if (this.asked?.number === number) worker.postMessage({ number, question: next.question });
+  }
+
+  private async start(): Promise<Worker> {
+    const library = await module();
+    script ??= URL.createObjectURL(new Blob([WORKER], { type: "text/javascript" }));
+    const worker = new Worker(script);
+    worker.onmessage = ({ data }) => this.receive(data);
+    worker.postMessage({ module: library });
+    return worker;
+  }
+
+  private receive(data: { number: number; trapped?: string } & Answer<{ refused?: string }>): void {
+    const asked = this.asked;
+    if (asked?.number !== data.number) return;
+    this.asked = undefined;
+    clearTimeout(this.timer);
+    if (data.trapped !== undefined) {
+      this.worker?.terminate();
+      this.worker = undefined;
+      asked.reject(new Error(`the computation failed: ${data.trapped}`));
+    } else if (data.answer.refused !== undefined) {
+      asked.reject(new Refused(data.answer.refused));
+    } else {
+      asked.resolve(data);
+    }
+    void this.send();
+  }
+}

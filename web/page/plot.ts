@@ -1,0 +1,424 @@
+/** Plots on the page: a frame with a caption, exports, a data table, keyboard and a cursor that all plots share. */
+
+import uPlot from "uplot";
+import { h, save, say } from "./dom";
+import { type Curve, type Diagram, draw, Frame, labelText, legend, range, type Range, tickText } from "./drawing";
+import { short, unitText } from "./format";
+import { CanvasPen, SvgPen } from "./pen";
+import { colours, dashes } from "./theme";
+
+/** Listeners to the cursor: the number of the output time it is at, or none. */
+type CursorListener = (at: number | null, from: Plot) => void;
+
+/** The cursor that plots share. */
+export class Cursor {
+  private readonly listeners: CursorListener[] = [];
+  at: number | null = null;
+
+  on(listener: CursorListener): void {
+    this.listeners.push(listener);
+  }
+
+  move(at: number | null, from: Plot): void {
+    if (at === this.at) return;
+    this.at = at;
+    this.listeners.forEach((listener) => listener(at, from));
+  }
+}
+
+const EXPORT: [number, number] = [800, 480];
+const ROWS = 40;
+
+/** What time plots and others have in common. */
+export abstract class Plot {
+  readonly root: HTMLElement;
+  protected readonly area: HTMLDivElement;
+  private readonly caption = h("span", { class: "title" });
+  private readonly summary = h("p", { class: "unseen" });
+  private readonly table = h("details", { class: "data", ontoggle: () => this.fillTable() }, h("summary", {}, "Table"));
+  protected diagram: Diagram = { title: "", x: { name: "", unit: "1" }, y: { name: "", unit: "1" }, curves: [] };
+
+  constructor(
+    readonly kind: string,
+    protected readonly cursor: Cursor,
+  ) {
+    const id = `summary-${kind}`;
+    this.summary.id = id;
+    this.area = h("div", {
+      class: "area",
+      tabindex: 0,
+      role: "application",
+      "aria-roledescription": "plot",
+      "aria-describedby": id,
+      onkeydown: (event: KeyboardEvent) => this.key(event),
+    });
+    const file = (text: string, does: () => void) =>
+      h("button", { type: "button", class: "small", "aria-label": `${kind} as ${text}`, onclick: does }, text);
+    const buttons = h(
+      "span",
+      { class: "tools" },
+      file("SVG", () => save(`${kind}.svg`, this.svg(), "image/svg+xml")),
+      file("PNG", () => this.savePng()),
+      file("Reset", () => this.reset()),
+    );
+    this.root = h(
+      "figure",
+      { class: "plot", "data-kind": kind },
+      h("figcaption", {}, this.caption, buttons),
+      this.area,
+      this.summary,
+      this.table,
+    );
+    new ResizeObserver(() => this.resize()).observe(this.area);
+  }
+
+  /** Shows other curves. */
+  show(diagram: Diagram): void {
+    this.diagram = diagram;
+    this.caption.textContent = diagram.title;
+    this.area.setAttribute("aria-label", diagram.title);
+    this.summary.textContent = `${diagram.title}. ${diagram.curves.map((curve) => this.extremes(curve)).join("; ")}`;
+    this.fillTable();
+    this.update();
+  }
+
+  private extremes({ name, y }: Curve): string {
+    const [low, high] = range([y], 0);
+    return `${name} from ${short(low)} to ${short(high)} ${unitText(this.diagram.y.unit)}`;
+  }
+
+  protected abstract update(): void;
+  protected abstract resize(): void;
+  protected abstract reset(): void;
+  /** Ranges that are shown. */
+  protected abstract ranges(): { x: Range; y: Range };
+  abstract theme(): void;
+  /** Moves the cursor here. */
+  protected abstract point(at: number): void;
+
+  /** The picture as it is shown, with a legend. */
+  svg(): string {
+    const [width, height] = EXPORT;
+    const pen = new SvgPen(width, height, this.diagram.title);
+    this.drawWithLegend(pen, width, height);
+    return pen.document();
+  }
+
+  private drawWithLegend(pen: CanvasPen | SvgPen, width: number, height: number): void {
+    // The height of the legend is known once it is drawn; the paper must lie below it.
+    const head = legend(new SvgPen(width, height, ""), this.diagram, colours(), dashes(), width);
+    const { x, y } = this.ranges();
+    draw(pen, new Frame(width, height, x, y, head), this.diagram, colours(), dashes());
+    legend(pen, this.diagram, colours(), dashes(), width);
+  }
+
+  private savePng(): void {
+    const [width, height] = EXPORT;
+    const canvas = h("canvas", { width: 2 * width, height: 2 * height });
+    const context = canvas.getContext("2d");
+    if (!context) return;
+    this.drawWithLegend(new CanvasPen(context, width, height, 2), width, height);
+    canvas.toBlob((blob) => blob && save(`${this.kind}.png`, blob));
+  }
+
+  private fillTable(): void {
+    this.table.querySelector(".scroll")?.remove();
+    if (!this.table.open) return;
+    const { x, y, curves } = this.diagram;
+    const head = curves.flatMap(({ name }) => [`${labelText(x)}`, `${name}: ${labelText(y)}`]);
+    const longest = Math.max(0, ...curves.map((curve) => curve.x.length));
+    const every = Math.max(1, Math.ceil((longest - 1) / ROWS));
+    const rows = Array.from({ length: Math.ceil(longest / every) }, (_, row) => row * every);
+    const cell = (value: number | undefined) => h("td", {}, value === undefined ? "" : short(value));
+    const body = rows.map((at) => h("tr", {}, ...curves.flatMap((curve) => [cell(curve.x[at]), cell(curve.y[at])])));
+    const table = h(
+      "table",
+      {},
+      h("caption", {}, `${this.diagram.title}, ${every === 1 ? "every value" : `one value of ${every}`}`),
+      h("thead", {}, h("tr", {}, ...head.map((text) => h("th", { scope: "col" }, text)))),
+      h("tbody", {}, ...body),
+    );
+    const label = `Table: ${this.diagram.title}`;
+    this.table.append(h("div", { class: "scroll", tabindex: 0, role: "region", "aria-label": label }, table));
+  }
+
+  private key(event: KeyboardEvent): void {
+    const count = Math.max(0, ...this.diagram.curves.map((curve) => curve.x.length));
+    if (count === 0) return;
+    const far = event.shiftKey ? 1 : Math.max(1, Math.round(count / 100));
+    const now = this.cursor.at ?? 0;
+    const places: Record<string, number> = { ArrowLeft: now - far, ArrowRight: now + far, Home: 0, End: count - 1 };
+    const to = places[event.key];
+    if (to === undefined) {
+      if (event.key === "Escape") this.reset();
+      return;
+    }
+    event.preventDefault();
+    const at = Math.min(count - 1, Math.max(0, to));
+    this.cursor.move(at, this);
+    this.point(at);
+    const { x, y, curves } = this.diagram;
+    const told = curves.map((curve) => `${curve.name}: ${short(curve.y[at] ?? NaN)} ${unitText(y.unit)}`);
+    say(`${x.name} ${short(curves[0]?.x[at] ?? NaN)} ${unitText(x.unit)}. ${told.join(", ")}`);
+  }
+}
+
+/** A plot over time: uPlot. */
+export class TimePlot extends Plot {
+  private chart: uPlot | undefined;
+  private zoomed: Range | undefined;
+  private shown = "";
+
+  constructor(
+    kind: string,
+    cursor: Cursor,
+    /** Called when this plot is zoomed; none is the whole run. */
+    private readonly onZoom: (range: Range | undefined) => void,
+  ) {
+    super(kind, cursor);
+    cursor.on((at, from) => from !== this && this.moveTo(at));
+  }
+
+  protected update(): void {
+    const shown = this.diagram.curves.map(({ name, law }) => `${name} ${law}`).join();
+    if (!this.chart || shown !== this.shown) {
+      this.shown = shown;
+      this.build();
+    } else this.chart.setData(this.data(), false);
+    this.scale();
+  }
+
+  private data(): uPlot.AlignedData {
+    const { curves } = this.diagram;
+    const longest = curves.reduce<ArrayLike<number>>((a, { x }) => (x.length > a.length ? x : a), []);
+    const whole = ({ y }: Curve): ArrayLike<number | null> => {
+      if (y.length === longest.length) return y;
+      return Array.from({ length: longest.length }, (_, at) => y[at] ?? null);
+    };
+    return [longest, ...curves.map(whole)] as unknown as uPlot.AlignedData;
+  }
+
+  private build(): void {
+    this.chart?.destroy();
+    const { paper, ink, grid, laws } = colours();
+    const font = "12px system-ui, 'Noto Sans', Arial, sans-serif";
+    const axis = (label: string, size: number): uPlot.Axis => ({
+      stroke: ink,
+      font,
+      labelFont: font,
+      label,
+      size,
+      labelSize: 20,
+      grid: { stroke: grid, width: 1 },
+      ticks: { stroke: grid, width: 1 },
+      values: (_, values) => {
+        const step = values.length > 1 ? Math.abs(values[1]! - values[0]!) : 1;
+        const decimals = Math.max(0, -Math.floor(Math.log10(step) + 1e-9));
+        return values.map((value) => tickText(value, decimals));
+      },
+    });
+    const { x, y, curves } = this.diagram;
+    const series = curves.map(({ name, law }) => ({
+      label: name,
+      stroke: laws[law]!,
+      width: 1.75,
+      dash: dashes()[law] ? dashes()[law]!.split(" ").map(Number) : [],
+      points: { show: false },
+    }));
+    this.chart = new uPlot(
+      {
+        ...this.size(),
+        legend: { show: false },
+        cursor: { points: { size: 7, fill: paper }, drag: { x: true, y: false, dist: 5 }, bind: { dblclick: () => null } },
+        scales: { x: { time: false }, y: { range: (_, low, high) => range([[low ?? 0, high ?? 0]]) } },
+        axes: [axis(labelText(x), 34), axis(labelText(y), 52)],
+        series: [{}, ...series],
+        hooks: {
+          setCursor: [(chart) => this.cursor.move(chart.cursor.idx ?? null, this)],
+          setSelect: [(chart) => this.select(chart)],
+        },
+      },
+      this.data(),
+      this.area,
+    );
+    this.chart.over.addEventListener("dblclick", () => this.onZoom(undefined));
+  }
+
+  private select(chart: uPlot): void {
+    if (chart.select.width < 5) return;
+    const [left, right] = [chart.select.left, chart.select.left + chart.select.width];
+    this.onZoom([chart.posToVal(left, "x"), chart.posToVal(right, "x")]);
+    chart.setSelect({ left: 0, top: 0, width: 0, height: 0 }, false);
+  }
+
+  /** Shows a part of the run, or the whole. */
+  zoom(range: Range | undefined): void {
+    this.zoomed = range;
+    this.scale();
+  }
+
+  private scale(): void {
+    const { x } = this.ranges();
+    this.chart?.setScale("x", { min: x[0], max: x[1] });
+  }
+
+  protected ranges(): { x: Range; y: Range } {
+    const { curves } = this.diagram;
+    const x = this.zoomed ?? range(curves.map((curve) => curve.x), 0);
+    const inside = curves.map((curve) => Array.from(curve.y).filter((_, at) => curve.x[at]! >= x[0] && curve.x[at]! <= x[1]));
+    return { x, y: range(inside) };
+  }
+
+  private size(): { width: number; height: number } {
+    return { width: Math.max(this.area.clientWidth, 200), height: Math.max(this.area.clientHeight, 150) };
+  }
+
+  protected resize(): void {
+    this.chart?.setSize(this.size());
+  }
+
+  protected reset(): void {
+    this.onZoom(undefined);
+  }
+
+  theme(): void {
+    if (!this.chart) return;
+    this.build();
+    this.scale();
+  }
+
+  protected point(at: number): void {
+    this.moveTo(at);
+  }
+
+  private moveTo(at: number | null): void {
+    const chart = this.chart;
+    if (!chart) return;
+    const time = at === null ? undefined : chart.data[0]?.[at];
+    const left = time === undefined ? -10 : chart.valToPos(time, "x");
+    chart.setCursor({ left, top: left < 0 ? -10 : chart.over.clientHeight / 2 }, false);
+  }
+}
+
+/** A plot of one result over another, or of a curve: our own canvas. */
+export class LoopPlot extends Plot {
+  private readonly canvas = h("canvas", { "aria-hidden": "true" });
+  private readonly box = h("div", { class: "box", hidden: true });
+  private zoomed: { x: Range; y: Range } | undefined;
+  private from: [number, number] | undefined;
+  private waits = false;
+
+  constructor(kind: string, cursor: Cursor) {
+    super(kind, cursor);
+    this.area.append(this.canvas, this.box);
+    this.area.classList.add("loop");
+    cursor.on(() => this.redraw());
+    this.canvas.addEventListener("pointermove", (event) => this.hover(event));
+    this.canvas.addEventListener("pointerleave", () => this.cursor.move(null, this));
+    this.canvas.addEventListener("pointerdown", (event) => {
+      this.from = [event.offsetX, event.offsetY];
+      this.canvas.setPointerCapture(event.pointerId);
+    });
+    this.canvas.addEventListener("pointerup", (event) => this.release(event));
+    this.canvas.addEventListener("dblclick", () => this.reset());
+  }
+
+  protected update(): void {
+    this.redraw();
+  }
+
+  protected ranges(): { x: Range; y: Range } {
+    const { curves } = this.diagram;
+    return this.zoomed ?? { x: range(curves.map((curve) => curve.x)), y: range(curves.map((curve) => curve.y)) };
+  }
+
+  private frame(): Frame {
+    const { x, y } = this.ranges();
+    return new Frame(this.area.clientWidth, this.area.clientHeight, x, y, 12);
+  }
+
+  /** Draws before the next picture of the screen. */
+  private redraw(): void {
+    if (this.waits) return;
+    this.waits = true;
+    requestAnimationFrame(() => {
+      this.waits = false;
+      this.paint();
+    });
+  }
+
+  private paint(): void {
+    const [width, height] = [this.area.clientWidth, this.area.clientHeight];
+    const context = this.canvas.getContext("2d");
+    if (!context || width === 0) return;
+    const scale = devicePixelRatio || 1;
+    this.canvas.width = Math.round(width * scale);
+    this.canvas.height = Math.round(height * scale);
+    const pen = new CanvasPen(context, width, height, scale);
+    const frame = this.frame();
+    draw(pen, frame, this.diagram, colours(), dashes());
+    const { at } = this.cursor;
+    if (at === null) return;
+    for (const { x, y, law } of this.diagram.curves) {
+      if (at < x.length) pen.disc([frame.across(x[at]!), frame.up(y[at]!)], 4.5, colours().laws[law]!);
+    }
+  }
+
+  /** The point that is nearest to the pointer. */
+  private hover(event: PointerEvent): void {
+    if (this.from) {
+      this.stretch(event);
+      return;
+    }
+    const frame = this.frame();
+    let [nearest, best] = [null as number | null, 30 * 30];
+    for (const { x, y } of this.diagram.curves) {
+      for (let at = 0; at < x.length; at++) {
+        const [right, down] = [frame.across(x[at]!) - event.offsetX, frame.up(y[at]!) - event.offsetY];
+        const far = right * right + down * down;
+        if (far < best) [nearest, best] = [at, far];
+      }
+    }
+    this.cursor.move(nearest, this);
+  }
+
+  private stretch(event: PointerEvent): void {
+    const [x, y] = this.from!;
+    const style = this.box.style;
+    this.box.hidden = Math.abs(event.offsetX - x) < 5;
+    style.left = `${Math.min(x, event.offsetX)}px`;
+    style.top = `${Math.min(y, event.offsetY)}px`;
+    style.width = `${Math.abs(event.offsetX - x)}px`;
+    style.height = `${Math.abs(event.offsetY - y)}px`;
+  }
+
+  private release(event: PointerEvent): void {
+    const from = this.from;
+    this.from = undefined;
+    this.box.hidden = true;
+    if (!from || Math.abs(event.offsetX - from[0]) < 5 || Math.abs(event.offsetY - from[1]) < 5) return;
+    const frame = this.frame();
+    const [a, b] = [frame.at(...from), frame.at(event.offsetX, event.offsetY)];
+    const sorted = (one: number, other: number): Range => [Math.min(one, other), Math.max(one, other)];
+    this.zoomed = { x: sorted(a[0], b[0]), y: sorted(a[1], b[1]) };
+    this.redraw();
+  }
+
+  protected resize(): void {
+    this.redraw();
+  }
+
+  protected reset(): void {
+    this.zoomed = undefined;
+    this.redraw();
+  }
+
+  theme(): void {
+    this.redraw();
+  }
+
+  protected point(): void {
+    this.redraw();
+  }
+}
+

@@ -1,0 +1,73 @@
+//! Runs of systems.
+
+use lab::run::{Configuration, Outcome, run};
+use lab::system::{Fault, System};
+use serde_json::json;
+
+use crate::answer::Answer;
+
+/// Runs a system with one law of those that are chosen.
+pub fn outcome(chosen: &Configuration, law: Option<&str>) -> Result<Outcome, Fault> {
+    if chosen.vary.is_some() {
+        return Err(Fault::value("vary: the page has no studies; use `stribeck run`"));
+    }
+    let source = chosen.source()?;
+    let values = chosen.values();
+    let mut laws: Vec<Option<&str>> = chosen.law.iter().map(|law| Some(law.as_str())).collect();
+    if laws.is_empty() {
+        laws.push(None);
+    }
+    let assembled = laws.iter().map(|law| System::assemble(&source, *law, &values));
+    let systems = assembled.collect::<Result<Vec<System>, _>>()?;
+    System::refuse_unused(&systems)?;
+    let one = systems.into_iter().zip(laws).find(|(_, other)| *other == law);
+    let (system, _) = one.ok_or_else(|| {
+        Fault::unknown("law of the run", law.unwrap_or_default(), chosen.law.iter().map(String::as_str))
+    })?;
+    run(&system, &chosen.settings(&system)?, &chosen.results(&source))
+}
+
+/// Times, results, events and what they have cost.
+pub fn solve(chosen: &Configuration, law: Option<&str>) -> Result<Answer, Fault> {
+    let outcome = outcome(chosen, law)?;
+    let columns: Vec<_> =
+        outcome.columns.iter().map(|column| json!({ "name": column.name, "unit": column.unit })).collect();
+    let events: Vec<_> = outcome.events.iter().map(|event| &event.part).collect();
+    let statistics = &outcome.statistics;
+    let described = json!({
+        "law": outcome.law.map(|law| law.name),
+        "solver": outcome.solver.to_string(),
+        "reached": outcome.is_reached(),
+        "end": outcome.end.to_string(),
+        "statistics": {
+            "steps": statistics.steps,
+            "rejected": statistics.rejected,
+            "evaluations": statistics.evaluations,
+            "jacobians": statistics.jacobians,
+        },
+        "columns": columns,
+        "events": events,
+    });
+    let mut arrays = vec![outcome.time];
+    arrays.extend(outcome.columns.into_iter().map(|column| column.values));
+    arrays.push(outcome.events.iter().map(|event| event.time).collect());
+    Ok(Answer::with(described, arrays))
+}
+
+/// The table of results.
+pub fn csv(chosen: &Configuration, law: Option<&str>) -> Result<Answer, Fault> {
+    let mut table = Vec::new();
+    outcome(chosen, law)?.write_csv(&mut table).map_err(Fault::value)?;
+    let text = String::from_utf8(table).map_err(Fault::value)?;
+    Ok(Answer::plain(json!({ "text": text })))
+}
+
+/// The file for the command line, if it can be run.
+pub fn toml(chosen: &Configuration) -> Result<Answer, Fault> {
+    let source = chosen.source()?;
+    let values = chosen.values();
+    let laws = chosen.law.iter().map(|law| Some(law.as_str()));
+    let assembled = laws.map(|law| System::assemble(&source, law, &values)).collect::<Result<Vec<_>, _>>()?;
+    System::refuse_unused(&assembled)?;
+    Ok(Answer::plain(json!({ "text": chosen.text() })))
+}
