@@ -99,6 +99,13 @@ impl Experiment {
         if let Some(at) = (1..count).find(|at| self.time[*at] <= self.time[at - 1]) {
             return Err(Fault::value(format_args!("{name}: time[{at}] = {}: times must ascend", self.time[at])));
         }
+        for (column, values) in [("velocity", &self.velocity), ("normal_force", &self.normal_force)] {
+            if values.iter().all(|value| *value == 0.0) {
+                return Err(Fault::value(format_args!(
+                    "{name}: {column} is 0 throughout: there is no friction to see"
+                )));
+            }
+        }
         if let Some(at) = self.normal_force.iter().position(|load| *load < 0.0) {
             let text = format_args!("{name}: normal_force[{at}] = {}: must be >= 0", self.normal_force[at]);
             return Err(Fault::value(text));

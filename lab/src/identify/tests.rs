@@ -317,6 +317,17 @@ fn impossible_wishes_are_refused() {
     let spoilt = Experiment { force: vec![f64::NAN; 100], ..data[0].clone() };
     let refused = fit(by_name("Dahl").unwrap(), &[spoilt], &quick(), quiet()).map(|_| ()).unwrap_err().to_string();
     assert_eq!(refused, "standard: force[0] = NaN: must be finite");
+    let still = Experiment { velocity: vec![0.0; 100], ..data[0].clone() };
+    let bare = Experiment { normal_force: vec![0.0; 100], ..data[0].clone() };
+    let tiny = Experiment { velocity: vec![1e-320; 100], ..data[0].clone() };
+    for (experiment, wanted) in [
+        (still, "standard: velocity is 0 throughout: there is no friction to see"),
+        (bare, "standard: normal_force is 0 throughout: there is no friction to see"),
+        (tiny, "Dahl: the data give no range for sigma_0"),
+    ] {
+        let refused = fit(by_name("Dahl").unwrap(), &[experiment], &quick(), quiet()).map(|_| ()).unwrap_err();
+        assert!(refused.to_string().starts_with(wanted), "{refused}");
+    }
     let refused = fit(by_name("Dahl").unwrap(), &[], &quick(), quiet()).map(|_| ()).unwrap_err().to_string();
     assert_eq!(refused, "there is no experiment");
     for (task, wanted) in [

@@ -222,6 +222,12 @@ pub(super) fn unknowns(law: &ModelType, experiments: &[Experiment], wishes: &Wis
         list.push(Unknown { name: "offset".into(), unit: "N", target: Target::Offset, range, scale: Scale::Linear });
     }
     narrow(&mut list, law, wishes)?;
+    if let Some(Unknown { name, range: [low, high], .. }) =
+        list.iter().find(|one| !(one.range[0] < one.range[1] && one.range[1].is_finite()))
+    {
+        let text = format_args!("{}: the data give no range for {name} ({low:e} to {high:e}); give one", law.name);
+        return Err(Fault::value(text));
+    }
     if list.is_empty() { Err(Fault::value(format_args!("{}: nothing is left to fit", law.name))) } else { Ok(list) }
 }
 
