@@ -61,7 +61,7 @@ const HOUSES: &[House] = &[
             "command",
         ],
     },
-    House { folder: "web/src", rooms: &["answer", "catalogue", "system", "solution", "law", "question"] },
+    House { folder: "web/src", rooms: &["answer", "catalogue", "system", "solution", "question"] },
     House { folder: "fmu-build/src", rooms: &["project", "build", "describe", "page", "pack"] },
 ];
 

@@ -1,7 +1,7 @@
 /** Controls of variables: a slider with a number field, a choice or a switch, from the table. */
 
 import { h } from "./dom";
-import { parsed, short, unitText, words } from "./format";
+import { parsed, short, unitText } from "./format";
 import { Refused, type Variable } from "./types";
 
 const STEPS = 1000;
@@ -81,13 +81,13 @@ export function control(
   const id = `set-${name.replace(/[^\w-]/g, "_")}`;
   const unit = unitText(variable.unit);
   const help = `${variable.help} ${variable.bound ? `Must be ${variable.bound}.` : ""}`;
-  const label = h("label", { for: id, title: help }, words(variable.name.split(".").at(-1) ?? ""));
+  const label = h("label", { for: id, title: help }, variable.name.split(".").at(-1) ?? "");
   const of = laws && h("small", { class: "of" }, laws.join(", "));
   const give = (given: string, isLast: boolean) => change(given === spelled(variable, start) ? undefined : given, isLast);
   const now = text ?? spelled(variable, start);
   const row = h("div", { class: "control", "data-name": name, "data-set": text !== undefined });
   const undo = h("button", { type: "button", class: "small undo", onclick: () => change(undefined, true) }, "\u21ba");
-  undo.setAttribute("aria-label", `${words(variable.name)}: back to ${spelled(variable, start)}`);
+  undo.setAttribute("aria-label", `${variable.name}: back to ${spelled(variable, start)}`);
   undo.hidden = text === undefined;
   row.append(h("div", { class: "name" }, label, of, undo));
   if (variable.kind === "choice" || variable.kind === "boolean") {
@@ -95,7 +95,7 @@ export function control(
     return row;
   }
   const scale = scaleOf(variable, start);
-  const slider = h("input", { type: "range", min: 0, max: STEPS, step: 1, "aria-label": words(variable.name) });
+  const slider = h("input", { type: "range", min: 0, max: STEPS, step: 1, "aria-label": variable.name });
   const field = h("input", { id, type: "text", inputmode: "decimal", autocomplete: "off", spellcheck: "false" });
   const show = (shown: string) => {
     const number = parsed(shown);
@@ -134,7 +134,7 @@ function choice(
   give: (text: string, isLast: boolean) => void,
 ): HTMLElement {
   const options = variable.kind === "boolean" ? [{ name: "false" }, { name: "true" }] : variable.choices;
-  const select = h("select", { id, title: help }, ...options.map(({ name }) => h("option", { value: name }, words(name))));
+  const select = h("select", { id, title: help }, ...options.map(({ name }) => h("option", { value: name }, name)));
   select.value = now;
   select.addEventListener("change", () => give(select.value, true));
   return select;

@@ -24,7 +24,7 @@ export function unitText(unit: string): string {
   return unit.replace("um", "\u00b5m").replace(/\./g, "\u00b7").replace(/2/g, "\u00b2").replace(/3/g, "\u00b3");
 }
 
-/** A name of the table in words. */
+/** The name of a part in words. */
 export function words(name: string): string {
   const text = name.replace(/_/g, " ");
   return text.charAt(0).toUpperCase() + text.slice(1);

@@ -3,11 +3,7 @@
 import { parsed } from "./format";
 import type { Run, Value } from "./types";
 
-export type View = "bench" | "law" | "strut";
-
 export interface State {
-  view: View;
-  /** Laws of the bench; the first is that of the law view. */
   laws: string[];
   system: string;
   solver: string;
@@ -19,10 +15,8 @@ export interface State {
   set: Record<string, string>;
 }
 
-export const VIEWS: readonly View[] = ["bench", "law", "strut"];
 const VERSION = 1;
 const DEFAULTS: State = {
-  view: "bench",
   laws: ["CoulombStiction", "LuGre"],
   system: "belt",
   solver: "auto",
@@ -39,7 +33,7 @@ export function defaults(): State {
 /** What differs from the defaults, as the hash of a link. */
 export function toHash(state: State): string {
   const entries: [string, string][] = [];
-  for (const name of ["view", "system", "solver", "tol", "until", "every"] as const) {
+  for (const name of ["system", "solver", "tol", "until", "every"] as const) {
     if (state[name] !== DEFAULTS[name]) entries.push([name, state[name]]);
   }
   if (state.laws.join() !== DEFAULTS.laws.join()) entries.push(["law", state.laws.join()]);
@@ -74,9 +68,6 @@ function decoded(entry: string): [string?, string?] {
 function read(state: State, name: string, value: string, faults: string[]): void {
   if (name === "v") {
     if (Number(value) !== VERSION) faults.push(`the link is of version ${value}; this page reads version ${VERSION}`);
-  } else if (name === "view") {
-    if (VIEWS.includes(value as View)) state.view = value as View;
-    else faults.push(`view '${value}' does not exist: ${VIEWS.join(", ")}`);
   } else if (name === "law") {
     state.laws = value.split(",").filter(Boolean);
   } else if (name === "system" || name === "solver") {
@@ -97,15 +88,6 @@ export function value(text: string): Value {
   return number === undefined || Object.is(number, -0) ? text : number;
 }
 
-/** Parts that only exist on this page: inputs of the law view, and the strut view. */
-const OWN = ["input.", "absorber.", "dyno."];
-
-/** Settings whose name begins with one of these prefixes, without it. */
-export function settings(state: State, prefix: string): Record<string, Value> {
-  const found = Object.entries(state.set).filter(([name]) => name.startsWith(prefix));
-  return Object.fromEntries(found.map(([name, text]) => [name.slice(prefix.length), value(text)]));
-}
-
 /** The run of the bench. */
 export function run(state: State): Run {
   const run: Run = { system: state.system, law: [...state.laws] };
@@ -116,7 +98,7 @@ export function run(state: State): Run {
     if (number === undefined) throw new RangeError(`${name} = '${state[name]}': must be a number`);
     run[name] = number;
   }
-  const set = Object.entries(state.set).filter(([name]) => !OWN.some((prefix) => name.startsWith(prefix)));
+  const set = Object.entries(state.set);
   if (set.length > 0) run.set = Object.fromEntries(set.map(([name, text]) => [name, value(text)]));
   return run;
 }

@@ -5,7 +5,7 @@ export type Anchor = "start" | "middle" | "end";
 
 export interface Pen {
   line(from: [number, number], to: [number, number], colour: string, width?: number): void;
-  /** A curve inside a rectangle; points that are no numbers interrupt it. */
+  /** A curve inside a rectangle; points that are not numbers interrupt it. */
   curve(points: Points, clip: [number, number, number, number], colour: string, dash: string, width: number): void;
   disc(at: [number, number], radius: number, colour: string): void;
   text(at: [number, number], text: string, colour: string, anchor: Anchor, upright?: boolean): void;

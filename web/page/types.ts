@@ -14,17 +14,10 @@ export interface Variable {
   choices: { name: string; help: string }[];
 }
 
-export interface Preset {
-  name: string;
-  source: string;
-  values: [string, number][];
-}
-
 export interface Model {
   name: string;
   summary: string;
   variables: Variable[];
-  presets: Preset[];
 }
 
 export interface SystemEntry {
@@ -100,21 +93,11 @@ export interface Run {
   set?: Record<string, Value>;
 }
 
-export interface Motion {
-  model: string;
-  preset?: string;
-  set?: Record<string, Value>;
-  inputs: Record<string, number[]>;
-  dt?: number;
-  results: string[];
-}
-
 export type Question =
   | { ask: "catalogue" }
   | { ask: "system"; run: Run }
   | { ask: "solve" | "csv"; run: Run; law: string | null }
-  | { ask: "toml"; run: Run }
-  | ({ ask: "follow" | "settle" } & Motion);
+  | { ask: "toml"; run: Run };
 
 export interface Answer<T> {
   answer: T;

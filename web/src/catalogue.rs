@@ -44,12 +44,7 @@ fn system(name: &str, text: &str) -> Result<Value, Fault> {
 
 fn described(model: &'static ModelType) -> Value {
     let variables: Vec<_> = model.variables().map(|(_, variable)| variable_as_json(&variable)).collect();
-    let presets: Vec<_> = model
-        .presets
-        .iter()
-        .map(|preset| json!({ "name": preset.name, "source": preset.source, "values": preset.values }))
-        .collect();
-    json!({ "name": model.name, "summary": model.summary, "variables": variables, "presets": presets })
+    json!({ "name": model.name, "summary": model.summary, "variables": variables })
 }
 
 fn variable_as_json(variable: &Variable) -> Value {

@@ -7,7 +7,6 @@
 
 mod answer;
 mod catalogue;
-mod law;
 mod question;
 mod solution;
 mod system;

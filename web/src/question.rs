@@ -4,8 +4,7 @@ use lab::run::Configuration;
 use serde::Deserialize;
 
 use crate::answer::Answer;
-use crate::law::Motion;
-use crate::{catalogue, law, solution, system};
+use crate::{catalogue, solution, system};
 
 /// A question of the page.
 #[derive(Debug, Deserialize)]
@@ -15,32 +14,28 @@ enum Question {
     Catalogue,
     /// The parts of a system with one law and their present values.
     System {
-        /// What would be run.
+        /// The run.
         run: Configuration,
     },
     /// The run of one of the laws.
     Solve {
-        /// What is run, with all laws: a setting that none of them has is refused.
+        /// The run with all laws: a setting that none of them has is refused.
         run: Configuration,
         /// The law; none if the system has its own.
         law: Option<String>,
     },
     /// The table of results of one of the laws, as the command line writes it.
     Csv {
-        /// What is run.
+        /// The run.
         run: Configuration,
         /// The law.
         law: Option<String>,
     },
     /// The file with which the command line runs the same.
     Toml {
-        /// What is run.
+        /// The run.
         run: Configuration,
     },
-    /// Results of a model over given inputs.
-    Follow(Motion),
-    /// Results of a model at held inputs, once they have settled.
-    Settle(Motion),
 }
 
 /// The answer to a question.
@@ -55,8 +50,6 @@ pub fn answer(text: &[u8]) -> Answer {
         Question::Solve { run, law } => solution::solve(&run, law.as_deref()),
         Question::Csv { run, law } => solution::csv(&run, law.as_deref()),
         Question::Toml { run } => solution::toml(&run),
-        Question::Follow(motion) => law::follow(&motion),
-        Question::Settle(motion) => law::settle(&motion),
     };
     answer.unwrap_or_else(Answer::refusal)
 }

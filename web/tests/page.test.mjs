@@ -158,6 +158,7 @@ test("a link brings its state back, and a wrong one says what is wrong", async (
     ["#v=1&rig.mass=-1", /mass = -1.*must be > 0/],
     ["#v=2&tol=1e-6", /version 2/],
     ["#v=1&colour=red", /'colour' is unknown/],
+    ["#v=1&view=law", /'view' is unknown/],
     ["#v=1&until=soon", /until = 'soon': must be a number/],
   ];
   for (const [bad, expected] of faults) {
