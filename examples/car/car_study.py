@@ -60,7 +60,7 @@ def laws_of(text: str | None) -> list[str]:
     chosen = known if text is None else [name for name in text.split(",") if name and name != NONE]
     for name in chosen:
         if name not in known:
-            raise CarError(f"{name} is no law of the struts; there are {', '.join(known)}")
+            raise CarError(f"{name} is not a law of the struts; these are: {', '.join(known)}")
     return [NONE, *dict.fromkeys(chosen)]
 
 

@@ -67,9 +67,15 @@ class FourPost(Manoeuvre):
         return 0.5 * self.stroke * (1.0 - math.cos(angle)), 0.5 * self.stroke * omega * math.sin(angle)
 
 
+def eased(time: float, rise: float) -> float:
+    """0 before the time 0, 1 after the rise, half a period of a cosine between them."""
+    passed = min(1.0, max(0.0, time / rise))
+    return 0.5 * (1.0 - math.cos(math.pi * passed))
+
+
 @dataclass(frozen=True)
 class StepSteer(Manoeuvre):
-    """A turn of the steering wheel to an angle, in a quarter of a cosine."""
+    """A turn of the steering wheel to an angle, along half a period of a cosine."""
 
     speed: float = 15.0
     angle: float = math.radians(25.0)
@@ -78,13 +84,12 @@ class StepSteer(Manoeuvre):
     name = "step-steer"
 
     def steer(self, pose: Pose) -> float:
-        passed = min(1.0, max(0.0, (pose.time - RUN_IN) / self.rise))
-        return 0.5 * self.angle * (1.0 - math.cos(math.pi * passed))
+        return self.angle * eased(pose.time - RUN_IN, self.rise)
 
 
 @dataclass(frozen=True)
 class Braking(Manoeuvre):
-    """Straight-line braking with a torque of all brakes together, which rises in a quarter of a cosine."""
+    """Straight-line braking with a torque of all brakes together, which rises along half a period of a cosine."""
 
     speed: float = 20.0
     torque: float = 350.0
@@ -93,8 +98,7 @@ class Braking(Manoeuvre):
     name = "braking"
 
     def brake(self, pose: Pose) -> float:
-        passed = min(1.0, max(0.0, (pose.time - RUN_IN) / self.rise))
-        return 0.5 * self.torque * (1.0 - math.cos(math.pi * passed))
+        return self.torque * eased(pose.time - RUN_IN, self.rise)
 
     def wanted_speed(self, pose: Pose) -> float | None:
         return self.speed if pose.time < RUN_IN else None

@@ -414,7 +414,7 @@ def test_study_knows_its_laws_and_numbers(tmp_path):
     assert len(scalar_laws()) >= 30
     assert laws_of("LuGre,None,Dahl,LuGre") == ["None", "LuGre", "Dahl"]
     assert laws_of(None) == ["None", *scalar_laws()]
-    with pytest.raises(CarError, match="Dhal is no law of the struts; there are Coulomb,"):
+    with pytest.raises(CarError, match="Dhal is not a law of the struts; these are: Coulomb,"):
         laws_of("Dhal")
     courses = courses_of(STUDIED, DESCRIPTION, {"stroke": 0.03, "duration": 0.1})
     assert (courses["four-post"].stroke, courses["lane-change"].duration) == (0.03, 0.1)
