@@ -1,8 +1,8 @@
 //! How often the intervals of an identification hold the truth, and how often the law that made the data ranks first.
 //!
-//! For each law and seed a record of the virtual rig with 1 % noise; for each unknown that the fit calls determined, whether
-//! its interval holds the truth. Then each law's record against all laws. Arguments: number of seeds (200), number of laws
-//! that are ranked by a record (all), names of laws.
+//! For each law and seed a record of the virtual rig with 1 % noise; for each unknown that the fit calls determined,
+//! whether its interval holds the truth. Then each law's record against all laws. Arguments: number of seeds (200),
+//! number of laws that are ranked by a record (all), names of laws.
 
 use std::sync::atomic::AtomicBool;
 use std::time::Instant;

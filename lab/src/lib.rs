@@ -2,12 +2,12 @@
 //! to a tolerance.
 //!
 //! [`dyno`] makes a [`ParameterSet`](ssp::parameter_set::ParameterSet) from the measurements of a damper dynamometer,
-//! [`tir`] from a tyre property file. [`measured`] makes friction of what a rig has recorded, and [`identify`] finds the
-//! parameters of a law in it. [`system`] joins models, [`solve`] has the solvers, [`run`] runs them, [`study`] many of
-//! them, [`picture`] draws what came of it in the colours of [`palette`], and [`report`] tells it all in one file.
+//! [`tir`] from a tyre property file. [`measured`] makes friction of what a rig has recorded, and [`identify`] finds
+//! the parameters of a law in it. [`system`] joins models, [`solve`] has the solvers, [`run`] runs them, [`study`] many
+//! of them, [`picture`] draws what came of it in the colours of [`palette`], and [`report`] tells it all in one file.
 //!
-//! Systems and solvers use the elementary functions of the models only: a run has the same bits on every platform and in
-//! a browser.
+//! Systems and solvers use the elementary functions of the models only: a run has the same bits on every platform and
+//! in a browser.
 
 #[cfg(feature = "workbench")]
 pub mod benchmark;

@@ -170,7 +170,7 @@ impl VirtualRig {
         Ok(forces.into_iter().step_by(FINER).collect())
     }
 
-    /// What the camera sees, from a little before the record to a little after it.
+    /// Table of the camera, from a little before the record to a little after it.
     fn seen(&self) -> String {
         let mut text = "time [s],displacement [m]\n".to_owned();
         let frames = ((self.duration + 0.2) / FRAME).round() as usize;

@@ -147,17 +147,8 @@ impl Sheet {
 
     /// A table of columns that a program has, in SI units.
     pub fn of_columns(columns: &[(String, Vec<f64>)]) -> Result<Sheet, SheetError> {
-        let names: Vec<&str> = columns.iter().map(|(name, _)| name.as_str()).collect();
-        let mut writer = csv::Writer::from_writer(Vec::new());
-        writer.write_record(&names)?;
-        let count = columns.iter().map(|(_, values)| values.len()).max().unwrap_or(0);
-        for row in 0..count {
-            // A number in its shortest form is read back with the same bits; a column that is too short has no number.
-            let cell = |values: &Vec<f64>| values.get(row).map_or(String::new(), f64::to_string);
-            writer.write_record(columns.iter().map(|(_, values)| cell(values)))?;
-        }
-        let text = writer.into_inner().map_err(|error| csv::Error::from(error.into_error()))?;
-        Sheet::parse(&String::from_utf8_lossy(&text))
+        let columns: Vec<(&str, &[f64])> = columns.iter().map(|(name, values)| (name.as_str(), &values[..])).collect();
+        Sheet::parse(&text(&columns)?)
     }
 
     /// Number of rows.
@@ -218,6 +209,19 @@ impl Sheet {
     }
 }
 
+/// Columns under their headings as a table of values separated by commas. A number in its shortest form is read back
+/// with the same bits; a column that is too short ends with empty cells.
+pub fn text(columns: &[(&str, &[f64])]) -> csv::Result<String> {
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    writer.write_record(columns.iter().map(|(name, _)| name))?;
+    let count = columns.iter().map(|(_, values)| values.len()).max().unwrap_or(0);
+    for row in 0..count {
+        writer.write_record(columns.iter().map(|(_, values)| values.get(row).map_or(String::new(), f64::to_string)))?;
+    }
+    let bytes = writer.into_inner().map_err(|error| csv::Error::from(error.into_error()))?;
+    Ok(String::from_utf8_lossy(&bytes).into_owned())
+}
+
 /// Name and unit of a heading `name`, `name [unit]` or `name (unit)`.
 fn split(heading: &str) -> (String, String) {
     let (name, unit) = heading.split_once(['[', '(']).unwrap_or((heading, ""));
@@ -257,8 +261,11 @@ mod tests {
     fn columns_keep_their_bits() {
         let values = vec![0.1 + 0.2, -1e-300, f64::MAX];
         let sheet = Sheet::of_columns(&[("time".into(), values.clone()), ("force".into(), vec![1.0])]).unwrap();
-        assert_eq!(sheet.column(&TIME).unwrap(), Some(values));
+        assert_eq!(sheet.column(&TIME).unwrap(), Some(values.clone()));
         assert_eq!(sheet.column(&FORCE).unwrap_err().to_string(), "line 3, force: '' is not a finite number");
+        let sheet =
+            Sheet::of_columns(&[("time".into(), values.clone()), ("left, upper \"A\"".into(), values)]).unwrap();
+        assert_eq!(sheet.len(), 3);
     }
 
     #[test]

@@ -13,7 +13,7 @@ use pyo3::types::PyDict;
 use crate::refused;
 use crate::work::interruptible;
 
-/// What is known of a rig, and how its laws are fitted.
+/// Properties of a rig, and how laws are fitted to its records.
 #[derive(FromPyObject)]
 #[pyo3(from_item_all)]
 pub struct Known {
@@ -21,14 +21,14 @@ pub struct Known {
     normal_force: Option<f64>,
     window: Option<f64>,
     delay: Option<f64>,
-    longest_delay: f64,
+    longest_delay: Option<f64>,
     skip: f64,
     fix: Vec<(String, f64)>,
     fit: Vec<String>,
     range: Vec<(String, [f64; 2])>,
-    budget: u64,
-    seed: u64,
-    repetitions: usize,
+    budget: Option<u64>,
+    seed: Option<u64>,
+    repetitions: Option<usize>,
 }
 
 /// A table: the path of a file, or a dictionary of arrays.
@@ -52,7 +52,7 @@ pub fn identify<'py>(
     known: Known,
 ) -> PyResult<(String, Vec<Bound<'py, PyDict>>)> {
     let laws = laws_named(&laws).map_err(refused)?;
-    let delay = known.delay.map_or(Delay::Find(known.longest_delay), Delay::Known);
+    let delay = known.delay.map_or(Delay::Find(known.longest_delay.unwrap_or(Delay::LONGEST)), Delay::Known);
     let Known { mass, normal_force, window, skip, .. } = known;
     let rig = Rig { mass, normal_force, window, delay, skip };
     let motion = motion.as_ref().map(sheet).transpose()?;
@@ -62,13 +62,14 @@ pub fn identify<'py>(
         let record = record.map_err(|error| refused(format_args!("{name}: {error}")))?;
         experiments.push(Experiment::new(name, &record));
     }
+    let usual = Task::default();
     let task = Task {
         wishes: Wishes { fixed: known.fix, fitted: known.fit, ranges: known.range },
-        budget: known.budget,
-        seed: known.seed,
-        repetitions: known.repetitions,
+        budget: known.budget.unwrap_or(usual.budget),
+        seed: known.seed.unwrap_or(usual.seed),
+        repetitions: known.repetitions.unwrap_or(usual.repetitions),
         mass: known.mass,
-        ..Task::default()
+        ..usual
     };
     let outcome = interruptible(py, |cancel| {
         let watch = Watch { cancel, progress: &|_| {} };

@@ -106,20 +106,21 @@ def identify(
     motion: Record | None = None,
     window: float | None = None,
     delay: float | None = 0.0,
-    longest_delay: float = 0.1,
+    longest_delay: float | None = None,
     skip: float = 0.0,
     fix: Mapping[str, float] | None = None,
     fit: Sequence[str] = (),
     ranges: Mapping[str, tuple[float, float]] | None = None,
-    budget: int = 3000,
-    seed: int = 1,
-    repetitions: int = 40,
+    budget: int | None = None,
+    seed: int | None = None,
+    repetitions: int | None = None,
 ) -> Identification:
     """Finds the parameters of a law, or of several (`"all"`), as `stribeck identify` does, with the same numbers.
 
     `mass` (kg) is that between load cell and contact, `normal_force` (N) is for records without such a column, `motion`
     is the table of a camera with its own clock. `delay=None` looks for its delay, up to `longest_delay` (s). `fix`
-    holds parameters, `fit` adds some that are held otherwise, `ranges` narrows them.
+    holds parameters, `fit` adds some that are held otherwise, `ranges` narrows them. What is not given is as on the
+    command line.
 
     >>> time = np.linspace(0.0, 2.0, 1001)
     >>> velocity = 0.02 * np.sin(2 * np.pi * time)

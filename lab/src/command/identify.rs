@@ -38,7 +38,7 @@ pub struct Arguments {
     /// Normal force in N, if the record has none
     #[arg(long)]
     normal_force: Option<f64>,
-    /// Window in s in which the motion is smoothed and differentiated (default: 5 to 31 samples, whichever explains most)
+    /// Window in s for smoothing and differentiating the motion (default: 5 to 31 samples, whichever explains most)
     #[arg(long)]
     window: Option<f64>,
     /// Delay of the motion behind the force in s; or `find`, or `find:LONGEST`
@@ -96,9 +96,6 @@ enum MethodChoice {
     Genetic,
 }
 
-/// Longest delay that is looked for unless it is given, s (chosen).
-const LONGEST_DELAY: f64 = 0.1;
-
 #[derive(Clone, Copy, Debug)]
 struct DelayChoice(Delay);
 
@@ -112,7 +109,7 @@ impl FromStr for DelayChoice {
         };
         Ok(DelayChoice(match text.split_once(':') {
             Some(("find", longest)) => Delay::Find(number(longest)?),
-            None if text == "find" => Delay::Find(LONGEST_DELAY),
+            None if text == "find" => Delay::Find(Delay::LONGEST),
             _ => Delay::Known(number(text)?),
         }))
     }
@@ -157,11 +154,7 @@ impl Arguments {
     }
 
     fn task(&self) -> Result<Task, Fault> {
-        let number = |setting: &Setting| {
-            let wrong = |_| Fault::value(format_args!("{} = {}: must be a number", setting.name, setting.value));
-            Ok((setting.name.clone(), setting.value.parse::<f64>().map_err(wrong)?))
-        };
-        let fixed = self.fix.iter().map(number).collect::<Result<Vec<(String, f64)>, Fault>>()?;
+        let fixed = self.fix.iter().map(Setting::number).collect::<Result<Vec<(String, f64)>, Fault>>()?;
         let ranges = self.range.iter().map(|RangeChoice(name, ends)| (name.clone(), *ends)).collect();
         Ok(Task {
             wishes: Wishes { fixed, fitted: self.fit.clone(), ranges },
@@ -243,7 +236,7 @@ pub fn identify(arguments: &Arguments) -> Result<Ending, Failure> {
     Ok(if best.is_cancelled { Ending::Cancelled } else { Ending::Done })
 }
 
-/// What a record is worth.
+/// Describes the quality of a record.
 fn worth(name: &str, record: &Record) -> String {
     let quality = &record.quality;
     let mut text = format!(
@@ -331,9 +324,9 @@ const PIXELS: u32 = 2000;
 
 fn curves(folder: &Path, records: &[(String, Record)], facts: &Identification) -> Result<(), Failure> {
     for (number, (name, record)) in records.iter().enumerate() {
-        write(&folder.join(format!("{name}.csv")), record.csv())?;
+        write(&folder.join(format!("{name}.csv")), record.csv().map_err(Fault::value)?)?;
         if let Some(cycle) = average(record) {
-            write(&folder.join(format!("{name}-cycle.csv")), cycle.csv())?;
+            write(&folder.join(format!("{name}-cycle.csv")), cycle.csv().map_err(Fault::value)?)?;
         }
         for picture in identification::pictures(facts, number)? {
             let path = folder.join(format!("{name}-{}", picture.name()));

@@ -47,11 +47,7 @@ pub fn rig(arguments: &Arguments) -> Result<Verdict, Failure> {
     let known = || lab::identify::laws().map(|law| law.name);
     let law = catalogue::by_name(&arguments.law).filter(|law| known().any(|name| name == law.name));
     let law = law.ok_or_else(|| Fault::unknown("friction law", &arguments.law, known()))?;
-    let number = |setting: &Setting| {
-        let wrong = |_| Fault::value(format_args!("{} = {}: must be a number", setting.name, setting.value));
-        Ok((setting.name.clone(), setting.value.parse::<f64>().map_err(wrong)?))
-    };
-    let values = arguments.set.iter().map(number).collect::<Result<Vec<(String, f64)>, Fault>>()?;
+    let values = arguments.set.iter().map(Setting::number).collect::<Result<Vec<(String, f64)>, Fault>>()?;
     let faults = if arguments.faults { Faults::ALL } else { Faults::NOISE };
     let rig = VirtualRig {
         law,

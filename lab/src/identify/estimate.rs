@@ -133,3 +133,18 @@ fn is_open(unknown: &Unknown, value: f64, [low, high]: [f64; 2]) -> bool {
         Scale::Linear | Scale::Mixed(_) => 0.5 * (high - low) > far * unknown.large(value),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// 0.4 of a large change times 1.96: half a width of 0.784 for a logarithm, of 0.392 in a range of 1.
+    #[test]
+    fn an_interval_is_open_from_the_limit_of_what_is_determined() {
+        let unknown = |scale| Unknown { name: "x".into(), unit: "1", target: Target::Offset, range: [0.0, 1.0], scale };
+        let logarithmic = unknown(Scale::Logarithmic);
+        assert!(!is_open(&logarithmic, 2.0, [1.0, 4.7]) && is_open(&logarithmic, 2.0, [1.0, 4.9]));
+        let linear = unknown(Scale::Linear);
+        assert!(!is_open(&linear, 0.5, [0.1, 0.88]) && is_open(&linear, 0.5, [0.1, 0.89]));
+    }
+}

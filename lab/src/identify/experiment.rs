@@ -102,7 +102,7 @@ impl Experiment {
         for (column, values) in [("velocity", &self.velocity), ("normal_force", &self.normal_force)] {
             if values.iter().all(|value| *value == 0.0) {
                 return Err(Fault::value(format_args!(
-                    "{name}: {column} is 0 throughout: there is no friction to see"
+                    "{name}: {column} is 0 throughout, so that no friction can be seen"
                 )));
             }
         }

@@ -1,4 +1,9 @@
 //! Intervals that do not rely on straight lines: profile likelihood, and repetition with blocks of residuals.
+//!
+//! # Source
+//! Profiles: D. J. Venzon, S. H. Moolgavkar, "A method for computing profile-likelihood-based confidence intervals",
+//! Applied Statistics 37 (1988), doi:10.2307/2347496. Blocks: H. R. Kuensch, "The jackknife and the bootstrap for
+//! general stationary observations", Annals of Statistics 17 (1989), doi:10.1214/aos/1176347265.
 
 use std::sync::atomic::Ordering;
 
@@ -64,8 +69,8 @@ const ELSEWHERE: [f64; 4] = [0.1, 0.37, 0.63, 0.9];
 /// Movement, in standard deviations and as a part of a large change, from which an unknown depends on another (chosen).
 const MOVED: [f64; 2] = [3.0, 0.1];
 
-/// Unknowns that move when one that the data do not determine is held elsewhere, where the force is explained as well: pairs
-/// of the one that moves and the one it depends on.
+/// Unknowns that move when one that the data do not determine is held elsewhere, where the force is explained as well:
+/// pairs of the one that moves and the one it depends on.
 pub(super) fn dependent(problem: &Problem, best: &Found, seen: &Residuals, trust: &Trust) -> Vec<(usize, usize)> {
     let values = problem.values(&best.places);
     let variance = seen.rms * seen.rms * seen.correlation;

@@ -1,8 +1,9 @@
 //! Identification: the parameters of a law from measured friction, and how far to trust them.
 //!
-//! A law is led through the motion and the load of the experiments. Its parameters are searched over a range that follows
-//! from the data and their units, then by bounded least squares with exact sensitivities where the steps of the law are
-//! written for dual numbers, and with central differences elsewhere. What the data do not determine gets no number.
+//! A law is led through the motion and the load of the experiments. Its parameters are searched over a range that
+//! follows from the data and their units, then by bounded least squares with exact sensitivities where the steps of the
+//! law are written for dual numbers, and with central differences elsewhere. What the data do not determine gets no
+//! number.
 //!
 //! # Source
 //! Task and figures: chapter 8 of F. Novais, "A critical analysis on friction force models in dynamical systems", MSc
@@ -30,10 +31,10 @@ use stribeck::model::ModelType;
 
 pub use estimate::Estimate;
 pub use experiment::Experiment;
-pub use output::{Difference, Reference, as_json, difference, digits, preset, respond};
+pub use output::{Difference, Reference, as_json, difference, preset, respond};
 pub use rank::{APART, Rank, rank};
 pub use search::{Method, Watch};
-pub use trust::{DETERMINED, Residuals, Verdict};
+pub use trust::{DETERMINED, Residuals, Verdict, digits};
 pub use unknown::{Scale, Target, Unknown, Wishes};
 
 use crate::system::Fault;
@@ -48,7 +49,7 @@ use unknown::OF_RIG;
 /// How a law is fitted.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Task {
-    /// What is held, what is fitted, and where it is searched.
+    /// Choice of the unknowns, and the ranges in which they are searched.
     pub wishes: Wishes,
     /// How the whole range is searched.
     pub method: Method,
@@ -110,15 +111,14 @@ pub struct Fit {
     pub columns: Vec<(usize, f64)>,
     /// The columns among them that were held.
     pub held: Vec<(usize, f64)>,
-    /// What the reader must know.
+    /// Warnings for the user.
     pub warnings: Vec<String>,
-    unknowns: usize,
 }
 
 impl Fit {
     /// Number of unknowns.
     pub fn unknowns(&self) -> usize {
-        self.unknowns
+        self.correlation.len()
     }
 }
 
@@ -165,7 +165,7 @@ pub fn fit_all(
     watch: Watch,
 ) -> Result<Ranking, Fault> {
     let quick = if laws.len() > 1 { Task { profiles: false, repetitions: 0, ..task.clone() } } else { task.clone() };
-    let (mut fits, mut refused, mut reason) = (Vec::new(), Vec::new(), Fault::value("there is no law to fit"));
+    let (mut fits, mut refused, mut reason) = (Vec::new(), Vec::new(), Fault::value("no law was given"));
     for law in laws {
         begin(law);
         match fit(law, experiments, &quick, watch) {
@@ -254,7 +254,7 @@ fn problem<'a>(law: &'static ModelType, experiments: &'a [Experiment], task: &Ta
         return Err(Fault::value(format_args!("{}: only laws of one sliding direction can be fitted", law.name)));
     };
     if experiments.is_empty() {
-        return Err(Fault::value("there is no experiment"));
+        return Err(Fault::value("no experiment was given"));
     }
     if task.budget == 0 {
         return Err(Fault::value("budget = 0: must be at least 1 evaluation"));
@@ -355,14 +355,13 @@ fn finish(
         is_exact: problem.exact.is_some(),
         columns: point.columns,
         held: problem.held.clone(),
-        unknowns: problem.unknowns.len(),
         explained: split(&explained, &problem.lengths()),
         warnings: warnings(problem, &seen, &estimates, is_repeatable, shift),
         estimates,
     })
 }
 
-/// What the sensitivities say, and what they do not see.
+/// Trust by the sensitivities, less what they do not see.
 fn doubted(problem: &Problem, best: &Found, seen: &Residuals, profiles: bool, is_repeatable: bool) -> Trust {
     let mut trust = trust(problem, &best.places, seen);
     if !is_repeatable {
@@ -405,13 +404,14 @@ fn warnings(
     }
     if shift > SHIFT {
         list.push(format!(
-            "the samples are too far apart: dividing their intervals once more shifts a value by {shift:.1} standard deviations"
+            "the samples are too far apart: dividing their intervals once more shifts a value by {shift:.1} standard \
+             deviations"
         ));
     }
     if seen.correlation > SYSTEMATIC {
         list.push(format!(
-            "the residuals are not noise ({:.0} samples count as one): law, clocks or mass are not those of the rig, and the \
-             intervals may not hold",
+            "the residuals are not noise ({:.0} samples count as one): law, clocks or mass are not those of the rig, \
+             and the intervals may not hold",
             seen.correlation
         ));
     }
@@ -424,11 +424,12 @@ fn warnings(
     list
 }
 
-/// Error of the velocity, as a part of the speed at which friction falls, from which its parameters are biased (chosen).
+/// Error of the velocity, as a part of the speed at which friction falls, from which its parameters are biased
+/// (chosen).
 const BLURRED: f64 = 0.25;
 
-/// Warns of a velocity that is not known well enough where friction falls with it: the static level then looks lower and the
-/// Stribeck velocity higher than they are, while the residuals look fine.
+/// Warns of a velocity that is not known well enough where friction falls with it: the static level then looks lower
+/// and the Stribeck velocity higher than they are, while the residuals look fine.
 fn blurred(experiment: &Experiment, estimates: &[Estimate]) -> Option<String> {
     let speed =
         estimates.iter().find(|one| ["stribeck_velocity", "transition_velocity"].contains(&one.name.as_str()))?;

@@ -1,4 +1,4 @@
-//! What leaves a fit: parameter sets, differences to a reference, a table for a terminal.
+//! Results of a fit: parameter sets, differences from a reference, a table for a terminal.
 
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -9,13 +9,14 @@ use stribeck::instance::Instance;
 use stribeck::model::ModelType;
 
 use super::response::{Ports, forces};
+use super::trust::digits;
 use super::unknown::OF_RIG;
 use super::{Estimate, Experiment, Fit, Rank, Ranking, Verdict};
 use crate::measured::Record;
 use crate::run::Configuration;
 use crate::system::Fault;
 
-/// A difference to a reference in both usual definitions, in percent.
+/// Difference from a reference in both usual definitions, in percent.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Difference {
     /// |a - b| / |b|, with the reference b.
@@ -24,7 +25,7 @@ pub struct Difference {
     pub to_mean: f64,
 }
 
-/// The difference of a value to a reference.
+/// Difference of a value from a reference.
 pub fn difference(value: f64, reference: f64) -> Difference {
     let apart = 100.0 * (value - reference).abs();
     Difference { to_reference: apart / reference.abs(), to_mean: apart / (0.5 * (value + reference)).abs() }
@@ -98,7 +99,7 @@ impl Fit {
         self.estimates.iter().filter(is_open).map(|one| one.name.as_str())
     }
 
-    /// The fit as a table for a terminal, with the differences to a reference if there is one.
+    /// The fit as a table for a terminal, with the differences from a reference if one is given.
     pub fn table(&self, reference: Option<&Reference>) -> String {
         let seen = &self.residuals;
         let mut text = format!(
@@ -153,43 +154,26 @@ pub fn as_json(ranking: &Ranking) -> serde_json::Value {
 }
 
 fn estimate(one: &Estimate) -> serde_json::Value {
-    let verdict = match &one.verdict {
-        Verdict::Determined => "determined".to_owned(),
-        Verdict::AtMost(most) => format!("cannot be told from 0; at most {most}"),
-        Verdict::Undetermined(reason) => format!("not determined: {reason}"),
-        Verdict::AtEnd(end) => format!("at an end of its range: {end}"),
-    };
     let is_told = one.verdict == Verdict::Determined;
     json!({
         "name": one.name,
         "unit": one.unit,
-        "verdict": verdict,
+        "verdict": one.verdict.to_string(),
         "value": is_told.then_some(one.value),
         "interval": is_told.then(|| one.interval()),
         "repeated": one.repeated.filter(|_| is_told),
     })
 }
 
-/// A number with four digits.
-pub fn digits(value: f64) -> String {
-    let is_plain = value == 0.0 || (1e-3..1e5).contains(&value.abs());
-    let decimals = (3.0 - value.abs().max(1e-300).log10().floor()).max(0.0) as usize;
-    if is_plain { format!("{value:.decimals$}") } else { format!("{value:.3e}") }
-}
-
 fn told(one: &Estimate) -> String {
     let unit = if one.unit == "1" { "" } else { one.unit };
-    match &one.verdict {
-        Verdict::Determined => {
-            let [low, high] = one.interval().map(digits);
-            let repeated = one.repeated.map(|ends| ends.map(digits));
-            let repeated = repeated.map_or(String::new(), |[low, high]| format!("; repeated {low} to {high}"));
-            format!("{} {unit} (95 %: {low} to {high}{repeated})", digits(one.value)).replace("  ", " ")
-        }
-        Verdict::AtMost(most) => format!("not told from 0; at most {} {unit}", digits(*most)),
-        Verdict::Undetermined(reason) => format!("not determined: {reason}"),
-        Verdict::AtEnd(end) => format!("at the end {} {unit} of its range", digits(*end)),
+    if one.verdict != Verdict::Determined {
+        return one.verdict.to_string();
     }
+    let [low, high] = one.interval().map(digits);
+    let repeated = one.repeated.map(|ends| ends.map(digits));
+    let repeated = repeated.map_or(String::new(), |[low, high]| format!("; repeated {low} to {high}"));
+    format!("{} {unit} (95 %: {low} to {high}{repeated})", digits(one.value)).replace("  ", " ")
 }
 
 fn compared(one: &Estimate, reference: Option<&Reference>) -> String {

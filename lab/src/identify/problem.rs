@@ -37,8 +37,8 @@ pub(super) struct Problem<'a> {
 /// Residual of a place at which the law is refused: larger than any force that is measured.
 const REFUSED: f64 = 1e9;
 
-/// Step of central differences of a place: about a hundredth of a value on a logarithmic scale (chosen), so that a law whose
-/// memory has the steps of the samples moves by more than one of them.
+/// Step of central differences of a place: about a hundredth of a value on a logarithmic scale (chosen), so that a law
+/// whose memory has the steps of the samples moves by more than one of them.
 const STEP: f64 = 1e-3;
 
 /// Values of the unknowns as a law and a rig take them.
@@ -113,7 +113,7 @@ impl Problem<'_> {
         Ok(all)
     }
 
-    /// What a search on fewer samples has found, with its cost on all of them.
+    /// Gives a place that was found on fewer samples its cost on all of them.
     pub fn judge(&self, found: Found) -> Found {
         let cost = self.residuals(&found.places).map_or(f64::INFINITY, |all| cost(&all));
         Found { cost, ..found }

@@ -1,8 +1,8 @@
 //! The response of a law to an experiment, and its sensitivities.
 //!
-//! Between two samples the law is led at their mean velocity and load, which is exact in the displacement; at a sample it
-//! has the velocity and the load of the sample. A record that begins in motion begins in steady sliding; one that begins
-//! at rest begins with the start values of the law, such as unloaded bristles.
+//! Between two samples the law is led at their mean velocity and load, which is exact in the displacement; at a sample
+//! it has the velocity and the load of the sample. A record that begins in motion begins in steady sliding; one that
+//! begins at rest begins with the start values of the law, such as unloaded bristles.
 
 use stribeck::instance::{Instance, Phase, Refused};
 use stribeck::model::{InLanes, Law, Model, ModelType, Steps, Visitor, model_in};
@@ -19,7 +19,7 @@ pub(super) struct Ports {
 }
 
 impl Ports {
-    /// None for a law that is no scalar contact.
+    /// None for a law of a contact that slides in two directions.
     pub fn of(law: &ModelType) -> Option<Ports> {
         let [velocity, load, force] = ["velocity", "normal_force", "friction_force"].map(|name| law.find(name));
         Some(Ports { velocity: velocity?, load: load?, force: force? })

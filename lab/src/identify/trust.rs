@@ -1,8 +1,8 @@
 //! How far a fit can be trusted: which unknowns the data determine, and how well.
 //!
 //! # Equations
-//! With the sensitivities J of the forces to the unknowns p, the residuals r at n samples, and the correlation time tau of
-//! the residuals in samples:
+//! With the sensitivities J of the forces to the unknowns p, the residuals r at n samples, and the correlation time tau
+//! of the residuals in samples:
 //!
 //! ```text
 //! s2   = tau r'r / (n - k)                           variance of the noise, as of independent samples
@@ -11,13 +11,16 @@
 //! tau  = 1 + 2 sum of the autocorrelations of r up to the first lag M >= 5 tau(M)
 //! ```
 //!
-//! A large change is half the range on a linear scale and about the value itself on the others. I stands for the knowledge before the
-//! data: an unknown is known up to a large change, or up to ten of them if the data turn out not to determine it. The data determine an unknown if they reduce this to less than
-//! [`DETERMINED`] of it; otherwise there is no number.
+//! A large change is half the range on a linear scale and about the value itself on the others. I stands for the
+//! knowledge before the data: an unknown is known up to a large change, or up to ten of them if the data turn out not
+//! to determine it. The data determine an unknown if they reduce this to less than [`DETERMINED`] of it; otherwise no
+//! number is given.
 //!
 //! # Source
 //! Window of the autocorrelation: A. Sokal, "Monte Carlo methods in statistical mechanics: foundations and new
 //! algorithms", in Functional Integration (1997), doi:10.1007/978-1-4899-0319-8_6. The limits are chosen.
+
+use std::fmt;
 
 use nalgebra::{DMatrix, DVector};
 
@@ -49,7 +52,26 @@ pub enum Verdict {
     AtEnd(f64),
 }
 
-/// What the residuals look like.
+/// The text of a verdict, wherever it is shown.
+impl fmt::Display for Verdict {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        match self {
+            Verdict::Determined => f.write_str("determined"),
+            Verdict::AtMost(most) => write!(f, "cannot be told from 0; at most {}", digits(*most)),
+            Verdict::Undetermined(reason) => write!(f, "not determined: {reason}"),
+            Verdict::AtEnd(end) => write!(f, "at an end of its range: {}", digits(*end)),
+        }
+    }
+}
+
+/// A number with four digits.
+pub fn digits(value: f64) -> String {
+    let is_plain = value == 0.0 || (1e-3..1e5).contains(&value.abs());
+    let decimals = (3.0 - value.abs().max(1e-300).log10().floor()).max(0.0) as usize;
+    if is_plain { format!("{value:.decimals$}") } else { format!("{value:.3e}") }
+}
+
+/// Size and correlation of the residuals.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Residuals {
     /// Root mean square, N.
@@ -60,7 +82,7 @@ pub struct Residuals {
     pub correlation: f64,
 }
 
-/// What a fit knows about its unknowns, in the order of the problem.
+/// Knowledge of the unknowns, in the order of the problem.
 pub(super) struct Trust {
     pub deviations: Vec<f64>,
     /// Covariance of the values.
@@ -101,8 +123,8 @@ pub(super) fn residuals(found: &[f64], lengths: &[usize], unknowns: usize) -> Re
     Residuals { rms: (square / freedom).sqrt(), neighbours: lag(1), correlation: correlation.max(1.0) }
 }
 
-/// Knowledge before the data about an unknown that the data do not determine, in large changes (chosen): what depends on it
-/// is not determined either.
+/// Knowledge before the data about an unknown that the data do not determine, in large changes (chosen): what depends
+/// on it is not determined either.
 const UNKNOWN: f64 = 10.0;
 
 /// Looks at the sensitivities of the unknowns at places.
@@ -198,7 +220,7 @@ fn is_smooth(
     [-1.0, 1.0].into_iter().filter(|side| (0.0..=1.0).contains(&(places[number] + side * step))).all(agrees)
 }
 
-/// What is known of an unknown.
+/// Knowledge of one unknown.
 struct Known {
     value: f64,
     place: f64,

@@ -6,7 +6,7 @@ use stribeck::number::Real;
 use super::Experiment;
 use crate::system::Fault;
 
-/// What an unknown stands for.
+/// Quantity that an unknown stands for.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Target {
     /// A parameter of the law, by its column.
@@ -67,7 +67,7 @@ pub struct Unknown {
     pub name: String,
     /// Unit.
     pub unit: &'static str,
-    /// What it stands for.
+    /// Quantity that it stands for.
     pub target: Target,
     /// Range in which it is searched.
     pub range: [f64; 2],
@@ -146,8 +146,8 @@ impl Magnitudes {
     }
 }
 
-/// Whether a variable is fitted unless it is named: a real parameter of the contact, no exponent, no share of an element,
-/// no option that is off at its start value.
+/// Whether a variable is fitted unless it is named: a real parameter of the contact, no exponent, no share of an
+/// element, no option that is off at its start value.
 fn is_usual(variable: &Variable) -> bool {
     let name = variable.path.to_string();
     let is_off = variable.start == 0.0 && matches!(variable.kind, Kind::Real(unit) if unit.name == "m/s");
@@ -160,7 +160,7 @@ fn is_parameter(variable: &Variable) -> bool {
     variable.role.is_parameter() && matches!(variable.kind, Kind::Real(_)) && !variable.is_hidden && is_of_contact
 }
 
-/// What the user says about the parameters of a fit.
+/// Choice of the unknowns by the user.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Wishes {
     /// Parameters that are held, with their values; `mass` and `offset` too.

@@ -51,8 +51,8 @@ pub(super) struct Pair<'a> {
 const MOST_SAMPLES: usize = 4000;
 const PLACES: usize = 8000;
 
-/// Speeds within which friction turns, as parts of the largest one, and ways within which it turns, as parts of the travel
-/// (chosen): regularised laws and bristles of any stiffness.
+/// Speeds within which friction turns, as parts of the largest one, and ways within which it turns, as parts of the
+/// travel (chosen): regularised laws and bristles of any stiffness.
 const SPEEDS: [f64; 2] = [3e-3, 3e-2];
 const WAYS: [f64; 3] = [3e-3, 2e-2, 0.1];
 
@@ -116,8 +116,8 @@ impl<'a> Pair<'a> {
         gram.cholesky().map_or(f64::INFINITY, |gram| total - right.dot(&gram.solve(&right)))
     }
 
-    /// Finds the delay, at most `longest`, with which the motion best explains the force as a sum of inertia, friction that
-    /// turns within some way, viscous friction and offset; and its drift, at most a tenth of that over the record.
+    /// Finds the delay, at most `longest`, with which the motion best explains the force as a sum of inertia, friction
+    /// that turns within some way, viscous friction and offset; and its drift, at most a tenth of that over the record.
     pub fn find(&self, longest: f64) -> Clocks {
         let [first, last] = [self.time[0], self.time[self.time.len() - 1]];
         let clocks = |delay: f64, drift: f64| Clocks { delay, deviation: 0.0, drift, middle: 0.5 * (first + last) };

@@ -1,6 +1,7 @@
 //! Cycles: the strokes to and fro, laid on top of each other.
 
 use super::Record;
+use crate::sheet::text;
 
 /// A cycle: mean of all of them, over equal parts of the period.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -22,15 +23,15 @@ pub struct Cycle {
 }
 
 impl Cycle {
-    /// The cycle as a table of values separated by commas, with units in the heading.
-    pub fn csv(&self) -> String {
-        let mut text = "phase,displacement [m],velocity [m/s],friction_force [N],standard_deviation [N]\n".to_owned();
-        let columns = [&self.phase, &self.displacement, &self.velocity, &self.friction_force, &self.deviation];
-        for row in 0..self.phase.len() {
-            let cells: Vec<String> = columns.iter().map(|values| values[row].to_string()).collect();
-            text += &(cells.join(",") + "\n");
-        }
-        text
+    /// The cycle as a table, with units in the heading.
+    pub fn csv(&self) -> csv::Result<String> {
+        text(&[
+            ("phase", &self.phase),
+            ("displacement [m]", &self.displacement),
+            ("velocity [m/s]", &self.velocity),
+            ("friction_force [N]", &self.friction_force),
+            ("standard_deviation [N]", &self.deviation),
+        ])
     }
 }
 

@@ -15,8 +15,8 @@
 //! | f_f    | N    | friction force, with the sign of the velocity when sliding     |
 //!
 //! # Sign
-//! Force, displacement and velocity are positive in the same direction, so that friction takes energy out of the motion;
-//! a file in which it does not is refused.
+//! Force, displacement and velocity are positive in the same direction, so that friction takes energy out of the
+//! motion; a file in which it does not is refused.
 //!
 //! # Source
 //! Rig and balance of forces: chapter 8 of F. Novais, "A critical analysis on friction force models in dynamical

@@ -1,9 +1,9 @@
 //! Local polynomials: value, first and second derivative of a noisy signal at any time.
 //!
 //! # Equation
-//! Around the time t the samples within half a window are fitted by a polynomial of third degree with equal weights; its
-//! coefficients at t are value, derivative and half the second derivative. On evenly spaced samples this is the filter of
-//! Savitzky and Golay: it has no delay, and it is exact for polynomials up to the third degree.
+//! Around the time t the samples within half a window are fitted by a polynomial of third degree with equal weights;
+//! its coefficients at t are value, derivative and half the second derivative. On evenly spaced samples this is the
+//! filter of Savitzky and Golay: it has no delay, and it is exact for polynomials up to the third degree.
 //!
 //! # Source
 //! A. Savitzky, M. J. E. Golay, "Smoothing and differentiation of data by simplified least squares procedures",

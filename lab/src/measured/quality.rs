@@ -12,7 +12,7 @@ pub struct Gap {
     pub length: f64,
 }
 
-/// What a record is worth.
+/// Quality of a record.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Quality {
     /// Number of samples.
@@ -37,7 +37,7 @@ pub struct Quality {
     pub reversals: usize,
     /// Least and largest normal force, N.
     pub loads: [f64; 2],
-    /// What is missing or doubtful.
+    /// Sentences on what is missing or doubtful.
     pub findings: Vec<String>,
 }
 
@@ -98,9 +98,17 @@ fn findings(found: &Quality) -> Vec<String> {
         ));
     }
     if found.reversals < 2 {
-        list.push("no reversal: neither pre-sliding (stiffness and damping of bristles) nor an offset can be seen; drag the slider to and fro".to_owned());
+        list.push(
+            "no reversal: neither pre-sliding (stiffness and damping of bristles) nor an offset can be seen; drag the \
+             slider to and fro"
+                .to_owned(),
+        );
     } else if found.slow < FEW {
-        list.push(format!("{:.1} samples per reversal below a tenth of the largest speed: the static level and the Stribeck velocity are hardly seen; sample faster or turn more slowly", found.slow));
+        list.push(format!(
+            "{:.1} samples per reversal below a tenth of the largest speed: the static level and the Stribeck velocity \
+             are hardly seen; sample faster or turn more slowly",
+            found.slow
+        ));
     }
     let [low, high] = found.loads;
     if high - low < ONE_LOAD * 0.5 * (high + low) {

@@ -3,17 +3,17 @@
 use super::clock::{Clocks, Pair};
 use super::polynomial::Local;
 use super::quality::{Quality, median, quality};
-use crate::sheet::{DISPLACEMENT, FORCE, NORMAL_FORCE, Sheet, SheetError, TIME, VELOCITY};
+use crate::sheet::{DISPLACEMENT, FORCE, NORMAL_FORCE, Sheet, SheetError, TIME, VELOCITY, text};
 
-/// What is known about a rig.
+/// Properties of a rig.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Rig {
     /// Mass between load cell and contact, kg.
     pub mass: f64,
     /// Normal force, N, if the file does not have it.
     pub normal_force: Option<f64>,
-    /// Window in which the motion is smoothed and differentiated, s; if it is not given, 5 to 31 samples, whichever lets the
-    /// motion explain most of the force.
+    /// Window in which the motion is smoothed and differentiated, s; if it is not given, 5 to 31 samples, whichever
+    /// lets the motion explain most of the force.
     pub window: Option<f64>,
     /// How far the motion is behind the force.
     pub delay: Delay,
@@ -28,6 +28,11 @@ pub enum Delay {
     Known(f64),
     /// It is to be found, at most this long, in s.
     Find(f64),
+}
+
+impl Delay {
+    /// Longest delay that is looked for unless another one is given, s (chosen).
+    pub const LONGEST: f64 = 0.1;
 }
 
 impl Default for Rig {
@@ -91,7 +96,10 @@ pub enum MeasuredError {
     #[error("no column 'normal_force', and no value was given for it")]
     NoLoad,
     /// The motion ends before the force, or begins after it.
-    #[error("force from {} s to {} s, motion from {} s to {} s: they do not overlap", force[0], force[1], motion[0], motion[1])]
+    #[error(
+        "force from {} s to {} s, motion from {} s to {} s: they do not overlap",
+        force[0], force[1], motion[0], motion[1]
+    )]
     Apart {
         /// First and last time of the force.
         force: [f64; 2],
@@ -136,12 +144,12 @@ pub struct Record {
     pub window: f64,
     /// Whether the velocity comes from the displacement.
     pub is_differentiated: bool,
-    /// Error of the velocity around rest, m/s: how much it changes (root mean square) with a window of half the length; 0
-    /// if it was measured.
+    /// Error of the velocity around rest, m/s: how much it changes (root mean square) with a window of half the length;
+    /// 0 if it was measured.
     pub velocity_error: f64,
     /// Clocks of force and motion.
     pub clocks: Clocks,
-    /// What the record is worth.
+    /// Quality.
     pub quality: Quality,
 }
 
@@ -167,25 +175,17 @@ impl Record {
         Ok(record)
     }
 
-    /// The record as a table of values separated by commas, with units in the heading.
-    pub fn csv(&self) -> String {
-        let mut text =
-            "time [s],force [N],displacement [m],velocity [m/s],acceleration [m/s2],normal_force [N],friction_force [N]\n"
-                .to_owned();
-        let columns = [
-            &self.time,
-            &self.force,
-            &self.displacement,
-            &self.velocity,
-            &self.acceleration,
-            &self.normal_force,
-            &self.friction_force,
-        ];
-        for row in 0..self.time.len() {
-            let cells: Vec<String> = columns.iter().map(|values| values[row].to_string()).collect();
-            text += &(cells.join(",") + "\n");
-        }
-        text
+    /// The record as a table, with units in the heading.
+    pub fn csv(&self) -> csv::Result<String> {
+        text(&[
+            ("time [s]", &self.time),
+            ("force [N]", &self.force),
+            ("displacement [m]", &self.displacement),
+            ("velocity [m/s]", &self.velocity),
+            ("acceleration [m/s2]", &self.acceleration),
+            ("normal_force [N]", &self.normal_force),
+            ("friction_force [N]", &self.friction_force),
+        ])
     }
 }
 
@@ -236,7 +236,7 @@ fn load(sheet: &Sheet, rig: &Rig) -> Result<Vec<f64>, MeasuredError> {
     }
 }
 
-/// What the load cell has on its clock.
+/// Samples of the load cell, on its clock.
 struct Own<'a> {
     time: &'a [f64],
     force: &'a [f64],
@@ -323,8 +323,8 @@ impl Motion {
         Ok(record)
     }
 
-    /// Noise and what the filter swallows, together: the change of the velocity with half the window, where it is below a
-    /// tenth of the largest one.
+    /// Noise and what the filter swallows, together: the change of the velocity with half the window, where it is below
+    /// a tenth of the largest one.
     fn velocity_error(&self, record: &Record) -> f64 {
         let narrow = Local::new(&self.time, &self.displacement, 0.5 * record.window);
         let fastest = record.velocity.iter().fold(0.0, |most: f64, v| most.max(v.abs()));

@@ -7,7 +7,7 @@ use crate::measured::{Record, average};
 use crate::picture::{Kind, Named, Picture, Theme, curves};
 use crate::system::Fault;
 
-/// What was identified, and from what.
+/// An identification and the records it was made from.
 #[derive(Clone, Copy, Debug)]
 pub struct Identification<'a> {
     /// The records with their names.
@@ -59,12 +59,7 @@ fn estimates(page: &mut Page, best: &Fit, reference: Option<&Reference>) {
             told(ends(one.interval())),
             told(repeated.map_or(String::new(), ends)),
             known,
-            match verdict {
-                Verdict::Determined => "determined".to_owned(),
-                Verdict::AtMost(most) => format!("cannot be told from 0; at most {}", digits(*most)),
-                Verdict::Undetermined(reason) => format!("not determined: {reason}"),
-                Verdict::AtEnd(end) => format!("at an end of its range: {}", digits(*end)),
-            },
+            verdict.to_string(),
         ];
         page.row(if is_told { "" } else { "failed" }, &head, &cells);
     }
@@ -73,8 +68,8 @@ fn estimates(page: &mut Page, best: &Fit, reference: Option<&Reference>) {
     page.paragraph(
         "note",
         &format!(
-            "Not explained: {} N (root mean square) of {} N. Correlation of neighbouring residuals {:.2}; {:.1} of {} samples \
-             count as one. Condition {:.1e}. {} evaluations; sensitivities {}.",
+            "Not explained: {} N (root mean square) of {} N. Correlation of neighbouring residuals {:.2}; {:.1} of {} \
+             samples count as one. Condition {:.1e}. {} evaluations; sensitivities {}.",
             digits(seen.rms),
             digits(best.level),
             seen.neighbours,
@@ -94,9 +89,9 @@ fn ranking(page: &mut Page, facts: &Identification) {
     page.heading("Laws");
     let head = ["Law", "#Unexplained in N", "#Unknowns", "#Behind", "Verdict"];
     page.begin_table(&head);
-    for (number_of_law, rank) in facts.ranking.ranks.iter().enumerate() {
+    for (place, rank) in facts.ranking.ranks.iter().enumerate() {
         let fit = &facts.ranking.fits[rank.fit];
-        let verdict = match (fit.is_repeatable, rank.is_tied && number_of_law > 0) {
+        let verdict = match (fit.is_repeatable, rank.is_tied && place > 0) {
             (false, _) => "the searches did not agree",
             (true, true) => "cannot be told apart from the first",
             (true, false) => "",

@@ -13,6 +13,14 @@ pub struct Setting {
     pub value: String,
 }
 
+impl Setting {
+    /// Name and value, for a variable that has no choices.
+    pub fn number(&self) -> Result<(String, f64), Fault> {
+        let wrong = |_| Fault::value(format_args!("{} = {}: must be a number", self.name, self.value));
+        Ok((self.name.clone(), self.value.parse().map_err(wrong)?))
+    }
+}
+
 impl std::str::FromStr for Setting {
     type Err = Fault;
 
