@@ -29,7 +29,7 @@ enum Run {
 }
 
 fn main() {
-    let library = support::build_release_library();
+    let library = support::library();
     println!("set 2 inputs + step + get 2 outputs, {ROUNDS} rounds of {CALLS} calls; median ratio [quartiles]\n");
     println!(
         "{:12} {:8} {:>8} {:>8} {:>22} {:>22}",

@@ -56,7 +56,7 @@ fn step(criterion: &mut Criterion) {
 
 /// Set two inputs, step, get two outputs.
 fn fmi(criterion: &mut Criterion) {
-    let library = support::build_release_library();
+    let library = support::library();
     let mut group = criterion.benchmark_group("fmi");
     for (model, _) in catalogue::documented(Family::Friction) {
         bench_slave(&mut group, model.name, support::Slave::ours(&library, model.name));

@@ -161,13 +161,20 @@ fn library_file(folder: &Path, name: &str) -> PathBuf {
     folder.join(format!("{DLL_PREFIX}{name}{DLL_SUFFIX}"))
 }
 
-/// Builds the library as shipped, and returns its path.
-pub fn build_release_library() -> PathBuf {
+/// The library as it is shipped. Where a benchmark only has to run once (`cargo test`), the one that the tests have built.
+pub fn library() -> PathBuf {
+    let (profile, folder): (&[&str], &str) = if std::env::args().any(|argument| argument == "--bench") {
+        (&["--release", "--package", "libstribeck"], "release")
+    } else {
+        // With the workspace and a benchmark, crates have the features with which the tests have built them.
+        (&["--workspace", "--bench", "stribeck"], "debug")
+    };
     run(Command::new(env!("CARGO"))
-        .args(["build", "--release", "--lib", "--package", "libstribeck", "--quiet", "--target-dir"])
+        .args(["build", "--lib", "--quiet", "--target-dir"])
         .arg(target_directory())
+        .args(profile)
         .current_dir(env!("CARGO_MANIFEST_DIR")));
-    library_file(&target_directory().join("release"), "stribeck")
+    library_file(&target_directory().join(folder), "stribeck")
 }
 
 fn compile_floor(law: &str) -> PathBuf {
