@@ -2,7 +2,6 @@
 
 import copy
 import json
-import os
 import re
 import subprocess
 import sys
@@ -98,32 +97,46 @@ def test_crates_of_the_standard_library_have_notices(dist):
     assert [name for name, version in of_std if f" {name}-{version}<" not in noticed and name not in others] == []
 
 
-@pytest.mark.skipif(sys.platform != "linux", reason="nm lists the symbols of ELF libraries")
-@pytest.mark.parametrize(("package", "begins"), [("stribeck", None), ("libstribeck", ("fmi2", "stribeck_"))])
-def test_only_the_library_exports_c_functions(package, begins):
-    """A WebAssembly build or a Python extension links the models and exports nothing but its own functions."""
-    target = Path(os.environ.get("CARGO_TARGET_DIR", PROJECT / "target"))
-    command = ["cargo", "rustc", "--package", package, "--lib", "--crate-type", "cdylib"]
-    # What is exported does not depend on how well it is optimised.
-    quickly = {**os.environ, "CARGO_PROFILE_DEV_OPT_LEVEL": "0"}
-    subprocess.run([*command, "--target-dir", target / "exports"], cwd=PROJECT, check=True, env=quickly)
-    command = ["nm", "--dynamic", "--defined-only", target / "exports" / "debug" / "libstribeck.so"]
+@pytest.fixture(scope="module")
+def built() -> dict[str, Path]:
+    """The libraries as the tests build them, by their file names."""
+    # With a benchmark, crates have the features with which the tests have built them.
+    command = ["cargo", "build", "--workspace", "--lib", "--bench", "stribeck", "--message-format", "json"]
+    text = subprocess.run(command, cwd=PROJECT, check=True, capture_output=True, text=True).stdout
+    artifacts = [line for line in map(json.loads, text.splitlines()) if line["reason"] == "compiler-artifact"]
+    return {Path(name).name: Path(name) for item in artifacts for name in item["filenames"]}
+
+
+def exports_of(library: Path) -> list[str]:
+    """The symbols that a shared library offers to others."""
+    command = ["nm", "--dynamic", "--defined-only", library]
     listed = subprocess.run(command, check=True, capture_output=True, text=True).stdout
-    exported = [line.split()[-1] for line in listed.splitlines()]
+    return [line.split()[-1] for line in listed.splitlines()]
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="nm lists the symbols of ELF libraries")
+@pytest.mark.parametrize(("crate", "begins"), [("stribeck", None), ("stribeck_ffi", ("fmi2", "stribeck_"))])
+def test_only_the_library_exports_c_functions(built, tmp_path, crate, begins):
+    """A WebAssembly build or a Python extension links the models and exports nothing but its own functions."""
+    rlib = built[f"lib{crate}.rlib"]
+    source, library = tmp_path / "empty.rs", tmp_path / "libempty.so"
+    source.write_text(f"extern crate {crate} as _;\n", encoding="utf-8")
+    command = ["rustc", "--crate-type", "cdylib", source, "-o", library, "--extern", f"{crate}={rlib}"]
+    subprocess.run([*command, "-L", f"dependency={rlib.parent / 'deps'}"], check=True)
+    exported = exports_of(library)
     if begins is None:
         assert exported == []
     else:
         assert exported
         assert [name for name in exported if not name.startswith(begins)] == []
+        # The library of this name adds nothing.
+        assert sorted(exported) == sorted(exports_of(built["libstribeck.so"]))
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="elsewhere a library has its symbols in a separate file")
-def test_crates_that_symbols_and_paths_name_are_listed(dist):
+def test_crates_that_symbols_and_paths_name_are_listed(built, dist):
     """The library in an FMU has no symbols, and no paths if nothing can panic; that of the tests has both."""
-    # With a benchmark, crates have the features with which the tests have built them.
-    subprocess.run(["cargo", "build", "--workspace", "--lib", "--bench", "stribeck"], cwd=PROJECT, check=True)
-    target = Path(os.environ.get("CARGO_TARGET_DIR", PROJECT / "target"))
-    library = (target / "debug" / "libstribeck.so").read_bytes().decode("latin-1")
+    library = built["libstribeck.so"].read_bytes().decode("latin-1")
     # Both forms in which Rust writes names: the crate follows the number of its letters.
     symbols = re.findall(r"(?:_ZN|Cs[0-9A-Za-z]*_)(\d+)([A-Za-z]\w*)", library)
     command = ["rustc", "--print", "target-libdir"]
