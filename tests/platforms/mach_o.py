@@ -18,15 +18,12 @@ SHA256 = 2
 OTHER_NAMES = {
     "__bzero": "bzero",
     "__error": "__errno_location",
-    "__exp10": "exp10",
-    "__sincos_stret": "macos_sincos",
     "_tlv_atexit": "macos_at_exit_of_thread",
     "_tlv_bootstrap": "macos_variable_of_thread",
     "memset_pattern16": "macos_memset_pattern16",
     "pthread_threadid_np": "macos_number_of_thread",
 }
-# It finds the functions of the C library too.
-MATHEMATICS = ctypes.CDLL("libm.so.6")
+C_LIBRARY = ctypes.CDLL("libc.so.6")
 
 
 def processors(library: Path) -> dict[str, MachO.Binary]:
@@ -68,7 +65,7 @@ def function(symbol: str) -> str:
     name = symbol.removeprefix("_")
     if name in OTHER_NAMES:
         return OTHER_NAMES[name]
-    return name if name.startswith("_Unwind_") or hasattr(MATHEMATICS, name) else "macos_absent"
+    return name if name.startswith("_Unwind_") or hasattr(C_LIBRARY, name) else "macos_absent"
 
 
 def image_of(part: MachO.Binary) -> bytes:

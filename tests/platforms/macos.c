@@ -1,26 +1,13 @@
 /* Functions that the library for macOS calls and Linux lacks, so that its code runs on Linux, in one thread. */
-#define _GNU_SOURCE
-#include <math.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-typedef struct {
-    double sine;
-    double cosine;
-} sine_and_cosine;
-
-sine_and_cosine macos_sincos(double angle);
 void macos_memset_pattern16(void *to, const void *pattern, size_t size);
 void macos_at_exit_of_thread(void (*destructor)(void *), void *object);
 int macos_number_of_thread(void *thread, uint64_t *number);
 void macos_absent(void);
-
-sine_and_cosine macos_sincos(double angle) {
-    sine_and_cosine result = {sin(angle), cos(angle)};
-    return result;
-}
 
 void macos_memset_pattern16(void *to, const void *pattern, size_t size) {
     for (size_t at = 0; at < size; at += 16) {

@@ -40,7 +40,8 @@ pub struct Platform {
     pub targets: &'static [Target],
     /// Formats and processors of the parts of its library; only macOS loads a file with several parts.
     machines: &'static [Machine],
-    /// Libraries that it may need, in lower case: those that every such system has.
+    /// Libraries that it may need, in lower case: those that every such system has. That of mathematical functions is not
+    /// among them, because their last digit differs from one platform to the next.
     libraries: &'static [&'static str],
 }
 
@@ -49,7 +50,7 @@ const LINUX64: Platform = Platform {
     suffix: ".so",
     targets: &[LINUX_X86_64],
     machines: &[(BinaryFormat::Elf, Architecture::X86_64)],
-    libraries: &["libc.so.6", "libm.so.6", "libdl.so.2", "libpthread.so.0", "librt.so.1", "ld-linux-x86-64.so.2"],
+    libraries: &["libc.so.6", "libdl.so.2", "libpthread.so.0", "librt.so.1", "ld-linux-x86-64.so.2"],
 };
 
 /// FMI 2.0 has no folder for Linux on ARM. Importers there look in that for x86-64, as fmpy 0.3.32 does; the first
@@ -59,7 +60,7 @@ const AARCH64_LINUX: Platform = Platform {
     suffix: ".so",
     targets: &[LINUX_AARCH64],
     machines: &[(BinaryFormat::Elf, Architecture::Aarch64)],
-    libraries: &["libc.so.6", "libm.so.6", "libdl.so.2", "libpthread.so.0", "librt.so.1", "ld-linux-aarch64.so.1"],
+    libraries: &["libc.so.6", "libdl.so.2", "libpthread.so.0", "librt.so.1", "ld-linux-aarch64.so.1"],
 };
 
 const WIN64: Platform = Platform {

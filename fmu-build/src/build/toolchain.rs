@@ -58,7 +58,8 @@ pub const OLDEST_MACOS: &str = "11.0";
 /// Name of the library for programs linked to it, which search for it in folders of their own choice.
 pub const MACOS_NAME: &str = "@rpath/libstribeck.dylib";
 
-/// Names that the library needs from macOS, without the underscore that Mach-O puts before them.
+/// Names that the library may need from macOS, without the underscore that Mach-O puts before them. No function is
+/// among them whose last digit differs from one platform to the next, such as `exp`: linking then fails.
 const MACOS_NAMES: &str = include_str!("macos_names.txt");
 
 impl Target {
