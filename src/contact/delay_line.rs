@@ -193,6 +193,8 @@ impl DelayLine {
 
 #[cfg(test)]
 mod tests {
+    use approx::assert_abs_diff_eq;
+
     use super::*;
 
     const DELAY: f64 = 5e-3;
@@ -228,8 +230,8 @@ mod tests {
         let mut line = line();
         line.push(Piece { duration: 4e-3, begin: 0.0, end: 8.0 }, DELAY);
         line.push(held(3e-3, 8.0), DELAY);
-        assert!((line.velocity(DELAY) - 4.0).abs() < 1e-12);
-        assert!((line.slope(DELAY) - 2000.0).abs() < 1e-9);
+        assert_abs_diff_eq!(line.velocity(DELAY), 4.0, epsilon = 1e-12);
+        assert_abs_diff_eq!(line.slope(DELAY), 2000.0, epsilon = 1e-9);
         assert_eq!((line.velocity(1e-3), line.slope(1e-3)), (8.0, 0.0));
     }
 
@@ -293,7 +295,7 @@ mod tests {
         }
         assert!(used(&line) > 32);
         for delay in [1e-7, 3.3e-4, 1.7e-3, DELAY] {
-            assert!((line.velocity(delay) - 2.0 * (9e-3 - delay)).abs() < 1e-13);
+            assert_abs_diff_eq!(line.velocity(delay), 2.0 * (9e-3 - delay), epsilon = 1e-13);
         }
     }
 

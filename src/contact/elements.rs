@@ -171,6 +171,8 @@ impl Ramp {
 
 #[cfg(test)]
 mod tests {
+    use approx::assert_abs_diff_eq;
+
     use super::*;
 
     #[test]
@@ -191,8 +193,8 @@ mod tests {
         for distribution in [1.0, 2.0] {
             let division = Division::new(distribution, given.into_iter());
             let shares: Vec<Share> = (0..3).map(|index| division.of(index, &given[index])).collect();
-            assert!((shares.iter().map(|share| share.stiffness_share).sum::<f64>() - 1.0).abs() < 1e-15);
-            assert!((shares.iter().map(|share| share.strength_share).sum::<f64>() - 1.0).abs() < 1e-15);
+            assert_abs_diff_eq!(shares.iter().map(|share| share.stiffness_share).sum::<f64>(), 1.0, epsilon = 1e-15);
+            assert_abs_diff_eq!(shares.iter().map(|share| share.strength_share).sum::<f64>(), 1.0, epsilon = 1e-15);
         }
     }
 

@@ -119,6 +119,8 @@ fn is_same(a: f64, b: f64) -> bool {
 
 #[cfg(test)]
 mod tests {
+    use approx::assert_abs_diff_eq;
+
     use super::*;
 
     /// Residual of a body with m / h = `inertia` and velocity `v` under `load`, on a curve.
@@ -155,7 +157,7 @@ mod tests {
         // 2 (w - 3) + 1 = 0 stays on the plateau; 0.1 (w - 3) + w = 0 ends on the slope.
         assert_eq!(first(&residual(linear, 2.0, 3.0, 0.0), &marks, 3.0, -1.0), Landing::Curve(2.5));
         let Landing::Curve(w) = first(&residual(linear, 0.1, 3.0, 0.0), &marks, 3.0, -1.0) else { panic!() };
-        assert!((w - 0.3 / 1.1).abs() < 1e-15);
+        assert_abs_diff_eq!(w, 0.3 / 1.1, epsilon = 1e-15);
         // Through rest to the other plateau: 1 (w - 3) - 1 + 10 = 0.
         assert_eq!(first(&residual(linear, 1.0, 3.0, -10.0), &marks, 3.0, -7.0), Landing::Curve(-6.0));
     }

@@ -70,6 +70,8 @@ fn parts(square: f64) -> (f64, f64, f64) {
 
 #[cfg(test)]
 mod tests {
+    use approx::assert_abs_diff_eq;
+
     use super::*;
 
     /// The classical Runge-Kutta method with small steps, for slow and fast leaders, ahead, aside and behind.
@@ -117,7 +119,7 @@ mod tests {
         for w in [0.0, 0.5, -0.5] {
             let turn = follow(0.9, f64::sqrt(0.19), 1e6, w);
             assert!((turn.sin - w / 1e6).abs() < 1e-15, "{turn:?}");
-            assert!((turn.along / 1e6 - 1.0).abs() < 1e-5);
+            assert_abs_diff_eq!(turn.along / 1e6, 1.0, epsilon = 1e-5);
         }
     }
 }

@@ -125,6 +125,8 @@ impl Model for Andersson {
 
 #[cfg(test)]
 mod tests {
+    use approx::assert_abs_diff_eq;
+
     use super::*;
 
     fn force(law: Andersson) -> f64 {
@@ -139,10 +141,10 @@ mod tests {
     #[test]
     fn peak_is_below_the_static_level() {
         let law = Andersson::default();
-        assert!((peak(law) - 1.424_107_31).abs() < 1e-8);
-        assert!((force(Andersson { velocity: 2.722_68e-4, ..law }) - 1.424_107_31).abs() < 1e-8);
-        assert!((peak(Andersson { transition_slope: 1e5, ..law }) / 1.4715 - 0.999_099).abs() < 1e-6);
-        assert!((peak(Andersson { stribeck_exponent: 1.0, ..law }) / 1.4715 - 0.913_878).abs() < 1e-6);
+        assert_abs_diff_eq!(peak(law), 1.424_107_31, epsilon = 1e-8);
+        assert_abs_diff_eq!(force(Andersson { velocity: 2.722_68e-4, ..law }), 1.424_107_31, epsilon = 1e-8);
+        assert_abs_diff_eq!(peak(Andersson { transition_slope: 1e5, ..law }) / 1.4715, 0.999_099, epsilon = 1e-6);
+        assert_abs_diff_eq!(peak(Andersson { stribeck_exponent: 1.0, ..law }) / 1.4715, 0.913_878, epsilon = 1e-6);
     }
 
     /// k_t v_S = 1: no stiction peak.
@@ -156,7 +158,7 @@ mod tests {
     fn equal_levels_leave_a_hyperbolic_tangent() {
         for velocity in [-2e-3, 3e-5, 0.0] {
             let law = Andersson { velocity, mu_s: 0.1, ..Default::default() };
-            assert!((force(law) - 0.981 * (1e4 * velocity).tanh()).abs() < 1e-15);
+            assert_abs_diff_eq!(force(law), 0.981 * (1e4 * velocity).tanh(), epsilon = 1e-15);
         }
     }
 }

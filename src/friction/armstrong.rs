@@ -431,6 +431,8 @@ impl Model for Armstrong {
 
 #[cfg(test)]
 mod tests {
+    use approx::assert_abs_diff_eq;
+
     use super::*;
 
     const F_C: f64 = 0.981;
@@ -450,9 +452,9 @@ mod tests {
     #[test]
     fn a_stuck_contact_is_a_spring() {
         let mut law = Armstrong::default();
-        assert!((go(&mut law, 1e-6, 2.0) - 0.2).abs() < 1e-15);
-        assert!((go(&mut law, -3e-6, 1.0) + 0.1).abs() < 1e-15);
-        assert!((law.dissipated_energy - 0.1 * 0.1 / 2e5).abs() < 1e-21);
+        assert_abs_diff_eq!(go(&mut law, 1e-6, 2.0), 0.2, epsilon = 1e-15);
+        assert_abs_diff_eq!(go(&mut law, -3e-6, 1.0), -0.1, epsilon = 1e-15);
+        assert_abs_diff_eq!(law.dissipated_energy, 0.1 * 0.1 / 2e5, epsilon = 1e-21);
         assert_eq!((law.sticking, law.dwell_time), (1.0, 3.0));
     }
 
@@ -520,14 +522,14 @@ mod tests {
         let mut law = Armstrong { gamma: 1.0, stribeck_coefficient: 0.05, ..Default::default() };
         go(&mut law, 0.002, 1.0);
         go(&mut law, 0.0, 1e-9);
-        assert!((force(&mut law) - F_C - F_SINF / 5.0).abs() < 1e-12);
-        assert!((law.stribeck_coefficient - 0.01).abs() < 1e-15);
+        assert_abs_diff_eq!(force(&mut law) - F_C, F_SINF / 5.0, epsilon = 1e-12);
+        assert_abs_diff_eq!(law.stribeck_coefficient, 0.01, epsilon = 1e-15);
         assert_eq!((law.sticking, law.slipping), (1.0, 0.0));
         // A second later half of the missing part has returned.
         go(&mut law, 0.0, 1.0);
         law.sigma_0 = 1e12;
         law.bristle_deflection = 0.0;
-        assert!((go(&mut law, 1e-3, 1e-3) - F_C - 0.6 * F_SINF).abs() < 1e-8);
+        assert_abs_diff_eq!(go(&mut law, 1e-3, 1e-3) - F_C, 0.6 * F_SINF, epsilon = 1e-8);
     }
 
     /// After a reversal the contact unloads elastically and breaks away after 2 f / sigma_0 on the other side.
@@ -540,7 +542,7 @@ mod tests {
             let found = go(&mut law, -1e-3, 1e-3);
             assert!((found - (level - 0.1 * f64::from(k))).abs() < 1e-12, "{k}: {found}");
         }
-        assert!((go(&mut law, -1e-3, 5e-3) + 1.22625).abs() < 1e-12);
+        assert_abs_diff_eq!(go(&mut law, -1e-3, 5e-3), -1.22625, epsilon = 1e-12);
         assert_eq!(law.sticking, 0.0);
     }
 
@@ -551,10 +553,10 @@ mod tests {
         go(&mut law, 1e-5, 1.0);
         law.normal_force = 1.0;
         law.velocity = 0.0;
-        assert!((force(&mut law) - 0.15).abs() < 1e-15);
+        assert_abs_diff_eq!(force(&mut law), 0.15, epsilon = 1e-15);
         law.step(1e-3);
         law.normal_force = 9.81;
-        assert!((force(&mut law) - 0.15).abs() < 1e-12);
+        assert_abs_diff_eq!(force(&mut law), 0.15, epsilon = 1e-12);
     }
 
     /// Ramps of velocity and load through zero velocity against 100 000 short ramps, energy against the midpoint rule.
@@ -607,7 +609,7 @@ mod tests {
         let mut law = Armstrong { mu_s: 0.1, ..Default::default() };
         for velocity in [1e-4, -0.2, 3.0] {
             let found = go(&mut law, velocity, 1.0);
-            assert!((found - F_C * velocity.signum()).abs() < 1e-15);
+            assert_abs_diff_eq!(found, F_C * velocity.signum(), epsilon = 1e-15);
         }
     }
 

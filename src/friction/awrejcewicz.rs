@@ -138,6 +138,8 @@ impl Model for Awrejcewicz {
 
 #[cfg(test)]
 mod tests {
+    use approx::assert_abs_diff_eq;
+
     use super::*;
 
     fn force(velocity: f64, external_force: f64) -> f64 {
@@ -148,7 +150,7 @@ mod tests {
     #[test]
     fn holds_at_rest_up_to_the_static_level() {
         for (load, held) in [(0.5, 0.5), (-1.2, -1.2), (2.0, 1.4715), (-9.0, -1.4715), (0.0, 0.0)] {
-            assert!((force(0.0, load) - held).abs() < 1e-15);
+            assert_abs_diff_eq!(force(0.0, load), held, epsilon = 1e-15);
         }
     }
 

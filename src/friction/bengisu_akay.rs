@@ -163,6 +163,8 @@ impl Model for BengisuAkay {
 
 #[cfg(test)]
 mod tests {
+    use approx::assert_abs_diff_eq;
+
     use super::*;
 
     fn force(law: BengisuAkay) -> f64 {
@@ -177,17 +179,17 @@ mod tests {
             forces.fold(0.0, f64::max)
         };
         let law = BengisuAkay::default();
-        assert!((peak(law) - 1.287_177_68).abs() < 1e-8);
-        assert!((force(BengisuAkay { velocity: 7.373_58e-4, ..law }) - 1.287_177_68).abs() < 1e-8);
+        assert_abs_diff_eq!(peak(law), 1.287_177_68, epsilon = 1e-8);
+        assert_abs_diff_eq!(force(BengisuAkay { velocity: 7.373_58e-4, ..law }), 1.287_177_68, epsilon = 1e-8);
         let sharp = BengisuAkay { transition_slope: 1e4, stiction_decay: 100.0, ..law };
-        assert!((peak(sharp) / 1.4715 - 0.978_250).abs() < 1e-6);
+        assert_abs_diff_eq!(peak(sharp) / 1.4715, 0.978_250, epsilon = 1e-6);
     }
 
     #[test]
     fn marques_peaks_at_the_static_level_without_a_jump() {
         let law = BengisuAkay { variant: 2.0, velocity: 0.001, ..Default::default() };
-        assert!((force(law) - 1.4715).abs() < 1e-15);
-        assert!((force(BengisuAkay { velocity: 0.001f64.next_down(), ..law }) - 1.4715).abs() < 1e-15);
-        assert!((force(BengisuAkay { velocity: -1.0, ..law }) + 0.981).abs() < 1e-15);
+        assert_abs_diff_eq!(force(law), 1.4715, epsilon = 1e-15);
+        assert_abs_diff_eq!(force(BengisuAkay { velocity: 0.001f64.next_down(), ..law }), 1.4715, epsilon = 1e-15);
+        assert_abs_diff_eq!(force(BengisuAkay { velocity: -1.0, ..law }), -0.981, epsilon = 1e-15);
     }
 }

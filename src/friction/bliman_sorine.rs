@@ -232,6 +232,8 @@ impl Model for BlimanSorine {
 
 #[cfg(test)]
 mod tests {
+    use approx::assert_abs_diff_eq;
+
     use super::*;
 
     fn slide(law: BlimanSorine, distance: f64) -> BlimanSorine {
@@ -270,8 +272,8 @@ mod tests {
         for (mut second, mut first) in pairs {
             for leg in [1e-6, 2e-5, -1e-5, -4e-5, 3e-6] {
                 (second, first) = (slide(second, leg), slide(first, leg));
-                assert!((second.friction_force - first.friction_force).abs() < 1e-15);
-                assert!((second.dissipated_energy - first.dissipated_energy).abs() < 1e-18);
+                assert_abs_diff_eq!(second.friction_force, first.friction_force, epsilon = 1e-15);
+                assert_abs_diff_eq!(second.dissipated_energy, first.dissipated_energy, epsilon = 1e-18);
             }
         }
     }

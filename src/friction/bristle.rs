@@ -352,6 +352,8 @@ fn mix(number: u64) -> u64 {
 
 #[cfg(test)]
 mod tests {
+    use approx::assert_abs_diff_eq;
+
     use super::*;
 
     fn moved(law: &Bristle, displacement: f64) -> Bristle {
@@ -400,8 +402,8 @@ mod tests {
             for _ in 0..100 {
                 parts = moved(&parts, leg / 100.0);
             }
-            assert!((whole.friction_force - parts.friction_force).abs() < 1e-12);
-            assert!((whole.dissipated_energy - parts.dissipated_energy).abs() < 1e-16);
+            assert_abs_diff_eq!(whole.friction_force, parts.friction_force, epsilon = 1e-12);
+            assert_abs_diff_eq!(whole.dissipated_energy, parts.dissipated_energy, epsilon = 1e-16);
             assert!(whole.bristle.iter().zip(&parts.bristle).all(|(a, b)| a.draws == b.draws));
         }
     }
@@ -433,7 +435,7 @@ mod tests {
             assert!(law.bristle.iter().take(25).all(|bristle| bristle.draws == 1.0));
             assert!(law.bristle.iter().take(25).all(|bristle| (0.0..=1.4715e-5).contains(&bristle.strain)));
             // f_C times the distance, less the rise and the energy still in the springs.
-            assert!((law.dissipated_energy - 0.981 * distance).abs() < 2.0 * 1.4715 * 1.4715e-5);
+            assert_abs_diff_eq!(law.dissipated_energy, 0.981 * distance, epsilon = 2.0 * 1.4715 * 1.4715e-5);
         }
     }
 
@@ -457,7 +459,7 @@ mod tests {
     fn equal_levels_are_elastic_and_perfectly_plastic_without_random_numbers() {
         let law = moved(&Bristle { mu_s: 0.1, ..Default::default() }, 2e-5);
         assert!((law.friction_force - 0.981).abs() < 1e-15 && law.bristle[0].draws == 0.0);
-        assert!((moved(&law, -1e-5).friction_force - (0.981 - 0.981 / 1.4715)).abs() < 1e-12);
+        assert_abs_diff_eq!(moved(&law, -1e-5).friction_force, 0.981 - 0.981 / 1.4715, epsilon = 1e-12);
     }
 
     #[test]

@@ -130,6 +130,8 @@ impl Model for BrownMcPhee {
 
 #[cfg(test)]
 mod tests {
+    use approx::assert_abs_diff_eq;
+
     use super::*;
 
     fn force(law: BrownMcPhee) -> f64 {
@@ -141,7 +143,7 @@ mod tests {
     fn equal_levels_leave_the_regularised_coulomb_law() {
         for velocity in [-2e-3, -1e-4, 3e-5, 0.4] {
             let law = BrownMcPhee { velocity, mu_s: 0.1, ..Default::default() };
-            assert!((force(law) - 0.981 * (4.0 * velocity / 0.001).tanh()).abs() < 1e-15);
+            assert_abs_diff_eq!(force(law), 0.981 * (4.0 * velocity / 0.001).tanh(), epsilon = 1e-15);
         }
     }
 
@@ -158,6 +160,6 @@ mod tests {
         let law = BrownMcPhee { velocity: 1.0, normal_force: 0.0, viscous_coefficient: 5.0, ..Default::default() };
         assert_eq!(force(law), 0.0);
         let loaded = BrownMcPhee { normal_force: 100.0, ..law };
-        assert!((force(loaded) - 10.0 - 5.0).abs() < 1e-6);
+        assert_abs_diff_eq!(force(loaded) - 10.0, 5.0, epsilon = 1e-6);
     }
 }

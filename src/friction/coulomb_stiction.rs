@@ -90,6 +90,8 @@ impl Model for CoulombStiction {
 
 #[cfg(test)]
 mod tests {
+    use approx::assert_abs_diff_eq;
+
     use super::*;
     use crate::model::Law;
 
@@ -102,11 +104,11 @@ mod tests {
     /// Eq. (5.1) by hand: f_C = 0.981 N, f_s = 1.4715 N.
     #[test]
     fn printed_law_at_rest_and_sliding() {
-        assert!((force(1e-9, -3.0) - 0.981).abs() < 1e-12);
-        assert!((force(-2.0, 3.0) + 0.981).abs() < 1e-12);
+        assert_abs_diff_eq!(force(1e-9, -3.0), 0.981, epsilon = 1e-12);
+        assert_abs_diff_eq!(force(-2.0, 3.0), -0.981, epsilon = 1e-12);
         assert_eq!(force(0.0, 0.7), 0.7);
-        assert!((force(0.0, 9.0) - 1.4715).abs() < 1e-12);
-        assert!((force(0.0, -9.0) + 1.4715).abs() < 1e-12);
+        assert_abs_diff_eq!(force(0.0, 9.0), 1.4715, epsilon = 1e-12);
+        assert_abs_diff_eq!(force(0.0, -9.0), -1.4715, epsilon = 1e-12);
     }
 
     /// The law after an event, and its indicator of the next one.

@@ -130,6 +130,8 @@ impl Model for CoulombViscous {
 
 #[cfg(test)]
 mod tests {
+    use approx::assert_abs_diff_eq;
+
     use super::*;
 
     fn force(law: CoulombViscous) -> f64 {
@@ -142,7 +144,7 @@ mod tests {
     fn the_power_with_exponent_1_is_linear() {
         for velocity in [-3.0, -1e-4, 2e-7, 0.3] {
             let linear = CoulombViscous { velocity, ..Default::default() };
-            assert!((force(CoulombViscous { variant: POWER, ..linear }) - force(linear)).abs() < 1e-15);
+            assert_abs_diff_eq!(force(CoulombViscous { variant: POWER, ..linear }), force(linear), epsilon = 1e-15);
         }
     }
 
@@ -150,7 +152,7 @@ mod tests {
     #[test]
     fn power_law_by_hand() {
         let law = CoulombViscous { velocity: -4.0, variant: POWER, viscous_exponent: 1.5, ..Default::default() };
-        assert!((force(law) + 1.781).abs() < 1e-14);
+        assert_abs_diff_eq!(force(law), -1.781, epsilon = 1e-14);
     }
 
     /// 1 kg at 1 m/s, mu_k = 0, f_v = 3 N.s/m: implicit Euler gives v / (1 + f_v h / m).
@@ -160,6 +162,6 @@ mod tests {
         law.time_stepping.mass = 1.0;
         law.step(0.5);
         crate::model::Law::output(&mut law);
-        assert!((law.friction_force - 3.0 / 2.5).abs() < 1e-15);
+        assert_abs_diff_eq!(law.friction_force, 3.0 / 2.5, epsilon = 1e-15);
     }
 }

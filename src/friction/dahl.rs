@@ -224,6 +224,8 @@ fn mean_path<T: Real>(y_0: T, log_shrinkage: T, alpha: T) -> T {
 
 #[cfg(test)]
 mod tests {
+    use approx::assert_abs_diff_eq;
+
     use super::*;
 
     #[test]
@@ -300,7 +302,7 @@ mod tests {
             law.step(1.0);
         }
         law.output();
-        assert!((law.friction_force - 0.948_297_894_5).abs() < 1e-10);
+        assert_abs_diff_eq!(law.friction_force, 0.948_297_894_5, epsilon = 1e-10);
         let before = law.dissipated_energy;
         law.velocity = -4e-5;
         law.step(1.0);
@@ -321,6 +323,6 @@ mod tests {
         assert!(law.friction_force < 0.981 && law.friction_force > 0.4905);
         law.step(1000.0);
         law.output();
-        assert!((law.friction_force - 0.4905).abs() < 1e-15);
+        assert_abs_diff_eq!(law.friction_force, 0.4905, epsilon = 1e-15);
     }
 }

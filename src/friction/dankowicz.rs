@@ -152,6 +152,8 @@ impl Model for Dankowicz {
 
 #[cfg(test)]
 mod tests {
+    use approx::assert_abs_diff_eq;
+
     use super::*;
     use crate::friction::Dahl;
 
@@ -166,8 +168,8 @@ mod tests {
             dahl.step(3e-3);
             law.output();
             dahl.output();
-            assert!((law.friction_force - dahl.friction_force).abs() < 1e-14);
-            assert!((law.dissipated_energy / dahl.dissipated_energy - 1.0).abs() < 1e-12);
+            assert_abs_diff_eq!(law.friction_force, dahl.friction_force, epsilon = 1e-14);
+            assert_abs_diff_eq!(law.dissipated_energy / dahl.dissipated_energy, 1.0, epsilon = 1e-12);
             assert_eq!(law.sticking, dahl.sticking);
         }
     }
@@ -179,6 +181,6 @@ mod tests {
         law.step(1.0);
         (law.velocity, law.normal_force) = (0.0, 2.0);
         law.output();
-        assert!((law.friction_force - 0.2).abs() < 1e-15);
+        assert_abs_diff_eq!(law.friction_force, 0.2, epsilon = 1e-15);
     }
 }

@@ -376,6 +376,8 @@ impl Transition {
 
 #[cfg(test)]
 mod tests {
+    use approx::assert_abs_diff_eq;
+
     use super::*;
 
     /// u and the integral of u after a slide of q.
@@ -419,7 +421,7 @@ mod tests {
                 let (long, first) = (slide(start, 50.0, kappa, 1.0), slide(start, 25.0, kappa, 1.0));
                 let second = slide(first.u, 25.0, kappa, 1.0);
                 assert_eq!(long.u, 1.0);
-                assert!((long.u - second.u).abs() < 1e-12);
+                assert_abs_diff_eq!(long.u, second.u, epsilon = 1e-12);
                 assert!((long.area - first.area - second.area).abs() < 1e-10, "{kappa} {start}");
             }
         }
@@ -455,12 +457,12 @@ mod tests {
     /// Above the level (it has fallen): w = u - 1 decays as exp(-q), or as (w^(1 - i) + (i - 1) q)^(-1 / (i - 1)).
     #[test]
     fn exceeded_level_is_left_by_the_closed_forms() {
-        assert!((slide(1.5, 0.7, 0.7, 1.0).u - (1.0 + 0.5 * f64::exp(-0.7))).abs() < 1e-15);
+        assert_abs_diff_eq!(slide(1.5, 0.7, 0.7, 1.0).u, 1.0 + 0.5 * f64::exp(-0.7), epsilon = 1e-15);
         let cube = slide(1.5, 0.7, 0.7, 3.0);
         let w: f64 = (4.0f64 + 1.4).powf(-0.5);
-        assert!((cube.u - 1.0 - w).abs() < 1e-15);
+        assert_abs_diff_eq!(cube.u - 1.0, w, epsilon = 1e-15);
         // For i = 3 the integral of w is 1 / w(end) - 1 / w(0).
-        assert!((cube.area - 0.7 - (1.0 / w - 2.0)).abs() < 1e-14);
+        assert_abs_diff_eq!(cube.area - 0.7, 1.0 / w - 2.0, epsilon = 1e-14);
     }
 
     /// Any distance, at any kappa and i, in one piece and in two.

@@ -338,6 +338,8 @@ const FADING: [f64; 3] = [2.0, 10.0, 40.0];
 
 #[cfg(test)]
 mod tests {
+    use approx::assert_abs_diff_eq;
+
     use super::*;
 
     fn law(variant: FrictionalLagVariant, time_lag: f64) -> FrictionalLag {
@@ -362,9 +364,9 @@ mod tests {
             let mut law = law(variant, 0.0);
             for velocity in [2e-3, -5e-4, 1e-5, -0.3] {
                 law.velocity = velocity;
-                assert!((force(&mut law) - gaussian(velocity) * velocity.signum()).abs() < 1e-15);
+                assert_abs_diff_eq!(force(&mut law), gaussian(velocity) * velocity.signum(), epsilon = 1e-15);
                 law.step(1e-3);
-                assert!((force(&mut law) - gaussian(velocity) * velocity.signum()).abs() < 1e-15);
+                assert_abs_diff_eq!(force(&mut law), gaussian(velocity) * velocity.signum(), epsilon = 1e-15);
             }
             law.velocity = 0.0;
             assert_eq!((force(&mut law), law.sticking), (0.0, 1.0));
@@ -385,7 +387,7 @@ mod tests {
             assert!((force(&mut law) + expected).abs() < 1e-15, "after {k} ms");
         }
         let before = gaussian(1e-3) * 4e-3 * 5e-3 + gaussian(4e-3) * 4e-3 * 3e-3;
-        assert!((law.dissipated_energy - gaussian(1e-3) * 1e-3 - before).abs() < 1e-15);
+        assert_abs_diff_eq!(law.dissipated_energy - gaussian(1e-3) * 1e-3, before, epsilon = 1e-15);
     }
 
     /// After a jump from 0 to v the filter gives w = v (1 - exp(-t / tau_L)).
@@ -399,8 +401,8 @@ mod tests {
                 law.step(4e-3 / f64::from(pieces));
             }
             let w = 2e-3 * (1.0 - (-0.8f64).exp());
-            assert!((law.lagged_velocity - w).abs() < 1e-17);
-            assert!((force(&mut law) - gaussian(w)).abs() < 1e-12);
+            assert_abs_diff_eq!(law.lagged_velocity, w, epsilon = 1e-17);
+            assert_abs_diff_eq!(force(&mut law), gaussian(w), epsilon = 1e-12);
         }
     }
 
@@ -412,7 +414,7 @@ mod tests {
         law.step_ramp(&slope, 0.02);
         let w = 0.3 * (0.02 - 0.005 * (1.0 - (-4.0f64).exp()));
         assert!((law.lagged_velocity - w).abs() < 1e-16, "{} against {w}", law.lagged_velocity);
-        assert!((law.velocity - 6e-3).abs() < 1e-17);
+        assert_abs_diff_eq!(law.velocity, 6e-3, epsilon = 1e-17);
     }
 
     /// Energy against the midpoint rule over many short ramps, for velocity and load that both move and change sign.
@@ -445,7 +447,7 @@ mod tests {
         for variant in BOTH {
             let mut law = FrictionalLag { velocity: 5e-4, ..law(variant, 0.01) };
             for _ in 0..30 {
-                assert!((force(&mut law) - gaussian(5e-4)).abs() < 1e-15);
+                assert_abs_diff_eq!(force(&mut law), gaussian(5e-4), epsilon = 1e-15);
                 law.step(1e-3);
             }
         }
@@ -461,7 +463,7 @@ mod tests {
             law.step(1e-6);
             (law.normal_force, law.velocity) = (9.81, 0.02);
             law.step(1e-3);
-            assert!((force(&mut law) - gaussian(0.02)).abs() < 1e-15);
+            assert_abs_diff_eq!(force(&mut law), gaussian(0.02), epsilon = 1e-15);
         }
     }
 }

@@ -350,6 +350,8 @@ fn bisect(is_above: impl Fn(f64) -> bool, [mut low, mut high]: [f64; 2], [begins
 
 #[cfg(test)]
 mod tests {
+    use approx::assert_abs_diff_eq;
+
     use super::*;
 
     #[test]
@@ -379,7 +381,7 @@ mod tests {
                 integral += 0.5 * (before + fine.dissipated_power) * time / f64::from(n);
             }
             law.step(time);
-            assert!((law.bristle_deflection / fine.bristle_deflection - 1.0).abs() < 1e-10);
+            assert_abs_diff_eq!(law.bristle_deflection / fine.bristle_deflection, 1.0, epsilon = 1e-10);
             assert!((law.dissipated_energy - integral).abs() < 1e-8 * integral.abs(), "{velocity}: {integral}");
         }
     }
@@ -405,7 +407,7 @@ mod tests {
         let mut law = Gonthier { dwell_time_constant: 1e-9, bristle_deflection: 1e-3, ..Default::default() };
         law.step(1e-6);
         law.output();
-        assert!((law.friction_force - 1.4715).abs() < 1e-12);
+        assert_abs_diff_eq!(law.friction_force, 1.4715, epsilon = 1e-12);
     }
 
     /// dir(v) is odd and joins the signs at the transition velocity without a kink.
@@ -419,7 +421,7 @@ mod tests {
             assert_eq!([at(side), at(3.0 * side), at(0.0)], [side, side, 0.0]);
             let h = 1e-4;
             // A parabola touches the plateau: it is 3/2 h^2 lower at a distance of h.
-            assert!(((1.0 - side * at(side * (1.0 - h))) / (h * h) - 1.5).abs() < 1e-3);
+            assert_abs_diff_eq!((1.0 - side * at(side * (1.0 - h))) / (h * h), 1.5, epsilon = 1e-3);
             assert_eq!(at(-0.3 * side), -at(0.3 * side));
         }
     }

@@ -127,6 +127,8 @@ impl Model for Hollars {
 
 #[cfg(test)]
 mod tests {
+    use approx::assert_abs_diff_eq;
+
     use super::*;
 
     fn force(law: Hollars) -> f64 {
@@ -137,9 +139,13 @@ mod tests {
     #[test]
     fn by_hand() {
         for (velocity, expected) in [(-2e-3, -1.2), (5e-4, 0.9), (1e-3, 1.5), (0.0, 0.0)] {
-            assert!((force(Hollars { velocity, normal_force: 10.0, ..Default::default() }) - expected).abs() < 1e-14);
+            assert_abs_diff_eq!(
+                force(Hollars { velocity, normal_force: 10.0, ..Default::default() }),
+                expected,
+                epsilon = 1e-14
+            );
         }
         let viscous = Hollars { velocity: -4.0, normal_force: 10.0, mu_v: 0.05, ..Default::default() };
-        assert!((force(viscous) + 1.0 + 2.0).abs() < 1e-6);
+        assert_abs_diff_eq!(force(viscous) + 1.0, -2.0, epsilon = 1e-6);
     }
 }

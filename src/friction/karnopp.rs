@@ -97,6 +97,8 @@ impl Model for Karnopp {
 
 #[cfg(test)]
 mod tests {
+    use approx::assert_abs_diff_eq;
+
     use super::*;
     use crate::model::Law;
 
@@ -110,9 +112,9 @@ mod tests {
     #[test]
     fn printed_law_inside_and_outside_the_band() {
         assert_eq!(force(0.001, 0.7), 0.7);
-        assert!((force(-0.001, 9.0) - 1.4715).abs() < 1e-12);
-        assert!((force(0.00101, 9.0) - 0.981).abs() < 1e-12);
-        assert!((force(-0.5, 0.3) + 0.981).abs() < 1e-12);
+        assert_abs_diff_eq!(force(-0.001, 9.0), 1.4715, epsilon = 1e-12);
+        assert_abs_diff_eq!(force(0.00101, 9.0), 0.981, epsilon = 1e-12);
+        assert_abs_diff_eq!(force(-0.5, 0.3), -0.981, epsilon = 1e-12);
     }
 
     #[test]
@@ -120,7 +122,7 @@ mod tests {
         let mut law = Karnopp { velocity: 0.1, external_force: 0.2, stuck: 1.0, ..Default::default() };
         law.at_event();
         law.output();
-        assert!((law.friction_force - 0.981).abs() < 1e-12);
+        assert_abs_diff_eq!(law.friction_force, 0.981, epsilon = 1e-12);
         law.velocity = 0.0009;
         law.output();
         assert!((law.friction_force - 0.981).abs() < 1e-12, "no event has put it inside yet");

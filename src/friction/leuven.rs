@@ -594,6 +594,8 @@ impl Model for Leuven {
 
 #[cfg(test)]
 mod tests {
+    use approx::assert_abs_diff_eq;
+
     use super::*;
     use crate::friction::LuGre;
 
@@ -614,7 +616,7 @@ mod tests {
                 assert!((law.bristle_deflection - lugre.bristle_deflection).abs() < 1e-17, "{k}");
                 assert_eq!(law.sticking, lugre.sticking);
             }
-            assert!((law.dissipated_energy / lugre.dissipated_energy - 1.0).abs() < 1e-12);
+            assert_abs_diff_eq!(law.dissipated_energy / lugre.dissipated_energy, 1.0, epsilon = 1e-12);
         }
     }
 

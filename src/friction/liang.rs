@@ -527,6 +527,8 @@ impl Ramp {
 
 #[cfg(test)]
 mod tests {
+    use approx::assert_abs_diff_eq;
+
     use super::*;
 
     fn forces(law: &Liang) -> Vector3<f64> {
@@ -608,8 +610,8 @@ mod tests {
     #[test]
     fn printed_rule_flips_the_force_where_radial_return_does_not() {
         let loaded = Liang { bristle_deflection_x: 1.44e-5, velocity_x: -0.01, sigma_1: 0.0, ..Default::default() };
-        assert!((forces(&loaded).x - 0.981).abs() < 1e-15);
+        assert_abs_diff_eq!(forces(&loaded).x, 0.981, epsilon = 1e-15);
         let printed = Liang { variant: 2.0, ..loaded };
-        assert!((forces(&printed).x + 0.981).abs() < 1e-15);
+        assert_abs_diff_eq!(forces(&printed).x, -0.981, epsilon = 1e-15);
     }
 }

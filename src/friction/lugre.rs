@@ -238,6 +238,8 @@ impl Model for LuGre {
 
 #[cfg(test)]
 mod tests {
+    use approx::assert_abs_diff_eq;
+
     use super::*;
 
     fn slide(velocity: f64, time: f64) -> LuGre {
@@ -258,8 +260,8 @@ mod tests {
             dahl.step(3e-3);
             law.output();
             dahl.output();
-            assert!((law.friction_force - dahl.friction_force).abs() < 1e-15);
-            assert!((law.dissipated_energy - dahl.dissipated_energy).abs() < 1e-18);
+            assert_abs_diff_eq!(law.friction_force, dahl.friction_force, epsilon = 1e-15);
+            assert_abs_diff_eq!(law.dissipated_energy, dahl.dissipated_energy, epsilon = 1e-18);
         }
     }
 
@@ -268,7 +270,7 @@ mod tests {
     fn small_motion_meets_spring_and_damper() {
         let law = slide(1e-7, 1e-3);
         let expected = 1e5 * 1e-10 + 316.327_766 * 1e-7;
-        assert!((law.friction_force / expected - 1.0).abs() < 1e-4);
+        assert_abs_diff_eq!(law.friction_force / expected, 1.0, epsilon = 1e-4);
     }
 
     /// Energy balance: the input is stored in the bristles or dissipated, and the dissipated part is not negative.
@@ -284,7 +286,7 @@ mod tests {
             law.output();
             integral += 0.5 * (before + law.dissipated_power) * 0.01 / n as f64;
         }
-        assert!((law.dissipated_energy / integral - 1.0).abs() < 1e-8);
+        assert_abs_diff_eq!(law.dissipated_energy / integral, 1.0, epsilon = 1e-8);
     }
 
     /// From full stiction a jump to 0.1 m/s: f = f_s + sigma_1 v (1 - f_s / g) + sigma_2 v, about -14.3 N.

@@ -227,6 +227,8 @@ impl Model for LuGrePlanar {
 
 #[cfg(test)]
 mod tests {
+    use approx::assert_abs_diff_eq;
+
     use super::*;
     use crate::friction::LuGre;
 
@@ -248,7 +250,7 @@ mod tests {
                     assert!((plane.friction_force_y - y * line.friction_force).abs() < 1e-12, "{k}");
                     assert_eq!(plane.sticking, line.sticking, "{k}");
                 }
-                assert!((plane.dissipated_energy / line.dissipated_energy - 1.0).abs() < 1e-12);
+                assert_abs_diff_eq!(plane.dissipated_energy / line.dissipated_energy, 1.0, epsilon = 1e-12);
             }
         }
     }
@@ -262,7 +264,7 @@ mod tests {
         (law.velocity_x, law.velocity_y) = (0.0, 0.1);
         law.step(1e-4);
         let left = (-1e5 * 1e-5 / 0.981f64).exp();
-        assert!((law.bristle_deflection_x / (9.81e-6 * left) - 1.0).abs() < 1e-12);
-        assert!((law.bristle_deflection_y / (9.81e-6 * (1.0 - left)) - 1.0).abs() < 1e-12);
+        assert_abs_diff_eq!(law.bristle_deflection_x / (9.81e-6 * left), 1.0, epsilon = 1e-12);
+        assert_abs_diff_eq!(law.bristle_deflection_y / (9.81e-6 * (1.0 - left)), 1.0, epsilon = 1e-12);
     }
 }

@@ -560,6 +560,8 @@ impl Spring<f64> {
 
 #[cfg(test)]
 mod tests {
+    use approx::assert_abs_diff_eq;
+
     use super::*;
 
     fn one_element() -> MaxwellSlip {
@@ -593,7 +595,7 @@ mod tests {
     fn a_slipping_element_follows_the_level_and_does_not_stick_again() {
         let mut law = one_element();
         move_by(&mut law, 1e-3, 0.1);
-        assert!((law.friction_force - 0.981).abs() < 1e-15);
+        assert_abs_diff_eq!(law.friction_force, 0.981, epsilon = 1e-15);
         law.velocity = 1e-9;
         law.step(1e-3);
         law.output();
@@ -610,7 +612,7 @@ mod tests {
     fn slip_backwards_settles_at_the_negative_level() {
         let mut law = one_element();
         move_by(&mut law, -1.0, 0.1);
-        assert!((law.friction_force + 0.981).abs() < 1e-15);
+        assert_abs_diff_eq!(law.friction_force, -0.981, epsilon = 1e-15);
         move_by(&mut law, -1.0, 1e-3);
         assert!((law.friction_force + 0.981 + 0.4905 / 1f64.exp()).abs() < 1e-12);
     }
@@ -623,7 +625,7 @@ mod tests {
         law.velocity = 0.0;
         law.step(1e3);
         law.output();
-        assert!((law.friction_force - 0.981).abs() < 1e-15);
+        assert_abs_diff_eq!(law.friction_force, 0.981, epsilon = 1e-15);
         assert_eq!(law.sticking, 1.0);
     }
 
@@ -645,7 +647,7 @@ mod tests {
             }
             law.step(time);
             assert!((law.dissipated_energy / integral - 1.0).abs() < 1e-4, "{} {integral}", law.dissipated_energy);
-            assert!((law.dissipated_energy / fine.dissipated_energy - 1.0).abs() < 1e-11);
+            assert_abs_diff_eq!(law.dissipated_energy / fine.dissipated_energy, 1.0, epsilon = 1e-11);
         }
     }
 
@@ -660,7 +662,7 @@ mod tests {
             law.velocity = 1e-12;
             law.step(1.0);
             move_by(&mut law, -back, 1e-9);
-            assert!((law.friction_force - 0.981).abs() < 1e-9);
+            assert_abs_diff_eq!(law.friction_force, 0.981, epsilon = 1e-9);
             move_by(&mut law, back, 1.0);
         }
         let per_cycle = (law.dissipated_energy - before) / 10.0;

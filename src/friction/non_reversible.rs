@@ -187,6 +187,8 @@ impl Model for NonReversible {
 
 #[cfg(test)]
 mod tests {
+    use approx::assert_abs_diff_eq;
+
     use super::*;
 
     fn force(velocity: f64, acceleration: f64, parameters: NonReversible) -> f64 {
@@ -201,7 +203,7 @@ mod tests {
         let law = NonReversible { mu_stop: 0.02, acceleration_decay: 700.0, ..Default::default() };
         for sign in [1.0, -1.0] {
             for acceleration in [2.0, -2.0] {
-                assert!((sign * force(sign * 0.2, acceleration, law) - 0.981).abs() < 1e-12);
+                assert_abs_diff_eq!(sign * force(sign * 0.2, acceleration, law), 0.981, epsilon = 1e-12);
             }
             let start = sign * force(sign * 1e-12, sign, law);
             let stop = sign * force(sign * 1e-12, -sign, law);
@@ -220,8 +222,8 @@ mod tests {
         };
         for (velocity, expected) in [(2e-4, 1.38258743), (1e-3, 1.16144487), (1e-2, 0.981022269)] {
             for acceleration in [-1.0, 0.0, 1.0] {
-                assert!((force(velocity, acceleration, law) / expected - 1.0).abs() < 5e-9);
-                assert!((force(-velocity, acceleration, law) / expected + 1.0).abs() < 5e-9);
+                assert_abs_diff_eq!(force(velocity, acceleration, law) / expected, 1.0, epsilon = 5e-9);
+                assert_abs_diff_eq!(force(-velocity, acceleration, law) / expected, -1.0, epsilon = 5e-9);
             }
         }
     }
@@ -236,14 +238,14 @@ mod tests {
         let mut law = NonReversible::default();
         let up = NonReversible { velocity: rate, normal_force: 0.0, ..law };
         law.step_ramp(&up, v / rate);
-        assert!((law.dissipated_energy / energy(1.4715) - 1.0).abs() < 1e-12);
+        assert_abs_diff_eq!(law.dissipated_energy / energy(1.4715), 1.0, epsilon = 1e-12);
         let down = NonReversible { velocity: -rate, ..up };
         law.step_ramp(&down, v / rate);
-        assert!((law.dissipated_energy / (energy(1.4715) + energy(0.0)) - 1.0).abs() < 1e-12);
+        assert_abs_diff_eq!(law.dissipated_energy / (energy(1.4715) + energy(0.0)), 1.0, epsilon = 1e-12);
         // Through zero in one step: slowing down, then speeding up the other way.
         let mut law = NonReversible { velocity: v, ..Default::default() };
         law.step_ramp(&down, 2.0 * v / rate);
-        assert!((law.dissipated_energy / (energy(0.0) + energy(1.4715)) - 1.0).abs() < 1e-12);
+        assert_abs_diff_eq!(law.dissipated_energy / (energy(0.0) + energy(1.4715)), 1.0, epsilon = 1e-12);
         law.output();
         assert!((law.friction_force + 0.981 + 0.4905 * (-5.0f64).exp()).abs() < 1e-12);
     }

@@ -296,6 +296,8 @@ impl Model for ResetIntegrator {
 
 #[cfg(test)]
 mod tests {
+    use approx::assert_abs_diff_eq;
+
     use super::*;
 
     fn moved(law: ResetIntegrator, velocity: f64, dt: f64) -> ResetIntegrator {
@@ -319,7 +321,7 @@ mod tests {
         assert!((stopped.friction_force - 0.981).abs() < 1e-15 && stopped.sticking == 1.0);
         let mut reversed = ResetIntegrator { velocity: -v, ..after };
         reversed.output();
-        assert!((reversed.friction_force - (1.4715 - 316.227_766 * v)).abs() < 1e-8);
+        assert_abs_diff_eq!(reversed.friction_force, 1.4715 - 316.227_766 * v, epsilon = 1e-8);
     }
 
     /// A cycle of +-X with X > z_m and no damping: bonded over 2 z_m per leg, where the spring returns the energy that
@@ -329,7 +331,7 @@ mod tests {
         let start = moved(ResetIntegrator { sigma_1: 0.0, ..Default::default() }, 1e-3, 0.05);
         let end = moved(moved(start, -1e-3, 0.05), 1e-3, 0.05);
         let per_cycle = 2.0 * 0.981 * (5e-5 - 2.0 * 9.81e-6);
-        assert!(((end.dissipated_energy - start.dissipated_energy) / per_cycle - 1.0).abs() < 1e-12);
+        assert_abs_diff_eq!((end.dissipated_energy - start.dissipated_energy) / per_cycle, 1.0, epsilon = 1e-12);
     }
 
     /// The energy against a fine sum of the power, across breakaway.
@@ -345,7 +347,7 @@ mod tests {
             law.step(0.5e-2 / f64::from(n));
         }
         assert!((whole.dissipated_energy / integral - 1.0).abs() < 1e-5, "{integral}");
-        assert!((whole.dissipated_energy / law.dissipated_energy - 1.0).abs() < 1e-9);
+        assert_abs_diff_eq!(whole.dissipated_energy / law.dissipated_energy, 1.0, epsilon = 1e-9);
     }
 
     /// A falling load reduces the deflection: the force is the new level, and the bond is not stronger.
@@ -368,11 +370,11 @@ mod tests {
         assert_eq!((law.friction_force, law.sticking), (0.1 * 12.0, 0.0));
         let law = moved(law, 0.3, 1e-6);
         assert_eq!(law.friction_force, 0.1 * 12.0);
-        assert!((law.dissipated_energy - sliding.dissipated_energy - 1.2 * 0.3e-6).abs() < 1e-18);
+        assert_abs_diff_eq!(law.dissipated_energy - sliding.dissipated_energy, 1.2 * 0.3e-6, epsilon = 1e-18);
         // At a reversal the bond has the z_m of the present load.
         let mut law = ResetIntegrator { velocity: -1e-9, ..law };
         law.output();
-        assert!((law.friction_force - 0.15 * 12.0).abs() < 1e-6);
+        assert_abs_diff_eq!(law.friction_force, 0.15 * 12.0, epsilon = 1e-6);
     }
 
     #[test]

@@ -119,6 +119,8 @@ impl Model for RollingResistance {
 
 #[cfg(test)]
 mod tests {
+    use approx::assert_abs_diff_eq;
+
     use super::*;
     use crate::model::Law;
 
@@ -164,7 +166,7 @@ mod tests {
             }
             assert!(wheel.velocity.abs() < 1e-15 && wheel.sticking == 1.0, "{} m/s", wheel.velocity);
             assert!((path / (0.5 * effective / 0.981) - 1.0).abs() < dt * dt, "{path} m");
-            assert!((wheel.dissipated_energy / (0.5 * effective) - 1.0).abs() < 1e-12);
+            assert_abs_diff_eq!(wheel.dissipated_energy / (0.5 * effective), 1.0, epsilon = 1e-12);
         }
     }
 }

@@ -137,6 +137,8 @@ impl Model for RooneyDeravi {
 
 #[cfg(test)]
 mod tests {
+    use approx::assert_abs_diff_eq;
+
     use super::*;
 
     fn force(law: RooneyDeravi) -> f64 {
@@ -170,7 +172,7 @@ mod tests {
             body.velocity += 1e-2 * (body.external_force - body.friction_force);
         }
         assert!((body.velocity - 0.001).abs() < 1e-16, "{}", body.velocity);
-        assert!((body.friction_force - body.external_force).abs() < 1e-15);
+        assert_abs_diff_eq!(body.friction_force, body.external_force, epsilon = 1e-15);
     }
 
     /// Pulled back, a body turns within one step and rides the jump on the other side of rest.

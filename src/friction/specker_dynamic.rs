@@ -201,6 +201,8 @@ impl Model for SpeckerDynamic {
 
 #[cfg(test)]
 mod tests {
+    use approx::assert_abs_diff_eq;
+
     use super::*;
 
     fn moved(law: SpeckerDynamic, velocity: f64, dt: f64) -> SpeckerDynamic {
@@ -242,6 +244,6 @@ mod tests {
         let back = moved(held, -v, 1e-3 * f64::ln(1.0 + f_0 / 0.981));
         assert!(back.friction_force.abs() < 1e-12);
         let expected = v * 1e-3 * (f_0 - 0.981 * f64::ln(1.0 + f_0 / 0.981));
-        assert!(((held.dissipated_energy - back.dissipated_energy) / expected - 1.0).abs() < 1e-9);
+        assert_abs_diff_eq!((held.dissipated_energy - back.dissipated_energy) / expected, 1.0, epsilon = 1e-9);
     }
 }

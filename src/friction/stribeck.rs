@@ -176,6 +176,8 @@ impl Model for Stribeck {
 
 #[cfg(test)]
 mod tests {
+    use approx::assert_abs_diff_eq;
+
     use super::*;
 
     const CURVES: [StribeckCurve; 5] = [
@@ -217,7 +219,7 @@ mod tests {
     #[test]
     fn equal_levels_are_coulomb_friction() {
         for curve in CURVES {
-            assert!((force(Stribeck { mu_s: 0.1, ..law(curve, -3e-4) }) + 0.981).abs() < 1e-15);
+            assert_abs_diff_eq!(force(Stribeck { mu_s: 0.1, ..law(curve, -3e-4) }), -0.981, epsilon = 1e-15);
         }
     }
 
@@ -233,7 +235,7 @@ mod tests {
                 ..law(StribeckCurve::PoppStelter, v)
             };
             let expected = (0.4 - 0.1) / (1.0 + 10.0 * v) + 0.1 + 0.01 * v * v;
-            assert!((force(example) - expected).abs() < 1e-15);
+            assert_abs_diff_eq!(force(example), expected, epsilon = 1e-15);
         }
     }
 }

@@ -127,6 +127,8 @@ impl Model for Threlfall {
 
 #[cfg(test)]
 mod tests {
+    use approx::assert_abs_diff_eq;
+
     use super::*;
 
     fn force(law: Threlfall) -> f64 {
@@ -139,14 +141,14 @@ mod tests {
     #[test]
     fn the_cap_drops_the_force_at_v_0() {
         let at = |velocity| force(Threlfall { velocity, variant: CAPPED, ..Default::default() }) / 0.981;
-        assert!((at(0.001) - 0.950_212_932).abs() < 1e-9);
-        assert!((at(0.001_000_000_1) - 0.95).abs() < 1e-15);
-        assert!((at(-5.0) + 0.95).abs() < 1e-15);
+        assert_abs_diff_eq!(at(0.001), 0.950_212_932, epsilon = 1e-9);
+        assert_abs_diff_eq!(at(0.001_000_000_1), 0.95, epsilon = 1e-15);
+        assert_abs_diff_eq!(at(-5.0), -0.95, epsilon = 1e-15);
     }
 
     #[test]
     fn printed_form_tends_to_the_coulomb_level() {
-        assert!((force(Threlfall { velocity: -0.1, ..Default::default() }) + 0.981).abs() < 1e-15);
+        assert_abs_diff_eq!(force(Threlfall { velocity: -0.1, ..Default::default() }), -0.981, epsilon = 1e-15);
         assert_eq!(force(Threlfall::default()), 0.0);
     }
 }

@@ -116,6 +116,8 @@ impl Model for ThrelfallModified {
 
 #[cfg(test)]
 mod tests {
+    use approx::assert_abs_diff_eq;
+
     use super::*;
 
     fn force(law: ThrelfallModified) -> f64 {
@@ -126,8 +128,8 @@ mod tests {
     fn reaches_the_coulomb_level_at_v_0_without_a_jump() {
         for velocity in [0.001, 0.001f64.next_up(), 0.3] {
             let law = ThrelfallModified { velocity, ..Default::default() };
-            assert!((force(law) - 0.981).abs() < 1e-15);
-            assert!((force(ThrelfallModified { velocity: -velocity, ..law }) + 0.981).abs() < 1e-15);
+            assert_abs_diff_eq!(force(law), 0.981, epsilon = 1e-15);
+            assert_abs_diff_eq!(force(ThrelfallModified { velocity: -velocity, ..law }), -0.981, epsilon = 1e-15);
         }
     }
 
@@ -135,6 +137,6 @@ mod tests {
     #[test]
     fn half_way() {
         let law = ThrelfallModified { velocity: 5e-4, ..Default::default() };
-        assert!((force(law) - 0.981 / (1.0 + (-1.5f64).exp())).abs() < 1e-15);
+        assert_abs_diff_eq!(force(law), 0.981 / (1.0 + (-1.5f64).exp()), epsilon = 1e-15);
     }
 }

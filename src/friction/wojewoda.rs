@@ -308,6 +308,8 @@ impl Model for Wojewoda {
 
 #[cfg(test)]
 mod tests {
+    use approx::assert_abs_diff_eq;
+
     use super::*;
 
     const F_C: f64 = 0.981;
@@ -356,7 +358,7 @@ mod tests {
             assert!((back + F_S).abs() < 1e-6 && (forth - F_S).abs() < 1e-6, "{back} {forth}");
             let elastic = 2.0 * F_C / 1e5;
             let area = 2.0 * (F_S * (2.0 * x - elastic) + (F_S * F_S - stop * stop) / 2e5);
-            assert!((law.dissipated_energy - before - area).abs() < 1e-6 * area);
+            assert_abs_diff_eq!(law.dissipated_energy - before, area, epsilon = 1e-6 * area);
         }
     }
 
@@ -365,11 +367,11 @@ mod tests {
         let fading = (-500.0f64 * 0.003).exp() * (F_S - F_C);
         for sign in [1.0, -1.0] {
             let mut law = Wojewoda::default();
-            assert!((sign * go(&mut law, sign * 0.003, 1.0) - F_C - fading).abs() < 1e-15);
+            assert_abs_diff_eq!(sign * go(&mut law, sign * 0.003, 1.0) - F_C, fading, epsilon = 1e-15);
             law.branching.acceleration = sign * -2.0;
             assert!((sign * force(&mut law) - F_C + fading).abs() < 1e-15);
             law.branching.acceleration = sign * 2.0;
-            assert!((sign * force(&mut law) - F_C - fading).abs() < 1e-15);
+            assert_abs_diff_eq!(sign * force(&mut law) - F_C, fading, epsilon = 1e-15);
         }
     }
 
@@ -380,7 +382,7 @@ mod tests {
         let mut law = Wojewoda::default();
         // 1/2 v' t^2 = f_s / sigma_0 / 4 after half of the time to breakaway.
         let breakaway = (2.0 * F_S / 1e5 / 0.1f64).sqrt();
-        assert!((ramp(&mut law, 0.1, 0.5 * breakaway) - 0.25 * F_S).abs() < 1e-15);
+        assert_abs_diff_eq!(ramp(&mut law, 0.1, 0.5 * breakaway), 0.25 * F_S, epsilon = 1e-15);
         assert_eq!(law.sticking, 1.0);
         let up = ramp(&mut law, 0.1, 0.1 - 0.5 * breakaway);
         assert!((up - F_C - 0.4905 * (-5.0f64).exp()).abs() < 1e-14, "{up}");
@@ -405,9 +407,9 @@ mod tests {
             energy += { force(&mut dense) * dense.velocity } * 0.04 / f64::from(n);
             dense.step_ramp(&slope, 0.02 / f64::from(n));
         }
-        assert!((law.dissipated_energy / dense.dissipated_energy - 1.0).abs() < 1e-8);
-        assert!((law.dissipated_energy / energy - 1.0).abs() < 1e-4);
-        assert!((force(&mut law) - force(&mut dense)).abs() < 1e-8);
+        assert_abs_diff_eq!(law.dissipated_energy / dense.dissipated_energy, 1.0, epsilon = 1e-8);
+        assert_abs_diff_eq!(law.dissipated_energy / energy, 1.0, epsilon = 1e-4);
+        assert_abs_diff_eq!(force(&mut law), force(&mut dense), epsilon = 1e-8);
     }
 
     #[test]
@@ -449,7 +451,7 @@ mod tests {
             dahl.step(3e-3);
             dahl.output();
             assert!((go(&mut law, velocity, 3e-3) - dahl.friction_force).abs() < 1e-12, "{velocity}");
-            assert!((law.dissipated_energy - dahl.dissipated_energy).abs() < 1e-16);
+            assert_abs_diff_eq!(law.dissipated_energy, dahl.dissipated_energy, epsilon = 1e-16);
         }
     }
 

@@ -133,6 +133,8 @@ impl Model for BeltDrive {
 
 #[cfg(test)]
 mod tests {
+    use approx::assert_abs_diff_eq;
+
     use super::*;
 
     /// A contact that carries all other forces keeps the block on the belt, whatever the belt does.
@@ -171,7 +173,7 @@ mod tests {
             drive.step_ramp(&slope, span / f64::from(pieces));
             work += 0.5 * (before + power(&mut drive)) * span / f64::from(pieces);
         }
-        assert!((drive.belt_velocity - (0.1 + 0.4 * span)).abs() < 1e-12);
+        assert_abs_diff_eq!(drive.belt_velocity, 0.1 + 0.4 * span, epsilon = 1e-12);
         assert!((0.5 * drive.velocity * drive.velocity - work).abs() < 1e-8, "{work} J");
     }
 
@@ -181,8 +183,8 @@ mod tests {
         let mut drive = BeltDrive { stiffness: 0.0, mass: 2.0, block_velocity: 0.5, ..Default::default() };
         let slope = BeltDrive { friction_force: 3.0, belt_velocity: 0.25, belt_acceleration: -1.0, ..drive };
         drive.step_ramp(&slope, 2.0);
-        assert!((drive.position - (1.0 - 3.0 * 8.0 / 12.0)).abs() < 1e-15);
-        assert!((drive.block_velocity - (0.5 - 3.0 * 4.0 / 4.0)).abs() < 1e-15);
+        assert_abs_diff_eq!(drive.position, 1.0 - 3.0 * 8.0 / 12.0, epsilon = 1e-15);
+        assert_abs_diff_eq!(drive.block_velocity, 0.5 - 3.0 * 4.0 / 4.0, epsilon = 1e-15);
         assert_eq!([drive.friction_force, drive.belt_velocity, drive.belt_acceleration], [6.0, 0.6, -2.0]);
     }
 }

@@ -126,6 +126,8 @@ impl Model for BeltRig {
 
 #[cfg(test)]
 mod tests {
+    use approx::assert_abs_diff_eq;
+
     use super::*;
 
     #[test]
@@ -153,8 +155,8 @@ mod tests {
         let mut rig = BeltRig { stiffness: 0.0, mass: 2.0, block_velocity: 0.5, ..Default::default() };
         let slope = BeltRig { friction_force: 3.0, ..rig };
         rig.step_ramp(&slope, 2.0);
-        assert!((rig.position - (1.0 - 3.0 * 8.0 / 12.0)).abs() < 1e-15);
-        assert!((rig.block_velocity - (0.5 - 3.0 * 4.0 / 4.0)).abs() < 1e-15);
+        assert_abs_diff_eq!(rig.position, 1.0 - 3.0 * 8.0 / 12.0, epsilon = 1e-15);
+        assert_abs_diff_eq!(rig.block_velocity, 0.5 - 3.0 * 4.0 / 4.0, epsilon = 1e-15);
         assert_eq!(rig.friction_force, 6.0);
     }
 }

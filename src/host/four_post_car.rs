@@ -204,6 +204,8 @@ impl Model for FourPostCar {
 
 #[cfg(test)]
 mod tests {
+    use approx::assert_abs_diff_eq;
+
     use super::*;
     use crate::host::QuarterCar;
     use crate::host::vertical::Suspension;
@@ -251,7 +253,7 @@ mod tests {
         let loads = [car.fl, car.fr, car.rl, car.rr].map(|post| post.wheel.tyre_load);
         assert_eq!((loads[0], loads[2]), (loads[1], loads[3]));
         let total: f64 = loads.iter().sum();
-        assert!((total - 288.64 * 9.81).abs() < 1e-9);
+        assert_abs_diff_eq!(total, 288.64 * 9.81, epsilon = 1e-9);
         // 48 % in front.
         assert!(((loads[0] + loads[1]) / total - 0.48).abs() < 1e-4, "{loads:?}");
     }
@@ -267,9 +269,9 @@ mod tests {
             ride_quarter(&mut quarter);
             quarter.output();
             flights += usize::from(quarter.wheel.tyre_load == 0.0);
-            assert!((car.body.heave - quarter.body_height).abs() < 1e-9);
+            assert_abs_diff_eq!(car.body.heave, quarter.body_height, epsilon = 1e-9);
             for post in [car.fl, car.fr, car.rl, car.rr] {
-                assert!((post.wheel.wheel_height - quarter.wheel.wheel_height).abs() < 1e-9);
+                assert_abs_diff_eq!(post.wheel.wheel_height, quarter.wheel.wheel_height, epsilon = 1e-9);
             }
             assert!(car.body.pitch.abs() < 1e-12 && car.body.roll.abs() < 1e-12);
         });
@@ -312,10 +314,10 @@ mod tests {
         car.rl.wheel.strut_force += 70.0;
         car.step(0.25);
         let impulse = 70.0 * 1.004 * 0.25;
-        assert!((223.2 * car.body.heave_rate - impulse).abs() < 1e-9);
+        assert_abs_diff_eq!(223.2 * car.body.heave_rate, impulse, epsilon = 1e-9);
         // Behind the centre of gravity and left of it: the nose and the right side go down.
-        assert!((126.29 * car.body.pitch_rate - (1.528 - 0.8035) * impulse).abs() < 1e-9);
-        assert!((26.46 * car.body.roll_rate - 0.60 * impulse).abs() < 1e-9);
+        assert_abs_diff_eq!(126.29 * car.body.pitch_rate, (1.528 - 0.8035) * impulse, epsilon = 1e-9);
+        assert_abs_diff_eq!(26.46 * car.body.roll_rate, 0.60 * impulse, epsilon = 1e-9);
         assert_eq!(car.fl.wheel.wheel_velocity, 0.0);
         assert!(car.rl.wheel.wheel_height < -1e-6);
     }

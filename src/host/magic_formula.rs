@@ -572,6 +572,8 @@ fn quotient<T: Scalar>(a: T, b: T) -> T {
 
 #[cfg(test)]
 mod tests {
+    use approx::assert_abs_diff_eq;
+
     use super::*;
     use crate::model::{Columns, row_of_mut, start};
     use crate::number::Dual;
@@ -618,9 +620,9 @@ mod tests {
             let at = |kappa, alpha| tyre.wrench(&contact(kappa, alpha));
             let here = at(kappa, alpha);
             assert!((here.force_y + at(kappa, -alpha).force_y).abs() < 1e-9);
-            assert!((here.force_y - at(-kappa, alpha).force_y).abs() < 1e-9);
+            assert_abs_diff_eq!(here.force_y, at(-kappa, alpha).force_y, epsilon = 1e-9);
             assert!((here.force_x + at(-kappa, alpha).force_x).abs() < 1e-9);
-            assert!((here.force_x - at(kappa, -alpha).force_x).abs() < 1e-9);
+            assert_abs_diff_eq!(here.force_x, at(kappa, -alpha).force_x, epsilon = 1e-9);
         }
     }
 
@@ -638,7 +640,7 @@ mod tests {
             let h = 1e-6;
             assert!((at(0.0, h).force_y / h / k_y - 1.0).abs() < 1e-6, "{load}");
             assert!((at(h, 0.0).force_x / h / k_x - 1.0).abs() < 1e-6, "{load}");
-            assert!((tyre.cornering_stiffness(load) / k_y - 1.0).abs() < 1e-14);
+            assert_abs_diff_eq!(tyre.cornering_stiffness(load) / k_y, 1.0, epsilon = 1e-14);
             let dual = tyre.map(&|value| Dual::from(value));
             let moving = Contact {
                 load: Dual::from(load),
@@ -701,12 +703,12 @@ mod tests {
         let alpha = 1e-6;
         let wrench = tyre.wrench(&contact(0.0, alpha));
         let stiffness = -75.5 * 700.0 * (2.0 * (1.0 / 4.65f64).atan()).sin();
-        assert!((wrench.moment_z / (-0.1 * 0.2 * stiffness * alpha) - 1.0).abs() < 1e-6);
+        assert_abs_diff_eq!(wrench.moment_z / (-0.1 * 0.2 * stiffness * alpha), 1.0, epsilon = 1e-6);
         assert!(wrench.moment_z > 0.0, "the torque turns the wheel towards its direction of motion");
         assert!((wrench.moment_y + 0.02 * 0.2 * LOAD).abs() < 1e-12);
-        assert!((wrench.moment_x - 0.5 * 0.2 * wrench.force_y).abs() < 1e-12);
+        assert_abs_diff_eq!(wrench.moment_x, 0.5 * 0.2 * wrench.force_y, epsilon = 1e-12);
         let leaning = tyre.wrench(&Contact { camber: 0.1, ..contact(0.0, 0.0) });
-        assert!((leaning.moment_x - 0.2 * (0.5 * leaning.force_y - 0.3 * 0.1 * LOAD)).abs() < 1e-12);
+        assert_abs_diff_eq!(leaning.moment_x, 0.2 * (0.5 * leaning.force_y - 0.3 * 0.1 * LOAD), epsilon = 1e-12);
     }
 
     /// Driving and braking have separate curvatures, E = pex1 (1 - pex4 sgn k_x).
@@ -741,7 +743,7 @@ mod tests {
     #[test]
     fn longitudinal_force_turns_by_its_arm() {
         let [without, with] = [0.0, 0.03].map(|arm| tyre(&[("ssz1", arm)]).wrench(&contact(0.05, 0.0)));
-        assert!((with.moment_z - without.moment_z - 0.03 * 0.2 * with.force_x).abs() < 1e-12);
+        assert_abs_diff_eq!(with.moment_z - without.moment_z, 0.03 * 0.2 * with.force_x, epsilon = 1e-12);
     }
 
     /// Shifts point to one side; the tyre of the other side is its mirror image.

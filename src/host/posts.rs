@@ -120,6 +120,8 @@ impl Model for Posts {
 
 #[cfg(test)]
 mod tests {
+    use approx::assert_abs_diff_eq;
+
     use super::*;
 
     fn at(time: f64) -> Posts {
@@ -145,8 +147,8 @@ mod tests {
     fn late_posts_rest_and_then_do_the_same() {
         assert_eq!([at(0.12).rl.post_height, at(0.12).rl.post_velocity], [0.0, 0.0]);
         let [early, late] = [at(0.31).fl, at(0.31 + 0.125).rl];
-        assert!((early.post_height - late.post_height).abs() < 1e-15);
-        assert!((early.post_velocity - late.post_velocity).abs() < 1e-14);
+        assert_abs_diff_eq!(early.post_height, late.post_height, epsilon = 1e-15);
+        assert_abs_diff_eq!(early.post_velocity, late.post_velocity, epsilon = 1e-14);
     }
 
     /// The mean of (A (1 - cos)/2)^2 over whole periods is 3/8 A^2.
@@ -159,6 +161,6 @@ mod tests {
             posts.output();
             sum += posts.fr.post_height.powi(2);
         }
-        assert!((sum / 5000.0 - 0.375 * 0.04f64.powi(2)).abs() < 1e-12);
+        assert_abs_diff_eq!(sum / 5000.0, 0.375 * 0.04f64.powi(2), epsilon = 1e-12);
     }
 }

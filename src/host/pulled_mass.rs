@@ -145,6 +145,8 @@ impl Model for PulledMass {
 
 #[cfg(test)]
 mod tests {
+    use approx::assert_abs_diff_eq;
+
     use super::*;
     use crate::host::{BeltRig, integrate};
 
@@ -202,7 +204,7 @@ mod tests {
         let slope = PulledMass { friction_force: 3.0, ..ramp::held_inputs(&pulled) };
         pulled.step_ramp(&slope, 0.25);
         pulled.output();
-        assert!((pulled.external_force - begin - 0.75).abs() < 1e-15);
+        assert_abs_diff_eq!(pulled.external_force - begin, 0.75, epsilon = 1e-15);
         assert!(pulled.velocity.abs() < 1e-16 && pulled.position.abs() < 1e-16);
     }
 }

@@ -144,6 +144,8 @@ impl Model for QuarterCar {
 
 #[cfg(test)]
 mod tests {
+    use approx::assert_abs_diff_eq;
+
     use super::*;
     use crate::catalogue::by_name;
     use crate::instance::Instance;
@@ -218,7 +220,7 @@ mod tests {
         assert!((momentum - (52.91 * 0.3 - 69.27 * 9.81 * t)).abs() < 1e-9, "{momentum}");
         let fall = 0.5 * (69.27 * 9.81 + push) / 16.36 * t * t;
         assert!((car.wheel.wheel_height + fall).abs() < 1e-10 && car.wheel.tyre_load == 0.0);
-        assert!((car.body_height - (0.3 * t + 0.5 * push / 52.91 * t * t)).abs() < 1e-10);
+        assert_abs_diff_eq!(car.body_height, 0.3 * t + 0.5 * push / 52.91 * t * t, epsilon = 1e-10);
     }
 
     /// The wheel's equation as printed, in the fourth-order method with a tiny step: the method does not locate
@@ -270,7 +272,7 @@ mod tests {
             slope.wheel.strut_force = 300.0;
             car.step_ramp(&slope, 0.1);
             assert_eq!((car.road_height, car.wheel.strut_force), (0.1 * rise, 1325.2555 + 30.0));
-            assert!((car.body_velocity - 1.011 * 0.5 * 300.0 * 0.1 * 0.1 / 52.91).abs() < 1e-12);
+            assert_abs_diff_eq!(car.body_velocity, 1.011 * 0.5 * 300.0 * 0.1 * 0.1 / 52.91, epsilon = 1e-12);
 
             let mut staircase = QuarterCar { road_velocity: rise, ..Default::default() };
             let n = 20_000;

@@ -158,6 +158,8 @@ impl Model for TwoBlocks {
 
 #[cfg(test)]
 mod tests {
+    use approx::assert_abs_diff_eq;
+
     use super::*;
 
     /// A contact that carries `external_force` gives both blocks the same acceleration.
@@ -169,7 +171,7 @@ mod tests {
             blocks.friction_force = blocks.external_force;
             let mut rate = blocks;
             blocks.derivatives(&mut rate);
-            assert!((rate.velocity_1 - rate.velocity_2).abs() < 1e-15);
+            assert_abs_diff_eq!(rate.velocity_1, rate.velocity_2, epsilon = 1e-15);
         }
     }
 
@@ -185,7 +187,7 @@ mod tests {
         blocks.output();
         blocks.derivatives(&mut rate);
         let relative = blocks.effective_mass * (rate.velocity_1 - rate.velocity_2);
-        assert!((relative - (blocks.external_force - 0.9)).abs() < 1e-15);
+        assert_abs_diff_eq!(relative, blocks.external_force - 0.9, epsilon = 1e-15);
     }
 
     /// Friction moves momentum from block to block; only the external forces change the sum. Over 3 s: 1.1 N, and a
@@ -197,8 +199,8 @@ mod tests {
         let (before, still) = (momentum(&blocks), ramp::held_inputs(&blocks));
         let slope = TwoBlocks { friction_force: -3.0, force_1: 0.5, force_2: -0.3, ..still };
         blocks.step_ramp(&slope, 3.0);
-        assert!((momentum(&blocks) - before - 3.0 * (1.1 + 0.2 * 1.5)).abs() < 1e-14);
-        assert!((blocks.friction_force + 8.1).abs() < 1e-14);
+        assert_abs_diff_eq!(momentum(&blocks) - before, 3.0 * (1.1 + 0.2 * 1.5), epsilon = 1e-14);
+        assert_abs_diff_eq!(blocks.friction_force, -8.1, epsilon = 1e-14);
     }
 
     /// Energy lost by masses and springs under held friction: the force times the path of block 1 on block 2.

@@ -25,13 +25,15 @@ pub const FADED: f64 = 40.0;
 
 #[cfg(test)]
 mod tests {
+    use approx::assert_abs_diff_eq;
+
     use super::*;
 
     #[test]
     fn half_of_the_difference_is_left_at_ln_2_over_a() {
         let v = -std::f64::consts::LN_2 / 500.0;
-        assert!((level(v, 1.0, 1.5, 500.0) - 1.25).abs() < 1e-15);
-        assert!((level(v, 1.0, 0.0, 500.0) - 0.5).abs() < 1e-15);
+        assert_abs_diff_eq!(level(v, 1.0, 1.5, 500.0), 1.25, epsilon = 1e-15);
+        assert_abs_diff_eq!(level(v, 1.0, 0.0, 500.0), 0.5, epsilon = 1e-15);
         assert_eq!(level(0.0, 1.0, 0.25, 500.0), 0.25);
         assert_eq!(level(1e308, 1.0, 0.25, 500.0), 1.0);
     }

@@ -24,13 +24,15 @@ pub fn rise<T: Real>(velocity: T, slope: T) -> T {
 
 #[cfg(test)]
 mod tests {
+    use approx::assert_abs_diff_eq;
+
     use super::*;
     use crate::number::Dual;
 
     #[test]
     fn transition_reaches_95_percent() {
-        assert!((exponential(0.01, 0.01) - 0.950_212_932).abs() < 1e-9);
-        assert!((exponential(-1.0, 0.01) + 1.0).abs() < 1e-15);
+        assert_abs_diff_eq!(exponential(0.01, 0.01), 0.950_212_932, epsilon = 1e-9);
+        assert_abs_diff_eq!(exponential(-1.0, 0.01), -1.0, epsilon = 1e-15);
     }
 
     #[test]

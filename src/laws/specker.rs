@@ -52,6 +52,8 @@ impl<T: Real> SpeckerCurve<T> {
 
 #[cfg(test)]
 mod tests {
+    use approx::assert_abs_diff_eq;
+
     use super::*;
 
     const DEFAULT: SpeckerCurve<f64> = SpeckerCurve {
@@ -68,13 +70,13 @@ mod tests {
             [(1e-4, 1e-3, 0.0), (2e-3, 1e-3, 5.0), (2.5e-4, 5e-4, 100.0)]
         {
             let curve = SpeckerCurve { transition_velocity, peak_velocity, viscous_coefficient, ..DEFAULT };
-            assert!((curve.force(-peak_velocity) + 1.4715).abs() < 1e-14);
+            assert_abs_diff_eq!(curve.force(-peak_velocity), -1.4715, epsilon = 1e-14);
         }
     }
 
     #[test]
     fn slope_at_rest_is_that_of_the_curve() {
-        assert!((DEFAULT.slope_at_rest() - 5657.7588).abs() < 1e-4);
-        assert!((DEFAULT.force(1e-9) / 1e-9 / DEFAULT.slope_at_rest() - 1.0).abs() < 1e-9);
+        assert_abs_diff_eq!(DEFAULT.slope_at_rest(), 5657.7588, epsilon = 1e-4);
+        assert_abs_diff_eq!(DEFAULT.force(1e-9) / 1e-9 / DEFAULT.slope_at_rest(), 1.0, epsilon = 1e-9);
     }
 }

@@ -202,6 +202,8 @@ fn add(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
 
 #[cfg(test)]
 mod tests {
+    use approx::assert_abs_diff_eq;
+
     use super::*;
 
     /// n = 2 from 0 is tanh, and from above the level coth; backwards (r < 0) tan.
@@ -222,8 +224,8 @@ mod tests {
     fn first_order_law_is_an_exponential() {
         for (r, q) in [(0.0, 0.4), (-3.0, 2.0), (5.0, 1e-8), (0.2, 30.0)] {
             let travel = advance(r, f64::NAN, q, 1.0);
-            assert!((travel.change - (1.0 - r) * -f64::exp_m1(-q)).abs() < 1e-14);
-            assert!((travel.area - (q - travel.change)).abs() < 1e-14 * q.max(1.0));
+            assert_abs_diff_eq!(travel.change, (1.0 - r) * -f64::exp_m1(-q), epsilon = 1e-14);
+            assert_abs_diff_eq!(travel.area, q - travel.change, epsilon = 1e-14 * q.max(1.0));
         }
     }
 
@@ -258,8 +260,8 @@ mod tests {
             assert!(first.arrived);
             let second = advance(0.4, 9.0, 2.0 - first.distance, exponent);
             let whole = advance(-0.7, 9.0, 2.0, exponent);
-            assert!((first.change + second.change - whole.change).abs() < 1e-13);
-            assert!((first.area + second.area - whole.area).abs() < 1e-13);
+            assert_abs_diff_eq!(first.change + second.change, whole.change, epsilon = 1e-13);
+            assert_abs_diff_eq!(first.area + second.area, whole.area, epsilon = 1e-13);
         }
     }
 }

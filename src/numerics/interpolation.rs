@@ -145,6 +145,8 @@ impl<'a, T: Scalar> Curve<'a, T> {
 
 #[cfg(test)]
 mod tests {
+    use approx::assert_abs_diff_eq;
+
     use super::*;
 
     const POINTS: [(f64, f64); 5] = [(-1.0, -3.0), (0.0, 0.0), (0.5, 0.25), (2.0, 0.25), (3.0, 8.0)];
@@ -157,7 +159,7 @@ mod tests {
     fn both_pass_through_the_points() {
         for (x, y) in POINTS {
             assert_eq!(curve().linear(x), y);
-            assert!((curve().monotone_cubic(x) - y).abs() < 1e-15);
+            assert_abs_diff_eq!(curve().monotone_cubic(x), y, epsilon = 1e-15);
         }
     }
 
@@ -203,6 +205,6 @@ mod tests {
         // Beyond the end the cubic keeps its last slope.
         let beyond = |x: f64| curve().monotone_cubic(x);
         assert!((beyond(5.0) - 2.0 * beyond(4.0) + beyond(3.0)).abs() < 1e-13);
-        assert!(((beyond(3.0) - beyond(3.0 - 1e-6)) - (beyond(3.0 + 1e-6) - beyond(3.0))).abs() < 1e-10);
+        assert_abs_diff_eq!(beyond(3.0) - beyond(3.0 - 1e-6), beyond(3.0 + 1e-6) - beyond(3.0), epsilon = 1e-10);
     }
 }

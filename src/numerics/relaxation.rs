@@ -16,6 +16,8 @@ pub fn after<T: Real>(x: T, steady: T, decay: T) -> T {
 
 #[cfg(test)]
 mod tests {
+    use approx::assert_abs_diff_eq;
+
     use super::*;
 
     #[test]
@@ -36,6 +38,6 @@ mod tests {
     #[test]
     fn the_two_forms_meet() {
         let (below, above) = (after(1.0, 3.0, 1.0 - 1e-15), after(1.0, 3.0, 1.0));
-        assert!((below - above).abs() < 3e-15);
+        assert_abs_diff_eq!(below, above, epsilon = 3e-15);
     }
 }

@@ -97,15 +97,17 @@ fn turns([_, c_1, c_2, c_3]: [f64; 4]) -> [f64; 2] {
 
 #[cfg(test)]
 mod tests {
+    use approx::assert_abs_diff_eq;
+
     use super::*;
 
     #[test]
     fn newton_finds_zeros_of_smooth_kinked_and_flat_functions() {
         let at = |value: f64, slope: f64| Dual { value, slope };
-        assert!((newton(|x| at(x * x * x - 2.0, 3.0 * x * x), 0.0, 9.0) - 2f64.cbrt()).abs() < 1e-15);
+        assert_abs_diff_eq!(newton(|x| at(x * x * x - 2.0, 3.0 * x * x), 0.0, 9.0), 2f64.cbrt(), epsilon = 1e-15);
         let kinked = |x: f64| if x < 1.0 { at(1e-3 * (x - 1.0) - 1.0, 1e-3) } else { at(1e6 * (x - 1.0) - 1.0, 1e6) };
-        assert!((newton(kinked, -50.0, 50.0) - (1.0 + 1e-6)).abs() < 1e-15);
-        assert!((newton(|x| at((x - 0.3).signum(), 0.0), 0.0, 1.0) - 0.3).abs() < 1e-15);
+        assert_abs_diff_eq!(newton(kinked, -50.0, 50.0), 1.0 + 1e-6, epsilon = 1e-15);
+        assert_abs_diff_eq!(newton(|x| at((x - 0.3).signum(), 0.0), 0.0, 1.0), 0.3, epsilon = 1e-15);
         assert_eq!(newton(|x| at(x, 1.0), 0.0, 0.0), 0.0);
     }
 

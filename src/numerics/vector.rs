@@ -106,6 +106,8 @@ pub fn remainder<T: Component, const N: usize>(rest: SVector<T, N>, whole: &SVec
 
 #[cfg(test)]
 mod tests {
+    use approx::assert_abs_diff_eq;
+
     use super::*;
 
     #[test]
@@ -125,7 +127,7 @@ mod tests {
         let vector = Vector3::new(2.0, -3.0, 6.0);
         let dual = Vector3::from_fn(|i, _| Dual { value: vector[i], slope: slopes[i] });
         let along = (2.0 * 0.3 + 3.0 * 0.2 + 6.0 * 0.9) / 7.0;
-        assert!((length(&dual).slope - along).abs() < 1e-15);
+        assert_abs_diff_eq!(length(&dual).slope, along, epsilon = 1e-15);
     }
 
     #[test]
@@ -133,7 +135,7 @@ mod tests {
         let normal = direction(&Vector3::new(1.0, 2.0, -0.5));
         let turned = turned_into(&Vector3::new(0.4, -0.1, 0.7), &normal);
         assert!(turned.dot(&normal).abs() < 1e-16);
-        assert!((length(&turned) - 0.66f64.sqrt()).abs() < 1e-15);
+        assert_abs_diff_eq!(length(&turned), 0.66f64.sqrt(), epsilon = 1e-15);
         assert_eq!(turned_into(&(normal * 2.0), &normal).map(|x| x.abs() < 1.0), Vector3::new(true, true, true));
     }
 }

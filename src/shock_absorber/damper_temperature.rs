@@ -145,6 +145,8 @@ impl Model for DamperTemperature {
 
 #[cfg(test)]
 mod tests {
+    use approx::assert_abs_diff_eq;
+
     use super::*;
 
     #[test]
@@ -152,9 +154,9 @@ mod tests {
         let mut damper = DamperTemperature { power: 60.0, ..Default::default() };
         (damper.thermal.enabled, damper.thermal.conductance) = (1.0, 0.0);
         damper.step(100.0);
-        assert!((damper.temperature - 303.15).abs() < 1e-10);
+        assert_abs_diff_eq!(damper.temperature, 303.15, epsilon = 1e-10);
         damper.output();
-        assert!((damper.force_factor - (-0.03f64).exp()).abs() < 1e-14);
+        assert_abs_diff_eq!(damper.force_factor, (-0.03f64).exp(), epsilon = 1e-14);
     }
 
     #[test]

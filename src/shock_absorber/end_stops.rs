@@ -192,6 +192,8 @@ impl Model for EndStops {
 
 #[cfg(test)]
 mod tests {
+    use approx::assert_abs_diff_eq;
+
     use super::*;
 
     fn forces(x: f64, velocity: f64, set: impl Fn(&mut EndStops)) -> [f64; 2] {
@@ -205,12 +207,12 @@ mod tests {
     #[test]
     fn progressive_forms() {
         let power = forces(0.048, 0.0, |stops| stops.bump.mode = 2.0)[0];
-        assert!((power - 918.0984).abs() < 1e-4);
+        assert_abs_diff_eq!(power, 918.0984, epsilon = 1e-4);
         let cubic = forces(0.048, 0.0, |stops| {
             stops.bump.mode = 3.0;
             (stops.bump.k, stops.bump.k2, stops.bump.k3) = (1e5, 2e6, 3e8);
         })[0];
-        assert!((cubic - (800.0 + 128.0 + 153.6)).abs() < 1e-9);
+        assert_abs_diff_eq!(cubic, 800.0 + 128.0 + 153.6, epsilon = 1e-9);
     }
 
     #[test]
@@ -220,7 +222,7 @@ mod tests {
             let [_, rebound] = forces(-0.001, velocity, |stops| stops.rebound.c = 5000.0);
             assert!((0.0..300.001).contains(&bump) && (-2000.001..=0.0).contains(&rebound), "{bump} {rebound}");
         }
-        assert!((forces(0.041, -0.01, |stops| stops.bump.c = 5000.0)[0] - 200.0).abs() < 1e-9);
-        assert!((forces(-0.001, 0.01, |stops| stops.rebound.c = 5000.0)[1] + 1050.0).abs() < 1e-9);
+        assert_abs_diff_eq!(forces(0.041, -0.01, |stops| stops.bump.c = 5000.0)[0], 200.0, epsilon = 1e-9);
+        assert_abs_diff_eq!(forces(-0.001, 0.01, |stops| stops.rebound.c = 5000.0)[1], -1050.0, epsilon = 1e-9);
     }
 }

@@ -365,6 +365,8 @@ impl Model for HydraulicDamper {
 
 #[cfg(test)]
 mod tests {
+    use approx::assert_abs_diff_eq;
+
     use super::*;
 
     fn damper(set: impl Fn(&mut Hydraulics)) -> HydraulicDamper {
@@ -405,7 +407,7 @@ mod tests {
         // Work of the motion = energy in the spring F^2 / 2 k + energy dissipated.
         let work: f64 = 0.1 * 230.0 * (0.02 - 5e-3 * (1.0 - (-4f64).exp()));
         let stored = relaxing.force.powi(2) / (2.0 * 4.6e5);
-        assert!((relaxing.dissipated_energy + stored - work).abs() < 1e-5);
+        assert_abs_diff_eq!(relaxing.dissipated_energy + stored, work, epsilon = 1e-5);
     }
 
     /// The step is of second order or better, and stable for a stiffness of 1e12 N/m.
@@ -425,7 +427,7 @@ mod tests {
         stiff.velocity = -0.2;
         stiff.step(1e-3);
         stiff.output();
-        assert!((stiff.force - 300.0).abs() < 1e-3);
+        assert_abs_diff_eq!(stiff.force, 300.0, epsilon = 1e-3);
     }
 
     #[test]

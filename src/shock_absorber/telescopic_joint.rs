@@ -272,6 +272,8 @@ impl Model for TelescopicJoint {
 
 #[cfg(test)]
 mod tests {
+    use approx::assert_abs_diff_eq;
+
     use super::*;
     use nalgebra::{Matrix3, Rotation3, Vector3};
 
@@ -402,7 +404,7 @@ mod tests {
         let couple = Wrench { force: [0.0, 0.0], moment: [0.0, 2.0] };
         let two_point: f64 = guidance(0.0).normal_forces(&couple, 0.18, NormalSum::TwoPoint.number()).iter().sum();
         let adams: f64 = guidance(0.0).normal_forces(&couple, 0.18, NormalSum::Adams.number()).iter().sum();
-        assert!((two_point - 2.0 * 40.0).abs() < 1e-12);
-        assert!((adams - 40.0).abs() < 1e-12);
+        assert_abs_diff_eq!(two_point, 2.0 * 40.0, epsilon = 1e-12);
+        assert_abs_diff_eq!(adams, 40.0, epsilon = 1e-12);
     }
 }

@@ -5,6 +5,7 @@ use std::ptr::null_mut;
 
 use crate::common::NO_EVENT;
 use crate::common::importer::Importer;
+use approx::assert_abs_diff_eq;
 use stribeck::catalogue;
 use stribeck::model::Kind;
 use stribeck_ffi::c::stribeck_status::*;
@@ -56,7 +57,7 @@ fn phases_set_by_events_are_rejected_in_co_simulation() {
         assert_eq!(fmi2SetInteger(integrating.c, &phase, 1, &5), fmi2Discard);
     }
     // f_s = mu_s f_n
-    assert!((stepping.get("friction_force") - 0.15 * 9.81).abs() < 1e-12);
+    assert_abs_diff_eq!(stepping.get("friction_force"), 0.15 * 9.81, epsilon = 1e-12);
     assert_eq!(integrating.set("external_force", 1000.0), fmi2OK);
     let mut saved = null_mut();
     // SAFETY: instances of this test, a state that is freed once.
@@ -74,7 +75,7 @@ fn phases_set_by_events_are_rejected_in_co_simulation() {
         stribeck_free(handle);
         assert_eq!(fmi2FreeFMUstate(integrating.c, &mut saved), fmi2OK);
     }
-    assert!((integrating.get("friction_force") - 1000.0).abs() < 1e-9);
+    assert_abs_diff_eq!(integrating.get("friction_force"), 1000.0, epsilon = 1e-9);
     let mut left = 0;
     // SAFETY: one reference, one value.
     assert_eq!(unsafe { fmi2GetInteger(stepping.c, &phase, 1, &mut left) }, fmi2OK);
@@ -203,7 +204,7 @@ fn a_solver_may_set_one_state_by_its_reference() {
     let solver = integrated("LuGre");
     assert_eq!(solver.set("bristle_deflection", 1e-6), fmi2OK);
     // sigma_0 z
-    assert!((solver.get("friction_force") - 0.1).abs() < 1e-12);
+    assert_abs_diff_eq!(solver.get("friction_force"), 0.1, epsilon = 1e-12);
     // Discontinuous results wait for an event.
     let solver = integrated("CoulombStiction");
     assert_eq!(solver.set("stuck", 1.0), fmi2Error);

@@ -3,6 +3,7 @@
 use std::ptr::{null, null_mut};
 
 use crate::common::importer::Importer;
+use approx::assert_abs_diff_eq;
 use stribeck::model::{Kind, Role};
 use stribeck::{catalogue, reference};
 use stribeck_ffi::fmi2::exchange::*;
@@ -141,7 +142,7 @@ fn outputs_follow_a_set_at_once() {
         assert_eq!(importer.set("velocity", velocity), fmi2OK);
         let peak = 0.981 * 4f64.tanh() + 0.4905;
         let expected = peak * velocity / 1e-3;
-        assert!((importer.get("friction_force") - expected).abs() < 1e-14);
+        assert_abs_diff_eq!(importer.get("friction_force"), expected, epsilon = 1e-14);
     }
 }
 

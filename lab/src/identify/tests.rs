@@ -3,6 +3,7 @@
 use std::f64::consts::TAU;
 use std::sync::atomic::AtomicBool;
 
+use approx::assert_abs_diff_eq;
 use stribeck::catalogue::by_name;
 
 use super::*;
@@ -214,7 +215,7 @@ fn what_depends_on_the_undetermined_is_not_determined() {
     // On the line x_1 = 0.3 x_0, where ten units of each are admitted.
     let first = 1.0 / (0.01 + 0.09 * 0.01f64).sqrt();
     assert!((deviation(0) - first).abs() < 1e-2 && (deviation(1) - 0.3 * first).abs() < 1e-2, "{known}");
-    assert!((deviation(2) - 1.0 / 1001f64.sqrt()).abs() < 1e-12);
+    assert_abs_diff_eq!(deviation(2), 1.0 / 1001f64.sqrt(), epsilon = 1e-12);
 }
 
 /// r_k = 0.8 r_(k-1) + noise has the correlation time (1 + 0.8) / (1 - 0.8) = 9 samples; white noise has one.

@@ -1,5 +1,7 @@
 //! The car against closed forms and other programs.
 
+use approx::assert_abs_diff_eq;
+
 use super::*;
 use crate::host::FourPostCar;
 use crate::model::{row_of, row_of_mut};
@@ -88,7 +90,7 @@ fn a_straight_road_is_followed_exactly() {
     drive(&mut car, 1.0, |_| 0.0, |_| ());
     let lateral = [car.position_y, car.yaw_angle, car.lateral_velocity, car.yaw_rate, car.body.roll];
     assert_eq!(lateral, [0.0; 5]);
-    assert!((car.position_x - 20.0).abs() < 1e-12);
+    assert_abs_diff_eq!(car.position_x, 20.0, epsilon = 1e-12);
     assert!(car.body.heave > 9e-3 && car.fl.lateral_force == -car.fr.lateral_force);
     assert!(car.fl.lateral_force.abs() > 10.0);
 }
@@ -103,7 +105,7 @@ fn small_steering_turns_as_the_understeer_gradient_says() {
     drive(&mut car, 3.0, |_| 1e-5, |_| ());
     let expected = 20.0 * 1e-5 / (wheelbase + gradient * 400.0);
     assert!((car.yaw_rate / expected - 1.0).abs() < 1e-6, "{} against {expected}", car.yaw_rate);
-    assert!((car.lateral_acceleration / (20.0 * expected) - 1.0).abs() < 1e-6);
+    assert_abs_diff_eq!(car.lateral_acceleration / (20.0 * expected), 1.0, epsilon = 1e-6);
 }
 
 /// The whole transient of lateral velocity, yaw rate and side slip, small, against the linear bicycle; also with
@@ -150,7 +152,7 @@ fn steering_to_the_other_side_mirrors_the_run() {
             odd(left).iter().zip(odd(right)).for_each(|(left, right)| assert!((left + right).abs() < 1e-9));
             let even = |car: &DoubleTrackCar| [car.position_x, car.body.heave, car.body.pitch];
             even(left).iter().zip(even(right)).for_each(|(left, right)| assert!((left - right).abs() < 1e-9));
-            assert!((left.fl.wheel.tyre_load - right.fr.wheel.tyre_load).abs() < 1e-5);
+            assert_abs_diff_eq!(left.fl.wheel.tyre_load, right.fr.wheel.tyre_load, epsilon = 1e-5);
             assert!((left.rl.lateral_force + right.rr.lateral_force).abs() < 1e-5);
         },
     );
@@ -172,7 +174,7 @@ fn loads_of_a_steady_turn_balance() {
     assert!((moment - expected).abs() < 1e-6, "{moment} against {expected}");
     assert!(car.lateral_acceleration > 7.0 && car.body.roll > 0.01, "{car:?}");
     // The centre of gravity runs on a circle.
-    assert!((car.lateral_acceleration - 20.0 * car.yaw_rate).abs() < 1e-9);
+    assert_abs_diff_eq!(car.lateral_acceleration, 20.0 * car.yaw_rate, epsilon = 1e-9);
 }
 
 /// The body rolls by the moment over the stiffness of the springs; the wheels follow their tyres.
@@ -223,7 +225,7 @@ fn without_lateral_motion_it_is_the_car_on_four_posts() {
         for (car, posts) in row_of(&car.body).iter().zip(row_of(&posts.body)) {
             assert!((car - posts).abs() < 1e-9, "after {time} s");
         }
-        assert!((car.rr.wheel.wheel_height - posts.rr.wheel.wheel_height).abs() < 1e-9);
+        assert_abs_diff_eq!(car.rr.wheel.wheel_height, posts.rr.wheel.wheel_height, epsilon = 1e-9);
     }
     assert!(lifted, "the road was rough enough");
     assert_eq!([car.lateral_velocity, car.yaw_rate], [0.0; 2]);
@@ -257,7 +259,7 @@ fn without_grip_steering_does_nothing() {
     (car.tyre.pdy1, car.tyre.pdy2) = (0.0, 0.0);
     car.step(1.0);
     assert_eq!([car.lateral_velocity, car.yaw_angle, car.body.roll], [0.5, 0.0, 0.0]);
-    assert!((car.position_y - 0.5).abs() < 1e-12);
+    assert_abs_diff_eq!(car.position_y, 0.5, epsilon = 1e-12);
 }
 
 /// Two periods of sine steering, 3.6 degrees at 0.9 Hz, with 0.35 s between them, at 72 km/h, on struts without
