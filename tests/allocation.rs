@@ -335,46 +335,50 @@ fn lack_of_memory_for_an_fmu_is_an_error() {
             tested += made;
         }
 
-        let slave = Slave::new(model);
-        let c = slave.component;
-        let mut size = 0;
-        let mut state = null_mut();
-        // SAFETY: a live component and states of its own, each freed once.
-        unsafe {
-            assert_eq!(fmi2GetFMUstate(c, &mut state), fmi2Status::fmi2OK);
-            assert_eq!(fmi2SerializedFMUstateSize(c, state, &mut size), fmi2Status::fmi2OK);
-            let mut bytes = vec![0; size];
-            let saved = failures(model.name, || {
-                let mut copy = null_mut();
-                let status = fmi2GetFMUstate(c, &mut copy);
-                assert_eq!(copy.is_null(), status == fmi2Status::fmi2Error);
-                // An earlier saved state can be continued.
-                assert_eq!(fmi2SetFMUstate(c, state), fmi2Status::fmi2OK);
-                assert_eq!(fmi2FreeFMUstate(c, &mut copy), fmi2Status::fmi2OK);
-                status == fmi2Status::fmi2OK
-            });
-            let written = failures(model.name, || {
-                fmi2SerializeFMUstate(c, state, bytes.as_mut_ptr(), size) == fmi2Status::fmi2OK
-            });
-            assert_eq!(written, 0, "serialising needs no memory");
-            let read = failures(model.name, || {
-                let mut copy = null_mut();
-                let status = fmi2DeSerializeFMUstate(c, bytes.as_ptr(), size, &mut copy);
-                assert_eq!(copy.is_null(), status == fmi2Status::fmi2Error);
-                assert_eq!(fmi2SetFMUstate(c, state), fmi2Status::fmi2OK);
-                assert_eq!(fmi2FreeFMUstate(c, &mut copy), fmi2Status::fmi2OK);
-                status == fmi2Status::fmi2OK
-            });
-            assert!(saved >= 6 && read >= 6, "{}: {saved} and {read} failures", model.name);
-            tested += saved + read;
-            // A misuse is an error even without memory for its message.
-            REFUSED.set(Refused { first: 0, ..Refused::NONE });
-            let status = fmi2DoStep(c, 0.0, -1.0, fmi2True);
-            assert!(REFUSED.replace(Refused::NONE).asked > 0 && status == fmi2Status::fmi2Error);
-            assert_eq!(fmi2FreeFMUstate(c, &mut state), fmi2Status::fmi2OK);
-        }
+        tested += lacking_for_states(model);
     }
     println!("figure: FMI: {tested} refused requests for memory, as many errors");
+}
+
+/// Refused requests for memory while states are saved and restored.
+fn lacking_for_states(model: &'static ModelType) -> usize {
+    let slave = Slave::new(model);
+    let c = slave.component;
+    let mut size = 0;
+    let mut state = null_mut();
+    // SAFETY: a live component and states of its own, each freed once.
+    unsafe {
+        assert_eq!(fmi2GetFMUstate(c, &mut state), fmi2Status::fmi2OK);
+        assert_eq!(fmi2SerializedFMUstateSize(c, state, &mut size), fmi2Status::fmi2OK);
+        let mut bytes = vec![0; size];
+        let saved = failures(model.name, || {
+            let mut copy = null_mut();
+            let status = fmi2GetFMUstate(c, &mut copy);
+            assert_eq!(copy.is_null(), status == fmi2Status::fmi2Error);
+            // An earlier saved state can be continued.
+            assert_eq!(fmi2SetFMUstate(c, state), fmi2Status::fmi2OK);
+            assert_eq!(fmi2FreeFMUstate(c, &mut copy), fmi2Status::fmi2OK);
+            status == fmi2Status::fmi2OK
+        });
+        let written =
+            failures(model.name, || fmi2SerializeFMUstate(c, state, bytes.as_mut_ptr(), size) == fmi2Status::fmi2OK);
+        assert_eq!(written, 0, "serialising needs no memory");
+        let read = failures(model.name, || {
+            let mut copy = null_mut();
+            let status = fmi2DeSerializeFMUstate(c, bytes.as_ptr(), size, &mut copy);
+            assert_eq!(copy.is_null(), status == fmi2Status::fmi2Error);
+            assert_eq!(fmi2SetFMUstate(c, state), fmi2Status::fmi2OK);
+            assert_eq!(fmi2FreeFMUstate(c, &mut copy), fmi2Status::fmi2OK);
+            status == fmi2Status::fmi2OK
+        });
+        assert!(saved >= 6 && read >= 6, "{}: {saved} and {read} failures", model.name);
+        // A misuse is an error even without memory for its message.
+        REFUSED.set(Refused { first: 0, ..Refused::NONE });
+        let status = fmi2DoStep(c, 0.0, -1.0, fmi2True);
+        assert!(REFUSED.replace(Refused::NONE).asked > 0 && status == fmi2Status::fmi2Error);
+        assert_eq!(fmi2FreeFMUstate(c, &mut state), fmi2Status::fmi2OK);
+        saved + read
+    }
 }
 
 /// Parameters that a rule of the model rejects together, for most laws and the strut.

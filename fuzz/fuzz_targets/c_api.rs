@@ -113,6 +113,16 @@ impl Drop for Handle {
     }
 }
 
+/// Every status has a text, every model a name, and past the last one there is none.
+fn texts(status: i32, index: u8) {
+    // SAFETY: texts of the library, or NULL past the last.
+    unsafe {
+        assert!(!text(stribeck_status_text(status)).is_empty());
+        let name = stribeck_model_name(index.into());
+        assert_eq!(name.is_null(), usize::from(index) >= stribeck_model_count());
+    }
+}
+
 struct World {
     handles: [Handle; 2],
     /// Contents of the handles after the last call.
@@ -169,32 +179,13 @@ impl World {
                 let status = unsafe { stribeck_set(pointer, reference, value) };
                 self.check_set(who, status, column(model, reference), value);
             }
-            Action::SetByName(name, number) => {
-                let (name, value) = (name.of(model), number.alone());
-                // SAFETY: a live handle and a terminated text.
-                let status = unsafe { stribeck_set_by_name(pointer, name.as_ptr(), value) };
-                self.check_set(who, status, name.to_str().ok().and_then(|name| model.find(name)), value);
-            }
             Action::Get(column) => {
                 let (status, _) = self.handles[who].get(column.of(model));
                 self.made(who, status, true);
             }
-            Action::GetByName(name) => {
-                let (name, mut value) = (name.of(model), f64::NAN);
-                // SAFETY: a live handle, a terminated text and a place for the value.
-                let status = unsafe { stribeck_get_by_name(pointer, name.as_ptr(), &mut value) };
-                assert_eq!(status == STRIBECK_OK, value.is_finite());
-                self.made(who, status, true);
-            }
-            Action::Find(name) => {
-                let (name, mut reference) = (name.of(model), u32::MAX);
-                // SAFETY: a live handle, a terminated text and a place for the number.
-                let status = unsafe { stribeck_find(pointer, name.as_ptr(), &mut reference) };
-                let named = variable(model, reference).map(|variable| variable.path.to_string());
-                assert_eq!(status == STRIBECK_OK, named.is_some());
-                assert!(named.is_none_or(|named| named.as_bytes() == name.to_bytes()));
-                self.made(who, status, true);
-            }
+            Action::SetByName(name, number) => self.set_by_name(who, &name.of(model), number.alone()),
+            Action::GetByName(name) => self.get_by_name(who, &name.of(model)),
+            Action::Find(name) => self.find(who, &name.of(model)),
             Action::Describe(column) => self.describe(who, column.of(model)),
             Action::Preset(which) => self.preset(who, usize::from(*which)),
             Action::ApplyPreset(name) => {
@@ -209,34 +200,57 @@ impl World {
                 let status = unsafe { stribeck_output(pointer) };
                 self.made(who, status, true);
             }
-            Action::Derivative(output, input) => {
-                let mut value = f64::NAN;
-                let (output, input) = (output.of(model), input.of(model));
-                // SAFETY: a live handle and a place for the value.
-                let status = unsafe { stribeck_derivative(pointer, output, input, &mut value) };
-                assert_eq!(status == STRIBECK_OK, value.is_finite());
-                self.made(who, status, true);
-            }
-            Action::Reset => {
-                // SAFETY: a live handle.
-                let status = unsafe { stribeck_reset(pointer) };
-                assert_eq!(status, STRIBECK_OK);
-                self.made(who, status, false);
-                assert_eq!(self.seen[who], saved::numbers(&Handle::new(model).bytes()));
-            }
+            Action::Derivative(output, input) => self.derive(who, output.of(model), input.of(model)),
+            Action::Reset => self.reset(who),
             Action::Save { spare } => self.save(who, *spare),
             Action::Restore { damage, cut } => self.restore(who, *damage, usize::from(*cut)),
             Action::Replay { steps, length } => self.replay(who, 1 + steps % 4, length.length()),
             Action::Null(which) => self.call_with_null(who, *which),
-            Action::Texts(status, index) => {
-                // SAFETY: texts of the library, or NULL past the last.
-                unsafe {
-                    assert!(!text(stribeck_status_text(*status)).is_empty());
-                    let name = stribeck_model_name((*index).into());
-                    assert_eq!(name.is_null(), usize::from(*index) >= stribeck_model_count());
-                }
-            }
+            Action::Texts(status, index) => texts(*status, *index),
         }
+    }
+
+    fn reset(&mut self, who: usize) {
+        let Handle { pointer, model } = self.handles[who];
+        // SAFETY: a live handle.
+        let status = unsafe { stribeck_reset(pointer) };
+        assert_eq!(status, STRIBECK_OK);
+        self.made(who, status, false);
+        assert_eq!(self.seen[who], saved::numbers(&Handle::new(model).bytes()));
+    }
+
+    fn set_by_name(&mut self, who: usize, name: &CStr, value: f64) {
+        let Handle { pointer, model } = self.handles[who];
+        // SAFETY: a live handle and a terminated text.
+        let status = unsafe { stribeck_set_by_name(pointer, name.as_ptr(), value) };
+        self.check_set(who, status, name.to_str().ok().and_then(|name| model.find(name)), value);
+    }
+
+    fn get_by_name(&mut self, who: usize, name: &CStr) {
+        let mut value = f64::NAN;
+        // SAFETY: a live handle, a terminated text and a place for the value.
+        let status = unsafe { stribeck_get_by_name(self.handles[who].pointer, name.as_ptr(), &mut value) };
+        assert_eq!(status == STRIBECK_OK, value.is_finite());
+        self.made(who, status, true);
+    }
+
+    fn find(&mut self, who: usize, name: &CStr) {
+        let Handle { pointer, model } = self.handles[who];
+        let mut reference = u32::MAX;
+        // SAFETY: a live handle, a terminated text and a place for the number.
+        let status = unsafe { stribeck_find(pointer, name.as_ptr(), &mut reference) };
+        let named = variable(model, reference).map(|variable| variable.path.to_string());
+        assert_eq!(status == STRIBECK_OK, named.is_some());
+        assert!(named.is_none_or(|named| named.as_bytes() == name.to_bytes()));
+        self.made(who, status, true);
+    }
+
+    fn derive(&mut self, who: usize, output: u32, input: u32) {
+        let mut value = f64::NAN;
+        // SAFETY: a live handle and a place for the value.
+        let status = unsafe { stribeck_derivative(self.handles[who].pointer, output, input, &mut value) };
+        assert_eq!(status == STRIBECK_OK, value.is_finite());
+        self.made(who, status, true);
     }
 
     /// An accepted value is within its bounds and is stored.

@@ -231,22 +231,17 @@ impl World {
 
     fn act(&mut self, who: usize, action: Action) {
         let slot = |slot: u8| usize::from(slot) % SLOTS;
+        let mut plain = |call, function, effect| self.plain(who, call, function, effect);
         match action {
             Action::Lead(to) => self.lead(who, STATES[usize::from(to) % STATES.len()]),
             Action::Setup { tolerance, start, stop } => self.set_up(who, tolerance, start, stop),
-            Action::EnterInitialization => {
-                self.plain(who, Call::EnterInitializationMode, fmi2EnterInitializationMode, Reads);
-            }
-            Action::ExitInitialization => {
-                self.plain(who, Call::ExitInitializationMode, fmi2ExitInitializationMode, Changes);
-            }
-            Action::Terminate => self.plain(who, Call::Terminate, fmi2Terminate, Reads),
-            Action::Reset => self.plain(who, Call::Reset, fmi2Reset, Changes),
-            Action::Cancel => self.plain(who, Call::CancelStep, fmi2CancelStep, Reads),
-            Action::EnterEventMode => self.plain(who, Call::EnterEventMode, fmi2EnterEventMode, Reads),
-            Action::EnterContinuousTimeMode => {
-                self.plain(who, Call::EnterContinuousTimeMode, fmi2EnterContinuousTimeMode, Reads);
-            }
+            Action::EnterInitialization => plain(Call::EnterInitializationMode, fmi2EnterInitializationMode, Reads),
+            Action::ExitInitialization => plain(Call::ExitInitializationMode, fmi2ExitInitializationMode, Changes),
+            Action::Terminate => plain(Call::Terminate, fmi2Terminate, Reads),
+            Action::Reset => plain(Call::Reset, fmi2Reset, Changes),
+            Action::Cancel => plain(Call::CancelStep, fmi2CancelStep, Reads),
+            Action::EnterEventMode => plain(Call::EnterEventMode, fmi2EnterEventMode, Reads),
+            Action::EnterContinuousTimeMode => plain(Call::EnterContinuousTimeMode, fmi2EnterContinuousTimeMode, Reads),
             Action::Log { on, categories } => self.log(who, on, &categories),
             Action::GetReal(columns) => self.get_real(who, &columns),
             Action::GetInteger(columns) => self.get_whole(who, &columns, Call::GetInteger),

@@ -31,6 +31,23 @@ pub struct Known {
     repetitions: Option<usize>,
 }
 
+impl Known {
+    fn split(self) -> (Rig, Task) {
+        let delay = self.delay.map_or(Delay::Find(self.longest_delay.unwrap_or(Delay::LONGEST)), Delay::Known);
+        let Known { mass, normal_force, window, skip, .. } = self;
+        let usual = Task::default();
+        let task = Task {
+            wishes: Wishes { fixed: self.fix, fitted: self.fit, ranges: self.range },
+            budget: self.budget.unwrap_or(usual.budget),
+            seed: self.seed.unwrap_or(usual.seed),
+            repetitions: self.repetitions.unwrap_or(usual.repetitions),
+            mass,
+            ..usual
+        };
+        (Rig { mass, normal_force, window, delay, skip }, task)
+    }
+}
+
 /// A table: the path of a file, or a dictionary of arrays.
 fn sheet(table: &Bound<PyAny>) -> PyResult<Sheet> {
     if let Ok(columns) = table.cast::<PyDict>() {
@@ -52,9 +69,7 @@ pub fn identify<'py>(
     known: Known,
 ) -> PyResult<(String, Vec<Bound<'py, PyDict>>)> {
     let laws = laws_named(&laws).map_err(refused)?;
-    let delay = known.delay.map_or(Delay::Find(known.longest_delay.unwrap_or(Delay::LONGEST)), Delay::Known);
-    let Known { mass, normal_force, window, skip, .. } = known;
-    let rig = Rig { mass, normal_force, window, delay, skip };
+    let (rig, task) = known.split();
     let motion = motion.as_ref().map(sheet).transpose()?;
     let mut experiments = Vec::new();
     for (name, table) in &records {
@@ -62,15 +77,6 @@ pub fn identify<'py>(
         let record = record.map_err(|error| refused(format_args!("{name}: {error}")))?;
         experiments.push(Experiment::new(name, &record));
     }
-    let usual = Task::default();
-    let task = Task {
-        wishes: Wishes { fixed: known.fix, fitted: known.fit, ranges: known.range },
-        budget: known.budget.unwrap_or(usual.budget),
-        seed: known.seed.unwrap_or(usual.seed),
-        repetitions: known.repetitions.unwrap_or(usual.repetitions),
-        mass: known.mass,
-        ..usual
-    };
     let outcome = interruptible(py, |cancel| {
         let watch = Watch { cancel, progress: &|_| {} };
         let ranking = fit_all(&laws, &experiments, &task, &mut |_| {}, watch)?;

@@ -26,32 +26,27 @@ fn variable_of(model: &ModelType, reference: fmi2ValueReference) -> Option<Varia
 
 /// Makes the call with valid arguments, if there are any in this state.
 fn call(importer: &Importer, purpose: Purpose, call: Call) -> fmi2Status {
-    let c = importer.c;
-    let order = 1;
-    // A model need not have columns of every kind; the arrays are then empty.
-    let input = importer.first(|variable| variable.role == Role::Input && matches!(variable.kind, Kind::Real(_)));
-    let output = importer.first(|variable| variable.role.is_output() && matches!(variable.kind, Kind::Real(_)));
-    let switch = importer.first(|variable| variable.kind == Kind::Boolean);
-    let (inputs, outputs, switches) = (input.iter().len(), output.iter().len(), switch.iter().len());
-    let (input, output, switch) = (input.unwrap_or_default(), output.unwrap_or_default(), switch.unwrap_or_default());
-    let model = catalogue::by_name(importer.model).expect("a model");
-    let start = variable_of(model, input).map_or(0.0, |variable| variable.start);
-    let (mut value, mut size, mut status, mut flag, mut text) = (0.0, 0, fmi2OK, 0, null());
-    let mut state: fmi2FMUstate = null_mut();
-    let mut event = NO_EVENT;
-    // A state of another instance, so that the calls on states have something to work on.
+    change_of_state(importer, call)
+        .or_else(|| on_values(importer, call))
+        .or_else(|| on_saved_states(importer, purpose, call))
+        .or_else(|| while_stepping(importer, call))
+        .or_else(|| of_a_solver(importer, purpose, call))
+        .unwrap_or_else(|| panic!("{call:?} is not called"))
+}
+
+/// A running instance of the same model, whose states and saved states serve as arguments.
+fn donor(importer: &Importer, purpose: Purpose) -> Importer {
     let running = match purpose {
         Purpose::CoSimulation => State::StepComplete,
         Purpose::ModelExchange => State::EventMode,
     };
-    let donor = Importer::in_state_of(importer.model, purpose, running);
-    let (mut states, mut end) = (donor.states(), 0);
-    let count = states.len();
-    let mut indicators = vec![0.0; model.event_indicators];
-    let saved = donor.save();
-    let mut bytes = donor.bytes(saved);
-    // SAFETY: an instance of this test, arrays of one element.
-    let result = unsafe {
+    Importer::in_state_of(importer.model, purpose, running)
+}
+
+fn change_of_state(importer: &Importer, call: Call) -> Option<fmi2Status> {
+    let c = importer.c;
+    // SAFETY: an instance of this test, or NULL.
+    Some(unsafe {
         match call {
             Call::SetDebugLogging => fmi2SetDebugLogging(c, fmi2True, 0, null()),
             Call::SetupExperiment => fmi2SetupExperiment(c, fmi2False, 0.0, 0.0, fmi2False, 0.0),
@@ -64,6 +59,26 @@ fn call(importer: &Importer, purpose: Purpose, call: Call) -> fmi2Status {
             Call::ExitInitializationMode => fmi2ExitInitializationMode(c),
             Call::Terminate => fmi2Terminate(c),
             Call::Reset => fmi2Reset(c),
+            _ => return None,
+        }
+    })
+}
+
+/// Calls with one value each. A model need not have columns of every kind; the arrays are then empty.
+fn on_values(importer: &Importer, call: Call) -> Option<fmi2Status> {
+    let c = importer.c;
+    let order = 1;
+    let input = importer.first(|variable| variable.role == Role::Input && matches!(variable.kind, Kind::Real(_)));
+    let output = importer.first(|variable| variable.role.is_output() && matches!(variable.kind, Kind::Real(_)));
+    let switch = importer.first(|variable| variable.kind == Kind::Boolean);
+    let (inputs, outputs, switches) = (input.iter().len(), output.iter().len(), switch.iter().len());
+    let (input, output, switch) = (input.unwrap_or_default(), output.unwrap_or_default(), switch.unwrap_or_default());
+    let model = catalogue::by_name(importer.model).expect("a model");
+    let start = variable_of(model, input).map_or(0.0, |variable| variable.start);
+    let (mut value, mut flag) = (0.0, 0);
+    // SAFETY: an instance of this test, arrays of at most one element.
+    Some(unsafe {
+        match call {
             Call::GetReal => fmi2GetReal(c, &output, outputs, &mut value),
             Call::GetInteger => fmi2GetInteger(c, null(), 0, null_mut()),
             Call::GetBoolean => fmi2GetBoolean(c, &switch, switches, &mut flag),
@@ -72,25 +87,50 @@ fn call(importer: &Importer, purpose: Purpose, call: Call) -> fmi2Status {
             Call::SetInteger => fmi2SetInteger(c, null(), 0, null()),
             Call::SetBoolean => fmi2SetBoolean(c, null(), 0, null()),
             Call::SetString => fmi2SetString(c, null(), 0, null()),
-            Call::GetFMUstate => {
-                let status = fmi2GetFMUstate(c, &mut state);
-                fmi2FreeFMUstate(c, &mut state);
-                status
-            }
-            Call::SetFMUstate => fmi2SetFMUstate(c, saved),
-            Call::FreeFMUstate => fmi2FreeFMUstate(c, &mut state),
-            Call::SerializedFMUstateSize => fmi2SerializedFMUstateSize(c, saved, &mut size),
-            Call::SerializeFMUstate => fmi2SerializeFMUstate(c, saved, bytes.as_mut_ptr(), bytes.len()),
-            Call::DeSerializeFMUstate => {
-                let status = fmi2DeSerializeFMUstate(c, bytes.as_ptr(), bytes.len(), &mut state);
-                fmi2FreeFMUstate(c, &mut state);
-                status
-            }
             Call::GetDirectionalDerivative => {
                 fmi2GetDirectionalDerivative(c, &output, outputs, &input, inputs, &1.0, &mut value)
             }
             Call::SetRealInputDerivatives => fmi2SetRealInputDerivatives(c, &input, inputs, &order, &value),
             Call::GetRealOutputDerivatives => fmi2GetRealOutputDerivatives(c, &output, outputs, &order, &mut value),
+            _ => return None,
+        }
+    })
+}
+
+fn on_saved_states(importer: &Importer, purpose: Purpose, call: Call) -> Option<fmi2Status> {
+    let c = importer.c;
+    let donor = donor(importer, purpose);
+    let mut saved = donor.save();
+    let mut bytes = donor.bytes(saved);
+    let (mut state, mut size): (fmi2FMUstate, usize) = (null_mut(), 0);
+    // SAFETY: an instance of this test, states of its model, each freed once.
+    let status = unsafe {
+        match call {
+            Call::GetFMUstate => Some(fmi2GetFMUstate(c, &mut state)),
+            Call::SetFMUstate => Some(fmi2SetFMUstate(c, saved)),
+            Call::FreeFMUstate => Some(fmi2FreeFMUstate(c, &mut state)),
+            Call::SerializedFMUstateSize => Some(fmi2SerializedFMUstateSize(c, saved, &mut size)),
+            Call::SerializeFMUstate => Some(fmi2SerializeFMUstate(c, saved, bytes.as_mut_ptr(), bytes.len())),
+            Call::DeSerializeFMUstate => Some(fmi2DeSerializeFMUstate(c, bytes.as_ptr(), bytes.len(), &mut state)),
+            _ => None,
+        }
+    };
+    // SAFETY: as above.
+    unsafe {
+        if !state.is_null() {
+            fmi2FreeFMUstate(c, &mut state);
+        }
+        fmi2FreeFMUstate(donor.c, &mut saved);
+    }
+    status
+}
+
+fn while_stepping(importer: &Importer, call: Call) -> Option<fmi2Status> {
+    let c = importer.c;
+    let (mut value, mut status, mut flag, mut text) = (0.0, fmi2OK, 0, null());
+    // SAFETY: an instance of this test, places for one value.
+    Some(unsafe {
+        match call {
             Call::DoStep => fmi2DoStep(c, 0.0, 1e-3, fmi2True),
             Call::CancelStep => fmi2CancelStep(c),
             Call::GetStatus => fmi2GetStatus(c, fmi2DoStepStatus, &mut status),
@@ -98,6 +138,20 @@ fn call(importer: &Importer, purpose: Purpose, call: Call) -> fmi2Status {
             Call::GetIntegerStatus => fmi2GetIntegerStatus(c, fmi2DoStepStatus, &mut flag),
             Call::GetBooleanStatus => fmi2GetBooleanStatus(c, fmi2Terminated, &mut flag),
             Call::GetStringStatus => fmi2GetStringStatus(c, fmi2PendingStatus, &mut text),
+            _ => return None,
+        }
+    })
+}
+
+fn of_a_solver(importer: &Importer, purpose: Purpose, call: Call) -> Option<fmi2Status> {
+    let c = importer.c;
+    let mut event = NO_EVENT;
+    let (mut states, mut flag, mut end) = (donor(importer, purpose).states(), 0, 0);
+    let count = states.len();
+    let mut indicators = vec![0.0; catalogue::by_name(importer.model).expect("a model").event_indicators];
+    // SAFETY: an instance of this test, arrays of as many elements as given.
+    Some(unsafe {
+        match call {
             Call::EnterEventMode => fmi2EnterEventMode(c),
             Call::NewDiscreteStates => fmi2NewDiscreteStates(c, &mut event),
             Call::EnterContinuousTimeMode => fmi2EnterContinuousTimeMode(c),
@@ -108,12 +162,9 @@ fn call(importer: &Importer, purpose: Purpose, call: Call) -> fmi2Status {
             Call::GetEventIndicators => fmi2GetEventIndicators(c, indicators.as_mut_ptr(), indicators.len()),
             Call::GetContinuousStates => fmi2GetContinuousStates(c, states.as_mut_ptr(), count),
             Call::GetNominalsOfContinuousStates => fmi2GetNominalsOfContinuousStates(c, states.as_mut_ptr(), count),
+            _ => return None,
         }
-    };
-    let mut saved = saved;
-    // SAFETY: freed once.
-    unsafe { fmi2FreeFMUstate(donor.c, &mut saved) };
-    result
+    })
 }
 
 /// The states of the columns of [`CO_SIMULATION`].

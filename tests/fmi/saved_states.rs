@@ -169,25 +169,30 @@ fn states_of_other_versions_are_rejected_as_such() {
         (short(40), Some("not a state of this library")),
     ];
     for (bytes, why) in cases {
-        let mut read = null_mut();
-        // SAFETY: bytes of this test; states freed once.
-        let status = unsafe { fmi2DeSerializeFMUstate(importer.c, bytes.as_ptr().cast(), bytes.len(), &mut read) };
-        match why {
-            None => assert_eq!(status, fmi2OK),
-            Some(why) => {
-                assert_eq!(status, fmi2Error, "{why}");
-                assert!(read.is_null());
-                let text = importer.one_message().2;
-                assert!(text.contains("serialised state of LuGre: ") && text.contains(why), "{text}");
-                // SAFETY: a state of this instance.
-                assert_eq!(unsafe { fmi2SetFMUstate(importer.c, state) }, fmi2OK, "the way out of an error");
-            }
-        }
-        // SAFETY: freed once, or NULL.
-        unsafe { fmi2FreeFMUstate(importer.c, &mut read) };
+        assert_rejected(&importer, state, &bytes, why);
     }
     // SAFETY: freed once.
     unsafe { fmi2FreeFMUstate(importer.c, &mut state) };
+}
+
+/// These bytes are rejected for this reason, or accepted if there is none; a state of the instance remains of use.
+fn assert_rejected(importer: &Importer, state: fmi2FMUstate, bytes: &[u8], why: Option<&str>) {
+    let mut read = null_mut();
+    // SAFETY: bytes of this test; states freed once.
+    let status = unsafe { fmi2DeSerializeFMUstate(importer.c, bytes.as_ptr().cast(), bytes.len(), &mut read) };
+    match why {
+        None => assert_eq!(status, fmi2OK),
+        Some(why) => {
+            assert_eq!(status, fmi2Error, "{why}");
+            assert!(read.is_null());
+            let text = importer.one_message().2;
+            assert!(text.contains("serialised state of LuGre: ") && text.contains(why), "{text}");
+            // SAFETY: a state of this instance.
+            assert_eq!(unsafe { fmi2SetFMUstate(importer.c, state) }, fmi2OK, "the way out of an error");
+        }
+    }
+    // SAFETY: freed once, or NULL.
+    unsafe { fmi2FreeFMUstate(importer.c, &mut read) };
 }
 
 /// A solver may overshoot a bound; a state saved there can be read back.

@@ -15,16 +15,18 @@ use stribeck_ffi::fmi2::types::fmi2Status::*;
 use stribeck_ffi::fmi2::types::*;
 use stribeck_ffi::fmi2::values::*;
 
+/// A call that is wrong ends with an error and one message.
+fn check(what: &str, wrong: &dyn Fn(&Importer) -> fmi2Status) {
+    let importer = Importer::ready("LuGre");
+    assert_eq!(wrong(&importer), fmi2Error, "{what}");
+    importer.one_message();
+}
+
 #[test]
 fn wrong_references_pointers_and_types_are_errors() {
     let too_far = 10_000;
     // SAFETY: arrays of one element, or NULL where the library must notice.
     unsafe {
-        let check = |what: &str, wrong: &dyn Fn(&Importer) -> fmi2Status| {
-            let importer = Importer::ready("LuGre");
-            assert_eq!(wrong(&importer), fmi2Error, "{what}");
-            importer.one_message();
-        };
         check("unknown reference, get", &|i| fmi2GetReal(i.c, &too_far, 1, &mut 0.0));
         check("unknown reference, set", &|i| fmi2SetReal(i.c, &too_far, 1, &0.0));
         check("vr NULL", &|i| fmi2GetReal(i.c, null(), 1, &mut 0.0));
@@ -40,6 +42,13 @@ fn wrong_references_pointers_and_types_are_errors() {
         check("Boolean as Real", &|i| fmi2GetReal(i.c, &i.vr("sticking"), 1, &mut 0.0));
         check("set an output", &|i| i.set("friction_force", 1.0));
         check("set a state while stepping", &|i| i.set("bristle_deflection", 0.0));
+    }
+}
+
+#[test]
+fn wrong_derivatives_and_categories_are_errors() {
+    // SAFETY: arrays of one element, or NULL where the library must notice.
+    unsafe {
         check("category NULL", &|i| fmi2SetDebugLogging(i.c, fmi2True, 1, &null()));
         check("unknown category", &|i| fmi2SetDebugLogging(i.c, fmi2True, 1, &c"logNothing".as_ptr()));
         check("derivative of a parameter", &|i| fmi2SetRealInputDerivatives(i.c, &i.vr("mu_k"), 1, &1, &0.0));
@@ -53,6 +62,13 @@ fn wrong_references_pointers_and_types_are_errors() {
         check("unknown that is an input", &|i| {
             fmi2GetDirectionalDerivative(i.c, &i.vr("velocity"), 1, &i.vr("normal_force"), 1, &1.0, &mut 0.0)
         });
+    }
+}
+
+#[test]
+fn wrong_states_and_places_for_results_are_errors() {
+    // SAFETY: arrays of one element, or NULL where the library must notice.
+    unsafe {
         check("status value NULL", &|i| fmi2GetRealStatus(i.c, fmi2LastSuccessfulTime, null_mut()));
         check("FMUstate NULL", &|i| fmi2GetFMUstate(i.c, null_mut()));
         check("set FMUstate NULL", &|i| fmi2SetFMUstate(i.c, null_mut()));
@@ -66,6 +82,13 @@ fn wrong_references_pointers_and_types_are_errors() {
         let (start, too_few) = (bytes.as_mut_ptr(), bytes.len() - 1);
         check("too few bytes", &|i| fmi2SerializeFMUstate(i.c, saved, start, too_few));
         assert_eq!(fmi2FreeFMUstate(owner.c, &mut saved), fmi2OK);
+    }
+}
+
+#[test]
+fn places_for_the_results_of_events_must_not_be_null() {
+    // SAFETY: NULL where the library must notice.
+    unsafe {
         let integrating = |state| Importer::in_state_of("LuGre", Purpose::ModelExchange, state);
         let importer = integrating(State::EventMode);
         assert_eq!(fmi2NewDiscreteStates(importer.c, null_mut()), fmi2Error);
@@ -78,7 +101,13 @@ fn wrong_references_pointers_and_types_are_errors() {
             assert_eq!(fmi2CompletedIntegratorStep(importer.c, fmi2True, event, end), fmi2Error);
             assert!(importer.one_message().2.contains("is NULL"));
         }
+    }
+}
 
+#[test]
+fn empty_arrays_the_time_and_states_that_do_not_exist_are_accepted() {
+    // SAFETY: empty arrays, and one element.
+    unsafe {
         let importer = Importer::ready("LuGre");
         assert_eq!(fmi2GetReal(importer.c, null(), 0, null_mut()), fmi2OK);
         assert_eq!(fmi2SetBoolean(importer.c, null(), 0, null()), fmi2OK);
@@ -90,6 +119,10 @@ fn wrong_references_pointers_and_types_are_errors() {
         assert_eq!(fmi2GetReal(importer.c, &time, 1, &mut value), fmi2OK);
         assert_eq!(value, 0.25, "the independent variable");
     }
+}
+
+#[test]
+fn a_fixed_parameter_is_not_set_while_stepping() {
     let host = Importer::ready("BeltRig");
     assert_eq!(host.set("mass", 2.0), fmi2Error, "a fixed parameter while stepping");
     assert!(host.one_message().2.contains("mass cannot be set in state StepComplete"));

@@ -425,6 +425,11 @@ fn impossible_wishes_are_refused() {
         let found = refusal(law, wishes);
         assert!(found.contains(wanted), "{found} instead of {wanted}");
     }
+}
+
+#[test]
+fn experiments_and_tasks_without_sense_are_refused() {
+    let data = [measured("Dahl", &[], &standard(100), 0.01, 1)];
     let spoilt = Experiment { force: vec![f64::NAN; 100], ..data[0].clone() };
     let refused = fit(by_name("Dahl").unwrap(), &[spoilt], &quick(), quiet()).map(|_| ()).unwrap_err().to_string();
     assert_eq!(refused, "standard: force[0] = NaN: must be finite");

@@ -145,10 +145,18 @@ fn spoil(at: usize, row: &str) -> String {
     rows("time,force,displacement", |k| if k == at { row.to_owned() } else { good(k) })
 }
 
+/// Each text is refused, with these words.
+fn assert_refused(cases: &[(String, &str)]) {
+    for (text, wanted) in cases {
+        let refused = record(text, &rig()).map_or_else(|error| error.to_string(), |_| "accepted".to_owned());
+        assert!(refused.contains(wanted), "{refused}\n instead of\n{wanted}\nin\n{text}");
+    }
+}
+
 #[test]
-fn spoilt_files_are_refused_with_line_and_column() {
+fn spoilt_headings_are_refused_by_name() {
     let plain = |heading: &str| rows(heading, good);
-    let cases = [
+    assert_refused(&[
         (String::new(), "no column 'time'; there are "),
         ("time\n".into(), "0 samples; at least 20 are needed"),
         (plain("t,force,displacement"), "no column 'time'; there are t, force, displacement"),
@@ -160,6 +168,12 @@ fn spoilt_files_are_refused_with_line_and_column() {
         (plain("time,force [kg],displacement"), "force: unit 'kg', must be one of N, kN, lbf"),
         (plain("time,force,displacement (deg)"), "displacement: unit 'deg', must be one of m, mm, um, in"),
         (plain("time,force [mm],displacement"), "force: unit 'mm', must be one of N, kN, lbf"),
+    ]);
+}
+
+#[test]
+fn spoilt_numbers_are_refused_with_line_and_column() {
+    assert_refused(&[
         (spoil(3, "0.15,,0.1"), "line 5, force: '' is not a finite number"),
         (spoil(3, "0.15,abc,0.1"), "line 5, force: 'abc' is not a finite number"),
         (spoil(3, "0.15,NaN,0.1"), "line 5, force: 'NaN' is not a finite number"),
@@ -174,6 +188,13 @@ fn spoilt_files_are_refused_with_line_and_column() {
         (spoil(3, "0.15,--1,0.1"), "line 5, force: '--1' is not a finite number"),
         (spoil(3, "0.15,1 N,0.1"), "line 5, force: '1 N' is not a finite number"),
         (spoil(3, "0.15,\"1\n2\",0.1"), "line 5, force: '1\n2' is not a finite number"),
+    ]);
+}
+
+#[test]
+fn spoilt_tables_are_refused_with_line_and_column() {
+    let plain = |heading: &str| rows(heading, good);
+    assert_refused(&[
         (spoil(3, "0.15,1"), "no table: CSV error: record 4 (line: 5"),
         (spoil(3, "0.15,1,5,0.1"), "no table: CSV error: record 4 (line: 5"),
         (spoil(3, "time,force,displacement"), "line 5, time: 'time' is not a finite number"),
@@ -206,11 +227,11 @@ fn spoilt_files_are_refused_with_line_and_column() {
         ("{\"time\": [0, 1]}".into(), "no column 'time'"),
         (rows("time,force,displacement", |k| format!("{k},{},{k}", -4.0 - 0.1 * k as f64)), "friction gives "),
         (plain("time,force,displacement\n\""), "no table: CSV error: record 1"),
-    ];
-    for (text, wanted) in &cases {
-        let refused = record(text, &rig()).map_or_else(|error| error.to_string(), |_| "accepted".to_owned());
-        assert!(refused.contains(wanted), "{refused}\n instead of\n{wanted}\nin\n{text}");
-    }
+    ]);
+}
+
+#[test]
+fn files_that_are_absent_or_huge_are_refused() {
     let absent = Sheet::load(std::path::Path::new("absent.csv")).unwrap_err().to_string();
     assert!(absent.starts_with("absent.csv: "), "{absent}");
     let huge = tempfile::NamedTempFile::new().unwrap();

@@ -455,22 +455,25 @@ mod tests {
                 }
                 sum
             }
-            Node::Application(function, argument) => {
-                let Node::Function(name) = &**function else { panic!("{function:?}") };
-                let x = || value(argument);
-                match (name.as_str(), &**argument) {
-                    ("tanh", _) => x().tanh(),
-                    ("exp", _) => x().exp(),
-                    ("sgn", _) => x().signum(),
-                    (_, Node::Fence(_, list, _)) => {
-                        let Node::List(parts) = &**list else { panic!("{list:?}") };
-                        let values = [value(&parts[0]), value(&parts[2])];
-                        if name == "min" { values[0].min(values[1]) } else { values[0].max(values[1]) }
-                    }
-                    _ => panic!("{name}"),
-                }
-            }
+            Node::Application(function, argument) => applied(function, argument, &value),
             other => panic!("{other:?}"),
+        }
+    }
+
+    /// The value of a function.
+    fn applied(function: &Node, argument: &Node, value: &dyn Fn(&Node) -> f64) -> f64 {
+        let Node::Function(name) = function else { panic!("{function:?}") };
+        let x = || value(argument);
+        match (name.as_str(), argument) {
+            ("tanh", _) => x().tanh(),
+            ("exp", _) => x().exp(),
+            ("sgn", _) => x().signum(),
+            (_, Node::Fence(_, list, _)) => {
+                let Node::List(parts) = &**list else { panic!("{list:?}") };
+                let values = [value(&parts[0]), value(&parts[2])];
+                if name == "min" { values[0].min(values[1]) } else { values[0].max(values[1]) }
+            }
+            _ => panic!("{name}"),
         }
     }
 
