@@ -309,7 +309,7 @@ def test_threads(output_folder, results):
     """The thread sanitizer sees two threads in one instance, and none in a thousand that are passed between threads."""
     faults = Instrumented("thread", output_folder).compile(TESTS / "faults.c", TESTS / "tsan.c")
     label = "thread sanitizer: "
-    results.check(f"{label}race", lambda: is_caught(faults, "race", *models(), by="src/instance.rs"))
+    results.check(f"{label}race", lambda: is_caught(faults, "race", *models(), by="ffi/src/fmi2/"))
     results.check(f"{label}threads", lambda: report(faults, "threads", *models(), label=label))
 
 
