@@ -54,7 +54,8 @@ pub fn co_simulation(
     let mut train = Train::new(&held)?;
     let mut statistics = Statistics::default();
     let mut table = (Vec::new(), vec![Vec::new(); recorded.len()]);
-    let mut run = Run { train: &mut train, master, random: 0x9e37_79b9_7f4a_7c15, statistics: &mut statistics };
+    let mut run =
+        Run { train: &mut train, master, random: 0x9e37_79b9_7f4a_7c15, lost: 0.0, statistics: &mut statistics };
     let end = match run.go(grid, options, recorded, &mut table) {
         Ok(end) => end,
         Err(reason) => End::Failed { time: run.train.time, reason },
@@ -81,6 +82,8 @@ struct Run<'a, 'b> {
     train: &'a mut Train<'b>,
     master: &'a Master,
     random: u64,
+    /// Part of the present time that its last digit has lost: steps of 1 ms then meet whole seconds after any time.
+    lost: f64,
     statistics: &'a mut Statistics,
 }
 
@@ -96,12 +99,13 @@ impl Run<'_, '_> {
         let mut number = 0;
         loop {
             let time = self.train.time;
-            if number < grid.len() && grid.time(number) <= time + 1e-9 * self.master.step {
+            let reached = time + 1e-9 * self.master.step + 4.0 * f64::EPSILON * time;
+            if number < grid.len() && grid.time(number) <= reached {
                 times.push(time);
                 for (column, source) in values.iter_mut().zip(recorded) {
                     column.push(self.train.value(*source)?);
                 }
-                while number < grid.len() && grid.time(number) <= time + 1e-9 * self.master.step {
+                while number < grid.len() && grid.time(number) <= reached {
                     number += 1;
                 }
             }
@@ -139,7 +143,10 @@ impl Run<'_, '_> {
     }
 
     fn step(&mut self, h: f64) -> Result<(), String> {
-        let end = self.train.time + h;
+        // Kahan's sum.
+        let length = h - self.lost;
+        let end = self.train.time + length;
+        self.lost = (end - self.train.time) - length;
         match self.master.exchange {
             Exchange::Sequential => {
                 self.signals()?;

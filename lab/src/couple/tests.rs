@@ -59,6 +59,19 @@ fn co_simulation_comes_to_the_exact_motion_as_its_step_falls() {
     }
 }
 
+/// 40,000 steps of 1 ms, and 200,000 of 10 us: every result is that of its own time, not of a step later.
+#[test]
+fn communication_points_meet_the_times_of_the_results() {
+    let system = belt("Coulomb", &[]);
+    for (step, end) in [(1e-3, 40.0), (1e-5, 2.0)] {
+        let grid = Grid { begin: 0.0, end, intervals: 4000 };
+        let master = Master { step, exchange: Exchange::Sequential, jitter: 0.0 };
+        let (_, _, (times, _)) = co_simulation(&system, &master, grid, &Options::new(end, 1e-8), &[]).unwrap();
+        let late = (0..grid.len()).map(|number| (times[number] - grid.time(number)).abs()).fold(0.0, f64::max);
+        assert!(times.len() == grid.len() && late < 1e-13, "{late} s");
+    }
+}
+
 #[test]
 fn steps_that_make_no_sense_are_refused() {
     let system = belt("LuGre", &[]);
