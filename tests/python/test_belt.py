@@ -2,9 +2,10 @@
 
 import numpy
 import pytest
+import stribeck
 from analysis import BENCHMARK, maxima, measure, stick_slip, without_stiction
-from belt import EXCHANGES, BeltRun
-from coupling import CouplingError
+from belt import EXCHANGES, BeltRun, run_belt
+from coupling import FMUS, CouplingError
 
 HOLDING = ["CoulombStiction", "Karnopp"]
 EXACT = stick_slip(**BENCHMARK)
@@ -139,3 +140,23 @@ def test_a_mass_given_by_the_user_replaces_that_of_the_rig(belt):
 def test_less_than_one_step_is_rejected(belt):
     with pytest.raises(CouplingError, match=r"time = 0\.0001 s: must be at least one step of 0\.001 s"):
         belt("CoulombStiction", time=1e-4)
+
+
+@pytest.mark.parametrize("law", ["CoulombStiction", "LuGre", "BrownMcPhee"])
+def test_fmus_come_to_the_motion_of_the_solver_as_their_step_falls(law):
+    """The FMUs in a master are the co-simulation of the workbench, and err by the order of their step."""
+    options = {"until": 12.0, "every": 1e-2, "record": ["rig.position"]}
+    exact = stribeck.solve("belt", law, tol=1e-11, **options)["rig.position"]
+    steps, errors = (2e-3, 1e-3, 5e-4), []
+    for step in steps:
+        run = run_belt(FMUS, law, step, 12.0, every=round(1e-2 / step))
+        own = stribeck.solve("belt", law, solver="co-simulation", step=step, exchange="sequential", **options)
+        assert numpy.abs(own["rig.position"] - run.position).max() < 1e-12
+        errors.append(numpy.abs(run.position - exact).max())
+    assert all(error < step for error, step in zip(errors, steps, strict=True)), errors
+    if law == "CoulombStiction":
+        # A switching is off by part of a step, of which half the step may happen to be a multiple.
+        assert errors[2] < 0.5 * errors[0], errors
+    else:
+        assert errors[0] / errors[1] == pytest.approx(2.0, rel=0.05), errors
+        assert errors[1] / errors[2] == pytest.approx(2.0, rel=0.05), errors
