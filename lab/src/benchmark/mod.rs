@@ -1,12 +1,14 @@
 //! The benchmark of the thesis: the belt with all laws and all classes of solvers, and how accuracy is paid for.
 
 mod page;
+mod printed;
 mod reference;
 mod table;
 
 use std::time::Duration;
 
 pub use page::page;
+pub use printed::section as karnopp_as_printed;
 pub use reference::Reference;
 pub use table::csv;
 
@@ -69,6 +71,12 @@ impl Measurement {
         self.end.as_ref().map_or_else(Clone::clone, End::to_string)
     }
 
+    /// The trial that a reference is.
+    fn of_reference(law: String, trial: Trial, reference: &Reference) -> Measurement {
+        let Reference { counts, time, uncertainty, .. } = *reference;
+        Measurement { law, trial, counts, time, error: Some(uncertainty), switching: None, end: Ok(End::Reached) }
+    }
+
     /// A trial that was refused.
     fn refused(law: String, trial: Trial, fault: &Fault) -> Measurement {
         let (counts, time, end) = ([0; 5], Duration::ZERO, Err(fault.to_string()));
@@ -76,7 +84,8 @@ impl Measurement {
     }
 }
 
-/// Runs a law with a solver several times. What is refused is a result as well.
+/// Runs a law with a solver several times. What is refused is a result as well. The reference of a law that steps
+/// itself is not run again: its error is then its uncertainty.
 pub fn measure(
     system: &System,
     reference: &Reference,
@@ -84,6 +93,9 @@ pub fn measure(
     settings: &Settings,
     repeats: usize,
 ) -> Measurement {
+    if trial.solver == Solver::Steps && trial.tolerance == reference.tolerance {
+        return Measurement::of_reference(law(system), trial, reference);
+    }
     let measured = try_to_measure(system, reference, trial, settings, repeats);
     measured.unwrap_or_else(|fault| Measurement::refused(law(system), trial, &fault))
 }
@@ -110,18 +122,22 @@ fn try_to_measure(
         times.push(outcome.elapsed);
     }
     times.sort();
-    let statistics = &outcome.statistics;
-    let (steps, rejected) = (statistics.steps, statistics.rejected);
-    let counts = [steps, rejected, statistics.evaluations, statistics.jacobians, outcome.events.len() as u64];
     Ok(Measurement {
         law: law(system),
         trial,
-        counts,
+        counts: counts(&outcome),
         time: times[times.len() / 2],
         error: outcome.is_reached().then(|| reference.error(position(&outcome))),
         switching: reference.switching(&outcome.events),
         end: Ok(outcome.end),
     })
+}
+
+/// Steps, rejected steps, evaluations, Jacobians, events.
+fn counts(outcome: &Outcome) -> [u64; 5] {
+    let statistics = &outcome.statistics;
+    let (steps, rejected) = (statistics.steps, statistics.rejected);
+    [steps, rejected, statistics.evaluations, statistics.jacobians, outcome.events.len() as u64]
 }
 
 fn position(outcome: &Outcome) -> &[f64] {

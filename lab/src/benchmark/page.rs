@@ -18,8 +18,19 @@ const TABLE_6_5: &[(&str, [Option<f64>; 4])] = &[
 ];
 
 /// Solvers of the thesis by the class of ours.
-const CLASSES: [(&str, &str); 4] =
-    [("dopri5", "ode45"), ("bdf", "ode15s"), ("rosenbrock23", "ode23s"), ("dop853", "ode78")];
+const CLASSES: [(Solver, &str); 4] =
+    [(Solver::Dopri5, "ode45"), (Solver::Bdf, "ode15s"), (Solver::Rosenbrock23, "ode23s"), (Solver::Dop853, "ode78")];
+
+/// The solvers in the place of those of the thesis, their classes, and its time for a law.
+pub(super) fn in_thesis(law: &str) -> Vec<(Solver, &'static str, String)> {
+    let times = TABLE_6_5.iter().find(|(name, _)| *name == law).map_or([None; 4], |(_, times)| *times);
+    CLASSES.iter().zip(times).map(|((solver, class), time)| (*solver, *class, seconds(time))).collect()
+}
+
+/// A time of the thesis.
+fn seconds(time: Option<f64>) -> String {
+    time.map_or("DNC".to_owned(), |time| format!("{time:.4}"))
+}
 
 /// The page of a benchmark: its table at the tolerance of the thesis, the runs that were not right, and what accuracy
 /// costs, with links to the files of its pictures.
@@ -27,18 +38,24 @@ pub fn page(
     measurements: &[Measurement],
     references: &[(String, Result<Reference, String>)],
     tolerance: f64,
+    printed: &str,
     pictures: &[(String, Vec<String>)],
 ) -> String {
-    let mut text = format!("{HEAD}\n");
+    let mut text = format!(
+        "# Benchmark\n\nEvery law of the catalogue on the belt of Table 6.1 (40 s, 400,001 results, relative and \
+         absolute tolerance {tolerance:e}), with\n{HEAD}\n"
+    );
     text += &format!(
-        "A motion is *right* if its position is never off by more than {} mm, *DNC* means that the solver did not come to \
-         the end.\n\n",
+        "A motion is *right* if its position is never off by more than {} mm; *DNC* means that the solver did not \
+         come\nto the end.\n\n",
         RIGHT * 1e3
     );
     text += &table(measurements, tolerance);
     text += &thesis();
     text += &failures(measurements, tolerance);
+    text += printed;
     text += &uncertain(references);
+    text += SENSITIVE;
     if !pictures.is_empty() {
         text += &precise(measurements, pictures);
     }
@@ -54,12 +71,12 @@ fn precise(measurements: &[Measurement], pictures: &[(String, Vec<String>)]) -> 
     let names: Vec<String> = solvers.iter().map(Solver::to_string).collect();
     let mut text = format!(
         "\n## Work and precision\n\nFewest evaluations of the rates in a run whose position is never off by more than \
-         {PRECISE:e} m, over nine tolerances from 1e-3 to 1e-11; events located or stepped over.\n\n| law | {} | pictures \
+         {PRECISE:e} m, over nine tolerances from 1e-3 to 1e-11; events located or stepped over.\n\n| law | {} \
          |\n|---|{}\n",
         names.join(" | "),
-        "---|".repeat(names.len() + 1)
+        "---|".repeat(names.len())
     );
-    for (law, files) in pictures {
+    for (law, _) in pictures {
         let fewest = |solver: &Solver| {
             let is_precise = |one: &&Measurement| {
                 one.law == *law && one.trial.solver == *solver && one.error.is_some_and(|error| error <= PRECISE)
@@ -68,20 +85,34 @@ fn precise(measurements: &[Measurement], pictures: &[(String, Vec<String>)]) -> 
             counts.min().map_or_else(|| "-".to_owned(), |count| count.to_string())
         };
         let counts: Vec<String> = solvers.iter().map(fewest).collect();
-        let links: Vec<String> = files.iter().enumerate().map(|(at, file)| format!("[{}]({file})", at + 1)).collect();
-        text += &format!("| {law} | {} | {} |\n", counts.join(" | "), links.join(" "));
+        text += &format!("| {law} | {} |\n", counts.join(" | "));
+    }
+    for (law, files) in pictures.iter().filter(|(_, files)| !files.is_empty()) {
+        text += &format!("\n<details><summary>{law}</summary>\n\n");
+        files.iter().for_each(|file| text += &format!("![{law}]({file})\n"));
+        text += "\n</details>\n";
     }
     text
 }
 
-const HEAD: &str = "# Benchmark
-
-Every law of the catalogue on the belt of Table 6.1 (40 s, 400,001 results, relative and absolute tolerance 1e-8), with
-the solver classes of F. Novais (2024), Tables 6.3, 6.5 and 7.2, and with ours. `stribeck bench thesis` writes this page
+const HEAD: &str = "the solver classes of F. Novais (2024), Tables 6.3, 6.5 and 7.2, and with ours. `stribeck bench \
+thesis` writes this page
 and `benchmark.csv`; with `--work-precision` the table there has nine tolerances, events located and not.
 
 Times are medians on the machine that made the page: compare them with each other, not with those of the thesis. They
-include the 400,001 results.
+include the 400,001 results. Laws that advance their memory themselves run by their own steps, which are halved until two
+halves agree; their error is the difference from a run at ten times the tolerance.
+";
+
+/// Laws whose motion on the belt amplifies small errors, and why.
+const SENSITIVE: &str = "
+Some of these motions amplify every error, so that no solver is as good as its tolerance:
+
+- `LinearStiction` and `Hollars` let the block creep until their force has its peak. It arrives there with an acceleration
+  of (v_0 / f_s) k v_b, 1.4e-4 m/s2 for the defaults: a velocity that is off by 1e-8 m/s is a breakaway that is off by
+  7e-5 s, and a position by 1e-5 m.
+- `Karnopp` holds the block at the velocity with which it entered the band. Each micrometre per second there moves the next
+  breakaway by 2 (f_s - f_C) / (k v_b^2), 49 us.
 ";
 
 fn solvers(measurements: &[Measurement]) -> Vec<Solver> {
@@ -109,10 +140,11 @@ fn find<'a>(all: &'a [Measurement], law: &str, solver: Solver, tolerance: f64) -
 fn table(measurements: &[Measurement], tolerance: f64) -> String {
     let solvers = solvers(measurements);
     let mut text = String::from(
-        "## All laws, all solvers\n\nEvaluations of the rates / ms / largest error in m. Events are located where the solver can do so.\n\n| law |",
+        "## All laws, all solvers\n\nEvaluations of the rates / ms / largest error in m. Events are located where the \
+         solver can do so.\n\n| law |",
     );
     for solver in &solvers {
-        let class = CLASSES.iter().find(|(name, _)| *name == solver.to_string());
+        let class = CLASSES.iter().find(|(one, _)| one == solver);
         text += &class.map_or_else(|| format!(" {solver} |"), |(_, class)| format!(" {solver} ({class}) |"));
     }
     text += &format!("\n|---|{}\n", "---|".repeat(solvers.len()));
@@ -137,10 +169,12 @@ fn cell(one: &Measurement) -> String {
 
 fn thesis() -> String {
     let mut text = String::from(
-        "## Table 6.5 of the thesis\n\nAverage times in s in MATLAB, on a machine that the thesis does not name. The times of its Tables 6.3 and 7.2 were not available.\n\n| law | ode45 | ode15s | ode23s | ode78 |\n|---|---|---|---|---|\n",
+        "## Table 6.5 of the thesis\n\nAverage times in s in MATLAB, on a machine that the thesis does not name. The \
+         times of its Tables 6.3 and 7.2 were not available.\n\n| law | ode45 | ode15s | ode23s | ode78 \
+         |\n|---|---|---|---|---|\n",
     );
     for (law, times) in TABLE_6_5 {
-        let times = times.map(|time| time.map_or("DNC".to_owned(), |time| format!("{time:.4}")));
+        let times = times.map(seconds);
         text += &format!("| {law} | {} |\n", times.join(" | "));
     }
     text + "\n"
@@ -173,7 +207,8 @@ fn failures(measurements: &[Measurement], tolerance: f64) -> String {
 /// Laws whose reference is uncertain.
 fn uncertain(references: &[(String, Result<Reference, String>)]) -> String {
     let mut text = String::from(
-        "## References\n\nEach motion is compared with a run at the tolerance named here; the uncertainty is its largest difference from a\nrun at ten times that tolerance. ",
+        "## References\n\nEach motion is compared with a run at the tolerance named here; the uncertainty is its \
+         largest difference from a\nrun at ten times that tolerance. ",
     );
     let (other, tolerance) = Reference::OTHER;
     text += &format!(

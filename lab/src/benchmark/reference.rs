@@ -1,6 +1,8 @@
 //! Motions with which others are compared.
 
-use super::{POSITION, position};
+use std::time::Duration;
+
+use super::{POSITION, counts, position};
 use crate::run::{Passed, Settings, Solver, run};
 use crate::system::{Fault, System};
 
@@ -11,8 +13,12 @@ pub struct Reference {
     events: Vec<f64>,
     /// Tolerance at which it was computed.
     pub tolerance: f64,
-    /// Its own error, in m, as the difference to a run at ten times its tolerance.
+    /// Its own error, in m, as the difference from a run at ten times its tolerance.
     pub uncertainty: f64,
+    /// Steps, rejected steps, evaluations of the rates, Jacobians, events.
+    pub counts: [u64; 5],
+    /// Time on the clock.
+    pub time: Duration,
     /// Largest difference from it, in m, of a run with [`Reference::OTHER`], or why there is none.
     pub other: Result<f64, String>,
 }
@@ -39,6 +45,8 @@ impl Reference {
             events: fine.events.iter().map(|event| event.time).collect(),
             tolerance,
             uncertainty: 0.0,
+            counts: counts(&fine),
+            time: fine.elapsed,
             other: Err("its steps are its own".to_owned()),
         };
         reference.uncertainty = reference.error(position(&coarse));

@@ -5,7 +5,8 @@ use super::Measurement;
 /// All measurements.
 pub fn csv(measurements: &[Measurement]) -> String {
     let mut text = String::from(
-        "law,solver,tolerance,events located,steps,rejected,evaluations,jacobians,events,time [s],error [m],switching error [s],verdict,end\n",
+        "law,solver,tolerance,events located,steps,rejected,evaluations,jacobians,events,time [s],error [m],switching \
+         error [s],verdict,end\n",
     );
     for one in measurements {
         let [steps, rejected, evaluations, jacobians, events] = one.counts;

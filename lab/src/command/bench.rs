@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
-use lab::benchmark::{EVERY, Measurement, Reference, Trial, belt, csv, measure, page};
+use lab::benchmark::{EVERY, Measurement, Reference, Trial, belt, csv, karnopp_as_printed, measure, page};
 use lab::picture::{Precision, Theme, work_precision};
 use lab::run::{Settings, Solver};
 use lab::system::{Fault, System};
@@ -74,7 +74,14 @@ pub fn bench(arguments: &Arguments) -> Result<Verdict, Failure> {
     std::fs::create_dir_all(&arguments.out).map_err(|source| Failure::File { path: arguments.out.clone(), source })?;
     write(&arguments.out.join("benchmark.csv"), csv(&measurements))?;
     let pictures = if arguments.work_precision { draw(&measurements, &laws, &arguments.out)? } else { Vec::new() };
-    write(&arguments.out.join("benchmark.md"), page(&measurements, &references, arguments.tol, &pictures))?;
+    let printed = match systems.first() {
+        Some(system) if verdict == Verdict::Done => {
+            let settings = Settings { cancel: Some(&CANCELLED), ..Settings::of(system) };
+            karnopp_as_printed(arguments.tol, &references, &settings)?
+        }
+        _ => String::new(),
+    };
+    write(&arguments.out.join("benchmark.md"), page(&measurements, &references, arguments.tol, &printed, &pictures))?;
     println!("{}", arguments.out.join("benchmark.md").display());
     println!("{}", arguments.out.join("benchmark.csv").display());
     Ok(verdict)
