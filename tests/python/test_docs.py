@@ -1,5 +1,6 @@
 """The Python examples in README.md and on the pages of docs/: they run and print the output shown on the page."""
 
+import csv
 import itertools
 import re
 from dataclasses import dataclass
@@ -7,6 +8,7 @@ from pathlib import Path
 
 import numpy
 import pytest
+import stribeck
 from coupling import PROJECT
 from scipy.integrate import solve_ivp
 
@@ -104,6 +106,22 @@ def test_the_commands_of_the_page_of_the_thesis_name_what_exists():
             assert set(names.split()) <= models, command
         for option in re.findall(r"--[a-z-]+", command) if command.startswith("python") else ():
             assert f'"{option}"' in programs, f"{command}: {option}"
+
+
+def test_the_page_of_the_benchmark_has_every_law_and_solver():
+    """As `stribeck bench thesis --work-precision --out docs` writes it; a law or a solver that is new is missing."""
+    page = (PROJECT / "docs/benchmark.md").read_text(encoding="utf-8")
+    with (PROJECT / "docs/benchmark.csv").open(encoding="utf-8", newline="") as file:
+        rows = list(csv.DictReader(file))
+    measured = {(row["law"], row["solver"]) for row in rows}
+    assert {solver for _, solver in measured} == set(stribeck.solvers()) - {"auto", "co-simulation"}
+    assert {law for law, _ in measured} == {str(law) for law in stribeck.laws()}
+    for law, _ in measured:
+        assert f"| {law} | " in page, law
+    # Every law but those that step themselves, with nine tolerances.
+    assert {len({row["tolerance"] for row in rows if row["law"] == law}) for law, _ in measured} == {1, 9}
+    drawn = {path.name for path in (PROJECT / "docs/work-precision").iterdir()}
+    assert drawn == set(re.findall(r"\(work-precision/([^)]*)\)", page))
 
 
 def test_the_loop_of_the_readme_is_that_of_the_equations_of_lugre():

@@ -113,6 +113,8 @@ Some of these motions amplify every error, so that no solver is as good as its t
   7e-5 s, and a position by 1e-5 m.
 - `Karnopp` holds the block at the velocity with which it entered the band. Each micrometre per second there moves the next
   breakaway by 2 (f_s - f_C) / (k v_b^2), 49 us.
+- `Bristle` gives a bond that breaks a new place at random. The numbers are drawn in the order in which bonds break, so that
+  runs whose steps differ agree up to the first slip, and not in the motion after it: there is no motion to converge to.
 ";
 
 fn solvers(measurements: &[Measurement]) -> Vec<Solver> {
