@@ -572,6 +572,24 @@ mod tests {
         assert!(((law.dissipated_energy - before) / work - 1.0).abs() < 1e-6, "{}", law.dissipated_energy - before);
     }
 
+    /// The plane is the same on either side: turning its normal over moves no bristle.
+    #[test]
+    fn a_normal_turned_over_leaves_the_deflection() {
+        let turned = |normal: [f64; 3]| {
+            let mut law = Liang { velocity_x: 1e-3, velocity_y: 2e-3, ..Default::default() };
+            law.step(2e-3);
+            moving(&mut law, Vector3::zeros());
+            [law.normal_x, law.normal_y, law.normal_z] = normal;
+            law.step(1e-3);
+            law.deflection()
+        };
+        let before = turned([0.0, 0.0, 1.0]);
+        assert!(before.norm() > 1e-7, "{before}");
+        assert_eq!(turned([0.0, 0.0, -1.0]), before);
+        let [up, down] = [[0.1, 0.2, 1.0], [-0.1, -0.2, -1.0]].map(turned);
+        assert!((up - down).norm() < 1e-15 * before.norm(), "{up} {down}");
+    }
+
     /// A tilted plane: only the tangential velocity counts, and the force lies in the plane.
     #[test]
     fn force_lies_in_the_plane_and_turns_with_it() {

@@ -307,6 +307,17 @@ mod tests {
         law
     }
 
+    /// A kinetic level of 0 has a limit of 0 for the deflection: the contact is released, whatever the static level.
+    #[test]
+    fn no_kinetic_level_is_no_contact() {
+        let mut law = moved(ResetIntegrator::default(), 1e-4, 0.05);
+        assert!(law.friction_force > 0.0);
+        law.mu_k = 0.0;
+        let released = moved(law, 1e-4, 1e-3);
+        assert_eq!((released.friction_force, released.bristle_deflection), (0.0, 0.0));
+        assert_eq!(released.dissipated_energy, law.dissipated_energy);
+    }
+
     /// Breakaway: just before z_m the force is f_s + sigma_1 v, just after f_C.
     #[test]
     fn force_drops_at_breakaway_and_jumps_up_at_reversal() {

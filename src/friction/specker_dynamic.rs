@@ -212,6 +212,16 @@ mod tests {
         law
     }
 
+    /// Without dry friction the time constant at rest is that of the viscous part, if there is one.
+    #[test]
+    fn model_exchange_needs_a_time_constant_at_rest() {
+        let law = |viscous_coefficient| {
+            SpeckerDynamic { mu_s: 0.0, mu_k: 0.0, viscous_coefficient, ..Default::default() }.check_model_exchange()
+        };
+        assert!(law(2.0).is_ok());
+        assert!(law(0.0).unwrap_err().0.starts_with("mu_s = 0: must be > 0 in Model Exchange unless"));
+    }
+
     /// A step to v << v_Sp: K_0 v (1 - exp(-t / T_stick)) with K_0 = 5657.7588 N.s/m, T_stick = K_0 / sigma_0.
     #[test]
     fn small_motions_meet_a_spring_that_creeps() {

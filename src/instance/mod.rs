@@ -14,6 +14,8 @@ mod derivative;
 mod exchange;
 mod slopes;
 mod snapshot;
+#[cfg(test)]
+mod tests;
 
 use derivative::Workspace;
 use exchange::Exchange;

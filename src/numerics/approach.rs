@@ -220,6 +220,15 @@ mod tests {
         assert!((back + 0.2f64.tan()).abs() < 1e-13);
     }
 
+    /// At the level there is nothing left to approach: r stays 1 over the whole distance.
+    #[test]
+    fn at_the_level_nothing_changes() {
+        for exponent in [0.5, 2.0, 3.7] {
+            let travel = advance(1.0, 1.0, 0.3, exponent);
+            assert_eq!((travel.change, travel.distance, travel.area, travel.arrived), (0.0, 0.3, 0.3, false));
+        }
+    }
+
     #[test]
     fn first_order_law_is_an_exponential() {
         for (r, q) in [(0.0, 0.4), (-3.0, 2.0), (5.0, 1e-8), (0.2, 30.0)] {

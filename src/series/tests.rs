@@ -85,3 +85,15 @@ fn forces_of_all_other_laws_settle() {
         assert!(result.is_err() || settled[0] > 0.0, "{}: {settled:?}", law.name);
     }
 }
+
+/// A contact at rest has settled from the beginning, and an unsettled one can be left.
+#[test]
+fn rest_settles_and_settling_can_be_cancelled() {
+    let mut instance = Instance::new(by_name("LuGre").unwrap());
+    let [velocity, load, force] = ["velocity", "normal_force", "friction_force"].map(|name| column(&instance, name));
+    let mut settled = [1.0];
+    settle(&mut instance, &[(velocity, 0.0), (load, 10.0)], &[force], &mut settled, &NEVER).unwrap();
+    assert_eq!(settled, [0.0]);
+    let ended = settle(&mut instance, &[(velocity, 0.1)], &[force], &mut settled, &AtomicBool::new(true)).unwrap_err();
+    assert_eq!(ended.to_string(), "cancelled");
+}

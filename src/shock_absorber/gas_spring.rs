@@ -147,6 +147,16 @@ mod tests {
     use crate::catalogue::by_name;
     use crate::instance::Instance;
 
+    /// A strut without gas may be as short as it likes.
+    #[test]
+    fn no_gas_has_no_force_and_no_limit() {
+        let mut spring = Instance::new(by_name("GasSpring").expect("a model"));
+        spring.set_by_name("gas.enabled", 0.0).unwrap();
+        spring.set_by_name("compression", 10.0).unwrap();
+        assert_eq!(spring.get_by_name("force").unwrap(), 0.0);
+        spring.step(1e-3).unwrap();
+    }
+
     /// When the rod fills the gas volume there is no pressure, whatever the exponent.
     #[test]
     fn a_rod_that_fills_the_volume_is_an_error() {

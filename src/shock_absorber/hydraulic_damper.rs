@@ -410,6 +410,23 @@ mod tests {
         assert_abs_diff_eq!(relaxing.dissipated_energy + stored, work, epsilon = 1e-5);
     }
 
+    /// Along a ramp v = a t the piston follows with w = a (t - T (1 - exp(-t / T))), T = c / k; the force is -c w. Each
+    /// piece of the step has the velocity in its middle, a method of second order.
+    #[test]
+    fn series_stiffness_follows_a_ramp() {
+        let (a, time, lag) = (5.0, 20e-3, 5e-3);
+        let exact = -2300.0 * a * (time - lag * (1.0 - f64::exp(-time / lag)));
+        let error = |step_size: f64| {
+            let mut relaxing = HydraulicDamper { step_size, ..damper(|d| d.k_series = 4.6e5) };
+            relaxing.step_ramp(&HydraulicDamper { velocity: a, ..relaxing }, time);
+            relaxing.output();
+            assert_abs_diff_eq!(relaxing.velocity, a * time, epsilon = 1e-15);
+            (relaxing.force - exact).abs()
+        };
+        let [coarse, fine] = [1e-3, 5e-4].map(error);
+        assert!(coarse < 2.0 && coarse / fine > 3.0, "{coarse} {fine}");
+    }
+
     /// The step is of second order or better, and stable for a stiffness of 1e12 N/m.
     #[test]
     fn series_step_is_of_second_order_and_l_stable() {
