@@ -18,6 +18,44 @@ struct Mover {
     name: String,
     /// Whether one of its states is integrated.
     moves: bool,
+    /// Columns that change from one evaluation to the next: integrated states and inputs with a source.
+    changing: Vec<usize>,
+    /// Computed outputs that are passed on.
+    passed: Vec<usize>,
+    /// Whether a column that changes has a slope.
+    has_slope: bool,
+}
+
+impl Mover {
+    /// Takes the values of all columns over.
+    fn spread(&mut self) {
+        for (dual, value) in self.dual.iter_mut().zip(&self.row) {
+            *dual = Dual::from(*value);
+        }
+    }
+
+    /// Takes the values of those columns over that have changed since [`Mover::spread`], outputs apart.
+    fn spread_changing(&mut self) {
+        for column in &self.changing {
+            self.dual[*column] = Dual::from(self.row[*column]);
+        }
+        self.has_slope = false;
+    }
+
+    /// Computes the slopes of the outputs.
+    fn output_slopes(&mut self) {
+        if self.has_slope {
+            self.model.output_dual(&mut self.dual);
+        } else {
+            self.passed.iter().for_each(|column| self.dual[*column].slope = 0.0);
+        }
+    }
+
+    /// Gives a column a slope.
+    fn incline(&mut self, column: usize, slope: f64) {
+        self.dual[column].slope = slope;
+        self.has_slope |= slope != 0.0;
+    }
 }
 
 /// The equations of motion of a system.
@@ -26,9 +64,13 @@ pub struct Motion {
     states: Vec<Place>,
     scales: Vec<f64>,
     tasks: Vec<Task>,
+    /// Those of them that event indicators need, which depend on inputs and states.
+    tasks_of_indicators: Vec<Task>,
     signals: Vec<(Place, Signal)>,
     moving_signals: bool,
     recorded: Vec<WireSource>,
+    /// Whether columns that are not [`Mover::changing`] may have changed since they were taken over as dual numbers.
+    stale: bool,
 }
 
 /// Largest number of times that events are passed from part to part at one instant (chosen).
@@ -59,20 +101,23 @@ impl Motion {
                 dual_rate: zero,
                 name: part.name.clone(),
                 moves: states.iter().any(|place| place.part == number),
+                changing: changing(system, &states, number),
+                passed: passed(system, number),
+                has_slope: false,
             }
         });
         let moving_signals = system.signals.iter().any(|(_, signal)| !matches!(signal, Signal::Constant(_)));
-        let mut motion = Motion {
+        Ok(Motion {
             movers: movers.collect(),
             states,
             scales,
+            tasks_of_indicators: needed(&tasks, |part| system.parts[part].model.event_indicators > 0),
             tasks,
             signals: system.signals.clone(),
             moving_signals,
             recorded: recorded.to_vec(),
-        };
-        motion.spread();
-        Ok(motion)
+            stale: true,
+        })
     }
 
     /// Records these results and no others.
@@ -90,8 +135,8 @@ impl Motion {
         &self.states
     }
 
-    /// All inputs at a time, for given states.
-    fn put(&mut self, time: f64, states: &[f64]) {
+    /// States and signals at a time.
+    fn put_states(&mut self, time: f64, states: &[f64]) {
         for (place, value) in self.states.iter().zip(states) {
             self.movers[place.part].row[place.column] = *value;
         }
@@ -100,46 +145,32 @@ impl Motion {
                 self.movers[place.part].row[place.column] = signal.at(time).0;
             }
         }
-        for task in &self.tasks {
-            match task {
-                Task::Output(part) => {
-                    let mover = &mut self.movers[*part];
-                    mover.model.output(&mut mover.row);
-                }
-                Task::Pass { from, to } => {
-                    self.movers[to.part].row[to.column] = self.movers[from.part].row[from.column];
-                }
-            }
-        }
     }
 
-    /// The rows as dual numbers.
-    fn spread(&mut self) {
-        for mover in &mut self.movers {
-            for (dual, value) in mover.dual.iter_mut().zip(&mover.row) {
-                *dual = Dual::from(*value);
-            }
-        }
+    /// All inputs at a time, for given states.
+    fn put(&mut self, time: f64, states: &[f64]) {
+        self.put_states(time, states);
+        perform(&self.tasks, &mut self.movers);
     }
 
-    /// Derivatives of the rates, with the slopes that states and signals have.
+    /// Derivatives of the rates, with the slopes that states and signals have. A part without a slope has outputs and
+    /// rates without slopes.
     fn derive(&mut self, mut put: impl FnMut(usize, f64)) {
         for task in &self.tasks {
             match task {
-                Task::Output(part) => {
-                    let mover = &mut self.movers[*part];
-                    mover.model.output_dual(&mut mover.dual);
-                }
+                Task::Output(part) => self.movers[*part].output_slopes(),
                 Task::Pass { from, to } => {
-                    self.movers[to.part].dual[to.column] = self.movers[from.part].dual[from.column];
+                    let slope = self.movers[from.part].dual[from.column].slope;
+                    self.movers[to.part].incline(to.column, slope);
                 }
             }
         }
-        for mover in self.movers.iter_mut().filter(|mover| mover.moves) {
+        for mover in self.movers.iter_mut().filter(|mover| mover.moves && mover.has_slope) {
             mover.model.rate_dual(&mover.dual, &mut mover.dual_rate);
         }
         for (number, place) in self.states.iter().enumerate() {
-            put(number, self.movers[place.part].dual_rate[place.column].slope);
+            let mover = &self.movers[place.part];
+            put(number, if mover.has_slope { mover.dual_rate[place.column].slope } else { 0.0 });
         }
     }
 
@@ -157,6 +188,54 @@ impl Motion {
         }
         Ok(())
     }
+}
+
+/// Computes outputs and passes them on.
+fn perform(tasks: &[Task], movers: &mut [Mover]) {
+    for task in tasks {
+        match task {
+            Task::Output(part) => {
+                let mover = &mut movers[*part];
+                mover.model.output(&mut mover.row);
+            }
+            Task::Pass { from, to } => movers[to.part].row[to.column] = movers[from.part].row[from.column],
+        }
+    }
+}
+
+/// The tasks without which an input of one of these parts would not have its value.
+fn needed(tasks: &[Task], wanted: impl Fn(usize) -> bool) -> Vec<Task> {
+    let (mut found, mut outputs) = (Vec::new(), Vec::new());
+    for task in tasks.iter().rev() {
+        let is_needed = match task {
+            Task::Output(part) => outputs.contains(part),
+            Task::Pass { to, .. } => wanted(to.part) || outputs.contains(&to.part),
+        };
+        if is_needed {
+            found.push(*task);
+            if let Task::Pass { from, .. } = task {
+                outputs.push(from.part);
+            }
+        }
+    }
+    found.reverse();
+    found
+}
+
+/// The columns of a part that change from one evaluation to the next.
+fn changing(system: &System, states: &[Place], part: usize) -> Vec<usize> {
+    let inputs = system.wires.iter().map(|wire| wire.to).chain(system.signals.iter().map(|(to, _)| *to));
+    states.iter().copied().chain(inputs).filter(|place| place.part == part).map(|place| place.column).collect()
+}
+
+/// The computed outputs of a part that are passed on.
+fn passed(system: &System, part: usize) -> Vec<usize> {
+    let sources = system.wires.iter().filter_map(|wire| match wire.from {
+        WireSource::Variable(from) => Some(from),
+        WireSource::Derivative(_) => None,
+    });
+    let computed = sources.filter(|from| from.part == part && system.variable(*from).role.is_computed());
+    computed.map(|from| from.column).collect()
 }
 
 /// The continuous states that matter: energies that nobody reads need not be integrated.
@@ -206,18 +285,21 @@ impl Equations for Motion {
 
     fn jacobian(&mut self, time: f64, states: &[f64], jacobian: &mut [f64], by_time: &mut [f64]) {
         self.put(time, states);
-        self.spread();
+        if std::mem::take(&mut self.stale) {
+            self.movers.iter_mut().for_each(Mover::spread);
+        }
         let count = self.states.len();
         for column in 0..count {
+            self.movers.iter_mut().for_each(Mover::spread_changing);
             let Place { part, column: at } = self.states[column];
-            self.movers[part].dual[at].slope = 1.0;
+            self.movers[part].incline(at, 1.0);
             self.derive(|row, slope| jacobian[row * count + column] = slope);
-            self.movers[part].dual[at].slope = 0.0;
         }
         by_time.fill(0.0);
         if self.moving_signals {
+            self.movers.iter_mut().for_each(Mover::spread_changing);
             for (place, signal) in &self.signals {
-                self.movers[place.part].dual[place.column].slope = signal.at(time).1;
+                self.movers[place.part].incline(place.column, signal.at(time).1);
             }
             self.derive(|row, slope| by_time[row] = slope);
         }
@@ -239,7 +321,8 @@ impl Equations for Motion {
     }
 
     fn indicate(&mut self, time: f64, states: &[f64], indicators: &mut [f64]) {
-        self.put(time, states);
+        self.put_states(time, states);
+        perform(&self.tasks_of_indicators, &mut self.movers);
         let mut rest = indicators;
         for mover in &self.movers {
             let (own, others) = rest.split_at_mut(mover.model.event_indicators);
@@ -249,6 +332,7 @@ impl Equations for Motion {
     }
 
     fn at_event(&mut self, time: f64, states: &mut [f64]) -> Result<(), String> {
+        self.stale = true;
         for _ in 0..PASSES {
             self.put(time, states);
             let before: Vec<Vec<f64>> = self.movers.iter().map(|mover| mover.row.clone()).collect();
