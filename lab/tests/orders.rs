@@ -19,6 +19,7 @@ enum Solver {
 
 const RODAS5P: Solver = Solver::Own(Method::Rodas5P);
 const ROSENBROCK23: Solver = Solver::Own(Method::Rosenbrock23);
+const EXPONENTIAL: Solver = Solver::Own(Method::Exponential);
 const DOPRI5: Solver = Solver::Other(Foreign::Dopri5);
 const DOP853: Solver = Solver::Other(Foreign::Dop853);
 const BDF: Solver = Solver::Other(Foreign::Bdf);
@@ -175,6 +176,38 @@ fn errors_fall_with_the_order_where_events_are_located() {
     }
     let smooth: Vec<(f64, f64)> = lengths(1.2).map(|h| preloaded(DOP853, 0.0, None, &fixed(h, 20.0, false))).collect();
     assert_order(DOP853, "oscillator", 8.0, &smooth);
+}
+
+/// A coarse tolerance changes nothing at the ends of steps, where laws made of straight lines pass from one to the next.
+/// Events and motions, against closed forms and the other method.
+#[test]
+fn laws_made_of_straight_lines_are_solved_exactly() {
+    let switching = |law: &str, solver: Solver, tolerance: f64| -> Vec<f64> {
+        let system = System::assemble(&Source::open("belt").unwrap(), Some(law), &[]).unwrap();
+        let mut motion = Motion::new(&system, &[]).unwrap();
+        let mut states = motion.start();
+        let (statistics, _) = run(solver, &mut motion, &mut states, &Options::new(40.0, tolerance));
+        statistics.events.iter().map(|event| event.time).collect()
+    };
+    let worst = |a: &[f64], b: &[f64]| {
+        assert_eq!(a.len(), b.len(), "{a:?} {b:?}");
+        a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
+    };
+    // First slip, first stick and so on of Coulomb friction with stiction, in closed form. The law itself holds up to a
+    // force that is 1e-11 above its limit.
+    let (period, slip) = (7.523_422_246_570, 2.618_422_246_570);
+    let exact: Vec<f64> =
+        (0..9).map(|n| 7.3575 + period * f64::from(n / 2) + if n % 2 == 1 { slip } else { 0.0 }).collect();
+    let found = switching("CoulombStiction", EXPONENTIAL, 1e-3);
+    assert!(worst(&found, &exact) < 1e-9, "{found:?}");
+    let [coarse, fine] = [1e-3, 1e-9].map(|tolerance| switching("LinearStiction", EXPONENTIAL, tolerance));
+    let other = switching("LinearStiction", RODAS5P, 1e-12);
+    assert!(worst(&coarse, &fine) < 1e-8 && worst(&fine, &other) < 1e-6, "{coarse:?} {fine:?} {other:?}");
+    // Here the block swings just up to the speed of the belt, so that it depends on the last digits which kinks it meets.
+    for law in ["Ambrosio", "Bernard"] {
+        let [fine, other] = [(EXPONENTIAL, 1e-9), (RODAS5P, 1e-12)].map(|(solver, it)| belt(law, solver, it));
+        assert!(worst(&fine, &other) < 1e-7, "{law}: {}", worst(&fine, &other));
+    }
 }
 
 /// The order of the formulas varies from 1 to 5: their error follows the tolerance.

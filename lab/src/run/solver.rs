@@ -17,6 +17,9 @@ pub enum Solver {
     Rodas5P,
     /// Modified Rosenbrock method 2(3), the class of ode23s.
     Rosenbrock23,
+    /// Exponential Rosenbrock-Euler method with located events: exact for laws made of straight lines, otherwise of
+    /// order 2.
+    Exponential,
     /// Explicit Runge-Kutta method of order 5, of the crate ode_solvers, the class of ode45.
     #[cfg(feature = "workbench")]
     Dopri5,
@@ -67,6 +70,7 @@ impl Solver {
         match self {
             Solver::Auto | Solver::Rodas5P => Kind::Own(Method::Rodas5P),
             Solver::Rosenbrock23 => Kind::Own(Method::Rosenbrock23),
+            Solver::Exponential => Kind::Own(Method::Exponential),
             #[cfg(feature = "workbench")]
             Solver::Dopri5 => Kind::Foreign(Foreign::Dopri5),
             #[cfg(feature = "workbench")]

@@ -1,6 +1,6 @@
 //! The methods of this library.
 
-use super::{End, Equations, Options, Recorder, Statistics, march, rodas5p, rosenbrock23};
+use super::{End, Equations, Options, Recorder, Statistics, exponential, march, rodas5p, rosenbrock23};
 
 /// A one-step method with exact Jacobian, dense output and located events.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -9,6 +9,8 @@ pub enum Method {
     Rodas5P,
     /// Modified Rosenbrock method of orders 2 and 3.
     Rosenbrock23,
+    /// Exponential Rosenbrock-Euler method of order 2, exact where the equations are linear.
+    Exponential,
 }
 
 /// A step of a method: from the states at its beginning to those at its end, with an estimate of the error.
@@ -58,6 +60,9 @@ impl Method {
                     Method::Rodas5P => march::run::<rodas5p::Rodas5P<$n>, $n>($equations, states, options, recorder),
                     Method::Rosenbrock23 => {
                         march::run::<rosenbrock23::Rosenbrock23<$n>, $n>($equations, states, options, recorder)
+                    }
+                    Method::Exponential => {
+                        march::run::<exponential::Exponential<$n>, $n>($equations, states, options, recorder)
                     }
                 }
             };

@@ -5,6 +5,7 @@
 
 mod elimination;
 mod event;
+mod exponential;
 #[cfg(feature = "workbench")]
 mod foreign;
 mod march;

@@ -17,6 +17,8 @@ enum Kind {
     Nine,
     /// Height and velocity; the velocity is reversed on the ground.
     Ball,
+    /// x'' = -sin x.
+    Pendulum,
 }
 
 impl Equations for Analytic {
@@ -24,7 +26,7 @@ impl Equations for Analytic {
         match self.kind {
             Kind::Stiff => 1,
             Kind::Nine => 18,
-            Kind::Oscillator | Kind::Ball => 2,
+            Kind::Oscillator | Kind::Ball | Kind::Pendulum => 2,
         }
     }
 
@@ -47,10 +49,11 @@ impl Equations for Analytic {
             }
             Kind::Stiff => rates[0] = -1e6 * (x[0] - time.cos()) - time.sin(),
             Kind::Ball => rates.copy_from_slice(&[x[1], -10.0]),
+            Kind::Pendulum => rates.copy_from_slice(&[x[1], -x[0].sin()]),
         }
     }
 
-    fn jacobian(&mut self, time: f64, _x: &[f64], jacobian: &mut [f64], by_time: &mut [f64]) {
+    fn jacobian(&mut self, time: f64, x: &[f64], jacobian: &mut [f64], by_time: &mut [f64]) {
         match self.kind {
             Kind::Oscillator => jacobian.copy_from_slice(&[0.0, 1.0, -1.0, 0.0]),
             Kind::Stiff => {
@@ -59,6 +62,7 @@ impl Equations for Analytic {
                 return;
             }
             Kind::Ball => jacobian.copy_from_slice(&[0.0, 1.0, 0.0, 0.0]),
+            Kind::Pendulum => jacobian.copy_from_slice(&[0.0, 1.0, -x[0].cos(), 0.0]),
             Kind::Nine => {
                 jacobian.fill(0.0);
                 for number in 0..9 {
@@ -140,5 +144,47 @@ fn landings_are_located() {
     assert_eq!(times.len(), 5, "{times:?}");
     for (number, time) in times.iter().enumerate() {
         assert!((time - 0.2 * (number + 1) as f64).abs() < 1e-13, "{times:?}");
+    }
+}
+
+/// The steps of the exponential method are exact, whatever the tolerance; between their ends it holds.
+#[test]
+fn linear_equations_are_solved_exactly() {
+    let start: Vec<f64> = [1.0, 0.0].repeat(9);
+    let (states, statistics, recorder) = run(Kind::Nine, Method::Exponential, 1e-4, 7.0, &start);
+    assert!(statistics.steps < 300, "{statistics:?}");
+    for (number, x) in states.chunks(2).enumerate() {
+        let w = (number + 1) as f64;
+        assert!((x[0] - (7.0 * w).cos()).abs() < 1e-13, "{number}: {}", x[0] - (7.0 * w).cos());
+        for (time, x) in recorder.times().zip(&recorder.states[2 * number]) {
+            assert!((x - (w * time).cos()).abs() < 1e-3, "{number} at {time}: {x}");
+        }
+    }
+    let (_, statistics, _) = run(Kind::Ball, Method::Exponential, 1e-3, 1.05, &[0.0, 1.0]);
+    let times = statistics.events.iter().map(|event| event.time);
+    let worst = times.enumerate().map(|(number, time)| (time - 0.2 * (number + 1) as f64).abs()).fold(0.0, f64::max);
+    assert!(statistics.events.len() == 5 && worst < 1e-14, "{worst}: {:?}", statistics.events);
+}
+
+/// Otherwise the method is of order 2; a reference by the method of order 5.
+#[test]
+fn the_exponential_method_is_of_order_two() {
+    let at_end = |method: Method, tolerance: f64, longest: f64| {
+        let mut equations = Analytic { kind: Kind::Pendulum, scales: vec![1.0; 2] };
+        let (mut states, options) = ([2.0, 0.0], Options { longest, ..Options::new(10.0, tolerance) });
+        let mut recorder = Recorder::new(Grid { begin: 0.0, end: 10.0, intervals: 10 }, &equations);
+        let (end, statistics) = solve(method, &mut equations, &mut states, &options, &mut recorder);
+        assert!(end.is_reached(), "{end}");
+        (states[0], statistics.steps as f64)
+    };
+    let (exact, _) = at_end(Method::Rodas5P, 1e-12, f64::INFINITY);
+    let errors = [0.02, 0.01, 0.005].map(|h| (at_end(Method::Exponential, 1e3, h).0 - exact).abs());
+    for pair in errors.windows(2) {
+        assert!((pair[0] / pair[1]).log2() > 1.8 && (pair[0] / pair[1]).log2() < 2.2, "{errors:?}");
+    }
+    // The tolerance is one of each step.
+    for tolerance in [1e-4, 1e-8] {
+        let (x, steps) = at_end(Method::Exponential, tolerance, f64::INFINITY);
+        assert!((x - exact).abs() < 5.0 * steps * tolerance, "{tolerance:e}: {} in {steps} steps", x - exact);
     }
 }
