@@ -4,7 +4,8 @@
 //! values at its end are found by iteration (Broyden's method), so that a stiff contact does not limit the step. Where a
 //! law jumps at rest, no force of its equations brings the body to rest within a step; the force between the two sides of
 //! the jump does, and it is found by bisection (the solution in the sense of Filippov). The coupling is of second order; a
-//! step is made as a whole and in two halves, and divided where they differ.
+//! step is made as a whole and in two halves, and divided where they differ. Results between communication points are those
+//! of a part of the half step they lie in.
 
 use stribeck::instance::Snapshot;
 use stribeck::number::elementary::pow;
@@ -19,8 +20,14 @@ const SHORTEST: f64 = 1e-11;
 /// Largest number of iterations of a step (chosen); after that it is divided.
 const MOST_ITERATIONS: u32 = 25;
 
+/// Longest step, in parts of the run (chosen): a motion that is given repeats itself unseen in a longer one.
+const LONGEST: f64 = 1e-3;
+
 /// Part of the tolerance to which the iteration converges (chosen).
 const CLOSURE: f64 = 1e-3;
+
+/// Part of its size within which the force on a held body is first looked for (chosen).
+const HELD: f64 = 1e-3;
 
 const NO_CONVERGENCE: &str = "the iteration between the parts does not converge";
 
@@ -31,12 +38,36 @@ struct Coupling<'a> {
     along: Vec<Wire>,
     /// Connections against the order: their values at the end of a step are what the iteration finds.
     back: Vec<Wire>,
-    states: Vec<Place>,
+    /// What must agree.
+    compared: Vec<WireSource>,
     tolerance: f64,
     statistics: Statistics,
     begin: Vec<Snapshot>,
+    /// The halves of the last step, and its end.
+    halves: [Half; 2],
+    end: Vec<Snapshot>,
+    /// Whether the last force was found by bisection: so is the next one, most likely.
+    bisects: bool,
     /// Approximation of the inverse Jacobian of the iteration.
     inverse: Vec<f64>,
+}
+
+/// Half of a step.
+#[derive(Clone)]
+struct Half {
+    begin: Vec<Snapshot>,
+    time: f64,
+    length: f64,
+    /// What the iteration found for the end.
+    found: Found,
+}
+
+/// Values of the inputs that an iteration finds.
+#[derive(Clone, Default)]
+struct Found {
+    values: Vec<f64>,
+    /// Whether they lie between two values of their sources.
+    by_bisection: bool,
 }
 
 /// Runs a system.
@@ -73,12 +104,21 @@ impl<'a> Coupling<'a> {
             let WireSource::Variable(from) = wire.from else { continue };
             if at(from.part) < at(wire.to.part) { along.push(*wire) } else { back.push(*wire) }
         }
-        let states = train.states();
         let begin = train.save();
-        let count = back.len();
-        let inverse = identity(count);
-        let statistics = Statistics::default();
-        Ok(Coupling { train, along, back, states, tolerance: options.relative, statistics, begin, inverse })
+        let half = Half { begin: begin.clone(), time: 0.0, length: 0.0, found: Found::default() };
+        Ok(Coupling {
+            compared: compared(&train, &back),
+            inverse: identity(back.len()),
+            along,
+            back,
+            tolerance: options.relative,
+            statistics: Statistics::default(),
+            halves: [half.clone(), half],
+            end: begin.clone(),
+            begin,
+            bisects: false,
+            train,
+        })
     }
 
     fn go(
@@ -90,41 +130,72 @@ impl<'a> Coupling<'a> {
     ) -> Result<End, String> {
         self.train.settle()?;
         self.record(recorded, table)?;
-        let mut h = (grid.end - grid.begin) / grid.intervals as f64;
-        for number in 1..grid.len() {
+        let span = grid.end - grid.begin;
+        let longest = options.longest.min(LONGEST * span).max(span / grid.intervals as f64);
+        let (mut h, mut number) = (span / grid.intervals as f64, 1);
+        while number < grid.len() {
             if options.is_cancelled() {
                 return Ok(End::Cancelled { time: self.train.time });
             }
             if let Some(progress) = options.progress {
                 progress.reached(self.train.time);
             }
-            let end = grid.time(number);
-            while self.train.time < end {
-                if self.statistics.steps + self.statistics.rejected > options.most_steps {
-                    return Err(format!("more than {} steps", options.most_steps));
-                }
-                h = self.advance(h, end, options)?;
+            if self.statistics.steps + self.statistics.rejected > options.most_steps {
+                return Err(format!("more than {} steps", options.most_steps));
             }
-            self.record(recorded, table)?;
+            h = self.advance(h.min(longest), grid.end)?;
+            let reached = self.train.time;
+            self.train.save_into(&mut self.end);
+            while number < grid.len() && grid.time(number) < reached {
+                self.go_back_to(grid.time(number))?;
+                self.record(recorded, table)?;
+                number += 1;
+            }
+            let end = std::mem::take(&mut self.end);
+            self.train.restore(&end);
+            self.end = end;
+            self.train.time = reached;
+            if number < grid.len() && grid.time(number) == reached {
+                self.record(recorded, table)?;
+                number += 1;
+            }
         }
         Ok(End::Reached)
+    }
+
+    /// Goes to a time within the last step, in the half in which it lies.
+    fn go_back_to(&mut self, time: f64) -> Result<(), String> {
+        let half = &self.halves[usize::from(time > self.halves[1].time)];
+        let Half { time: from, length, ref found, .. } = *half;
+        self.train.restore(&half.begin);
+        self.train.time = from;
+        let part = (time - from) / length;
+        let begin = self.back.iter().map(|wire| self.train.state(wire.to));
+        let ends: Vec<f64> = begin.zip(&found.values).map(|(begin, end)| begin + part * (end - begin)).collect();
+        let by_bisection = found.by_bisection;
+        if time > from {
+            self.pass_through(time - from, &ends)?;
+            if !by_bisection {
+                self.close()?;
+            }
+        }
+        self.train.time = time;
+        Ok(())
     }
 
     fn record(&mut self, recorded: &[WireSource], (times, values): &mut Recorded) -> Result<(), String> {
         times.push(self.train.time);
         for (column, source) in values.iter_mut().zip(recorded) {
-            // What was found by bisection is between two values of its source.
-            let found = self.back.iter().find(|wire| wire.from == *source).map(|wire| self.train.state(wire.to));
-            column.push(found.map_or_else(|| self.train.value(*source), Ok)?);
+            column.push(self.result(*source)?);
         }
         Ok(())
     }
 
     /// Makes the next step; returns the length proposed for the one after it.
-    fn advance(&mut self, h: f64, end: f64, options: &Options) -> Result<f64, String> {
+    fn advance(&mut self, h: f64, end: f64) -> Result<f64, String> {
         let breaks = self.train.system.signals.iter().map(|(_, signal)| signal.next_break(self.train.time));
         let wall = breaks.fold(end, f64::min);
-        let mut h = h.min(options.longest);
+        let mut h = h;
         let mut reason = String::from("two halves of a step do not agree with the whole");
         self.train.save_into(&mut self.begin);
         let from = self.train.time;
@@ -165,20 +236,25 @@ impl<'a> Coupling<'a> {
     /// Makes a step as a whole and in two halves, which are kept; their difference in parts of the tolerance.
     fn attempt(&mut self, h: f64) -> Result<f64, String> {
         let from = self.train.time;
-        let guess = self.slopes_back()?;
-        self.couple(h, &guess)?;
-        let whole: Vec<f64> = self.states.iter().map(|place| self.train.state(*place)).collect();
+        self.couple(h)?;
+        let whole = self.values()?;
         self.restore(from);
         let half = 0.5 * h;
-        let guess = self.slopes_back()?;
-        self.couple(half, &guess)?;
-        self.train.time = from + half;
-        let guess = self.slopes_back()?;
-        self.couple_from_here(half, &guess)?;
+        for number in 0..2 {
+            let time = from + number as f64 * half;
+            self.train.time = time;
+            let Half { begin, .. } = &mut self.halves[number];
+            self.train.save_into(begin);
+            std::mem::swap(&mut self.begin, begin);
+            let found = self.couple(half);
+            std::mem::swap(&mut self.begin, &mut self.halves[number].begin);
+            let kept = &mut self.halves[number];
+            (kept.time, kept.length, kept.found) = (time, half, found?);
+        }
         self.train.time = from + h;
         let mut worst: f64 = 0.0;
-        for (place, whole) in self.states.iter().zip(&whole) {
-            let (value, nominal) = (self.train.state(*place), self.train.system.variable(*place).nominal);
+        for (index, (value, whole)) in self.values()?.iter().zip(&whole).enumerate() {
+            let nominal = self.nominal(self.compared[index]);
             let error = (value - whole).abs() / (self.tolerance * (nominal + value.abs()));
             worst = if error > worst || error.is_nan() { error } else { worst };
         }
@@ -186,75 +262,114 @@ impl<'a> Coupling<'a> {
         Ok(worst / 3.0)
     }
 
-    /// The present values of the inputs that the iteration finds.
-    fn slopes_back(&self) -> Result<Vec<f64>, String> {
-        Ok(self.back.iter().map(|wire| self.train.state(wire.to)).collect())
+    /// The values that must agree.
+    fn values(&mut self) -> Result<Vec<f64>, String> {
+        (0..self.compared.len()).map(|index| self.result(self.compared[index])).collect()
     }
 
-    fn couple_from_here(&mut self, h: f64, guess: &[f64]) -> Result<(), String> {
-        let outer = std::mem::replace(&mut self.begin, self.train.save());
-        let done = self.couple(h, guess);
-        self.begin = outer;
-        done
+    /// A result at the present time. What was found by bisection is between two values of its source.
+    fn result(&mut self, source: WireSource) -> Result<f64, String> {
+        let found = self.back.iter().find(|wire| wire.from == source).map(|wire| self.train.state(wire.to));
+        found.map_or_else(|| self.train.value(source), Ok)
+    }
+
+    fn nominal(&self, source: WireSource) -> f64 {
+        let (WireSource::Variable(place) | WireSource::Derivative(place)) = source;
+        self.train.system.variable(place).nominal
     }
 
     /// Makes a coupled step from the state in `begin`, which is the present one.
-    fn couple(&mut self, h: f64, guess: &[f64]) -> Result<(), String> {
+    fn couple(&mut self, h: f64) -> Result<Found, String> {
+        let guess: Vec<f64> = self.back.iter().map(|wire| self.train.state(wire.to)).collect();
+        if let ([first], true) = (&*guess, self.bisects) {
+            // Where a body is held, the force is near that of the step before.
+            let found = self.bisect(h, *first, HELD)?;
+            if found.by_bisection {
+                return Ok(found);
+            }
+        }
+        self.bisects = false;
+        let found = self.iterate(h, &guess)?;
+        if let Some(values) = found {
+            self.close()?;
+            return Ok(Found { values, by_bisection: false });
+        }
+        self.inverse = identity(self.back.len());
+        let [first] = &*guess else { return Err(NO_CONVERGENCE.to_owned()) };
+        let found = self.bisect(h, *first, 1.0)?;
+        self.bisects = true;
+        Ok(found)
+    }
+
+    /// Finds the values at the end of a step at which the parts agree; none if the iteration does not converge.
+    fn iterate(&mut self, h: f64, guess: &[f64]) -> Result<Option<Vec<f64>>, String> {
+        let time = self.train.time;
+        self.restore(time);
         let mut ends = guess.to_vec();
-        let mut residual = self.pass_through(h, &ends)?;
+        let mut residual = self.try_ends(h, &ends)?;
         for _ in 0..MOST_ITERATIONS {
             if self.is_closed(&ends, &residual) {
-                return self.close();
+                return Ok(Some(ends));
             }
             let change = multiply(&self.inverse, &residual);
             let next: Vec<f64> = ends.iter().zip(&change).map(|(end, change)| end - change).collect();
-            let time = self.train.time;
             self.restore(time);
-            let after = self.pass_through(h, &next)?;
+            let after = self.try_ends(h, &next)?;
             broyden(&mut self.inverse, &ends, &next, &residual, &after);
             (ends, residual) = (next, after);
         }
-        if self.is_closed(&ends, &residual) {
-            return self.close();
-        }
-        self.inverse = identity(self.back.len());
-        if let [guess] = guess { self.bisect(h, *guess) } else { Err(NO_CONVERGENCE.to_owned()) }
+        Ok(self.is_closed(&ends, &residual).then_some(ends))
     }
 
-    /// Finds the one force at whose sides the law asks for less and for more.
-    fn bisect(&mut self, h: f64, guess: f64) -> Result<(), String> {
+    /// Finds the one force at whose sides the law asks for less and for more. The search begins within `part` of the size
+    /// of a guess.
+    fn bisect(&mut self, h: f64, guess: f64, part: f64) -> Result<Found, String> {
         let time = self.train.time;
         let residual = |coupling: &mut Self, end: f64| -> Result<f64, String> {
             coupling.restore(time);
-            Ok(coupling.pass_through(h, &[end])?[0])
+            Ok(coupling.try_ends(h, &[end])?[0])
         };
-        let nominal = self.train.system.variable(self.back[0].to).nominal;
-        let mut width = nominal + guess.abs();
+        let size = self.train.system.variable(self.back[0].to).nominal + guess.abs();
+        let mut width = part * size;
         let (mut low, mut high) = (guess - width, guess + width);
-        while residual(self, low)? > 0.0 || residual(self, high)? < 0.0 {
-            width *= 4.0;
-            (low, high) = (guess - width, guess + width);
-            if width > 1e12 * (nominal + guess.abs()) {
+        let (mut at_low, mut at_high) = (residual(self, low)?, residual(self, high)?);
+        while at_low > 0.0 || at_high < 0.0 {
+            width *= 8.0;
+            if width > 1e12 * size {
                 return Err(NO_CONVERGENCE.to_owned());
             }
+            if at_low > 0.0 {
+                low = guess - width;
+                at_low = residual(self, low)?;
+            } else {
+                high = guess + width;
+                at_high = residual(self, high)?;
+            }
         }
-        while high - low > 1e-14 * (nominal + low.abs()) {
+        while high - low > self.closure() * size {
             let middle = 0.5 * (low + high);
             if middle <= low || middle >= high {
                 break;
             }
-            if residual(self, middle)? < 0.0 { low = middle } else { high = middle }
+            let found = residual(self, middle)?;
+            if found < 0.0 { (low, at_low) = (middle, found) } else { (high, at_high) = (middle, found) }
         }
+        // A jump stays a jump however narrow the interval is.
+        let by_bisection = at_high - at_low > 1e3 * self.closure() * size;
         residual(self, high)?;
-        self.train.put(self.back[0].to, high)
+        self.train.put(self.back[0].to, high)?;
+        Ok(Found { values: vec![high], by_bisection })
+    }
+
+    /// Part of its size to which a force is found.
+    fn closure(&self) -> f64 {
+        (CLOSURE * self.tolerance).max(1e-13)
     }
 
     fn is_closed(&self, ends: &[f64], residual: &[f64]) -> bool {
         let sizes = self.back.iter().map(|wire| self.train.system.variable(wire.to).nominal);
         let mut all = ends.iter().zip(residual).zip(sizes);
-        all.all(|((end, residual), nominal)| {
-            residual.abs() <= (CLOSURE * self.tolerance).max(1e-13) * (nominal + end.abs())
-        })
+        all.all(|((end, residual), nominal)| residual.abs() <= self.closure() * (nominal + end.abs()))
     }
 
     /// Inputs at the end of the step take the values of their sources there.
@@ -267,8 +382,15 @@ impl<'a> Coupling<'a> {
     }
 
     /// Steps all parts one after the other, with these values at the end; how far their sources are from them.
-    fn pass_through(&mut self, h: f64, ends: &[f64]) -> Result<Vec<f64>, String> {
+    fn try_ends(&mut self, h: f64, ends: &[f64]) -> Result<Vec<f64>, String> {
         self.statistics.evaluations += 1;
+        self.pass_through(h, ends)?;
+        let sources = self.back.iter().map(|wire| wire.from).zip(ends);
+        sources.map(|(from, end)| Ok(end - self.train.value(from)?)).collect()
+    }
+
+    /// Steps all parts one after the other, with these values at the end.
+    fn pass_through(&mut self, h: f64, ends: &[f64]) -> Result<(), String> {
         let time = self.train.time;
         let system = self.train.system;
         for (place, signal) in &system.signals {
@@ -287,16 +409,24 @@ impl<'a> Coupling<'a> {
             }
             self.train.step(part, h)?;
         }
-        let mut residual = Vec::with_capacity(ends.len());
-        for (wire, end) in self.back.clone().iter().zip(ends) {
-            residual.push(end - self.train.value(wire.from)?);
-        }
-        Ok(residual)
+        Ok(())
     }
 
     fn ramp(&mut self, to: Place, from: f64, end: f64, h: f64) -> Result<(), String> {
         if end == from { Ok(()) } else { self.train.slope(to, (end - from) / h) }
     }
+}
+
+/// Motion and energies, and the forces of contacts whose motion is given. The force that brings a body to rest at the
+/// end of a step depends on its length, so that forces on bodies never agree there.
+fn compared(train: &Train, back: &[Wire]) -> Vec<WireSource> {
+    let mut sources: Vec<WireSource> = train.states().into_iter().map(WireSource::Variable).collect();
+    for (part, made) in train.system.parts.iter().enumerate() {
+        let force = made.model.find("friction_force").filter(|column| made.model.table.at(*column).role.is_computed());
+        let force = force.map(|column| WireSource::Variable(Place { part, column }));
+        sources.extend(force.filter(|source| back.iter().all(|wire| wire.from != *source)));
+    }
+    sources
 }
 
 fn identity(count: usize) -> Vec<f64> {
