@@ -3,8 +3,9 @@
 import math
 from dataclasses import dataclass, field
 
-from car_description import CORNERS, Body, Vector
-from car_tyres import Carrier
+from car_description import Body, Vector
+from car_struts import READINGS
+from car_tyres import Carrier, Push
 from exudyn_car import ENTRY, ExudynCar
 
 
@@ -32,80 +33,99 @@ class Works:
         return -self.friction - self.dampers
 
 
-@dataclass
-class _Held:
-    """What acts at a corner over a step, and where the corner was at its beginning."""
+@dataclass(frozen=True)
+class Acting:
+    """What acts at a corner at a time: force of the strut and its readings; forces of the tyre, height of the road,
+    push of the tyre, torques of drive and brake."""
 
     force: float
-    friction: float
-    damper: float
-    length: float
-    push: Vector
-    moment: Vector
-    torque: Vector
+    strut: tuple[float, ...]
+    tyre: tuple[float, float, float]
+    road: float
+    push: Push
+    drive: Vector
     brake: Vector
+
+    @property
+    def friction(self) -> float:
+        """Friction of both contacts along the axis."""
+        return self._of("friction_1") + self._of("friction_2")
+
+    @property
+    def damper(self) -> float:
+        """Force of the damper."""
+        return self._of("force_damper")
+
+    @property
+    def twist(self) -> float:
+        """Friction torque about the axis."""
+        return self._of("friction_torque")
+
+    def _of(self, reading: str) -> float:
+        return self.strut[READINGS.index(reading)]
+
+
+@dataclass(frozen=True)
+class _Booked:
+    """What acted at a corner at the end of the last booked step, and where the corner was."""
+
+    acting: Acting
+    length: float
+    spin: float
     centre: Vector
-    turning: Vector
+    wheel: Vector
     upright: Vector
 
 
 @dataclass
 class Ledger:
-    """Sums the works of a run. Held forces do their work exactly along the motion; moments and the force that moves the
-    rack, which are not constant, by the trapezoidal rule."""
+    """Sums the works of a run by the trapezoidal rule, which is that of the integrator: it takes loads as those at the
+    ends of steps, and moves the car by the mean of both."""
 
     model: ExudynCar
     works: Works = field(default_factory=Works)
-    _held: dict[str, _Held] = field(default_factory=dict)
-    _chassis: Vector | None = None
+    _booked: dict[str, _Booked] = field(default_factory=dict)
+    _chassis: tuple[Vector, Vector] | None = None
     _rack: tuple[float, float] | None = None
     _first: float | None = None
 
-    def begin_step(self, step: float) -> None:
-        """Books the step that has just ended for everything that belongs to the whole car."""
+    def end_of_step(self, travel: float, step: float) -> None:
+        """Books the step that has just ended for everything that belongs to the whole car, after its corners."""
         if self._first is None:
             self._first = stored_energy(self.model)
-        turning = self.model.turning(self.model.chassis)
+        shafts = -sum(booked.acting.drive for booked in self._booked.values())
+        chassis = shafts, self.model.turning(self.model.chassis)
+        rack = self.model.rack_force(), travel
         if self._chassis is not None:
-            shafts = -sum(held.torque for held in self._held.values())
-            self.works.drive += 0.5 * step * float(shafts @ (self._chassis + turning))
-        self._chassis = turning
-        rack = self.model.rack_force(), self.model.travel
-        if self._rack is not None:
+            self.works.drive += 0.25 * step * float((shafts + self._chassis[0]) @ (chassis[1] + self._chassis[1]))
             self.works.rack += 0.5 * (rack[0] + self._rack[0]) * (rack[1] - self._rack[1])
-        self._rack = rack
+        self._chassis, self._rack = chassis, rack
 
-    def book(self, name: str, carrier: Carrier, length: float, step: float) -> None:
+    def book(self, name: str, carrier: Carrier, length: float, spin: float, acting: Acting, step: float) -> None:
         """Books the step that has just ended for a corner."""
-        held = self._held.get(name)
-        if held is None:
+        wheel = carrier.turning + carrier.spin * carrier.axis
+        now = _Booked(acting, length, spin, carrier.centre, wheel, carrier.turning)
+        last = self._booked.get(name)
+        self._booked[name] = now
+        if last is None:
             return
-        extension = length - held.length
-        self.works.struts += held.force * extension
-        self.works.friction -= held.friction * extension
-        self.works.dampers += held.damper * extension
-        turned = 0.5 * step * (held.turning + _wheel_turning(carrier))
-        self.works.tyres += float(held.push @ (carrier.centre - held.centre) + held.moment @ turned)
-        self.works.drive += float(held.torque @ turned)
-        self.works.brakes += float(held.brake @ (turned - 0.5 * step * (held.upright + carrier.turning)))
-
-    def hold(self, name: str, carrier: Carrier, length: float, strut: tuple, tyre: tuple) -> None:
-        """Notes what acts at a corner over the step that begins now: force, friction and damper of the strut; force and
-        moment of the tyre, torques of drive and brake."""
-        places = carrier.centre, _wheel_turning(carrier), carrier.turning
-        self._held[name] = _Held(*strut, length, *tyre, *places)
+        extension, old = 0.5 * (length - last.length), last.acting
+        twisted = 0.25 * step * (acting.twist + old.twist) * (spin + last.spin)
+        self.works.struts += (acting.force + old.force) * extension - twisted
+        self.works.friction -= (acting.friction + old.friction) * extension + twisted
+        self.works.dampers += (acting.damper + old.damper) * extension
+        turned, held = 0.25 * step * (wheel + last.wheel), 0.25 * step * (carrier.turning + last.upright)
+        moved = 0.5 * (carrier.centre - last.centre)
+        self.works.tyres += float((acting.push.force + old.push.force) @ moved)
+        self.works.tyres += float((acting.push.moment + old.push.moment) @ turned)
+        self.works.drive += float((acting.drive + old.drive) @ turned)
+        self.works.brakes += float((acting.brake + old.brake) @ (turned - held))
 
     def close(self, step: float) -> Works:
-        """Books the last step; the works of the run."""
-        self.begin_step(step)
-        for name in CORNERS:
-            self.book(name, self.model.carrier(name), self.model.look(name)[0], step)
+        """Books the last step for the whole car; the works of the run."""
+        self.end_of_step(self.model.travel, step)
         self.works.stored = stored_energy(self.model) - self._first
         return self.works
-
-
-def _wheel_turning(carrier: Carrier) -> Vector:
-    return carrier.turning + carrier.spin * carrier.axis
 
 
 def stored_energy(model: ExudynCar) -> float:

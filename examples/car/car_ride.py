@@ -1,18 +1,23 @@
-"""The car in motion: struts and tyres are evaluated at the beginning of a step, and their forces are held over it."""
+"""The car in motion: once per step, struts and tyres are evaluated for the time for which the simulator takes a load.
+
+MuJoCo takes a load as that at the beginning of a step. The generalised-alpha method of exudyn takes it as that at the
+end: there struts and tyres are evaluated for the motion predicted from position, velocity and acceleration. A load of
+the beginning would lag by a whole step.
+"""
 
 import math
 import time
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import exudyn
 import numpy
 from car_description import CORNERS, Car, CarError
-from car_energy import Ledger, Works
+from car_energy import Acting, Ledger, Works
 from car_rest import Rest, relax, settle
-from car_struts import open_struts, parameters_of
-from car_tyres import ROLLING_DEFLECTION, Carrier, Push, RollingTyre, StandingTyre, read_tyre, touch
+from car_struts import READINGS, open_struts, parameters_of
+from car_tyres import ROLLING_DEFLECTION, Carrier, RollingTyre, StandingTyre, read_tyre, touch
 from coupling import FMUS
 from exudyn_car import ExudynCar, steps_of
 from hosted_strut import Wrench
@@ -45,6 +50,7 @@ CORNER_COLUMNS = {
     "normal_1": "N",
     "normal_2": "N",
     "force_damper": "N",
+    "friction_torque": "N.m",
     "force_x": "N",
     "force_y": "N",
     "load": "N",
@@ -100,21 +106,41 @@ def side_load(name: str, now: float, wrench: Wrench) -> Wrench:
     return wrench
 
 
-class Ride:
-    """One run: the model in exudyn, its struts and tyres."""
+@dataclass(frozen=True)
+class Seen:
+    """Motion of a corner at the beginning of a step: length of the strut and its rate, wheel, spin of the rod in the
+    tube."""
 
-    def __init__(self, car: Car, manoeuvre: Manoeuvre, step: float, code: str = EXUDYN):
+    length: float
+    velocity: float
+    carrier: Carrier
+    spin: float
+
+
+def at_rest(readings: tuple[float, ...]) -> tuple[float, ...]:
+    """Readings of a strut before its first step, from those after it: its contacts carry their load, nothing rubs."""
+    return tuple(value if name.startswith("normal") else 0.0 for name, value in zip(READINGS, readings, strict=True))
+
+
+class Ride:
+    """One run: the model of the car, its struts and tyres."""
+
+    def __init__(self, car: Car, manoeuvre: Manoeuvre, step: float, code: str = EXUDYN, balance: bool = True):
         self.car, self.manoeuvre, self.step = car, manoeuvre, step
         self.model = ExudynCar(car) if code == EXUDYN else MujocoCar(car, step)
         self.tyre = read_tyre(car)
         self.struts: Mapping[str, object] = {}
         # The balance needs the force that moves the rack, which MuJoCo does not tell.
-        self.ledger = Ledger(self.model) if code == EXUDYN else None
+        self.ledger = Ledger(self.model) if balance and code == EXUDYN else None
         self.rows: list[list[float]] = []
         self.failure: CarError | None = None
         self.wheel = self.torque = self.brake = self.strut_seconds = 0.0
         self.is_moving = manoeuvre.speed > 0.0
         self.tyres = {name: self._tyre(name) for name in CORNERS}
+        # What was seen at the beginning of the last step, and what acts now.
+        self.before: dict[str, Seen] = {}
+        self.pose: Pose | None = None
+        self.acting: dict[str, Acting] = {}
 
     def _tyre(self, name: str) -> RollingTyre | StandingTyre:
         if self.is_moving:
@@ -123,7 +149,7 @@ class Ride:
 
     def start(self, parameters: Mapping[str, Mapping[str, object]]) -> Rest:
         """Finds the rest position, and gives the car its speed or parks it on its posts."""
-        if self.ledger:
+        if isinstance(self.model, ExudynCar):
             rest = settle(self.model, self.tyre, parameters)
         else:
             rest = relax(self.model, self.tyre, parameters, self.step)
@@ -136,13 +162,15 @@ class Ride:
                 self.model.park(name, PARKED)
         for name in CORNERS:
             self.model.set_strut(name, rest.forces[name])
-            self._push_tyre(name, self.model.carrier(name), 0.0, 0.0)
+            wheel = self._push_tyre(name, self.model.carrier(name), 0.0, 0.0)
+            self.acting[name] = Acting(rest.forces[name], (0.0,) * len(READINGS), *wheel)
         return rest
 
-    def _push_tyre(self, name: str, carrier: Carrier, now: float, step: float) -> tuple[float, Push, tuple]:
-        """Sets the force of a tyre, the torque of the drive, whose reaction acts on the chassis, and that of the brake,
-        whose reaction acts on the upright; returns the height of the road, the push of the tyre and the torques."""
-        height, rise = self.manoeuvre.road(name, now, carrier.centre[0])
+    def _push_tyre(self, name: str, carrier: Carrier, at: float, step: float) -> tuple:
+        """Sets the force of a tyre at a time, the torque of the drive, whose reaction acts on the chassis, and that of
+        the brake, whose reaction acts on the upright; returns the tyre's forces, the height of the road, the push of
+        the tyre and the torques."""
+        height, rise = self.manoeuvre.road(name, at, carrier.centre[0])
         contact = touch(self.tyre, carrier, height, rise)
         push = self.tyres[name].push(contact, carrier, step)
         share = self.car.front_brakes if name[0] == "f" else 1.0 - self.car.front_brakes
@@ -151,7 +179,7 @@ class Ride:
         self.model.push(name, push.force, push.moment + drive + brake)
         self.model.react(name, -drive)
         self.model.brake(name, -brake)
-        return height, push, (drive, brake)
+        return self.tyres[name].forces, height, push, drive, brake
 
     def hold(self, _system, end: float) -> bool:
         """Before a step: sets all forces, and writes a row. exudyn gives the time at the end of the step."""
@@ -179,28 +207,54 @@ class Ride:
             raise CarError(f"exudyn stops at {len(self.rows) * self.step:.4f} s: try a smaller step")
         return iterations
 
+    def close(self) -> Works | None:
+        """Books the last step; the works of the run."""
+        if not self.ledger:
+            return None
+        for name in CORNERS:
+            seen = self._look(name)
+            self.ledger.book(name, seen.carrier, seen.length, seen.spin, self.acting[name], self.step)
+        return self.ledger.close(self.step)
+
+    def _look(self, name: str) -> Seen:
+        length, velocity = self.model.look(name)
+        return Seen(length, velocity, self.model.carrier(name), self.model.rod_spin(name))
+
     def _hold(self, begin: float) -> None:
-        if self.ledger:
-            self.ledger.begin_step(self.step)
+        travel = self.model.travel
         row = self._steer(begin)
         for name in CORNERS:
-            length, velocity = self.model.look(name)
-            carrier = self.model.carrier(name)
+            seen = self._look(name)
+            before = self.before.get(name, seen)
+            self.before[name] = seen
+            if self.model.TAKES_LOADS_AT_THE_END:
+                # This acts at the beginning of the step; what is set now acts at the end.
+                acting = self.acting[name]
+                self.acting[name] = self._act(name, seen, before, begin, self.step)
+                if not self.rows:
+                    acting = replace(acting, strut=at_rest(self.acting[name].strut))
+            else:
+                acting = self.acting[name] = self._act(name, seen, before, begin, 0.0)
             if self.ledger:
-                self.ledger.book(name, carrier, length, self.step)
-            wrench = side_load(name, begin, Wrench.in_rod_eye(*self.model.reaction(name), length))
-            before = time.perf_counter()
-            force = self.struts[name].advance(length, velocity, self.step, wrench)
-            self.strut_seconds += time.perf_counter() - before
-            self.model.set_strut(name, force)
-            height, push, torques = self._push_tyre(name, carrier, begin, self.step)
-            seen = self.struts[name].seen
-            friction, damper = seen[0] + seen[1], seen[4]
-            if self.ledger:
-                acting = (push.force, push.moment, *torques)
-                self.ledger.hold(name, carrier, length, (force, friction, damper), acting)
-            row += [length, velocity, force, friction, *seen, *self.tyres[name].forces, height]
+                self.ledger.book(name, seen.carrier, seen.length, seen.spin, acting, self.step)
+            row += [seen.length, seen.velocity, acting.force, acting.friction, *acting.strut]
+            row += [*acting.tyre, acting.road]
+        if self.ledger:
+            self.ledger.end_of_step(travel, self.step)
         self.rows.append(row)
+
+    def _act(self, name: str, seen: Seen, before: Seen, now: float, lead: float) -> Acting:
+        """Sets what acts on a corner at `lead` after a time, for the motion that is expected then."""
+        strut, model = self.struts[name], self.model
+        wrench = side_load(name, now, Wrench.in_rod_eye(*model.reaction(name), seen.length))
+        acceleration = (seen.velocity - before.velocity) / self.step
+        began = time.perf_counter()
+        force = strut.advance(seen.length, seen.velocity, self.step, wrench, acceleration, seen.spin)
+        self.strut_seconds += time.perf_counter() - began
+        model.set_strut(name, force)
+        model.twist_strut(name, strut.seen[READINGS.index("friction_torque")])
+        carrier = seen.carrier.ahead(before.carrier, lead, self.step)
+        return Acting(force, tuple(strut.seen), *self._push_tyre(name, carrier, now + lead, self.step))
 
     def _steer(self, now: float) -> list[float]:
         """Moves the rack; returns the part of the row that belongs to the whole car."""
@@ -209,10 +263,13 @@ class Ride:
         nose = model.nose()
         speed, lateral, yaw_rate = model.motion()
         pose = Pose(now, float(nose[0]), float(nose[1]), yaw, speed, yaw_rate)
-        wanted = self.manoeuvre.steer(pose)
-        cruise = self.manoeuvre.wanted_speed(pose)
-        self.brake = self.manoeuvre.brake(pose)
-        self.torque = 0.0 if cruise is None else CRUISE * (cruise - speed)
+        # The driver turns the wheel throughout the step: as he sees the road in its middle.
+        seen = pose.ahead(self.pose or pose, 0.5 * self.step, self.step)
+        self.pose = pose
+        wanted = self.manoeuvre.steer(seen)
+        cruise = self.manoeuvre.wanted_speed(seen)
+        self.brake = self.manoeuvre.brake(seen)
+        self.torque = 0.0 if cruise is None else CRUISE * (cruise - seen.speed)
         turn = (wanted - self.wheel) * (1.0 - math.exp(-self.step / ARMS))
         turn = min(max(turn, -FASTEST_TURN * self.step), FASTEST_TURN * self.step)
         row = [now, x, y, heave, roll, pitch, yaw, speed, lateral, yaw_rate, pose.x, pose.y, self.wheel, model.travel]
@@ -232,21 +289,26 @@ def simulate(
     fmus: Path = FMUS,
     label: str = "",
     code: str = EXUDYN,
+    balance: bool = True,
 ) -> Run:
-    """Computes a manoeuvre with a friction law in all four struts, in exudyn or in MuJoCo."""
+    """Computes a manoeuvre with a friction law in all four struts, in exudyn or in MuJoCo; with the balance of energy,
+    which takes some time, if the code is exudyn."""
     parameters = parameters_of(car, law, changes or {})
+    if code == EXUDYN:
+        # The strut itself moves on with velocity and acceleration, to where the load is needed.
+        parameters = {name: {"num.input_mode": "Linear", **given} for name, given in parameters.items()}
     if manoeuvre.speed > 0.0 and step > LONGEST_STEP:
         raise CarError(f"step = {step:g} s: must be at most {LONGEST_STEP:g} s on the road, where the wheels spin")
     steps = round(manoeuvre.duration / step)
     if steps < 1:
         raise CarError(f"duration = {manoeuvre.duration:g} s: must be at least one step of {step:g} s")
-    ride = Ride(car, manoeuvre, step, code)
+    ride = Ride(car, manoeuvre, step, code, balance)
     began = time.perf_counter()
     rest = ride.start(parameters)
     with open_struts(parameters, rest.lengths, through, fmus) as struts:
         ride.struts = struts
         iterations = ride.integrate(steps)
     columns = dict(zip(COLUMNS, numpy.array(ride.rows).T, strict=True))
-    works = ride.ledger.close(step) if ride.ledger else None
+    works = ride.close()
     seconds = time.perf_counter() - began
     return Run(label or law, columns, rest, works, iterations, seconds, ride.strut_seconds, step)

@@ -10,13 +10,23 @@ from pathlib import Path
 import fmpy
 import stribeck
 from car_description import CORNERS, Car, CarError
-from coupling import FMUS, path_of
-from hosted_strut import UNLOADED, Wrench, open_strut
+from coupling import FMUS, Fmu, open_fmu, path_of
+from hosted_strut import UNLOADED, Wrench
 
-READINGS = ("friction_1", "friction_2", "normal_1", "normal_2", "force_damper")
+INPUTS = (
+    *("length", "velocity", "side_force_m", "side_force_n", "side_moment_m", "side_moment_n"),
+    *("acceleration", "spin_rate"),
+)
+READINGS = ("friction_1", "friction_2", "normal_1", "normal_2", "force_damper", "friction_torque")
+NOTHING_YET = (0.0,) * len(READINGS)
 
 # No friction at the start, whatever the law: the car stands where the springs hold it.
 AT_REST = {"init.friction_state": "Zero"}
+
+
+def loads_of(wrench: Wrench) -> tuple[float, float, float, float]:
+    """The four numbers of a side load."""
+    return wrench.force_m, wrench.force_n, wrench.moment_m, wrench.moment_n
 
 
 class PackageStrut:
@@ -29,45 +39,57 @@ class PackageStrut:
             stribeck.ShockAbsorber(**{**parameters, "length": length}).step(1e-6)
         except (stribeck.Refused, TypeError) as refusal:
             raise CarError(f"strut: {refusal}") from None
-        self.seen = (0.0, 0.0, 0.0, 0.0, 0.0)
+        self.seen = NOTHING_YET
 
-    def advance(self, length: float, velocity: float, step: float, wrench: Wrench = UNLOADED) -> float:
-        """Makes one step with held inputs and returns the force."""
+    def advance(
+        self,
+        length: float,
+        velocity: float,
+        step: float,
+        wrench: Wrench = UNLOADED,
+        acceleration: float = 0.0,
+        spin: float = 0.0,
+    ) -> float:
+        """Makes one step and returns the force."""
         model = self.model
         try:
-            model.set(
-                length=length,
-                velocity=velocity,
-                side_force_m=wrench.force_m,
-                side_force_n=wrench.force_n,
-                side_moment_m=wrench.moment_m,
-                side_moment_n=wrench.moment_n,
-            )
+            values = (length, velocity, *loads_of(wrench), acceleration, spin)
+            model.set(**dict(zip(INPUTS, values, strict=True)))
             model.step(step)
             self.seen = tuple(model[name] for name in READINGS)
             return model["force"]
         except stribeck.Refused as refusal:
-            load = f"side load {wrench.force_m:g}, {wrench.force_n:g} N, {wrench.moment_m:g}, {wrench.moment_n:g} N.m"
+            load = "side load {:g}, {:g} N, {:g}, {:g} N.m".format(*loads_of(wrench))
             raise CarError(f"strut at {model.time:.4f} s: {refusal} (length {length:g} m, {load})") from None
 
 
 class FmuStrut:
     """The strut of the FMU, through fmpy."""
 
-    def __init__(self, strut):
-        self.strut, self.seen = strut, (0.0, 0.0, 0.0, 0.0, 0.0)
+    def __init__(self, fmu: Fmu):
+        self.slave, self.time, self.seen = fmu.slave, 0.0, NOTHING_YET
+        self.inputs, self.outputs = fmu.references(*INPUTS), fmu.references("force", *READINGS)
 
-    def advance(self, length: float, velocity: float, step: float, wrench: Wrench = UNLOADED) -> float:
-        """Makes one step with held inputs and returns the force."""
-        force = self.strut.advance(length, velocity, step, wrench)
-        self.seen = tuple(self.strut.seen[1:])
+    def advance(
+        self,
+        length: float,
+        velocity: float,
+        step: float,
+        wrench: Wrench = UNLOADED,
+        acceleration: float = 0.0,
+        spin: float = 0.0,
+    ) -> float:
+        """Makes one step and returns the force."""
+        self.slave.setReal(self.inputs, [length, velocity, *loads_of(wrench), acceleration, spin])
+        self.slave.doStep(self.time, step)
+        self.time += step
+        force, *seen = self.slave.getReal(self.outputs)
+        self.seen = tuple(seen)
         return force
 
 
 class CStrut:
     """The strut of the C library, whose functions every FMU contains."""
-
-    INPUTS = ("length", "velocity", "side_force_m", "side_force_n", "side_moment_m", "side_moment_n")
 
     def __init__(self, library: ctypes.CDLL, parameters: Mapping[str, object], length: float):
         self.library, self.handle = library, ctypes.c_void_p()
@@ -77,14 +99,22 @@ class CStrut:
         find = stribeck.model("ShockAbsorber").find
         for name, value in {**parameters, "length": length}.items():
             self._call("set_by_name", name.encode(), ctypes.c_double(find(name).number(value)))
-        self.inputs = [self._reference(name) for name in self.INPUTS]
+        self.inputs = [self._reference(name) for name in INPUTS]
         self.outputs = [self._reference(name) for name in ("force", *READINGS)]
-        self.seen = (0.0, 0.0, 0.0, 0.0, 0.0)
+        self.seen = NOTHING_YET
 
-    def advance(self, length: float, velocity: float, step: float, wrench: Wrench = UNLOADED) -> float:
-        """Makes one step with held inputs and returns the force."""
-        loads = (wrench.force_m, wrench.force_n, wrench.moment_m, wrench.moment_n)
-        for reference, value in zip(self.inputs, (length, velocity, *loads), strict=True):
+    def advance(
+        self,
+        length: float,
+        velocity: float,
+        step: float,
+        wrench: Wrench = UNLOADED,
+        acceleration: float = 0.0,
+        spin: float = 0.0,
+    ) -> float:
+        """Makes one step and returns the force."""
+        values = (length, velocity, *loads_of(wrench), acceleration, spin)
+        for reference, value in zip(self.inputs, values, strict=True):
             self._call("set", reference, ctypes.c_double(value))
         self._call("step", ctypes.c_double(step))
         force, *seen = (self._get(reference) for reference in self.outputs)
@@ -173,5 +203,7 @@ def open_struts(
                 struts[name] = CStrut(library, *given)
                 stack.callback(struts[name].close)
             else:
-                struts[name] = FmuStrut(stack.enter_context(open_strut(*given, native=False, fmus=fmus)))
+                start = {**parameters[name], "length": lengths[name]}
+                fmu = stack.enter_context(open_fmu(path_of("ShockAbsorber", fmus), start))
+                struts[name] = FmuStrut(fmu)
         yield struts

@@ -1,10 +1,11 @@
 """Every friction law in the struts of the car, side by side: runs in parallel, tables of cost and of what differs."""
 
+import math
 import multiprocessing
 import time
 from collections.abc import Iterator, Mapping, Sequence
 from concurrent.futures import ProcessPoolExecutor, as_completed
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy
@@ -22,6 +23,8 @@ STUDIED = ("lane-change", "four-post")
 # Steps per row of the tables of a study.
 EVERY = 5
 DEGREES = 180.0 / numpy.pi
+# Velocity of a strut, in m/s, below which a damper hardly resists.
+SLOW = 0.01
 
 
 @dataclass(frozen=True)
@@ -82,7 +85,9 @@ def run_case(case: Case) -> Outcome:
     """Computes a run in a process of its own, and writes its table."""
     began = time.process_time()
     try:
-        run = simulate(read_car(case.car), case.course, case.law, case.changes, case.step, code=case.code)
+        run = simulate(
+            read_car(case.car), case.course, case.law, case.changes, case.step, code=case.code, balance=False
+        )
     except CarError as error:
         return Outcome(case.law, case.course.name, {}, {}, str(error))
     seconds = time.process_time() - began
@@ -102,8 +107,11 @@ def figures_of(run: Run, course: Manoeuvre) -> dict[str, float]:
         "roll_left": float(roll[-1]),
         "pitch": float(numpy.ptp(pitch)),
         "friction": max(float(numpy.abs(run[f"{name}.friction"]).max()) for name in CORNERS),
-        "friction_work": _heat(run, "friction"),
-        "damper_work": -_heat(run, "force_damper"),
+        "travel": 1e3 * float(numpy.ptp(run["fl.length"])),
+        "load": math.sqrt(sum(float(run[f"{name}.load"].var()) for name in CORNERS) / len(CORNERS)),
+        "slow": sum(float((numpy.abs(run[f"{name}.velocity"]) < SLOW).mean()) for name in CORNERS) / len(CORNERS),
+        "friction_work": heat(run, "friction"),
+        "damper_work": -heat(run, "force_damper"),
     }
     if isinstance(course, LaneChange):
         motion = {"position_x": run["front_x"] - 0.8 * numpy.cos(run["yaw"]), "yaw_angle": run["yaw"]}
@@ -112,9 +120,13 @@ def figures_of(run: Run, course: Manoeuvre) -> dict[str, float]:
     return figures
 
 
-def _heat(run: Run, column: str) -> float:
+def heat(run: Run, column: str) -> float:
     """Work of a force of all struts along their motion."""
-    return sum(float(run[f"{name}.{column}"][:-1] @ numpy.diff(run[f"{name}.length"])) for name in CORNERS)
+    total = 0.0
+    for name in CORNERS:
+        force, length = run[f"{name}.{column}"], run[f"{name}.length"]
+        total += 0.5 * float((force[1:] + force[:-1]) @ numpy.diff(length))
+    return total
 
 
 def run_study(cases: Sequence[Case], jobs: int) -> Iterator[Outcome]:
@@ -142,9 +154,13 @@ EFFECT = {
         ("by friction [J]", "friction_work", 2),
         ("by dampers [J]", "damper_work", 2),
         ("clearance [m]", "clearance", 3),
+        ("slow [1]", "slow", 2),
+        ("path [mm]", "path", 1),
     ],
     "four-post": [
         ("pitch [deg]", "pitch", 3),
+        ("strut fl [mm]", "travel", 2),
+        ("tyre load [N]", "load", 1),
         ("friction [N]", "friction", 1),
         ("by friction [J]", "friction_work", 2),
         ("by dampers [J]", "damper_work", 2),
@@ -152,10 +168,20 @@ EFFECT = {
 }
 
 
+def with_paths(outcomes: Sequence[Outcome]) -> list[Outcome]:
+    """The outcomes of a manoeuvre with the largest distance of each path from that without friction."""
+    free = next((one.columns["front_y"] for one in outcomes if one.law == NONE and not one.failure), None)
+    found = []
+    for one in outcomes:
+        apart = math.nan if free is None or one.failure else 1e3 * float(numpy.abs(one.columns["front_y"] - free).max())
+        found.append(replace(one, figures={**one.figures, "path": apart}))
+    return found
+
+
 def table_of(outcomes: Sequence[Outcome], course: str) -> list[list[str]]:
     """Rows of text: the cost of each law, absolute and relative to none, and its effect on the car."""
     rows = [["law", *(name for name, _, _ in COST), "relative", *(name for name, _, _ in EFFECT[course])]]
-    done = [outcome for outcome in outcomes if outcome.course == course]
+    done = with_paths([outcome for outcome in outcomes if outcome.course == course])
     least = next((o.figures["seconds"] for o in done if o.law == NONE and not o.failure), None)
     for outcome in done:
         if outcome.failure:

@@ -15,6 +15,17 @@ SLOWEST = 1.0
 UP = numpy.array([0.0, 0.0, 1.0])
 
 
+def cross(a: Vector, b: Vector) -> Vector:
+    """Cross product of two vectors in space: with that of numpy a run of the car takes a third longer."""
+    (x, y, z), (u, v, w) = a.tolist(), b.tolist()
+    return numpy.array([y * w - z * v, z * u - x * w, x * v - y * u])
+
+
+def unit(vector: Vector) -> Vector:
+    """A vector of the length 1 in the same direction."""
+    return vector / math.sqrt(vector @ vector)
+
+
 @dataclass
 class Carrier:
     """Motion of the upright with its wheel: centre, velocity of the centre, angular velocity, axis of the wheel to the
@@ -25,6 +36,22 @@ class Carrier:
     turning: Vector
     axis: Vector
     spin: float
+
+    def ahead(self, before: "Carrier", lead: float, step: float) -> "Carrier":
+        """The motion expected after `lead`, from the present one and that a step ago."""
+        if lead == 0.0:
+            return self
+        share = lead / step
+        velocity = self.velocity + share * (self.velocity - before.velocity)
+        turning = self.turning + share * (self.turning - before.turning)
+        axis = self.axis + lead * cross(0.5 * (self.turning + turning), self.axis)
+        return Carrier(
+            centre=self.centre + 0.5 * lead * (self.velocity + velocity),
+            velocity=velocity,
+            turning=turning,
+            axis=unit(axis),
+            spin=self.spin + share * (self.spin - before.spin),
+        )
 
 
 @dataclass
@@ -59,17 +86,16 @@ def read_tyre(car: Car) -> stribeck.Tyre:
 
 def touch(tyre: stribeck.Tyre, carrier: Carrier, height: float, rise: float) -> Contact:
     """The contact with a level road at a height that rises; its load cannot pull."""
-    ahead = numpy.cross(carrier.axis, UP)
-    ahead /= numpy.linalg.norm(ahead)
+    ahead = unit(cross(carrier.axis, UP))
     # In the plane of the wheel, from the road to the centre.
-    radial = numpy.cross(ahead, carrier.axis)
+    radial = cross(ahead, carrier.axis)
     reach = (carrier.centre[2] - height) / radial[2]
     arm = -reach * radial
     deflection = tyre.radius - reach
     closing = (rise - carrier.velocity[2]) / radial[2]
     load = max(0.0, tyre.stiffness * deflection + tyre.damping * closing) if deflection > 0.0 else 0.0
-    velocity = carrier.velocity + numpy.cross(carrier.turning, arm)
-    return Contact(ahead, numpy.cross(UP, ahead), arm, velocity, load, deflection, math.asin(carrier.axis[2]))
+    velocity = carrier.velocity + cross(carrier.turning, arm)
+    return Contact(ahead, cross(UP, ahead), arm, velocity, load, deflection, math.asin(carrier.axis[2]))
 
 
 class RollingTyre:
@@ -77,24 +103,26 @@ class RollingTyre:
 
     def __init__(self, tyre: stribeck.Tyre, car: Car, left: bool):
         self.tyre, self.is_left, self.relaxation = tyre, left, car.tyre.relaxation_length
-        self.slip = self.side_slip = 0.0
+        # Slip and side slip, and what they would be without relaxation.
+        self.slips = numpy.zeros(2)
+        self.steady: Vector | None = None
         self.forces = (0.0, 0.0, 0.0)
 
     def push(self, contact: Contact, carrier: Carrier, step: float) -> Push:
-        """Advances the slips by a step with held motion; the force at its end."""
+        """Advances the slips by a step, to the time of the contact; the force then."""
         forward = float(carrier.velocity @ contact.ahead)
         if abs(forward) < SLOWEST:
             raise CarError(f"a wheel rolls at {forward:.3g} m/s: its slip has a meaning above {SLOWEST:g} m/s only")
         radius = self.tyre.radius - ROLLING_DEFLECTION * max(0.0, contact.deflection)
         slip = (radius * carrier.spin - forward) / abs(forward)
-        side_slip = math.atan2(float(contact.velocity @ contact.left), abs(forward))
-        left_over = math.exp(-abs(forward) * step / self.relaxation)
-        self.slip = slip + (self.slip - slip) * left_over
-        self.side_slip = side_slip + (self.side_slip - side_slip) * left_over
+        steady = numpy.array([slip, math.atan2(float(contact.velocity @ contact.left), abs(forward))])
+        last, self.steady = steady if self.steady is None else self.steady, steady
+        mean = 0.5 * (last + steady)
+        self.slips = mean + (self.slips - mean) * math.exp(-abs(forward) * step / self.relaxation)
         wrench = self.tyre.wrench(
             contact.load,
-            longitudinal_slip=self.slip,
-            side_slip=self.side_slip,
+            longitudinal_slip=float(self.slips[0]),
+            side_slip=float(self.slips[1]),
             camber=contact.camber,
             speed=forward,
             left=self.is_left,
@@ -102,7 +130,7 @@ class RollingTyre:
         self.forces = (wrench.force_x, wrench.force_y, contact.load)
         force = wrench.force_x * contact.ahead + wrench.force_y * contact.left + contact.load * UP
         moment = wrench.moment_x * contact.ahead + wrench.moment_y * contact.left + wrench.moment_z * UP
-        return Push(force, numpy.cross(contact.arm, force) + moment)
+        return Push(force, cross(contact.arm, force) + moment)
 
 
 class StandingTyre:
@@ -125,4 +153,4 @@ class StandingTyre:
             along = -self.stiffness * (point - self.home) - self.damping * contact.velocity
             force = numpy.array([along[0], along[1], contact.load])
         self.forces = (float(force[0]), float(force[1]), contact.load)
-        return Push(force, numpy.cross(contact.arm, force))
+        return Push(force, cross(contact.arm, force))

@@ -1,7 +1,7 @@
 """What the car is made to do: the road below each wheel, the steering, the speed. All numbers can be set."""
 
 import math
-from dataclasses import dataclass
+from dataclasses import astuple, dataclass, replace
 from functools import cached_property
 
 from car_description import CarError
@@ -9,6 +9,8 @@ from lane_change import Lane, lanes, way
 
 # Of a straight run before a manoeuvre begins, in s: the tyres find their rolling state.
 RUN_IN = 0.5
+# Later than any run ends, in s.
+NEVER = 1e9
 
 
 @dataclass(frozen=True)
@@ -21,6 +23,13 @@ class Pose:
     yaw: float
     speed: float
     yaw_rate: float
+
+    def ahead(self, before: "Pose", lead: float, step: float) -> "Pose":
+        """What is expected after `lead`, from the present and from what was a step ago."""
+        share = lead / step
+        now, last = astuple(self), astuple(before)
+        moved = (new + share * (new - old) for new, old in zip(now, last, strict=True))
+        return replace(Pose(*moved), time=self.time + lead)
 
 
 @dataclass(frozen=True)
@@ -56,7 +65,7 @@ class FourPost(Manoeuvre):
     stroke: float = 0.04
     frequency: float = 2.0
     lag: float = 0.5 * math.pi
-    duration: float = 4.0
+    duration: float = 3.0
     name = "four-post"
 
     def road(self, corner: str, time: float, x: float) -> tuple[float, float]:  # noqa: ARG002
@@ -85,6 +94,28 @@ class StepSteer(Manoeuvre):
 
     def steer(self, pose: Pose) -> float:
         return self.angle * eased(pose.time - RUN_IN, self.rise)
+
+
+@dataclass(frozen=True)
+class SineSteer(Manoeuvre):
+    """Two periods of a sine of the steering wheel, the second one mirrored, with a pause between them: a lane change
+    without a driver. Then the wheel is held straight. Angle, frequency and pause are those of the double-track car in
+    examples/fmpy/lane_change.py, at the wheels."""
+
+    speed: float = 20.0
+    angle: float = math.radians(20.0)
+    frequency: float = 0.9
+    pause: float = 0.35
+    duration: float = 6.0
+    name = "sine-steer"
+
+    def steer(self, pose: Pose) -> float:
+        period = 1.0 / self.frequency
+        for begin, sign in ((RUN_IN, 1.0), (RUN_IN + period + self.pause, -1.0)):
+            passed = pose.time - begin
+            if 0.0 < passed < period:
+                return sign * self.angle * math.sin(2.0 * math.pi * self.frequency * passed)
+        return 0.0
 
 
 @dataclass(frozen=True)
@@ -171,6 +202,8 @@ class LaneChange(Manoeuvre):
     # Where the path leaves a lane, in m before its end, and reaches the next one, in m after its beginning.
     leaving: float = 2.8
     arriving: float = 4.8
+    # When the driver turns the wheel straight and holds it there, in s.
+    release: float = NEVER
     name = "lane-change"
 
     @cached_property
@@ -183,6 +216,8 @@ class LaneChange(Manoeuvre):
         return way(self.lanes, x, self.leaving, self.arriving)
 
     def steer(self, pose: Pose) -> float:
+        if pose.time >= self.release:
+            return 0.0
         distance = self.preview * pose.speed
         expected = pose.y + distance * math.sin(pose.yaw)
         aim = self.path(pose.x + distance * math.cos(pose.yaw))
@@ -192,7 +227,7 @@ class LaneChange(Manoeuvre):
         return self.speed if pose.x < self.approach + 2.0 else None
 
 
-MANOEUVRES = {kind.name: kind for kind in (FourPost, LaneChange, StepSteer, ConstantRadius, Braking, Kerb)}
+MANOEUVRES = {kind.name: kind for kind in (FourPost, LaneChange, StepSteer, SineSteer, ConstantRadius, Braking, Kerb)}
 
 
 def manoeuvre(name: str, **changes: float) -> Manoeuvre:

@@ -103,6 +103,9 @@ def mjcf_of(car: Car, step: float) -> str:
 class MujocoCar:
     """The car, with the interface of the one in exudyn as far as a ride needs it."""
 
+    # A load acts on the motion at the beginning of a step.
+    TAKES_LOADS_AT_THE_END = False
+
     def __init__(self, car: Car, step: float):
         self.car, self.travel = car, 0.0
         self.model = mujoco.MjModel.from_xml_string(mjcf_of(car, step))
@@ -135,6 +138,10 @@ class MujocoCar:
     def reaction(self, name: str) -> tuple[Vector, Vector]:
         """Force and moment of the tube on the rod at the present eye of the rod, in the axes m, n and a."""
         return self.data.sensor(f"{name}.force").data, self.data.sensor(f"{name}.torque").data
+
+    def rod_spin(self, _name: str) -> float:
+        """Spin of the rod in the tube: none, it is guided by a slide."""
+        return 0.0
 
     def turning(self, body: int) -> Vector:
         """Angular velocity of a body."""
@@ -183,6 +190,10 @@ class MujocoCar:
     def set_strut(self, name: str, force: float) -> None:
         """Sets the force of a strut; positive pushes the eyes apart."""
         self.data.ctrl[self.names[name][4]] = force
+
+    def twist_strut(self, _name: str, torque: float) -> None:
+        """Would set the friction torque about the axis of a strut, which is 0 for a rod that does not spin."""
+        assert torque == 0.0
 
     def push(self, name: str, force: Vector, moment: Vector) -> None:
         """Sets force and moment of the road, at the centre of a wheel, which is its centre of mass."""

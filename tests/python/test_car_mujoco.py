@@ -88,6 +88,25 @@ def test_both_codes_compute_the_same_turn():
     assert largest(runs["exudyn"], "roll") > 0.01
 
 
+def test_both_codes_agree_on_the_lane_change_and_on_what_friction_changes():
+    # As long as the car steers into the second lane and out of it.
+    course = manoeuvre("lane-change", width=DESCRIPTION.width, duration=2.4)
+    runs = {
+        (code, law): car_ride.simulate(DESCRIPTION, course, law, code=code)
+        for code in ("exudyn", "mujoco")
+        for law in ("None", "LuGre")
+    }
+    for column in ("roll", "yaw_rate", "fl.load", "fr.load", "rl.load", "rr.load"):
+        one, other = (largest(runs[code, "None"], column) for code in ("exudyn", "mujoco"))
+        assert one == pytest.approx(other, rel=0.02), column
+    for column in ("roll", "fl.length"):
+        one, other = (
+            largest(runs[code, "LuGre"], column) - largest(runs[code, "None"], column) for code in ("exudyn", "mujoco")
+        )
+        assert one == pytest.approx(other, rel=0.1), column
+        assert abs(one) > 0.01 * largest(runs["exudyn", "None"], column)
+
+
 def test_car_keeps_to_a_circle_while_its_speed_rises():
     course = manoeuvre("constant-radius", duration=4.0, acceleration=1.0)
     run = car_ride.simulate(DESCRIPTION, course, "None", code="mujoco")
