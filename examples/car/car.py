@@ -6,6 +6,8 @@
     python examples/car/car.py drive --test four-post           with and without friction; writes <out>_<test>.csv, .png
     python examples/car/car.py drive --test step-steer --law Dahl --set friction.scale=2 --with angle=0.3
     python examples/car/car.py limit --law LuGre                highest speed that passes the cones of ISO 3888-2
+    python examples/car/car.py accuracy                         smaller steps, balance of energy, exudyn against MuJoCo
+    python examples/car/car.py design --code mujoco             seat of the spring, seals and overlap
     python examples/car/car.py study                            lane change and four-post with every law, side by side
 
 The car is described in stribeck_fs.toml; --car reads another file of the same form. Needs the packages
@@ -23,15 +25,17 @@ sys.path.append(str(Path(__file__).resolve().parents[1] / "fmpy"))
 sys.path.append(str(Path(__file__).resolve().parents[1] / "multibody"))
 sys.path.append(str(Path(__file__).resolve().parents[1] / "mujoco"))
 
+from car_accuracy import report_accuracy
 from car_description import CAR, CORNERS, Car, CarError, read_car
+from car_design import report_designs
 from car_figures import draw_kinematics, draw_study
 from car_page import write_page
 from car_rest import imbalance, settle
 from car_ride import EXUDYN, MUJOCO, Run, columns_with_units, simulate
 from car_stand import COLUMNS as STAND_COLUMNS
 from car_stand import Stand
-from car_struts import parameters_of
-from car_study import STUDIED, Case, contacts_of, courses_of, figures_of, laws_of, printed, run_study, table_of
+from car_struts import READINGS, open_struts, parameters_of
+from car_study import SLOW, STUDIED, Case, contacts_of, courses_of, figures_of, laws_of, printed, run_study, table_of
 from car_tyres import read_tyre
 from coupling import FMUS, main, parameter, positive, write_csv
 from exudyn_car import ExudynCar
@@ -70,16 +74,32 @@ def arguments() -> argparse.Namespace:
     study.add_argument("--strut", choices=CORNERS, default="fl", help="the strut in the figures (default: fl)")
     study.add_argument("--jobs", type=int, default=2, help="runs at a time (default: 2)")
     study.add_argument("--out", default="out/car_study", help="folder of the results (default: out/car_study)")
-    for task in (drive, limit, study):
+    accuracy, design = _add_reports(tasks)
+    for task in (drive, limit, design, study):
+        task.add_argument("--code", choices=(EXUDYN, MUJOCO), default=EXUDYN, help="simulator (default: exudyn)")
+        task.add_argument("--step", type=positive, default=1e-3, help="step in s (default: 1e-3)")
+    for task in (drive, limit, accuracy, design, study):
         _add_settings(task)
     return parser.parse_args()
+
+
+def _add_reports(tasks) -> tuple[argparse.ArgumentParser, argparse.ArgumentParser]:
+    """The tasks that print the tables of docs/car.md."""
+    accuracy = tasks.add_parser("accuracy", help="smaller steps, the balance of energy, and both codes")
+    accuracy.add_argument("--test", choices=sorted(MANOEUVRES), default="lane-change")
+    accuracy.add_argument(
+        "--steps", type=positive, nargs="+", default=[1e-3, 5e-4, 2.5e-4], metavar="S", help="in s, the longest first"
+    )
+    design = tasks.add_parser("design", help="seat of the spring, seals and overlap")
+    for task in (accuracy, design):
+        task.add_argument("--law", default="LuGre", help="friction law of the struts (default: LuGre)")
+        task.add_argument("--jobs", type=int, default=2, help="runs at a time (default: 2)")
+    return accuracy, design
 
 
 def _add_settings(task: argparse.ArgumentParser) -> None:
     """The options of all tasks in which the car moves."""
     settable = {"type": parameter, "action": "append", "default": [], "metavar": "NAME=VALUE"}
-    task.add_argument("--code", choices=(EXUDYN, MUJOCO), default=EXUDYN, help="simulator (default: exudyn)")
-    task.add_argument("--step", type=positive, default=1e-3, help="step in s (default: 1e-3)")
     task.add_argument("--set", help="parameter of the ShockAbsorber; repeatable", **settable)
     task.add_argument("--with", dest="changes", help="number of the manoeuvre; repeatable", **settable)
 
@@ -90,14 +110,19 @@ def show_rest(car: Car) -> None:
     bodies, constraints, redundant = model.mobility()
     free = 6 * bodies - constraints
     print(f"{car.name}: {bodies} bodies, {constraints} independent constraints, {redundant} redundant; {free} free")
-    rest = settle(model, read_tyre(car), parameters_of(car, "None", {}))
-    print("corner  wheel load [N]  strut [mm]  force [N]  side force m, n [N]  side moment m, n [N.m]")
-    for name in CORNERS:
-        w = Wrench.in_rod_eye(*model.reaction(name), rest.lengths[name])
-        print(
-            f"{name:6} {rest.loads[name]:15.3f} {1e3 * rest.lengths[name]:11.3f} {rest.forces[name]:10.3f}"
-            f" {w.force_m:9.4f} {w.force_n:9.4f} {w.moment_m:12.5f} {w.moment_n:9.5f}"
-        )
+    parameters = parameters_of(car, "None", {})
+    rest = settle(model, read_tyre(car), parameters)
+    print("corner  wheel load [N]  strut [mm]  force [N]  side force m, n [N]  side moment m, n [N.m]  contacts [N]")
+    with open_struts(parameters, rest.lengths) as struts:
+        for name in CORNERS:
+            w = Wrench.in_rod_eye(*model.reaction(name), rest.lengths[name])
+            struts[name].advance(rest.lengths[name], 0.0, 1e-3, w)
+            contacts = (struts[name].seen[READINGS.index(f"normal_{at}")] for at in (1, 2))
+            print(
+                f"{name:6} {rest.loads[name]:15.3f} {1e3 * rest.lengths[name]:11.3f} {rest.forces[name]:10.3f}"
+                f" {w.force_m:9.4f} {w.force_n:9.4f} {w.moment_m:12.5f} {w.moment_n:9.5f}"
+                + "".join(f" {load:8.3f}" for load in contacts)
+            )
     print(f"weight {car.mass * car.gravity:.3f} N, less the loads {imbalance(car, rest):.1e} N")
 
 
@@ -124,8 +149,7 @@ def show_kinematics(car: Car, options: argparse.Namespace) -> None:
 
 def show_drive(car: Car, options: argparse.Namespace) -> None:
     """Runs a manoeuvre, writes the tables and draws a picture."""
-    known = {"width": car.width} if options.test == "lane-change" else {}
-    course = manoeuvre(options.test, **{**known, **numbers(options)})
+    course = courses_of([options.test], car, numbers(options))[options.test]
     runs = {}
     for law in dict.fromkeys((options.law, "None")):
         run = simulate(
@@ -174,10 +198,30 @@ def show_limit(car: Car, options: argparse.Namespace) -> None:
     print(f"highest speed that passes: {3.6 * passing:.1f} km/h")
 
 
-def show_study(car: Car, options: argparse.Namespace) -> None:
-    """Runs every law, prints the tables, draws the figures, writes the report."""
+def show_accuracy(car: Car, options: argparse.Namespace) -> None:
+    """Prints what smaller steps and the other code change, and the balance of energy."""
+    course = courses_of([options.test], car, numbers(options))[options.test]
+    changes = dict(options.set)
+    print(report_accuracy(options.car, course, options.law, changes, options.steps, jobs_of(options)))
+
+
+def show_design(car: Car, options: argparse.Namespace) -> None:
+    """Prints what a few changes of the struts do."""
+    courses = courses_of(STUDIED, car, numbers(options))
+    changes, jobs = dict(options.set), jobs_of(options)
+    print(report_designs(options.car, courses, options.law, changes, options.step, options.code, jobs))
+
+
+def jobs_of(options: argparse.Namespace) -> int:
+    """How many runs at a time."""
     if options.jobs < 1:
         raise CarError(f"jobs = {options.jobs}: must be at least 1")
+    return options.jobs
+
+
+def show_study(car: Car, options: argparse.Namespace) -> None:
+    """Runs every law, prints the tables, draws the figures, writes the report."""
+    jobs = jobs_of(options)
     laws, folder = laws_of(options.laws), Path(options.out)
     courses = courses_of(options.test or STUDIED, car, numbers(options))
     changes = dict(options.set)
@@ -187,7 +231,7 @@ def show_study(car: Car, options: argparse.Namespace) -> None:
         for law in laws
     ]
     order = {(case.course.name, case.law): at for at, case in enumerate(cases)}
-    outcomes = sorted(run_study(cases, options.jobs), key=lambda outcome: order[outcome.course, outcome.law])
+    outcomes = sorted(run_study(cases, jobs), key=lambda outcome: order[outcome.course, outcome.law])
     if all(outcome.failure for outcome in outcomes):
         raise CarError(outcomes[0].failure)
     tables = {name: table_of(outcomes, name) for name in courses}
@@ -198,7 +242,9 @@ def show_study(car: Car, options: argparse.Namespace) -> None:
     facts = [
         f"{car.name} in {options.code}, step {options.step:g} s; strut in the figures: {options.strut}.",
         "Run times are processor times of whole runs; relative: to the run without friction. Evaluations are steps of "
-        "all struts; iterations are those of the integrator, which holds the forces of the struts over a step.",
+        "all struts; iterations are those of the integrator, to which the forces of the struts are given per step.",
+        "Tyre load: standard deviation, mean square of all four. Slow: part of the time with a strut below "
+        f"{1e3 * SLOW:g} mm/s. Path: largest distance of the front axle from its path without friction.",
     ]
     report = folder / "report.html"
     write_page(report, f"{car.name}: friction laws in the struts", facts, tables, figures)
@@ -222,8 +268,9 @@ def summary(run: Run) -> str:
     """The figures of a run."""
     roll, pitch = (numpy.abs(DEGREES * (run[name] - run[name][0])).max() for name in ("roll", "pitch"))
     friction = max(numpy.abs(run[f"{name}.friction"]).max() for name in CORNERS)
+    left = DEGREES * (run["roll"][-1] - run["roll"][0])
     return (
-        f"largest roll {roll:.3f} degrees, pitch {pitch:.3f} degrees, friction {friction:.1f} N; "
+        f"largest roll {roll:.3f} degrees, {left:.4f} at the end, pitch {pitch:.3f}, friction {friction:.1f} N; "
         f"{run.iterations} iterations in {run.seconds:.1f} s"
     )
 
@@ -238,6 +285,10 @@ def program() -> None:
         show_kinematics(car, options)
     elif options.task == "limit":
         show_limit(car, options)
+    elif options.task == "accuracy":
+        show_accuracy(car, options)
+    elif options.task == "design":
+        show_design(car, options)
     elif options.task == "study":
         show_study(car, options)
     else:

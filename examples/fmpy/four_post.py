@@ -3,6 +3,7 @@
 
     python examples/fmpy/four_post.py --frequency 2 --stroke 0.04 --delay 90 --levels 0 20 50
     python examples/fmpy/four_post.py --laws BrownMcPhee LuGre Dahl
+    python examples/fmpy/four_post.py --levels 0 load       # friction of the seals, and from the load of the seat
 
 Couples FourPostCar and four ShockAbsorbers. Each post rises by the stroke and returns; the rear ones are delayed.
 Writes

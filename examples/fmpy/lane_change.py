@@ -3,6 +3,7 @@
 
     python examples/fmpy/lane_change.py --levels 0 20 50
     python examples/fmpy/lane_change.py --steer path --laws
+    python examples/fmpy/lane_change.py --levels 0 load     # friction of the seals, and from the load of the seat
 
 Couples DoubleTrackCar and four ShockAbsorbers. `--steer` is
 
