@@ -16,6 +16,8 @@ pub const BUILT_IN: &[(&str, &str)] = &[
     ("incline", include_str!("built_in/incline.toml")),
     ("pulled-mass", include_str!("built_in/pulled-mass.toml")),
     ("motion", include_str!("built_in/motion.toml")),
+    ("dyno", include_str!("built_in/dyno.toml")),
+    ("dyno-ramps", include_str!("built_in/dyno-ramps.toml")),
     ("quarter-car", include_str!("built_in/quarter-car.toml")),
     ("four-post", include_str!("built_in/four-post.toml")),
 ];

@@ -1,6 +1,7 @@
 //! Parts and their connections, checked.
 
 use std::collections::BTreeSet;
+use std::path::Path;
 
 use stribeck::model::{Kind, ModelType, Role, Variable};
 
@@ -71,7 +72,7 @@ impl System {
     /// Joins the parts of a description. A law replaces that of the description; settings come last. Settings of the law
     /// that it does not have are listed in [`System::unused`].
     pub fn assemble(source: &Source, law: Option<&str>, settings: &[Setting]) -> Result<System, Fault> {
-        let description = &source.description;
+        let (description, settings) = tuned(&source.description, settings)?;
         let mut system = System {
             parts: Vec::new(),
             wires: Vec::new(),
@@ -88,24 +89,13 @@ impl System {
         }
         for (input, signal) in &description.input {
             let to = system.input(input)?;
-            let signal = match signal {
-                Signal::Course(Course::RateOf(other)) => {
-                    let known = description.input.keys().map(String::as_str);
-                    let found = description.input.get(other).ok_or_else(|| Fault::unknown("signal", other, known))?;
-                    if matches!(found, Signal::Course(Course::RateOf(_))) {
-                        return Err(Fault::value(format_args!("{input}: {other} is itself the rate of a signal")));
-                    }
-                    let found = found.loaded(&source.folder).map_err(|error| prefixed(other, error))?;
-                    Signal::Course(Course::Derivative(Box::new(found)))
-                }
-                signal => signal.loaded(&source.folder).map_err(|error| prefixed(input, error))?,
-            };
+            let signal = moved(&description, input, signal, &source.folder, MOST_RATES)?;
             system.signals.extend(to.map(|to| (to, signal)));
         }
         for (input, output) in &description.connect {
             system.connect(input, output)?;
         }
-        for setting in settings {
+        for setting in &settings {
             system.set(setting)?;
         }
         system.follow()?;
@@ -352,6 +342,51 @@ impl System {
         }
         Ok(())
     }
+}
+
+/// Rates of rates that a signal may be.
+const MOST_RATES: usize = 2;
+
+/// The signal of an input, with points from files and rates of other signals.
+fn moved(
+    description: &Description,
+    input: &str,
+    signal: &Signal,
+    folder: &Path,
+    rates: usize,
+) -> Result<Signal, Fault> {
+    let Signal::Course(Course::RateOf(other)) = signal else {
+        return signal.loaded(folder).map_err(|error| prefixed(input, error));
+    };
+    let known = description.input.keys().map(String::as_str);
+    let found = description.input.get(other).ok_or_else(|| Fault::unknown("signal", other, known))?;
+    if rates == 0 {
+        return Err(Fault::value(format_args!("{input}: {other} is itself the rate of a rate of a signal")));
+    }
+    Ok(moved(description, other, found, folder, rates - 1)?.rate())
+}
+
+/// A description whose signals have the settings meant for them, such as `strut.length.amplitude`, and the others.
+fn tuned(description: &Description, settings: &[Setting]) -> Result<(Description, Vec<Setting>), Fault> {
+    let (mut description, mut others) = (description.clone(), Vec::new());
+    for setting in settings {
+        let named = setting.name.rsplit_once('.');
+        let moving = named.and_then(|(input, property)| {
+            let signal = description.input.get_mut(input)?;
+            (!signal.properties().is_empty()).then_some((signal, input, property))
+        });
+        let Some((signal, input, property)) = moving else {
+            others.push(setting.clone());
+            continue;
+        };
+        let known: Vec<&str> = signal.properties().iter().map(|(name, _)| *name).collect();
+        let mut properties = signal.properties();
+        let place = properties.iter_mut().find(|(name, _)| *name == property);
+        let (_, place) =
+            place.ok_or_else(|| Fault::unknown(format!("property of the signal {input}"), property, known))?;
+        **place = setting.number()?.1;
+    }
+    Ok((description, others))
 }
 
 fn prefixed(name: &str, fault: Fault) -> Fault {

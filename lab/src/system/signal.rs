@@ -48,6 +48,16 @@ pub enum Course {
         #[serde(default)]
         phase: f64,
     },
+    /// Straight lines between mean + amplitude and mean - amplitude; it begins at the mean and rises.
+    Triangle {
+        /// Mean value.
+        #[serde(default)]
+        mean: f64,
+        /// Amplitude.
+        amplitude: f64,
+        /// Frequency in Hz.
+        frequency: f64,
+    },
     /// The rate of a signal.
     #[serde(skip)]
     Derivative(Box<Signal>),
@@ -78,6 +88,39 @@ fn time() -> String {
 }
 
 impl Signal {
+    /// The numbers by which it moves, with their names: they can be set.
+    pub fn properties(&mut self) -> Vec<(&'static str, &mut f64)> {
+        match self {
+            Signal::Course(Course::Ramp { from, rate, start, to }) => {
+                let to = to.iter_mut().map(|to| ("to", to));
+                [("from", from), ("rate", rate), ("start", start)].into_iter().chain(to).collect()
+            }
+            Signal::Course(Course::Sine { mean, amplitude, frequency, phase }) => {
+                vec![("mean", mean), ("amplitude", amplitude), ("frequency", frequency), ("phase", phase)]
+            }
+            Signal::Course(Course::Triangle { mean, amplitude, frequency }) => {
+                vec![("mean", mean), ("amplitude", amplitude), ("frequency", frequency)]
+            }
+            _ => Vec::new(),
+        }
+    }
+
+    /// Its rate.
+    pub fn rate(self) -> Signal {
+        match self {
+            Signal::Constant(_) => Signal::Constant(0.0),
+            // The rate of the rate of a sine is a sine again; that of straight lines is 0.
+            Signal::Course(Course::Derivative(inner)) => match *inner {
+                Signal::Course(Course::Sine { amplitude, frequency, phase, .. }) => {
+                    let omega = 2.0 * std::f64::consts::PI * frequency;
+                    Signal::Course(Course::Sine { mean: 0.0, amplitude: -amplitude * omega * omega, frequency, phase })
+                }
+                _ => Signal::Constant(0.0),
+            },
+            moving => Signal::Course(Course::Derivative(Box::new(moving))),
+        }
+    }
+
     /// The same signal with its points read from its file.
     pub fn loaded(&self, folder: &Path) -> Result<Signal, Fault> {
         let signal = match self {
@@ -98,6 +141,7 @@ impl Signal {
             Signal::Course(Course::Sine { mean, amplitude, frequency, phase }) => {
                 vec![*mean, *amplitude, *frequency, *phase]
             }
+            Signal::Course(Course::Triangle { mean, amplitude, frequency }) => vec![*mean, *amplitude, *frequency],
             Signal::Course(Course::Points { time, value }) => {
                 if time.len() != value.len() || time.is_empty() {
                     return Err(Fault::value(format_args!("{} times and {} values", time.len(), value.len())));
@@ -136,6 +180,13 @@ impl Signal {
                 let angle = omega * t + phase;
                 (mean + amplitude * sin(angle), amplitude * omega * cos(angle))
             }
+            Signal::Course(Course::Triangle { mean, amplitude, frequency }) => {
+                let turn = turns(t, *frequency);
+                let rate = if turn % 2.0 == 0.0 { 4.0 } else { -4.0 } * amplitude * frequency;
+                // At the turn the rate is that of the line that begins there.
+                let middle = 0.5 * turn / frequency;
+                if *frequency == 0.0 { (*mean, 0.0) } else { (mean + rate * (t - middle), rate) }
+            }
             Signal::Course(Course::Points { time, value }) => {
                 let after = time.partition_point(|at| *at <= t);
                 if after == 0 {
@@ -173,10 +224,20 @@ impl Signal {
             Signal::Course(Course::Points { time, .. }) => {
                 time.get(time.partition_point(|at| *at <= t)).copied().unwrap_or(f64::INFINITY)
             }
+            Signal::Course(Course::Triangle { frequency, .. }) if *frequency > 0.0 => {
+                (0.5 * turns(t, *frequency) + 0.25) / frequency
+            }
             Signal::Course(Course::Derivative(signal)) => signal.next_break(t),
             _ => f64::INFINITY,
         }
     }
+}
+
+/// Turns of a triangle up to a time; the next one is at a quarter of a period after half of them.
+fn turns(t: f64, frequency: f64) -> f64 {
+    let count = (2.0 * frequency * t + 0.5).floor();
+    // The time of the next turn, as a solver is told it, belongs to the line that begins there.
+    if t >= (0.5 * count + 0.25) / frequency { count + 1.0 } else { count }
 }
 
 /// Time at which a ramp reaches its last value; it never does if it moves away from it.

@@ -186,6 +186,42 @@ fn solved(name: &str, law: &str, settings: &[(&str, &str)], tolerance: f64, resu
     outcome
 }
 
+/// With ramps the velocity is +-4 A f, and the length straight between its ends; with a sine a = -w^2 (d - mean).
+#[test]
+fn signals_of_a_dyno_move_as_they_are_set() {
+    let settings = [("strut.length.amplitude", "0.01"), ("strut.length.frequency", "2.5")];
+    let results = ["strut.length", "strut.velocity", "strut.acceleration"];
+    let ramps = solved("dyno-ramps", "LuGre", &settings, 1e-8, &results);
+    for (at, time) in ramps.time.iter().enumerate() {
+        let [length, velocity, acceleration] = [0, 1, 2].map(|column| ramps.columns[column].values[at]);
+        // An arcsine of a sine is a triangle.
+        let turn = (std::f64::consts::TAU * 2.5 * time).sin().asin() / std::f64::consts::FRAC_PI_2;
+        assert!((length - 0.175 - 0.01 * turn).abs() < 1e-9, "{length} m at {time} s");
+        assert!((velocity.abs() - 0.1).abs() < 1e-12 && acceleration == 0.0, "{velocity} m/s at {time} s");
+    }
+    let sine = solved("dyno", "LuGre", &settings, 1e-8, &results);
+    for (at, time) in sine.time.iter().enumerate() {
+        let [length, velocity, acceleration] = [0, 1, 2].map(|column| sine.columns[column].values[at]);
+        let omega = std::f64::consts::TAU * 2.5;
+        assert!((velocity - 0.01 * omega * (omega * time).cos()).abs() < 1e-12, "{velocity} m/s at {time} s");
+        assert!((acceleration + omega * omega * (length - 0.175)).abs() < 1e-10, "{acceleration} m/s2 at {time} s");
+    }
+}
+
+#[test]
+fn properties_that_a_signal_does_not_have_are_refused() {
+    let refused = |name: &str, value: &str| {
+        let setting = Setting { name: name.into(), value: value.into() };
+        System::assemble(&Source::open("dyno").unwrap(), None, &[setting]).map(|_| ()).unwrap_err().to_string()
+    };
+    assert_eq!(
+        refused("strut.length.ampl", "1"),
+        "property of the signal strut.length 'ampl' does not exist (did you mean 'amplitude'?)"
+    );
+    assert_eq!(refused("strut.length.amplitude", "wide"), "strut.length.amplitude = wide: must be a number");
+    assert!(refused("strut.length.frequency", "inf").ends_with("inf in a signal: must be a finite number"));
+}
+
 /// The blocks keep their momentum m_1 v_1 + m_2 v_2, and the energy that they lose is dissipated in the contact.
 #[test]
 fn two_blocks_conserve_momentum_and_close_their_energy_balance() {
