@@ -33,6 +33,7 @@ import shlex
 import shutil
 import subprocess
 import sys
+import tomllib
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
@@ -88,7 +89,8 @@ TEST_PROGRAMS = {
 }
 # Those for the task faults.
 FAULT_PROGRAMS = {"valgrind": "valgrind", "gcc": "gcc", **TEST_PROGRAMS}
-# That in which the page is tested.
+# Where the page runs, and that in which it is tested.
+WASM = "wasm32-unknown-unknown"
 PAGE_PROGRAMS = {"chromium": "chromium"}
 # Those that build for other platforms and run the results.
 PLATFORM_PROGRAMS = {
@@ -282,7 +284,7 @@ def debug_folder() -> Path:
     return Path(os.environ.get("CARGO_TARGET_DIR", ROOT / "target")) / "debug"
 
 
-def package() -> None:
+def package(fmus: bool = True) -> None:
     """Puts the Python package together from what cargo has built for the tests, where pytest finds it."""
     names = {"win32": ("_stribeck.dll", "_stribeck.pyd"), "darwin": ("lib_stribeck.dylib", "_stribeck.abi3.so")}
     built, module = names.get(sys.platform, ("lib_stribeck.so", "_stribeck.abi3.so"))
@@ -290,7 +292,8 @@ def package() -> None:
     shutil.rmtree(folder, ignore_errors=True)
     shutil.copytree(ROOT / "python" / "stribeck", folder, ignore=shutil.ignore_patterns("__pycache__"))
     shutil.copyfile(debug_folder() / built, folder / module)
-    run(PYTHON, "python/fmus.py", "dist", folder / "fmus")
+    if fmus:
+        run(PYTHON, "python/fmus.py", "dist", folder / "fmus")
 
 
 def wheel() -> None:
@@ -306,36 +309,57 @@ def wheel() -> None:
     run(PYTHON, "-m", "pytest", "tests/wheel")
 
 
-def page() -> None:
-    """Builds the page into dist/, as one file, and tests it in Chromium and against the library for this machine."""
-    need_rust()
+def setup_page() -> None:
+    """What the page needs besides Rust: Node with its packages, and Rust's standard library for WebAssembly."""
     for program in ("node", "npm"):
         need(program, "install Node 20 or newer from https://nodejs.org")
-    target = "wasm32-unknown-unknown"
     found = subprocess.run(
-        ["rustc", "--print", "target-libdir", "--target", target], capture_output=True, text=True, encoding="utf-8"
+        ["rustc", "--print", "target-libdir", "--target", WASM], capture_output=True, text=True, encoding="utf-8"
     )
     if not any(Path(found.stdout.strip()).glob("libstd-*.rlib")):
-        need("rustup", f"this task needs Rust's standard library for {target}, which the Rust of https://rustup.rs has")
-        run("rustup", "target", "add", target)
-    npm = shutil.which("npm")
-    run(npm, "ci", "--prefix", "web", "--ignore-scripts", "--no-audit", "--no-fund")
-    run(npm, "exec", "--prefix", "web", "--", "tsc", "--project", "web")
-    run("cargo", "build", "--release", "--package", "stribeck-page", "--target", target)
+        need("rustup", f"this task needs Rust's standard library for {WASM}, which the Rust of https://rustup.rs has")
+        run("rustup", "target", "add", WASM)
+    run(shutil.which("npm"), "ci", "--prefix", "web", "--ignore-scripts", "--no-audit", "--no-fund")
+
+
+def write_page() -> Path:
+    """Writes the page as one file into dist/; returns the library in it."""
+    run(shutil.which("npm"), "exec", "--prefix", "web", "--", "tsc", "--project", "web")
+    run("cargo", "build", "--profile", "page", "--package", "stribeck-page", "--target", WASM)
+    texts = ROOT / "out" / "texts.json"
+    run("cargo", "run", "--package", "fmu-build", "--", "texts", "--out", texts)
     built = Path(os.environ.get("CARGO_TARGET_DIR", ROOT / "target"))
-    library = built / target / "release" / "stribeck_page.wasm"
-    run("node", "web/build.mjs", library, ROOT / "dist" / "page.html")
-    run("cargo", "build", "--package", "stribeck-page")
+    library = built / WASM / "page" / "stribeck_page.wasm"
+    version = tomllib.loads((ROOT / "Cargo.toml").read_text(encoding="utf-8"))["workspace"]["package"]["version"]
+    run("node", "web/build.mjs", library, texts, version, ROOT / "dist" / "page.html")
+    return library
+
+
+def page() -> None:
+    """Builds the page into dist/, as one file, and tests it in Chromium, and against the library for this machine, the
+    command line, Python and C."""
+    need_rust()
+    need_c_compiler()
+    setup()
+    setup_page()
+    library = write_page()
+    packages = ["stribeck-page", "stribeck-python", "libstribeck", "lab"]
+    run("cargo", "build", *[word for name in packages for word in ("--package", name)])
+    package(fmus=False)
     names = {"win32": "stribeck_page.dll", "darwin": "libstribeck_page.dylib"}
     if platform.system() == "Linux":
         install_missing(PAGE_PROGRAMS)
     run(
-        *("node", "--test", "web/tests"),
+        *("node", "--test", "--test-concurrency=1", "web/tests"),
         CHROMIUM=shutil.which("chromium") or "",
         LIBRARY=str(library),
         PAGE=str(ROOT / "dist" / "page.html"),
         NATIVE=str(debug_folder() / names.get(sys.platform, "libstribeck_page.so")),
-        PYTHON=sys.executable,
+        PYTHON=str(PYTHON),
+        PACKAGE=str(ROOT / "out" / "package"),
+        STRIBECK=str(debug_folder() / f"stribeck{'.exe' if WINDOWS else ''}"),
+        C_COMPILER=next(name for name in ("cc", "gcc", "clang") if shutil.which(name)),
+        C_LIBRARY=str(debug_folder()),
     )
 
 
@@ -450,7 +474,7 @@ def identified() -> None:
 
 def trust() -> None:
     """Everything in docs/trust.md, one task after another, with the figures at the end."""
-    parts = [wheel, faults, platforms, fuzz, coverage, broken, mutants, identified, supply]
+    parts = [wheel, page, faults, platforms, fuzz, coverage, broken, mutants, identified, supply]
     summarise([[sys.executable, "tasks.py", part.__name__] for part in parts])
 
 

@@ -42,6 +42,7 @@ const HOUSES: &[House] = &[
         folder: "lab/src",
         rooms: &[
             "sheet",
+            "thesis",
             "measured",
             "dyno",
             "tir",
@@ -61,7 +62,21 @@ const HOUSES: &[House] = &[
             "command",
         ],
     },
-    House { folder: "web/src", rooms: &["answer", "catalogue", "system", "solution", "question"] },
+    House {
+        folder: "web/src",
+        rooms: &[
+            "answer",
+            "values",
+            "progress",
+            "catalogue",
+            "parameters",
+            "series",
+            "rig",
+            "system",
+            "solution",
+            "question",
+        ],
+    },
     House { folder: "fmu-build/src", rooms: &["project", "build", "describe", "page", "pack"] },
 ];
 

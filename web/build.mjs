@@ -1,4 +1,4 @@
-// Writes the page as one file: node build.mjs LIBRARY.wasm PAGE.html
+// Writes the page as one file: node build.mjs LIBRARY.wasm TEXTS.json VERSION PAGE.html
 
 import { createHash } from "node:crypto";
 import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
@@ -20,8 +20,10 @@ async function bundle(entry, define = {}) {
 /** What the policy of the page lets run: this text and nothing else. */
 const hash = (text) => `'sha256-${createHash("sha256").update(text).digest("base64")}'`;
 
-const [library, page] = process.argv.slice(2);
-if (!page) throw new Error("node build.mjs LIBRARY.wasm PAGE.html");
+const packed = (file) => gzipSync(readFileSync(file), { level: 9 }).toString("base64");
+
+const [library, texts, version, page] = process.argv.slice(2);
+if (!page) throw new Error("node build.mjs LIBRARY.wasm TEXTS.json VERSION PAGE.html");
 const worker = await bundle(source("worker.ts"));
 const main = await bundle(source("main.ts"), { WORKER: JSON.stringify(worker) });
 const script = main.replaceAll("</script", "<\\/script");
@@ -39,7 +41,9 @@ const parts = {
   POLICY: policy,
   STYLE: style,
   SCRIPT: script,
-  LIBRARY: gzipSync(readFileSync(library), { level: 9 }).toString("base64"),
+  LIBRARY: packed(library),
+  TEXTS: packed(texts),
+  VERSION: version,
   LICENCES: readFileSync(join(HERE, "node_modules/uplot/LICENSE"), "utf8").replaceAll("&", "&amp;").replaceAll("<", "&lt;"),
 };
 const html = readFileSync(source("index.html"), "utf8").replace(/%([A-Z]+)%/g, (_, name) => parts[name]);

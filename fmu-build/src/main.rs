@@ -25,7 +25,7 @@ use crate::describe::interface::Interface;
 use crate::describe::{compatibility, declarations, rules, xml};
 use crate::pack::package::{self, Packing};
 use crate::pack::{archive, four_post};
-use crate::page::html;
+use crate::page::{html, texts};
 
 /// Generates files from the tables of Stribeck's models, and packs the FMUs.
 #[derive(Parser)]
@@ -55,6 +55,13 @@ enum Command {
         models: Vec<String>,
         /// Folder for the pages.
         #[arg(long, default_value = "out/pages")]
+        out: PathBuf,
+    },
+    /// Write the texts of the friction laws with their typeset equations, and round ranges for their curves, as JSON for
+    /// the page in web.
+    Texts {
+        /// File for the texts.
+        #[arg(long, default_value = "out/texts.json")]
         out: PathBuf,
     },
     /// Build the library for this machine and write the four-post rig as an SSP package, with its FMUs and parameter
@@ -114,6 +121,7 @@ fn obey(command: Command, root: &Path) -> Result<()> {
         Command::Generate { breaking } => generate(root, breaking),
         Command::Check => check(root),
         Command::Pages { models, out } => pages(&models, &out),
+        Command::Texts { out } => texts(&out),
         Command::Ssp { out } => ssp(root, &out),
         Command::Inspect { library, platform } => inspect(root, &library, platform),
         Command::Pack { models, out, platform, strict } => pack(root, &models, &out, &platform, strict),
@@ -164,6 +172,14 @@ fn pages(models: &[String], out: &Path) -> Result<()> {
         package::write_page(entry, out)?;
         println!("{}", out.join(entry.model.name).join("documentation/index.html").display());
     }
+    Ok(())
+}
+
+fn texts(out: &Path) -> Result<()> {
+    let text = texts::json()?.to_string();
+    fs::create_dir_all(out.parent().unwrap_or(Path::new(""))).context("cannot make the folder")?;
+    fs::write(out, &text).with_context(|| format!("cannot write {}", out.display()))?;
+    println!("{}: {} bytes", out.display(), text.len());
     Ok(())
 }
 

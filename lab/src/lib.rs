@@ -5,6 +5,7 @@
 //! [`tir`] from a tyre property file. [`measured`] makes friction of what a rig has recorded, and [`identify`] finds
 //! the parameters of a law in it. [`system`] joins models, [`solve`] has the solvers, [`run`] runs them, [`study`] many
 //! of them, [`picture`] draws what came of it in the colours of [`palette`], and [`report`] tells it all in one file.
+//! [`thesis`] has figures to compare with.
 //!
 //! Systems and solvers use the elementary functions of the models only: a run has the same bits on every platform and
 //! in a browser.
@@ -15,9 +16,9 @@ pub mod benchmark;
 #[cfg_attr(not(test), deny(clippy::disallowed_methods))]
 pub mod couple;
 pub mod dyno;
-#[cfg(feature = "workbench")]
+#[cfg(feature = "rigs")]
 pub mod identify;
-#[cfg(feature = "workbench")]
+#[cfg(feature = "rigs")]
 pub mod measured;
 #[cfg(feature = "systems")]
 pub mod palette;
@@ -25,7 +26,7 @@ pub mod palette;
 pub mod picture;
 #[cfg(feature = "workbench")]
 pub mod report;
-#[cfg(feature = "workbench")]
+#[cfg(feature = "rigs")]
 pub mod rig;
 #[cfg(feature = "systems")]
 #[cfg_attr(not(test), deny(clippy::disallowed_methods))]
@@ -39,4 +40,6 @@ pub mod study;
 #[cfg(feature = "systems")]
 #[cfg_attr(not(test), deny(clippy::disallowed_methods))]
 pub mod system;
+#[cfg(feature = "systems")]
+pub mod thesis;
 pub mod tir;

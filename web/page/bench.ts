@@ -1,410 +1,296 @@
-/** The bench: laws in a system, with sliders and the usual plots. */
+/** A view of systems that are solved: laws, sliders, plots that share a cursor, a scene, costs. */
 
-import { control, faultText, type Setting } from "./controls";
-import { h, save, say, swatch } from "./dom";
-import type { Diagram, Label, Range } from "./drawing";
+import { LawPicker, modelOf, RunChoices } from "./choices";
+import { faultText, type Setting } from "./controls";
+import { asCommand, asPython, checkLaws, ofPart, run } from "./copy";
+import { h, save, swatch } from "./dom";
+import type { Curve, Diagram, Label, Range } from "./drawing";
 import { Lane, Superseded } from "./engine";
-import { short, unitText, words } from "./format";
-import { asCommand, asPython, run, type State, toHash } from "./link";
+import { short, unitText } from "./format";
+import { type State, toHash, type View } from "./link";
 import { Cursor, LoopPlot, type Plot, TimePlot } from "./plot";
+import { type Outcome, Runs } from "./runs";
+import { type Paint, Stage } from "./scene";
+import { type Group, Sliders } from "./sliders";
+import { TakeAway } from "./take";
 import { dashes, onTheme } from "./theme";
-import type { Answer, Catalogue, Model, Parts, Solved, SystemEntry, Variable } from "./types";
+import type { Catalogue, Moving, Parts, Solved, SystemEntry } from "./types";
 
-/** Quantities that systems show over time, and those they show over another one. */
-const OVER_TIME = ["position", "velocity", "acceleration", "force"] as const;
-const OVER_EACH_OTHER = [
-  ["force", "velocity"],
-  ["force", "displacement"],
-] as const;
-const NAMES: Record<string, string> = {
-  position: "Position",
-  displacement: "Displacement",
-  velocity: "Relative velocity",
-  acceleration: "Acceleration",
-  force: "Friction force",
-};
+/** A plot: quantities over time or over another one. */
+export interface Picture {
+  id: string;
+  title: string;
+  up: string[];
+  across?: string;
+  /** Of the first law only. */
+  first?: boolean;
+}
 
-interface Outcome {
-  law: string;
-  solved: Solved;
-  arrays: Float64Array[];
-  took: number;
+export interface Layout {
+  view: View;
+  systems(name: string): boolean;
+  pictures: Picture[];
+  /** Results besides those that the systems show, by the name of the quantity. */
+  record: Record<string, string>;
+  names: Record<string, string>;
+  /** How a system is drawn. */
+  scene(system: string): Paint | undefined;
+  /** What stands below the plots. */
+  below?: (page: Page) => HTMLElement;
 }
 
 export interface Page {
   catalogue: Catalogue;
-  state: State;
   /** The state was changed: shown in the link, and kept for undo if `isLast`. */
   changed(isLast: boolean): void;
   /** Shows a message; empty to remove it. */
   fault(text: string): void;
 }
 
+/** Time between two pictures while laws are under way, in ms (chosen). */
+const PATIENCE = 150;
+
 export class Bench {
-  readonly root = h("div", { class: "view", id: "bench" });
-  private readonly choices = h("div", { class: "choices" });
-  private readonly sliders = h("div", { class: "sliders" });
+  readonly root: HTMLElement;
+  private readonly picker: LawPicker;
+  private readonly choices: RunChoices;
+  private readonly sliders: Sliders;
   private readonly legend = h("ul", { class: "legend", "aria-label": "Laws, with their values at the cursor" });
   private readonly costs = h("div", { class: "costs" });
-  private readonly progress = h("p", { class: "progress", role: "status" });
   private readonly cursor = new Cursor();
-  private readonly plots: Plot[] = [];
-  private readonly timePlots = new Map<string, TimePlot>();
-  private readonly loops = new Map<string, LoopPlot>();
-  private readonly lanes: Lane[] = [];
+  private readonly plots: [Picture, Plot][];
+  private readonly runs: Runs;
+  private readonly stage: Stage;
   private readonly questions = new Lane();
-  private outcomes = new Map<string, Outcome>();
-  private running = new Set<string>();
-  private waits = false;
-  private defaults = new Map<string, Parts>();
-  private timer: ReturnType<typeof setTimeout> | undefined;
+  private readonly systems: SystemEntry[];
+  private readonly defaults = new Map<string, Parts>();
+  private waiting: ReturnType<typeof setTimeout> | undefined;
+  private drawnAt = 0;
 
-  constructor(private readonly page: Page) {
-    for (const kind of OVER_TIME) {
-      const plot = new TimePlot(`${kind}-over-time`, this.cursor, (range) => this.zoom(range));
-      this.timePlots.set(kind, plot);
-    }
-    for (const [up, across] of OVER_EACH_OTHER) {
-      this.loops.set(across, new LoopPlot(`${up}-over-${across}`, this.cursor));
-    }
-    this.plots.push(...this.timePlots.values(), ...this.loops.values());
-    onTheme(() => this.plots.forEach((plot) => plot.theme()));
+  constructor(
+    private readonly page: Page,
+    private readonly state: State,
+    private readonly layout: Layout,
+  ) {
+    const { view } = layout;
+    const { catalogue } = page;
+    this.systems = catalogue.systems.filter(({ name }) => layout.systems(name));
+    const changed = () => {
+      this.page.changed(true);
+      this.solve();
+    };
+    const moved = () => {
+      this.page.changed(true);
+      void this.show();
+    };
+    const inStrut = view === "strut" ? catalogue.laws.filter(({ name }) => lawsInStrut(catalogue).includes(name)) : catalogue.laws;
+    this.picker = new LawPicker(view, inStrut, state, moved);
+    this.choices = new RunChoices(catalogue, this.systems, state, view, moved, changed);
+    this.sliders = new Sliders(
+      state,
+      (isLast) => {
+        page.changed(isLast);
+        this.solve();
+      },
+      () => void this.show(),
+    );
+    this.runs = new Runs(() => this.redraw(), page.fault);
+    this.plots = layout.pictures.map((picture) => [picture, this.plot(picture)]);
+    this.stage = new Stage(this.cursor);
+    onTheme(() => {
+      this.plots.forEach(([, plot]) => plot.theme());
+      this.stage.draw();
+    });
     this.cursor.on(() => this.showLegend());
-    const side = h("section", { class: "side", "aria-label": "Settings" }, this.choices, this.sliders);
+    const side = h("section", { class: "side", "aria-label": "Settings" }, this.picker.root, this.choices.root, this.sliders.root);
     const main = h(
       "section",
       { class: "main", "aria-label": "Results" },
       this.legend,
-      this.progress,
-      h("div", { class: "plots" }, ...this.plots.map((plot) => plot.root)),
+      this.runs.root,
+      this.stage.root,
+      h("div", { class: "plots" }, ...this.plots.map(([, plot]) => plot.root)),
       this.costs,
-      this.takeAway(),
+      this.takeAway().root,
+      layout.below?.(page),
     );
-    this.root.append(side, main);
+    this.root = h("div", { class: "view", id: view, "data-drawn": 0, "data-running": 1 }, side, main);
+  }
+
+  private plot({ id, across }: Picture): Plot {
+    return across === undefined ? new TimePlot(id, this.cursor, (range) => this.zoom(range)) : new LoopPlot(id, this.cursor);
   }
 
   private get system(): SystemEntry | undefined {
-    return this.page.catalogue.systems.find((system) => system.name === this.page.state.system);
+    return this.systems.find((system) => system.name === this.state.system);
   }
 
   /** Shows the state: after a link, undo, or a change of laws or system. */
   async show(): Promise<void> {
-    this.showChoices();
+    this.picker.show();
+    this.choices.show();
     this.showLegend();
+    this.solve();
     try {
       await this.showSliders();
     } catch (fault) {
       if (!(fault instanceof Superseded)) this.page.fault(faultText(fault));
     }
-    this.solve();
-  }
-
-  private showChoices(): void {
-    const { catalogue, state } = this.page;
-    const select = (
-      label: string,
-      id: string,
-      now: string,
-      options: { name: string; text: string }[],
-      change: (name: string) => void,
-    ) => {
-      const known = options.some(({ name }) => name === now) ? options : [{ name: now, text: now }, ...options];
-      const list = h("select", { id }, ...known.map(({ name, text }) => h("option", { value: name }, text)));
-      list.value = now;
-      list.addEventListener("change", () => change(list.value));
-      return h("div", { class: "choice" }, h("label", { for: id }, label), list);
-    };
-    const systems = catalogue.systems.map(({ name, title }) => ({ name, text: title }));
-    const solvers = catalogue.solvers.map(({ name, help }) => ({ name, text: `${name}: ${help}` }));
-    const field = (label: string, name: "tol" | "until" | "every", unit: string, usual: number | undefined) => {
-      const input = h("input", { id: name, type: "text", inputmode: "decimal", autocomplete: "off" });
-      input.value = state[name];
-      input.placeholder = usual === undefined ? "" : String(usual);
-      input.addEventListener("change", () => {
-        state[name] = input.value.trim();
-        this.page.changed(true);
-        this.solve();
-      });
-      return h("div", { class: "choice" }, h("label", { for: name }, label), input, h("span", { class: "unit" }, unit));
-    };
-    this.choices.replaceChildren(
-      this.lawPicker(),
-      select("System", "system", state.system, systems, (name) => {
-        state.system = name;
-        state.set = {};
-        this.page.changed(true);
-        void this.show();
-      }),
-      h(
-        "details",
-        { class: "solver", open: Boolean(state.tol || state.until || state.every || state.solver !== "auto") },
-        h("summary", {}, "Solver"),
-        select("Solver", "solver", state.solver, solvers, (name) => {
-          state.solver = name;
-          this.page.changed(true);
-          this.solve();
-        }),
-        field("Tolerance", "tol", "", 1e-8),
-        field("End", "until", "s", this.system?.until),
-        field("Interval", "every", "s", this.system?.every),
-      ),
-    );
-  }
-
-  /** The chosen laws, each with a cross, and a list to add one. */
-  private lawPicker(): HTMLElement {
-    const { catalogue, state } = this.page;
-    const most = dashes().length;
-    const change = (laws: string[]) => {
-      state.laws = laws;
-      this.page.changed(true);
-      void this.show();
-    };
-    const chips = state.laws.map((name, law) => {
-      const without = () => change(state.laws.filter((other) => other !== name));
-      const cross = h("button", { type: "button", class: "small", "aria-label": `Remove ${name}`, onclick: without }, "\u00d7");
-      cross.disabled = state.laws.length === 1;
-      return h("li", { class: "chip" }, swatch(law, dashes()[law] ?? ""), h("span", {}, name), cross);
-    });
-    const rest = catalogue.laws.filter((law) => !state.laws.includes(law.name));
-    const add = h(
-      "select",
-      { id: "add-law" },
-      h("option", { value: "" }, state.laws.length < most ? "Add a law \u2026" : `At most ${most} laws`),
-      ...rest.map((law) => h("option", { value: law.name, title: law.summary }, `${law.name}: ${law.summary}`)),
-    );
-    add.disabled = state.laws.length >= most;
-    add.addEventListener("change", () => change([...state.laws, add.value]));
-    return h(
-      "div",
-      { class: "laws" },
-      h("label", { for: "add-law" }, "Friction laws"),
-      h("ul", { class: "chips" }, ...chips),
-      add,
-    );
   }
 
   /** The parts of the system with one of the laws, at their start values. */
   private async parts(law: string): Promise<Parts> {
-    const key = `${this.page.state.system} ${law}`;
+    const key = `${this.state.system} ${law}`;
     const known = this.defaults.get(key);
     if (known) return known;
-    const { answer } = await this.questions.ask<Parts>({ ask: "system", run: { system: this.page.state.system, law: [law] } });
+    const { answer } = await this.questions.ask<Parts>({ ask: "system", run: { system: this.state.system, law: [law] } });
     this.defaults.set(key, answer);
     return answer;
   }
 
   private async showSliders(): Promise<void> {
-    const { state } = this.page;
+    const { state } = this;
     const asked = JSON.stringify([state.system, state.laws]);
     const all: [string, Parts][] = [];
-    for (const law of state.laws) all.push([law, await this.parts(law)]);
+    if (state.laws.length > dashes().length) return;
+    for (const law of [...state.laws]) all.push([law, await this.parts(law)]);
     // Another choice was made meanwhile.
     if (asked !== JSON.stringify([state.system, state.laws])) return;
     const groups = new Map<string, Map<string, Setting>>();
     for (const [law, { parts }] of all) {
       for (const part of parts) {
-        const model = this.model(part.model);
+        const model = modelOf(this.page.catalogue, part.model);
         const group = groups.get(part.name) ?? new Map<string, Setting>();
         groups.set(part.name, group);
         for (const [name, start] of Object.entries(part.values)) {
           const variable = model?.variables.find((variable) => variable.name === name);
-          if (!variable) continue;
+          if (!variable || this.isOfOtherLaw(part.model, name)) continue;
           const known = group.get(name);
           if (known) known.laws?.push(law);
           else group.set(name, { name: `${part.name}.${name}`, variable, start, laws: part.is_law ? [law] : undefined });
         }
       }
     }
-    this.sliders.replaceChildren(...[...groups].map(([part, settings]) => this.group(part, [...settings.values()])));
+    const signals = (all[0]?.[1].signals ?? []).map((signal) => motion(signal));
+    this.sliders.show([...signals, ...[...groups].map(([part, settings]) => this.group(part, [...settings.values()]))]);
+    this.redraw();
   }
 
-  private model(name: string): Model | undefined {
-    const { laws, hosts, shock_absorber } = this.page.catalogue;
-    return [...laws, ...hosts, ...shock_absorber].find((model) => model.name === name);
+  /** Parameters of laws that are inside of a strut and not chosen; tables are for files. */
+  private isOfOtherLaw(model: string, name: string): boolean {
+    if (model !== "ShockAbsorber") return false;
+    const [part, law] = name.split(".");
+    const { laws } = this.page.catalogue;
+    if (name.includes("[") || name === "friction.model") return true;
+    if (part !== "friction") return false;
+    if (laws.some((one) => one.name === law)) return !this.state.laws.includes(law!);
+    const users = laws.filter((one) => one.variables.some((variable) => variable.name === law));
+    return users.length > 0 && !users.some((one) => this.state.laws.includes(one.name));
   }
 
-  /** Controls of a part. Start values and choices come last, and many more only on demand. */
-  private group(part: string, settings: Setting[]): HTMLElement {
-    const { state } = this.page;
-    const count = state.laws.length;
+  private group(part: string, settings: Setting[]): Group {
+    const count = this.state.laws.length;
+    const isLaw = settings.some(({ laws }) => laws !== undefined);
     for (const setting of settings) if (setting.laws?.length === count) setting.laws = undefined;
-    const isStart = ({ role }: Variable) => role === "State" || role === "StateOutput";
-    const row = (setting: Setting) => this.row(setting);
-    const first = settings.filter(({ variable }) => !isStart(variable) && variable.kind === "real");
-    const rest = settings.filter((setting) => !first.includes(setting));
-    const isSet = ({ name }: Setting) => state.set[name] !== undefined;
-    const more = (title: string, some: Setting[]) =>
-      some.length > 0 &&
-      h("details", { open: some.some(isSet) }, h("summary", {}, title), ...some.map(row));
-    const isLarge = first.length > 16;
-    return h(
-      "fieldset",
-      { "data-part": part },
-      h("legend", {}, words(part)),
-      ...(isLarge ? [more(`${first.length} parameters`, first)] : first.map(row)),
-      more("Choices", rest.filter(({ variable }) => !isStart(variable))),
-      more("Start values", rest.filter(({ variable }) => isStart(variable))),
-    );
+    const laws = isLaw ? this.state.laws : [];
+    return { part, settings, models: laws.flatMap((law) => modelOf(this.page.catalogue, law) ?? []) };
   }
 
-  private row(setting: Setting): HTMLElement {
-    const { state } = this.page;
-    const row = control(setting, state.set[setting.name], (text, isLast) => {
-      if (text === undefined) delete state.set[setting.name];
-      else state.set[setting.name] = text;
-      const undo = row.querySelector<HTMLButtonElement>(".undo");
-      if (undo) undo.hidden = text === undefined;
-      row.dataset.set = String(text !== undefined);
-      this.page.changed(isLast);
-      if (text === undefined) this.replace(row, setting);
-      this.solve();
-    });
-    return row;
-  }
-
-  /** A control at its start value again; the keyboard stays where it was. */
-  private replace(row: HTMLElement, setting: Setting): void {
-    if (document.activeElement instanceof HTMLInputElement && document.activeElement.type === "range") return;
-    const hadFocus = row.contains(document.activeElement);
-    const fresh = this.row(setting);
-    row.replaceWith(fresh);
-    if (hadFocus) fresh.querySelector<HTMLElement>("input, select")?.focus();
+  /** Results to record; none where the system says it. */
+  private record(): string[] {
+    const more = Object.values(this.layout.record);
+    return more.length > 0 ? [...new Set([...Object.values(this.system?.show ?? {}), ...more])] : [];
   }
 
   /** Runs every law; what is under way is replaced. */
   solve(): void {
-    const { state } = this.page;
     this.page.fault("");
-    let asked;
     try {
-      asked = run(state);
+      checkLaws(this.state.laws, dashes().length);
+      this.runs.start(this.state.laws, run(this.state, this.record()));
+      this.root.dataset.running = String(this.runs.count);
     } catch (fault) {
+      this.runs.stop();
       this.page.fault(faultText(fault));
-      return;
+      this.root.dataset.running = "0";
     }
-    for (const name of this.outcomes.keys()) if (!state.laws.includes(name)) this.outcomes.delete(name);
-    this.lanes.slice(state.laws.length).forEach((lane) => lane.stop());
-    this.running = new Set(state.laws);
-    this.root.dataset.running = String(this.running.size);
-    state.laws.forEach((law, number) => {
-      const lane = (this.lanes[number] ??= new Lane());
-      lane.ask<Solved>({ ask: "solve", run: asked, law }).then(
-        (answer) => this.receive(law, answer),
-        (fault) => {
-          if (fault instanceof Superseded) return;
-          this.running.delete(law);
-          this.outcomes.delete(law);
-          this.root.dataset.running = String(this.running.size);
-          this.page.fault(faultText(fault));
-          this.redraw();
-        },
-      );
-    });
-    clearTimeout(this.timer);
-    this.timer = setTimeout(() => this.showProgress(), 400);
   }
 
-  private receive(law: string, { answer, arrays, took }: Answer<Solved>): void {
-    this.running.delete(law);
-    this.outcomes.set(law, { law, solved: answer, arrays, took });
-    this.redraw();
-  }
-
-  private showProgress(): void {
-    clearTimeout(this.timer);
-    const names = [...this.running];
-    if (names.length === 0) {
-      this.progress.replaceChildren();
-      return;
-    }
-    const since = Math.min(...this.lanes.map((lane) => lane.since ?? Infinity));
-    const seconds = Number.isFinite(since) ? ` for ${((performance.now() - since) / 1000).toFixed(0)} s` : "";
-    const stop = h("button", { type: "button", class: "small", onclick: () => this.stop() }, "Stop");
-    this.progress.replaceChildren(`Computing ${names.join(", ")}${seconds} \u2026 `, stop);
-    this.timer = setTimeout(() => this.showProgress(), 1000);
-  }
-
-  private stop(): void {
-    this.lanes.forEach((lane) => lane.stop());
-    this.page.fault(`Stopped: ${[...this.running].join(", ")}`);
-    this.running.clear();
-    this.redraw();
-  }
-
-  /** Draws before the next picture of the screen, once for all laws that have come by then. */
+  /** Draws when all laws have come, and now and then while some are under way. */
   private redraw(): void {
-    if (this.waits) return;
-    this.waits = true;
-    requestAnimationFrame(() => {
-      this.waits = false;
-      this.draw();
-    });
+    const isDue = this.runs.count === 0 || performance.now() - this.drawnAt > PATIENCE;
+    if (!isDue) {
+      this.waiting ??= setTimeout(() => this.draw(), PATIENCE);
+      return;
+    }
+    this.draw();
   }
 
   private shown(): (Outcome & { number: number })[] {
-    const { laws } = this.page.state;
-    return laws.flatMap((law, number) => {
-      const outcome = this.outcomes.get(law);
+    return this.state.laws.flatMap((law, number) => {
+      const outcome = this.runs.outcomes.get(law);
       return outcome ? [{ ...outcome, number }] : [];
     });
   }
 
   private draw(): void {
-    const { system } = this;
-    if (!system) return;
-    for (const [kind, plot] of this.timePlots) this.place(plot, this.diagram(undefined, kind));
-    for (const [across, plot] of this.loops) this.place(plot, this.diagram(across, "force"));
+    clearTimeout(this.waiting);
+    this.waiting = undefined;
+    this.drawnAt = performance.now();
+    for (const [picture, plot] of this.plots) {
+      const diagram = this.diagram(picture);
+      plot.root.hidden = diagram === undefined;
+      if (diagram) plot.show(diagram);
+    }
+    this.showScene();
     this.showLegend();
     this.showCosts();
-    if (this.running.size === 0) this.showProgress();
     this.root.dataset.drawn = String(Number(this.root.dataset.drawn ?? 0) + 1);
-    this.root.dataset.running = String(this.running.size);
-  }
-
-  private place(plot: Plot, diagram: Diagram | undefined): void {
-    plot.root.hidden = diagram === undefined;
-    if (diagram) plot.show(diagram);
+    this.root.dataset.running = String(this.runs.count);
   }
 
   /** Number of the array of a quantity; 0 is the time. */
   private columnOf(solved: Solved, quantity: string): number | undefined {
-    const show = this.system?.show ?? {};
+    const show = { ...this.system?.show, ...this.layout.record };
     const name = show[quantity] ?? (quantity === "displacement" ? show.position : undefined);
     const at = solved.columns.findIndex((column) => column.name === name);
     return name === undefined || at < 0 ? undefined : at + 1;
   }
 
-  /** One quantity over another, or over time. */
-  private diagram(across: string | undefined, up: string): Diagram | undefined {
-    const curves = [];
+  private diagram({ title, up, across, first }: Picture): Diagram | undefined {
+    const curves: Curve[] = [];
     let labels: [Label, Label] | undefined;
-    for (const { law, solved, arrays, number } of this.shown()) {
-      const y = this.columnOf(solved, up);
+    const shown = this.shown();
+    for (const { law, solved, arrays, number } of first ? shown.slice(0, 1) : shown) {
       const x = across === undefined ? 0 : this.columnOf(solved, across);
-      if (x === undefined || y === undefined) return undefined;
-      const unit = (column: number) => (column === 0 ? "s" : (solved.columns[column - 1]?.unit ?? "1"));
-      const name = across === undefined ? "Time" : NAMES[across]!;
-      labels = [
-        { name, unit: unit(x) },
-        { name: NAMES[up]!, unit: unit(y) },
-      ];
-      curves.push({ name: law, x: arrays[x]!, y: arrays[y]!, law: number });
+      up.forEach((quantity, at) => {
+        const y = this.columnOf(solved, quantity);
+        if (x === undefined || y === undefined) return;
+        const unit = (column: number) => (column === 0 ? "s" : (solved.columns[column - 1]?.unit ?? "1"));
+        const { names } = this.layout;
+        labels ??= [
+          { name: across === undefined ? "Time" : names[across]!, unit: unit(x) },
+          { name: up.length > 1 ? "Force" : names[quantity]!, unit: unit(y) },
+        ];
+        const own = up.length > 1;
+        const name = !own ? law : first ? names[quantity]! : `${law}: ${names[quantity]!.toLowerCase()}`;
+        const colour = own ? (number * up.length + at) % dashes().length : number;
+        curves.push({ name, x: arrays[x]!, y: arrays[y]!, law: colour });
+      });
     }
     if (!labels) return undefined;
-    const title = `${labels[1].name} over ${labels[0].name.toLowerCase()}`;
-    return { title, x: labels[0], y: labels[1], curves };
+    return { title, x: labels[0], y: labels[1], curves, hasLegend: up.length > 1 };
   }
 
   private zoom(range: Range | undefined): void {
-    this.timePlots.forEach((plot) => plot.zoom(range));
+    for (const [, plot] of this.plots) if (plot instanceof TimePlot) plot.zoom(range);
   }
 
   /** Laws with their lines, and their force at the cursor. */
   private showLegend(): void {
     const { at } = this.cursor;
-    const items = this.page.state.laws.map((name, number) => {
-      const outcome = this.outcomes.get(name);
+    const items = this.state.laws.map((name, number) => {
+      const outcome = this.runs.outcomes.get(name);
       const item = h("li", {}, swatch(number, dashes()[number] ?? ""), h("strong", {}, name));
       if (outcome && at !== null) {
         const column = this.columnOf(outcome.solved, "force");
@@ -415,6 +301,27 @@ export class Bench {
       return item;
     });
     this.legend.replaceChildren(...items);
+  }
+
+  /** The first law, as it is drawn. */
+  private showScene(): void {
+    const [first] = this.shown();
+    const paint = this.layout.scene(this.state.system);
+    const parts = this.defaults.get(`${this.state.system} ${this.state.laws[0]}`)?.parts;
+    if (!first || !paint || !parts) {
+      this.stage.show(undefined);
+      return;
+    }
+    const value = (name: string) => {
+      const [part, ...rest] = name.split(".");
+      const set = Number(this.state.set[name] ?? NaN);
+      return Number.isFinite(set) ? set : (parts.find((one) => one.name === part)?.values[rest.join(".")] ?? NaN);
+    };
+    const quantity = (name: string) => {
+      const column = this.columnOf(first.solved, name);
+      return column === undefined ? undefined : first.arrays[column];
+    };
+    this.stage.show({ law: first.law, time: first.arrays[0]!, quantity, value, paint });
   }
 
   private showCosts(): void {
@@ -434,63 +341,95 @@ export class Bench {
       h("tbody", {}, ...outcomes.map(row)),
     );
     const open = new Set([...this.costs.querySelectorAll("details[open]")].map((one) => one.getAttribute("data-law")));
-    const events = outcomes.map(({ law, solved, arrays }) => {
-      const times = arrays.at(-1) ?? [];
-      const items = solved.events.map((part, at) => h("li", {}, `${short(times[at] ?? NaN)} s: ${part}`));
-      const summary = h("summary", {}, `Events of ${law}: ${items.length}`);
-      return h("details", { "data-law": law, open: open.has(law) }, summary, h("ol", {}, ...items.slice(0, 1000)));
-    });
+    const events = outcomes.map((outcome) => this.events(outcome, open.has(outcome.law)));
     const label = "What each run has cost";
     this.costs.replaceChildren(h("div", { class: "scroll", tabindex: 0, role: "region", "aria-label": label }, table), ...events);
   }
 
-  /** Link, files, and the same run elsewhere. */
-  private takeAway(): HTMLElement {
-    const { state } = this.page;
-    const copy = async (what: string, text: () => string) => {
-      try {
-        await navigator.clipboard.writeText(text());
-        say(`${what} copied`);
-        this.copied(`${what} copied.`);
-      } catch {
-        this.copied(text());
-      }
+  /** The events of a law, listed when the list is opened. */
+  private events({ law, solved, arrays }: Outcome, isOpen: boolean): HTMLElement {
+    const times = arrays.at(-1) ?? [];
+    const list = h("ol", {});
+    const fill = () => {
+      const items = solved.events.slice(0, 1000).map((part, at) => h("li", {}, `${short(times[at] ?? NaN)} s: ${part}`));
+      list.replaceChildren(...items);
     };
-    const button = (text: string, id: string, does: () => unknown) =>
-      h("button", { type: "button", id, onclick: () => Promise.resolve().then(does).catch((fault) => this.page.fault(faultText(fault))) }, text);
-    return h(
-      "section",
-      { class: "take", "aria-label": "Take it with you" },
-      h("h2", {}, "Take it with you"),
-      h(
-        "div",
-        { class: "buttons" },
-        button("Copy link", "copy-link", () => copy("Link", () => location.href.split("#")[0] + toHash(state))),
-        button("Copy as Python", "copy-python", () => copy("Python", () => asPython(state))),
-        button("Copy as command line", "copy-command", () => copy("Command line", () => asCommand(state))),
-        button("Save CSV", "save-csv", () => this.saveCsv()),
-        button("Save TOML", "save-toml", () => this.saveToml()),
-      ),
-      h("output", { id: "copied", class: "copied" }),
-    );
+    const details = h("details", { "data-law": law, open: isOpen }, h("summary", {}, `Events of ${law}: ${solved.events.length}`), list);
+    details.addEventListener("toggle", () => details.open && fill());
+    if (isOpen) fill();
+    return details;
   }
 
-  private copied(text: string): void {
-    const output = this.root.querySelector("#copied");
-    if (output) output.textContent = text;
+  /** Link, files, and the same run elsewhere. */
+  private takeAway(): TakeAway {
+    const { state } = this;
+    const { view } = this.layout;
+    const items = (take: TakeAway) => [
+      { text: "Copy link", id: "copy-link", does: () => take.copy("Link", location.href.split("#")[0] + toHash({ view, state })) },
+      { text: "Copy as Python", id: "copy-python", does: () => take.copy("Python", asPython(run(state, this.record()))) },
+      { text: "Copy as command line", id: "copy-command", does: () => take.copy("Command line", asCommand(run(state, this.record()))) },
+      { text: "Save CSV", id: "save-csv", does: () => this.saveCsv() },
+      { text: "Save TOML", id: "save-toml", does: () => this.saveToml() },
+      { text: "Save SSV", id: "save-ssv", does: () => this.saveSsv() },
+    ];
+    return new TakeAway(view, items, this.page.fault);
   }
 
   private async saveCsv(): Promise<void> {
-    const { state } = this.page;
-    for (const law of state.laws) {
-      const { answer } = await this.questions.ask<{ text: string }>({ ask: "csv", run: run(state), law });
+    const { state } = this;
+    for (const law of [...state.laws]) {
+      const { answer } = await this.questions.ask<{ text: string }>({ ask: "csv", run: run(state, this.record()), law });
       save(`${state.system}-${law}.csv`, answer.text, "text/csv");
     }
   }
 
   private async saveToml(): Promise<void> {
-    const { state } = this.page;
-    const { answer } = await this.questions.ask<{ text: string }>({ ask: "toml", run: run(state) });
+    const { state } = this;
+    const { answer } = await this.questions.ask<{ text: string }>({ ask: "toml", run: run(state, this.record()) });
     save(`${state.system}.toml`, answer.text, "application/toml");
   }
+
+  /** Parameter sets of the laws, or of the strut with the first law. */
+  private async saveSsv(): Promise<void> {
+    const { state } = this;
+    const inStrut = this.layout.view === "strut";
+    for (const law of inStrut ? state.laws.slice(0, 1) : [...state.laws]) {
+      const model = modelOf(this.page.catalogue, inStrut ? "ShockAbsorber" : law);
+      const own = (name: string) => model?.variables.some((one) => one.name === name && one.role !== "Input");
+      const all = ofPart(state, inStrut ? "strut" : "friction");
+      const set = Object.fromEntries(Object.entries(all).filter(([name]) => own(name)));
+      if (inStrut) set["friction.model"] = law;
+      const { answer } = await this.questions.ask<{ text: string }>({ ask: "ssv", model: model?.name ?? law, set });
+      save(`${law}.ssv`, answer.text, "application/xml");
+    }
+  }
+}
+
+/** Laws that a strut can have: the choices of its friction model. */
+function lawsInStrut(catalogue: Catalogue): string[] {
+  const choice = modelOf(catalogue, "ShockAbsorber")?.variables.find(({ name }) => name === "friction.model");
+  return choice?.choices.map(({ name }) => name) ?? [];
+}
+
+/** Controls of a signal that moves. */
+function motion({ input, unit, properties }: Moving): Group {
+  const units: Record<string, string> = { frequency: "Hz", phase: "rad", start: "s", rate: `${unit}/s` };
+  const setting = ({ name, value }: { name: string; value: number }): Setting => ({
+    name: `${input}.${name}`,
+    start: value,
+    variable: {
+      name,
+      role: "Input",
+      kind: "real",
+      unit: units[name] ?? unit,
+      start: value,
+      nominal: Math.abs(value) || 1,
+      bound: "",
+      minimum: name === "amplitude" || name === "frequency" ? 0 : null,
+      maximum: null,
+      help: `${name} of the signal ${input}.`,
+      choices: [],
+    },
+  });
+  return { part: `motion of ${input.split(".").at(-1)}`, settings: properties.map(setting) };
 }

@@ -1,7 +1,7 @@
 /** A diagram with two axes, drawn on a canvas or into an SVG. */
 
 import { unitText } from "./format";
-import type { Pen } from "./pen";
+import type { Pen, Points } from "./pen";
 import type { Colours } from "./types";
 
 export interface Curve {
@@ -22,6 +22,8 @@ export interface Diagram {
   x: Label;
   y: Label;
   curves: Curve[];
+  /** Whether its curves are others than the laws of the view. */
+  hasLegend?: boolean;
 }
 
 export type Range = [number, number];
@@ -100,6 +102,25 @@ export class Frame {
   }
 }
 
+/** Distance of two points that cannot be told apart, in pixels (chosen). */
+const CLOSE = 0.4;
+
+/** Places of a curve; points that lie on the one before are left out. */
+function placed(frame: Frame, x: ArrayLike<number>, y: ArrayLike<number>): Points {
+  const places = { x: new Float64Array(x.length), y: new Float64Array(x.length) };
+  let count = 0;
+  for (let at = 0; at < x.length; at++) {
+    const right = frame.across(x[at]!);
+    const down = frame.up(y[at] ?? NaN);
+    const isClose = count > 0 && Math.abs(right - places.x[count - 1]!) + Math.abs(down - places.y[count - 1]!) < CLOSE;
+    // The last point is the end of the curve, wherever it lies.
+    if (isClose && at < x.length - 1) continue;
+    places.x[count] = right;
+    places.y[count++] = down;
+  }
+  return { x: places.x.subarray(0, count), y: places.y.subarray(0, count) };
+}
+
 /** Draws axes and curves. */
 export function draw(pen: Pen, frame: Frame, diagram: Diagram, colours: Colours, dashes: string[]): void {
   pen.fill(colours.paper);
@@ -121,12 +142,7 @@ export function draw(pen: Pen, frame: Frame, diagram: Diagram, colours: Colours,
   pen.text([(left + right) / 2, bottom + 37], labelText(diagram.x), colours.ink, "middle");
   pen.text([14, (top + bottom) / 2], labelText(diagram.y), colours.ink, "middle", true);
   for (const { x, y, law } of diagram.curves) {
-    const placed = { x: new Float64Array(x.length), y: new Float64Array(x.length) };
-    for (let at = 0; at < x.length; at++) {
-      placed.x[at] = frame.across(x[at]!);
-      placed.y[at] = frame.up(y[at] ?? NaN);
-    }
-    pen.curve(placed, [left, top, right - left, bottom - top], colours.laws[law]!, dashes[law]!, 1.75);
+    pen.curve(placed(frame, x, y), [left, top, right - left, bottom - top], colours.laws[law]!, dashes[law]!, 1.75);
   }
 }
 

@@ -1,5 +1,6 @@
 /** Workers with the library. */
 
+import { unpacked } from "./texts";
 import { type Answer, type Question, Refused } from "./types";
 
 declare const WORKER: string;
@@ -9,12 +10,9 @@ let script: string | undefined;
 
 /** The library that lies in this page, compiled once. */
 function module(): Promise<WebAssembly.Module> {
-  compiled ??= (async () => {
-    const packed = document.getElementById("library")?.textContent?.trim() ?? "";
-    const bytes = Uint8Array.from(atob(packed), (letter) => letter.charCodeAt(0));
-    const plain = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip"));
-    return WebAssembly.compile(await new Response(plain).arrayBuffer());
-  })();
+  compiled ??= unpacked("library")
+    .arrayBuffer()
+    .then((bytes) => WebAssembly.compile(bytes));
   return compiled;
 }
 
@@ -22,6 +20,7 @@ interface Waiting {
   question: Question;
   resolve(answer: Answer<unknown>): void;
   reject(reason: unknown): void;
+  onProgress: ((rms: number) => void) | undefined;
 }
 
 /** A question that was given up because a newer one was put, or because it was stopped. */
@@ -43,11 +42,11 @@ export class Lane {
     return this.asked?.since;
   }
 
-  /** Puts a question; an older one that waits is given up, one under way after some patience. */
-  ask<T>(question: Question): Promise<Answer<T>> {
+  /** Puts a question, whose progress may be heard of; an older one that waits is given up, one under way after some patience. */
+  ask<T>(question: Question, onProgress?: (rms: number) => void): Promise<Answer<T>> {
     return new Promise((resolve, reject) => {
       this.next?.reject(new Superseded());
-      this.next = { question, resolve: resolve as Waiting["resolve"], reject };
+      this.next = { question, resolve: resolve as Waiting["resolve"], reject, onProgress };
       if (!this.asked) {
         this.send();
         return;
@@ -94,9 +93,13 @@ export class Lane {
     return worker;
   }
 
-  private receive(data: { number: number; trapped?: string } & Answer<{ refused?: string }>): void {
+  private receive(data: { number: number; trapped?: string; progress?: number } & Answer<{ refused?: string }>): void {
     const asked = this.asked;
     if (asked?.number !== data.number) return;
+    if (data.progress !== undefined) {
+      asked.onProgress?.(data.progress);
+      return;
+    }
     this.asked = undefined;
     clearTimeout(this.timer);
     if (data.trapped !== undefined) {

@@ -12,9 +12,15 @@ export interface Packed {
   arrays: Float64Array<ArrayBuffer>[];
 }
 
-/** Opens a compiled library; the function that is returned answers questions. */
-export async function open(module: WebAssembly.Module): Promise<(question: unknown) => Packed> {
-  const instance = await WebAssembly.instantiate(module, {});
+/**
+ * Opens a compiled library; the function that is returned answers questions. `progress` hears of a search that is under
+ * way: what is not explained so far, in N.
+ */
+export async function open(
+  module: WebAssembly.Module,
+  progress: (rms: number) => void = () => undefined,
+): Promise<(question: unknown) => Packed> {
+  const instance = await WebAssembly.instantiate(module, { page: { progress } });
   const library = instance.exports as unknown as Exports;
   return (question) => {
     const text = new TextEncoder().encode(JSON.stringify(question));

@@ -1,7 +1,10 @@
-/** The state of the page, its link, and the same run for the command line and Python. */
+/** The states of the views and their links. */
 
 import { parsed } from "./format";
-import type { Run, Value } from "./types";
+import type { Value } from "./types";
+
+export const VIEWS = ["bench", "law", "strut", "fit"] as const;
+export type View = (typeof VIEWS)[number];
 
 export interface State {
   laws: string[];
@@ -15,28 +18,34 @@ export interface State {
   set: Record<string, string>;
 }
 
+export interface Place {
+  view: View;
+  state: State;
+}
+
+/** The version is raised when a link of an older one would be read differently; older ones stay readable. */
 const VERSION = 1;
-const DEFAULTS: State = {
-  laws: ["CoulombStiction", "LuGre"],
-  system: "belt",
-  solver: "auto",
-  tol: "",
-  until: "",
-  every: "",
-  set: {},
+const PLAIN = { solver: "auto", tol: "", until: "", every: "", set: {} };
+const DEFAULTS: Record<View, State> = {
+  bench: { laws: ["CoulombStiction", "LuGre"], system: "belt", ...PLAIN },
+  law: { laws: ["LuGre"], system: "", ...PLAIN },
+  strut: { laws: ["LuGre"], system: "dyno", ...PLAIN },
+  fit: { laws: ["LuGre"], system: "", ...PLAIN },
 };
 
-export function defaults(): State {
-  return structuredClone(DEFAULTS);
+export function defaults(view: View): State {
+  return structuredClone(DEFAULTS[view]);
 }
 
 /** What differs from the defaults, as the hash of a link. */
-export function toHash(state: State): string {
+export function toHash({ view, state }: Place): string {
+  const usual = DEFAULTS[view];
   const entries: [string, string][] = [];
+  if (view !== "bench") entries.push(["view", view]);
   for (const name of ["system", "solver", "tol", "until", "every"] as const) {
-    if (state[name] !== DEFAULTS[name]) entries.push([name, state[name]]);
+    if (state[name] !== usual[name]) entries.push([name, state[name]]);
   }
-  if (state.laws.join() !== DEFAULTS.laws.join()) entries.push(["law", state.laws.join()]);
+  if (state.laws.join() !== usual.laws.join()) entries.push(["law", state.laws.join()]);
   for (const name of Object.keys(state.set).sort()) entries.push([name, state.set[name]!]);
   if (entries.length === 0) return "";
   const escape = (text: string) => encodeURIComponent(text).replace(/%2C/g, ",");
@@ -44,15 +53,20 @@ export function toHash(state: State): string {
 }
 
 /** The state of a link; `faults` are entries that it does not understand. */
-export function fromHash(hash: string): { state: State; faults: string[] } {
-  const state = defaults();
+export function fromHash(hash: string): Place & { faults: string[] } {
   const faults: string[] = [];
+  const entries: [string, string][] = [];
   for (const entry of hash.replace(/^#/, "").split("&").filter(Boolean)) {
     const [name, value] = decoded(entry);
     if (name === undefined || value === undefined) faults.push(`'${entry}' must be name=value`);
-    else read(state, name, value, faults);
+    else entries.push([name, value]);
   }
-  return { state, faults };
+  const asked = entries.findLast(([name]) => name === "view")?.[1] ?? "bench";
+  const view = VIEWS.find((known) => known === asked);
+  if (!view) faults.push(`the view '${asked}' does not exist; there are ${VIEWS.join(", ")}`);
+  const state = defaults(view ?? "bench");
+  for (const [name, value] of entries) if (name !== "view") read(state, name, value, faults);
+  return { view: view ?? "bench", state, faults };
 }
 
 function decoded(entry: string): [string?, string?] {
@@ -74,7 +88,7 @@ function read(state: State, name: string, value: string, faults: string[]): void
     state[name] = value;
   } else if (name === "tol" || name === "until" || name === "every") {
     state[name] = value;
-  } else if (name.includes(".")) {
+  } else if (name.includes(".") && name !== "__proto__") {
     state.set[name] = value;
   } else {
     faults.push(`'${name}' is unknown`);
@@ -86,49 +100,4 @@ export function value(text: string): Value {
   if (text === "true" || text === "false") return text === "true";
   const number = parsed(text);
   return number === undefined || Object.is(number, -0) ? text : number;
-}
-
-/** The run of the bench. */
-export function run(state: State): Run {
-  const run: Run = { system: state.system, law: [...state.laws] };
-  if (state.solver !== DEFAULTS.solver) run.solver = state.solver;
-  for (const name of ["tol", "until", "every"] as const) {
-    if (state[name] === "") continue;
-    const number = parsed(state[name]);
-    if (number === undefined) throw new RangeError(`${name} = '${state[name]}': must be a number`);
-    run[name] = number;
-  }
-  const set = Object.entries(state.set);
-  if (set.length > 0) run.set = Object.fromEntries(set.map(([name, text]) => [name, value(text)]));
-  return run;
-}
-
-const quoted = (text: string) => (/^[\w.,=+-]+$/.test(text) ? text : `'${text.replace(/'/g, "'\\''")}'`);
-
-/** The same run on the command line. */
-export function asCommand(state: State): string {
-  const { system, law = [], set = {}, solver, tol, until, every } = run(state);
-  const options = Object.entries({ solver, tol, until, every }).filter(([, given]) => given !== undefined);
-  return [
-    `stribeck ${law.length > 1 ? "compare" : "run"} --system ${quoted(system ?? "")}`,
-    `--law ${quoted(law.join())}`,
-    ...Object.entries(set).map(([name, given]) => `--set ${quoted(`${name}=${given}`)}`),
-    ...options.map(([name, given]) => `--${name} ${quoted(String(given))}`),
-  ].join(" ");
-}
-
-/** The same run in Python. */
-export function asPython(state: State): string {
-  const { system, law = [], set, solver, tol, until, every } = run(state);
-  const literal = (given: unknown): string => {
-    if (typeof given === "boolean") return given ? "True" : "False";
-    if (Array.isArray(given)) return `[${given.map(literal).join(", ")}]`;
-    if (typeof given !== "object" || given === null) return JSON.stringify(given);
-    return `{${Object.entries(given).map(([name, one]) => `${literal(name)}: ${literal(one)}`).join(", ")}}`;
-  };
-  const options = Object.entries({ set, solver, tol, until, every }).filter(([, given]) => given !== undefined);
-  const several = law.length > 1;
-  const given = [literal(system), literal(several ? law : law[0]), ...options.map(([k, v]) => `${k}=${literal(v)}`)];
-  const call = `stribeck.${several ? "compare" : "solve"}(${given.join(", ")})`;
-  return `import stribeck\n\n${several ? "solutions" : "solution"} = ${call}\n`;
 }

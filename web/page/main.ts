@@ -1,10 +1,13 @@
 /** The page: views, link, undo, theme. */
 
 import { Bench, type Page } from "./bench";
+import { FitView } from "./fit";
+import { LawView } from "./law";
+import { BENCH, STRUT } from "./layouts";
 import { h, say } from "./dom";
 import { Lane } from "./engine";
 import { faultText } from "./controls";
-import { fromHash, toHash } from "./link";
+import { defaults, fromHash, type State, toHash, type View, VIEWS } from "./link";
 import { setPalette, toggleTheme } from "./theme";
 import type { Catalogue } from "./types";
 
@@ -39,29 +42,95 @@ class History {
   }
 }
 
+interface Shown {
+  root: HTMLElement;
+  show(): Promise<void>;
+}
+
+const NAMES: Record<View, string> = { bench: "Bench", law: "Law", strut: "Strut", fit: "Fit" };
+
+/** The views, of which one is shown; each keeps its state while another one is. */
+class Views {
+  now: View = "bench";
+  readonly states = Object.fromEntries(VIEWS.map((view) => [view, defaults(view)])) as Record<View, State>;
+  private readonly made = new Map<View, Shown>();
+  private readonly buttons = new Map<View, HTMLButtonElement>();
+
+  constructor(
+    private readonly page: Page,
+    nav: HTMLElement,
+  ) {
+    for (const view of VIEWS) {
+      const button = h("button", { type: "button", id: `to-${view}`, onclick: () => this.open(view) }, NAMES[view]);
+      this.buttons.set(view, button);
+      nav.append(button);
+    }
+  }
+
+  get hash(): string {
+    return toHash({ view: this.now, state: this.states[this.now] });
+  }
+
+  private make(view: View): Shown {
+    const state = this.states[view];
+    if (view === "law") return new LawView(this.page, state);
+    if (view === "fit") return new FitView(this.page, state);
+    return new Bench(this.page, state, view === "strut" ? STRUT : BENCH);
+  }
+
+  /** Shows a view as it was left. */
+  private async open(view: View): Promise<void> {
+    this.now = view;
+    this.page.changed(true);
+    await this.show();
+  }
+
+  async show(): Promise<void> {
+    for (const [view, button] of this.buttons) {
+      if (view === this.now) button.setAttribute("aria-current", "page");
+      else button.removeAttribute("aria-current");
+    }
+    const shown = this.made.get(this.now) ?? this.make(this.now);
+    this.made.set(this.now, shown);
+    this.page.fault("");
+    document.querySelector("main")!.replaceChildren(fault, shown.root);
+    document.title = `Stribeck: ${NAMES[this.now].toLowerCase()}`;
+    await shown.show();
+  }
+}
+
+function wrong(faults: string[]): void {
+  if (faults.length > 0) show(`The link was not understood in full: ${faults.join("; ")}`);
+}
+
 async function start(): Promise<void> {
   const { answer: catalogue } = await new Lane().ask<Catalogue>({ ask: "catalogue" });
   setPalette(catalogue.palette);
-  const { state, faults } = fromHash(location.hash);
-  const history = new History(toHash(state));
   const page: Page = {
     catalogue,
-    state,
     changed(isLast) {
-      const hash = toHash(state);
-      window.history.replaceState(null, "", hash || location.pathname + location.search);
+      const { hash } = views;
+      // A browser refuses to do so too often while a slider moves; the last change is always shown.
+      if (isLast || performance.now() - shownAt > 100) {
+        window.history.replaceState(null, "", hash || location.pathname + location.search);
+        shownAt = performance.now();
+      }
       if (isLast) history.keep(hash);
     },
     fault: show,
   };
-  const bench = new Bench(page);
+  let shownAt = 0;
+  const views = new Views(page, document.getElementById("views")!);
   const open = async (hash: string) => {
-    const { state: next, faults } = fromHash(hash);
-    Object.assign(state, next);
+    const { view, state, faults } = fromHash(hash);
+    views.now = view;
+    Object.assign(views.states[view], state);
     page.changed(false);
-    await bench.show();
-    if (faults.length > 0) show(`The link was not understood in full: ${faults.join("; ")}`);
+    await views.show();
+    wrong(faults);
   };
+  const first = fromHash(location.hash);
+  const history = new History(toHash(first));
   const step = (to: "undo" | "redo") => {
     const hash = history.step(to);
     if (hash === undefined) say(`Nothing to ${to}`);
@@ -70,8 +139,9 @@ async function start(): Promise<void> {
   document.getElementById("undo")?.addEventListener("click", () => step("undo"));
   document.getElementById("redo")?.addEventListener("click", () => step("redo"));
   document.getElementById("reset")?.addEventListener("click", () => {
-    history.keep("");
-    void open("");
+    const hash = toHash({ view: views.now, state: defaults(views.now) });
+    history.keep(hash);
+    void open(hash);
   });
   document.getElementById("theme")?.addEventListener("click", toggleTheme);
   document.addEventListener("keydown", (event) => {
@@ -85,9 +155,7 @@ async function start(): Promise<void> {
     void open(location.hash);
   });
   document.getElementById("version")!.textContent = catalogue.version;
-  document.querySelector("main")!.replaceChildren(fault, bench.root);
-  await bench.show();
-  if (faults.length > 0) show(`The link was not understood in full: ${faults.join("; ")}`);
+  await open(location.hash);
 }
 
 start().catch((reason) => {

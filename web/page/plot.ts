@@ -1,14 +1,14 @@
 /** Plots on the page: a frame with a caption, exports, a data table, keyboard and a cursor that all plots share. */
 
 import uPlot from "uplot";
-import { h, save, say } from "./dom";
+import { h, save, say, swatch } from "./dom";
 import { type Curve, type Diagram, draw, Frame, labelText, legend, range, type Range, tickText } from "./drawing";
 import { short, unitText } from "./format";
 import { CanvasPen, SvgPen } from "./pen";
 import { colours, dashes } from "./theme";
 
 /** Listeners to the cursor: the number of the output time it is at, or none. */
-type CursorListener = (at: number | null, from: Plot) => void;
+type CursorListener = (at: number | null, from: unknown) => void;
 
 /** The cursor that plots share. */
 export class Cursor {
@@ -19,7 +19,7 @@ export class Cursor {
     this.listeners.push(listener);
   }
 
-  move(at: number | null, from: Plot): void {
+  move(at: number | null, from: unknown): void {
     if (at === this.at) return;
     this.at = at;
     this.listeners.forEach((listener) => listener(at, from));
@@ -34,8 +34,11 @@ export abstract class Plot {
   readonly root: HTMLElement;
   protected readonly area: HTMLDivElement;
   private readonly caption = h("span", { class: "title" });
+  private readonly keys = h("ul", { class: "legend keys", hidden: true });
   private readonly summary = h("p", { class: "unseen" });
   private readonly table = h("details", { class: "data", ontoggle: () => this.fillTable() }, h("summary", {}, "Table"));
+  private isVisible = true;
+  private isStale = false;
   protected diagram: Diagram = { title: "", x: { name: "", unit: "1" }, y: { name: "", unit: "1" }, curves: [] };
 
   constructor(
@@ -65,11 +68,21 @@ export abstract class Plot {
       "figure",
       { class: "plot", "data-kind": kind },
       h("figcaption", {}, this.caption, buttons),
+      this.keys,
       this.area,
       this.summary,
       this.table,
     );
     new ResizeObserver(() => this.resize()).observe(this.area);
+    new IntersectionObserver(([entry]) => this.seen(entry!.isIntersecting), { rootMargin: "100px" }).observe(this.area);
+  }
+
+  /** What is out of sight is drawn when it comes into view. */
+  private seen(isVisible: boolean): void {
+    this.isVisible = isVisible;
+    if (!isVisible || !this.isStale) return;
+    this.isStale = false;
+    this.update();
   }
 
   /** Shows other curves. */
@@ -78,8 +91,19 @@ export abstract class Plot {
     this.caption.textContent = diagram.title;
     this.area.setAttribute("aria-label", diagram.title);
     this.summary.textContent = `${diagram.title}. ${diagram.curves.map((curve) => this.extremes(curve)).join("; ")}`;
+    this.showKeys();
     this.fillTable();
-    this.update();
+    this.isStale = !this.isVisible;
+    if (this.isVisible) this.update();
+  }
+
+  /** The curves with their lines, where the view has no legend for them. */
+  private showKeys(): void {
+    const { curves, hasLegend } = this.diagram;
+    this.keys.hidden = !hasLegend;
+    if (!hasLegend) return;
+    const keys = curves.map(({ name, law }) => h("li", {}, swatch(law, dashes()[law] ?? ""), h("span", {}, name)));
+    this.keys.replaceChildren(...keys);
   }
 
   private extremes({ name, y }: Curve): string {
@@ -90,6 +114,8 @@ export abstract class Plot {
   protected abstract update(): void;
   protected abstract resize(): void;
   protected abstract reset(): void;
+  /** Shows a part as large as this, around the cursor, or more than now. */
+  protected abstract magnify(factor: number): void;
   /** Ranges that are shown. */
   protected abstract ranges(): { x: Range; y: Range };
   abstract theme(): void;
@@ -151,6 +177,8 @@ export abstract class Plot {
     const to = places[event.key];
     if (to === undefined) {
       if (event.key === "Escape") this.reset();
+      else if (event.key === "+") this.magnify(0.5);
+      else if (event.key === "-") this.magnify(2);
       return;
     }
     event.preventDefault();
@@ -161,6 +189,29 @@ export abstract class Plot {
     const told = curves.map((curve) => `${curve.name}: ${short(curve.y[at] ?? NaN)} ${unitText(y.unit)}`);
     say(`${x.name} ${short(curves[0]?.x[at] ?? NaN)} ${unitText(x.unit)}. ${told.join(", ")}`);
   }
+}
+
+/** Number of times before a time, or up to it. */
+function below(times: ArrayLike<number>, time: number, includes = false): number {
+  let [low, high] = [0, times.length];
+  while (low < high) {
+    const middle = (low + high) >> 1;
+    if (times[middle]! < time || (includes && times[middle] === time)) low = middle + 1;
+    else high = middle;
+  }
+  return low;
+}
+
+function part(values: ArrayLike<number>, from: number, to: number): ArrayLike<number> {
+  return values instanceof Float64Array ? values.subarray(from, to) : Array.prototype.slice.call(values, from, to);
+}
+
+/** A part of a range around a value, inside of the whole. */
+function within([low, high]: Range, whole: Range, around: number | undefined, factor: number): Range {
+  const size = Math.min(factor * (high - low), whole[1] - whole[0]);
+  const middle = around ?? 0.5 * (low + high);
+  const begin = Math.min(Math.max(middle - 0.5 * size, whole[0]), whole[1] - size);
+  return [begin, begin + size];
 }
 
 /** A plot over time: uPlot. */
@@ -258,14 +309,15 @@ export class TimePlot extends Plot {
   }
 
   private scale(): void {
-    const { x } = this.ranges();
+    const x = this.zoomed ?? range(this.diagram.curves.map((curve) => curve.x), 0);
     this.chart?.setScale("x", { min: x[0], max: x[1] });
   }
 
   protected ranges(): { x: Range; y: Range } {
     const { curves } = this.diagram;
     const x = this.zoomed ?? range(curves.map((curve) => curve.x), 0);
-    const inside = curves.map((curve) => Array.from(curve.y).filter((_, at) => curve.x[at]! >= x[0] && curve.x[at]! <= x[1]));
+    // Times ascend: what is inside lies between two samples.
+    const inside = curves.map((curve) => part(curve.y, below(curve.x, x[0]), below(curve.x, x[1], true)));
     return { x, y: range(inside) };
   }
 
@@ -279,6 +331,15 @@ export class TimePlot extends Plot {
 
   protected reset(): void {
     this.onZoom(undefined);
+  }
+
+  protected magnify(factor: number): void {
+    const { curves } = this.diagram;
+    const whole = range(curves.map((curve) => curve.x), 0);
+    const { x } = this.ranges();
+    const at = this.cursor.at === null ? undefined : curves[0]?.x[this.cursor.at];
+    const part = within(x, whole, at, factor);
+    this.onZoom(part[0] <= whole[0] && part[1] >= whole[1] ? undefined : part);
   }
 
   theme(): void {
@@ -410,6 +471,18 @@ export class LoopPlot extends Plot {
 
   protected reset(): void {
     this.zoomed = undefined;
+    this.redraw();
+  }
+
+  protected magnify(factor: number): void {
+    const { curves } = this.diagram;
+    const [curve] = curves;
+    const { x, y } = this.ranges();
+    const at = this.cursor.at;
+    const [nearX, nearY] = at === null ? [undefined, undefined] : [curve?.x[at], curve?.y[at]];
+    const wholeX = range(curves.map((curve) => curve.x));
+    const wholeY = range(curves.map((curve) => curve.y));
+    this.zoomed = { x: within(x, wholeX, nearX, factor), y: within(y, wholeY, nearY, factor) };
     this.redraw();
   }
 

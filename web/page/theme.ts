@@ -7,6 +7,13 @@ const listeners: (() => void)[] = [];
 let chosen: "light" | "dark" | undefined;
 let palette: Catalogue["palette"] | undefined;
 
+const still = matchMedia("(prefers-reduced-motion: reduce)");
+
+/** Whether the user wants nothing to move by itself. */
+export function isMotionReduced(): boolean {
+  return still.matches;
+}
+
 export function isDark(): boolean {
   return chosen === undefined ? media.matches : chosen === "dark";
 }

@@ -14,10 +14,18 @@ export interface Variable {
   choices: { name: string; help: string }[];
 }
 
+export interface Preset {
+  name: string;
+  source: string;
+  /** Values as a user writes them. */
+  values: Record<string, string>;
+}
+
 export interface Model {
   name: string;
   summary: string;
   variables: Variable[];
+  presets: Preset[];
 }
 
 export interface SystemEntry {
@@ -46,6 +54,10 @@ export interface Catalogue {
   hosts: Model[];
   systems: SystemEntry[];
   solvers: { name: string; help: string }[];
+  /** Laws that can be fitted. */
+  fitted: string[];
+  /** Solvers of the thesis, and its times in s for each law; null where it did not converge. */
+  thesis: { classes: string[]; times: [string, (number | null)[]][] };
   palette: { light: Colours; dark: Colours; dashes: string[] };
 }
 
@@ -56,8 +68,16 @@ export interface Part {
   values: Record<string, number>;
 }
 
+/** The signal of an input that moves, with the numbers by which it does. */
+export interface Moving {
+  input: string;
+  unit: string;
+  properties: { name: string; value: number }[];
+}
+
 export interface Parts {
   parts: Part[];
+  signals: Moving[];
   until: number;
   every: number;
   tol: number;
@@ -90,14 +110,95 @@ export interface Run {
   tol?: number;
   until?: number;
   every?: number;
+  record?: string[];
   set?: Record<string, Value>;
+}
+
+/** A model, its parameters, and samples of its inputs. */
+export interface Series {
+  model: string;
+  set: Record<string, Value>;
+  inputs: Record<string, number[]>;
+  results: string[];
+}
+
+/** Records and what is known of their rig. */
+export interface Known {
+  table: string;
+  motion?: string;
+  mass: number;
+  normal_force?: number;
+  longest_delay?: number;
+}
+
+export interface Quality {
+  samples: number;
+  duration: number;
+  interval: number;
+  gaps: number;
+  saturated: number;
+  noise: number;
+  resolution: number;
+  fastest: number;
+  slow: number;
+  reversals: number;
+  loads: [number, number];
+  findings: string[];
+  window: number;
+  differentiated: boolean;
+  velocity_error: number;
+  delay: number;
+  cycles: number;
+}
+
+export interface Estimate {
+  name: string;
+  unit: string;
+  verdict: string;
+  value: number | null;
+  interval: [number, number] | null;
+  repeated: [number, number] | null;
+}
+
+export interface FittedLaw {
+  law: string;
+  behind: number;
+  tied: boolean;
+  rms: number;
+  samples: number;
+  repeatable: boolean;
+  evaluations: number;
+  warnings: string[];
+  values: Record<string, number>;
+  estimates: Estimate[];
+}
+
+export interface Fitted {
+  ranking: { laws: FittedLaw[]; refused: { law: string; reason: string }[] };
+  best: string;
+  level: number;
+  toml: string;
+  ssv: string;
+}
+
+/** Files of a virtual rig, and the values of its law. */
+export interface Files {
+  force: string;
+  camera: string | null;
+  truth: Record<string, number>;
 }
 
 export type Question =
   | { ask: "catalogue" }
   | { ask: "system"; run: Run }
   | { ask: "solve" | "csv"; run: Run; law: string | null }
-  | { ask: "toml"; run: Run };
+  | { ask: "toml"; run: Run }
+  | ({ ask: "settle" } & Series)
+  | { ask: "follow"; every: number; series: Series }
+  | { ask: "ssv"; model: string; set: Record<string, Value> }
+  | { ask: "rig"; law: string; mass: number; normal_force: number; duration: number; faults: boolean; seed: number }
+  | ({ ask: "quality" } & Known)
+  | { ask: "fit"; known: Known; wanted: { laws: string[]; budget?: number; repetitions?: number } };
 
 export interface Answer<T> {
   answer: T;

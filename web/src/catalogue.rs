@@ -1,10 +1,14 @@
 //! Everything the page shows choices of: models, systems, solvers.
 
+use std::collections::BTreeMap;
+
 use clap::ValueEnum;
 use lab::palette::{Colours, DARK, DASHES, LIGHT};
 use lab::run::Solver;
 use lab::system::{BUILT_IN, Description, Fault};
+use lab::thesis::{CLASSES, TABLE_6_5};
 use serde_json::{Value, json};
+use ssp::parameter_set::text_of;
 use stribeck::catalogue::{Family, documented};
 use stribeck::model::{Kind, ModelType, Variable};
 
@@ -15,6 +19,7 @@ pub fn catalogue() -> Result<Answer, Fault> {
     let family = |family: Family| documented(family).map(|(model, _)| described(model)).collect::<Vec<_>>();
     let systems = BUILT_IN.iter().map(|(name, text)| system(name, text)).collect::<Result<Vec<_>, _>>()?;
     let solvers: Vec<_> = Solver::value_variants().iter().filter_map(ValueEnum::to_possible_value).collect();
+    let fitted = lab::identify::laws().map(|law| law.name).collect::<Vec<_>>();
     let solvers = solvers.iter().map(|solver| {
         json!({ "name": solver.get_name(), "help": solver.get_help().map_or(String::new(), ToString::to_string) })
     });
@@ -25,6 +30,8 @@ pub fn catalogue() -> Result<Answer, Fault> {
         "hosts": family(Family::Host),
         "systems": systems,
         "solvers": solvers.collect::<Vec<_>>(),
+        "fitted": fitted,
+        "thesis": { "classes": CLASSES, "times": TABLE_6_5 },
         "palette": { "light": colours(&LIGHT), "dark": colours(&DARK), "dashes": DASHES },
     })))
 }
@@ -44,7 +51,21 @@ fn system(name: &str, text: &str) -> Result<Value, Fault> {
 
 fn described(model: &'static ModelType) -> Value {
     let variables: Vec<_> = model.variables().map(|(_, variable)| variable_as_json(&variable)).collect();
-    json!({ "name": model.name, "summary": model.summary, "variables": variables })
+    let presets: Vec<_> = model
+        .presets
+        .iter()
+        .map(|preset| {
+            let values = preset.values.iter().map(|(name, value)| (*name, spelling(model, name, *value)));
+            let values: BTreeMap<&str, String> = values.collect();
+            json!({ "name": preset.name, "source": preset.source, "values": values })
+        })
+        .collect();
+    json!({ "name": model.name, "summary": model.summary, "variables": variables, "presets": presets })
+}
+
+/// A value as a user writes it.
+fn spelling(model: &ModelType, name: &str, value: f64) -> String {
+    model.find(name).map_or_else(|| value.to_string(), |column| text_of(&model.table.at(column), value))
 }
 
 fn variable_as_json(variable: &Variable) -> Value {

@@ -3,13 +3,19 @@
 //! A host writes the bytes of a question into a buffer of [`stribeck_alloc`] and calls [`stribeck_ask`], which takes the
 //! buffer. The answer begins with the length of its JSON and the number of numbers in its arrays, as two integers of 32
 //! bits; the JSON follows, filled up with spaces to a multiple of 8 bytes, then the numbers, 8 bytes each. It lies at
-//! [`stribeck_answer`] until the next question.
+//! [`stribeck_answer`] until the next question. A host of the WebAssembly hears of a search that is under way through
+//! the import `page.progress`.
 
 mod answer;
 mod catalogue;
+mod parameters;
+mod progress;
 mod question;
+mod rig;
+mod series;
 mod solution;
 mod system;
+mod values;
 
 use std::cell::RefCell;
 

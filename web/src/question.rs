@@ -1,10 +1,15 @@
 //! Questions.
 
+use std::collections::BTreeMap;
+
 use lab::run::Configuration;
 use serde::Deserialize;
 
 use crate::answer::Answer;
-use crate::{catalogue, solution, system};
+use crate::progress::progress;
+use crate::rig::{Known, Virtual, Wanted};
+use crate::series::Series;
+use crate::{catalogue, parameters, rig, series, solution, system};
 
 /// A question of the page.
 #[derive(Debug, Deserialize)]
@@ -36,6 +41,33 @@ enum Question {
         /// The run.
         run: Configuration,
     },
+    /// Results of a model at held inputs.
+    Settle(Series),
+    /// Results of a model along samples.
+    Follow {
+        /// Interval of the samples, in s.
+        every: f64,
+        /// Model, parameters, inputs and results.
+        series: Series,
+    },
+    /// The parameter set of a model, for FMUs.
+    Ssv {
+        /// The model.
+        model: String,
+        /// Values of its parameters.
+        set: BTreeMap<String, toml::Value>,
+    },
+    /// Records of a virtual rig.
+    Rig(Virtual),
+    /// Quality of a record.
+    Quality(Known),
+    /// Laws fitted to a record.
+    Fit {
+        /// The record.
+        known: Known,
+        /// The laws.
+        wanted: Wanted,
+    },
 }
 
 /// The answer to a question.
@@ -50,6 +82,12 @@ pub fn answer(text: &[u8]) -> Answer {
         Question::Solve { run, law } => solution::solve(&run, law.as_deref()),
         Question::Csv { run, law } => solution::csv(&run, law.as_deref()),
         Question::Toml { run } => solution::toml(&run),
+        Question::Settle(series) => series::settled(&series),
+        Question::Follow { every, series } => series::followed(&series, every),
+        Question::Ssv { model, set } => parameters::ssv(&model, &set),
+        Question::Rig(given) => rig::record(&given),
+        Question::Quality(known) => rig::quality(&known),
+        Question::Fit { known, wanted } => rig::fit(&known, &wanted, &progress),
     };
     answer.unwrap_or_else(Answer::refusal)
 }

@@ -1,7 +1,7 @@
 //! The parts of a system, for controls.
 
 use lab::run::Configuration;
-use lab::system::{Fault, Place, Signal, System};
+use lab::system::{Fault, Place, Signal, System, WireSource};
 use serde_json::{Value, json};
 use stribeck::model::{Role, Variable};
 
@@ -15,11 +15,25 @@ pub fn parts(chosen: &Configuration) -> Result<Answer, Fault> {
     let settings = chosen.settings(&system)?;
     Ok(Answer::plain(json!({
         "parts": parts,
+        "signals": signals(&system),
         "until": settings.until,
         "every": settings.every,
         "tol": settings.tolerance,
         "results": chosen.results(&source),
     })))
+}
+
+/// Signals that move, with the numbers by which they do.
+fn signals(system: &System) -> Vec<Value> {
+    let mut inputs = system.description.input.clone();
+    let moving = inputs.iter_mut().filter_map(|(input, signal)| {
+        let place = system.place(input).ok()?;
+        let unit = system.unit(WireSource::Variable(place)).name;
+        let properties: Vec<Value> =
+            signal.properties().into_iter().map(|(name, value)| json!({ "name": name, "value": *value })).collect();
+        (!properties.is_empty()).then(|| json!({ "input": input, "unit": unit, "properties": properties }))
+    });
+    moving.collect()
 }
 
 fn is_constant(signal: &Signal) -> bool {

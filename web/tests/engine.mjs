@@ -3,9 +3,9 @@
 import { createHash } from "node:crypto";
 import { readFileSync } from "node:fs";
 
-/** Opens the library; the function that is returned answers questions. */
-export async function open(file) {
-  const { instance } = await WebAssembly.instantiate(readFileSync(file), {});
+/** Opens the library; the function that is returned answers questions, `told` hears of the progress of a search. */
+export async function open(file, told = () => undefined) {
+  const { instance } = await WebAssembly.instantiate(readFileSync(file), { page: { progress: told } });
   const { memory, stribeck_alloc, stribeck_ask, stribeck_answer } = instance.exports;
   return (question) => {
     const text = new TextEncoder().encode(JSON.stringify(question));

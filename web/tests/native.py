@@ -1,4 +1,5 @@
-"""The page's library as a native one: a question per line in, a line with the hash of the bytes of its answer out."""
+"""The page's library as a native one: a question per line in; a line with the hash of the bytes of its answer, and with
+the JSON of a fit, out."""
 
 import ctypes
 import hashlib
@@ -16,7 +17,9 @@ def main(path: str) -> None:
         ctypes.memmove(library.stribeck_alloc(len(question)), question, len(question))
         length = library.stribeck_ask()
         answer = ctypes.string_at(library.stribeck_answer(), length)
-        print(hashlib.sha256(answer).hexdigest())
+        length = int.from_bytes(answer[:4], "little")
+        told = answer[8 : 8 + length].decode().strip() if b'"ask":"fit"' in question else ""
+        print(hashlib.sha256(answer).hexdigest(), told, sep="\t")
 
 
 main(sys.argv[1])

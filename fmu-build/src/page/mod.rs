@@ -8,4 +8,5 @@ pub mod icon;
 pub mod mathematics;
 pub mod motion;
 pub mod sweep;
+pub mod texts;
 pub mod typeset;

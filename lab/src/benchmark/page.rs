@@ -4,27 +4,16 @@ use std::collections::BTreeSet;
 
 use super::{Measurement, RIGHT, Reference};
 use crate::run::Solver;
+use crate::thesis::{CLASSES, TABLE_6_5};
 
-/// Average times of the thesis, Table 6.5, in s: ode45, ode15s, ode23s, ode78. None where it did not converge.
-const TABLE_6_5: &[(&str, [Option<f64>; 4])] = &[
-    ("Karnopp", [Some(1.4239), Some(1.9092), None, Some(2.2380)]),
-    ("BengisuAkay", [Some(1.7400), Some(2.4848), Some(1.3448), Some(2.6984)]),
-    ("Andersson", [Some(2.6665), Some(2.3516), Some(1.2756), Some(4.2416)]),
-    ("Awrejcewicz", [Some(1.4188), Some(2.2201), Some(1.1813), Some(2.1865)]),
-    ("Specker", [Some(1.5924), Some(2.2854), Some(1.4331), Some(2.4739)]),
-    ("LinearStiction", [Some(1.7217), Some(2.3644), Some(1.1405), Some(2.6100)]),
-    ("Hollars", [Some(1.6364), Some(2.2919), Some(1.2626), Some(2.5369)]),
-    ("BrownMcPhee", [Some(1.8278), Some(2.5609), Some(1.4607), Some(2.8658)]),
-];
-
-/// Solvers of the thesis by the class of ours.
-const CLASSES: [(Solver, &str); 4] =
-    [(Solver::Dopri5, "ode45"), (Solver::Bdf, "ode15s"), (Solver::Rosenbrock23, "ode23s"), (Solver::Dop853, "ode78")];
+/// Solvers in the place of those of the thesis.
+const SOLVERS: [Solver; 4] = [Solver::Dopri5, Solver::Bdf, Solver::Rosenbrock23, Solver::Dop853];
 
 /// The solvers in the place of those of the thesis, their classes, and its time for a law.
 pub(super) fn in_thesis(law: &str) -> Vec<(Solver, &'static str, String)> {
     let times = TABLE_6_5.iter().find(|(name, _)| *name == law).map_or([None; 4], |(_, times)| *times);
-    CLASSES.iter().zip(times).map(|((solver, class), time)| (*solver, *class, seconds(time))).collect()
+    let solvers = SOLVERS.iter().zip(CLASSES);
+    solvers.zip(times).map(|((solver, class), time)| (*solver, class, seconds(time))).collect()
 }
 
 /// A time of the thesis.
@@ -146,8 +135,8 @@ fn table(measurements: &[Measurement], tolerance: f64) -> String {
          solver can do so.\n\n| law |",
     );
     for solver in &solvers {
-        let class = CLASSES.iter().find(|(one, _)| one == solver);
-        text += &class.map_or_else(|| format!(" {solver} |"), |(_, class)| format!(" {solver} ({class}) |"));
+        let class = SOLVERS.iter().position(|one| one == solver).map(|at| CLASSES[at]);
+        text += &class.map_or_else(|| format!(" {solver} |"), |class| format!(" {solver} ({class}) |"));
     }
     text += &format!("\n|---|{}\n", "---|".repeat(solvers.len()));
     for law in laws(measurements) {

@@ -313,6 +313,10 @@ fn searches(problem: &Problem, task: &Task, budget: u64, round: u64, watch: Watc
             polish(problem, &problem.judge(found))
         }
     };
+    // In a browser this library has no threads.
+    if cfg!(target_family = "wasm") {
+        return vec![run(0), run(1)];
+    }
     std::thread::scope(|scope| {
         let second = scope.spawn(move || run(1));
         let first = run(0);

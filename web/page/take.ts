@@ -1,0 +1,49 @@
+/** What a user takes along: link, files, and the same run elsewhere. */
+
+import { faultText } from "./controls";
+import { h, say } from "./dom";
+
+export interface Item {
+  text: string;
+  id: string;
+  does: () => unknown;
+}
+
+/** A row of buttons, with a place for text that cannot be copied. */
+export class TakeAway {
+  readonly root: HTMLElement;
+  private readonly output: HTMLOutputElement;
+
+  constructor(
+    view: string,
+    items: (take: TakeAway) => Item[],
+    private readonly fault: (text: string) => void,
+  ) {
+    this.output = h("output", { id: `copied-${view}`, class: "copied" });
+    const button = ({ text, id, does }: Item) =>
+      h("button", { type: "button", id: `${view}-${id}`, onclick: () => this.run(does) }, text);
+    this.root = h(
+      "section",
+      { class: "take", "aria-label": "Take it with you" },
+      h("h2", {}, "Take it with you"),
+      h("div", { class: "buttons" }, ...items(this).map(button)),
+      this.output,
+    );
+  }
+
+  private run(does: () => unknown): void {
+    Promise.resolve().then(does).catch((fault) => this.fault(faultText(fault)));
+  }
+
+  /** Copies a text; where the browser does not let it, shows it to be copied by hand. */
+  async copy(what: string, text: string): Promise<void> {
+    this.output.dataset.text = text;
+    try {
+      await navigator.clipboard.writeText(text);
+      say(`${what} copied`);
+      this.output.textContent = `${what} copied.`;
+    } catch {
+      this.output.textContent = text;
+    }
+  }
+}

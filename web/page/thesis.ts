@@ -1,0 +1,64 @@
+/** Tables of the thesis, computed here and now. */
+
+import type { Page } from "./bench";
+import { faultText } from "./controls";
+import { h } from "./dom";
+import { Lane } from "./engine";
+import { defaults, toHash } from "./link";
+import type { Solved } from "./types";
+
+const HEADING = "Table 6.5 of the thesis, computed here";
+
+/** Times of the laws of Table 6.5 with the solvers of this page, beside those of the thesis. */
+export function thesisTables({ catalogue, fault }: Page): HTMLElement {
+  const { classes, times } = catalogue.thesis;
+  const solvers = catalogue.solvers.filter(({ name }) => name.startsWith("ro"));
+  const head = ["Law", ...solvers.map(({ name }) => `${name}, ms`), "Events", ...classes.map((name) => `Thesis, ${name}, s`)];
+  const body = h("tbody", {});
+  const table = h(
+    "table",
+    {},
+    h("caption", {}, "The belt of Table 6.1 over 40 s; DNC: did not converge"),
+    h("thead", {}, h("tr", {}, ...head.map((text) => h("th", { scope: "col" }, text)))),
+    body,
+  );
+  const lane = new Lane();
+  const row = async ([law, printed]: [string, (number | null)[]]) => {
+    const cells = [];
+    let events = "";
+    for (const { name: solver } of solvers) {
+      // The first run of a worker also prepares the library.
+      const runs = [];
+      for (let number = 0; number < 3; number++) {
+        runs.push(await lane.ask<Solved>({ ask: "solve", run: { system: "belt", law: [law], solver }, law }));
+      }
+      const took = runs.map((run) => run.took).sort((a, b) => a - b)[1]!;
+      const solved = runs[0]!.answer;
+      cells.push(solved.reached ? took.toFixed(1) : solved.end);
+      events = String(solved.events.length);
+    }
+    const theirs = printed.map((time) => (time === null ? "DNC" : time.toFixed(4)));
+    body.append(h("tr", {}, h("th", { scope: "row" }, law), ...[...cells, events, ...theirs].map((cell) => h("td", {}, cell))));
+  };
+  const compute = h("button", { type: "button", id: "compute-thesis" }, "Compute");
+  compute.addEventListener("click", async () => {
+    compute.disabled = true;
+    body.replaceChildren();
+    try {
+      for (const one of times) await row(one);
+    } catch (reason) {
+      fault(faultText(reason));
+    }
+    compute.disabled = false;
+  });
+  const laws = times.map(([law]) => law);
+  const open = h("button", { type: "button", id: "open-thesis" }, "Show these laws on the bench");
+  open.addEventListener("click", () => (location.hash = toHash({ view: "bench", state: { ...defaults("bench"), laws } })));
+  return h(
+    "details",
+    { class: "thesis" },
+    h("summary", {}, HEADING),
+    h("div", { class: "buttons" }, compute, open),
+    h("div", { class: "scroll", tabindex: 0, role: "region", "aria-label": HEADING }, table),
+  );
+}

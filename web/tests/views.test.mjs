@@ -1,0 +1,195 @@
+// All views: how they look to everybody, and the views of a law, a strut and a fit.
+
+import assert from "node:assert/strict";
+import { readFileSync, writeFileSync } from "node:fs";
+import { join } from "node:path";
+import { test } from "node:test";
+import { barriers, computed, drawn, fault, folder, opened, pixels, saved } from "./browser.mjs";
+
+const VIEWS = { bench: 6, law: 3, strut: 6, fit: 3 };
+const text = (page, kind) => page.locator(`[data-kind=${kind}] > .unseen`).textContent();
+
+/** Measures on the virtual rig. */
+async function measure(page) {
+  const seen = await drawn(page);
+  await page.locator("#measure-rig").click();
+  await computed(page, seen + 2);
+}
+
+test("every view opens without a message, a request or a barrier, light and dark, wide and narrow", async () => {
+  for (const colorScheme of ["light", "dark"]) {
+    for (const width of [360, 1300]) {
+      const { page, wrong, close } = await opened("", { colorScheme, viewport: { width, height: 900 } });
+      for (const [view, plots] of Object.entries(VIEWS)) {
+        await page.locator(`#to-${view}`).click();
+        // The fit has nothing to compute until it has a record.
+        await computed(page, view === "fit" ? 0 : 1);
+        if (view === "fit") await measure(page);
+        assert.equal(await page.locator("figure.plot:visible").count(), plots, view);
+        assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), width, `${view} at ${width}`);
+        assert.deepEqual(await barriers(page), [], `${view} at ${width}, ${colorScheme}`);
+        assert.equal(await fault(page), "");
+      }
+      assert.deepEqual(wrong, []);
+      await close();
+    }
+  }
+});
+
+test("views keep what was set in them, and undo goes back through them", async () => {
+  const { page } = await opened("#v=1&rig.mass=2");
+  await page.locator("#to-strut").click();
+  await computed(page, 1);
+  assert.ok(page.url().endsWith("#v=1&view=strut"));
+  await page.locator("#to-bench").click();
+  await computed(page, 1);
+  assert.ok(page.url().endsWith("#v=1&rig.mass=2"));
+  await page.locator("#undo").click();
+  await page.waitForFunction(() => location.hash === "#v=1&view=strut");
+  assert.equal(await page.locator("[aria-current=page]").textContent(), "Strut");
+});
+
+test("the curve and the strokes of a law follow its sliders, beside its equations", async () => {
+  const { page, wrong } = await opened("#v=1&view=law&law=Dahl");
+  assert.ok((await page.locator("article math").count()) > 5);
+  assert.match(await page.locator("article").textContent(), /Source/);
+  const most = async () => Number(/to ([\d.]+) N$/.exec((await text(page, "force-at-held-velocity")).trim())[1]);
+  // Dahl's law: mu_k times the normal force.
+  const [load, mu] = [await page.locator("[id='set-held_normal_force']").inputValue(), await page.locator("[id='set-friction_mu_k']").inputValue()];
+  assert.ok(Math.abs((await most()) - load * mu) < 1e-3 * load * mu, `${await most()} N of ${mu} times ${load} N`);
+  const seen = await drawn(page);
+  await page.locator("[id='set-held_normal_force']").fill("50");
+  await page.keyboard.press("Tab");
+  await computed(page, seen + 2);
+  assert.ok(Math.abs((await most()) - 50 * mu) < 0.05 * mu, `${await most()} N of ${mu} times 50 N`);
+  // Work of the strokes is lost: the loop is run through with the area inside.
+  const rows = (await saved(page, () => page.locator("#law-save-csv").click())).toString().trim().split("\n").slice(1).map((row) => row.split(",").map(Number));
+  const period = rows.slice(400);
+  const area = period.slice(1).reduce((sum, [, x, , f], at) => sum + 0.5 * (f + period[at][3]) * (x - period[at][1]), 0);
+  assert.ok(area > 0 && Math.abs(period.at(-1)[1] - period[0][1]) < 1e-15, `${area} J`);
+  // A law that keeps fluctuating has strokes, but no curve.
+  await page.locator("#the-law").selectOption("Bristle");
+  await page.waitForFunction(() => /No curve: the results do not settle/.test(document.querySelector("#law .progress").textContent), null, { timeout: 60_000 });
+  assert.equal(await fault(page), "");
+  await page.locator("#law-to-bench").click();
+  await page.waitForFunction(() => location.hash === "#v=1&law=Bristle");
+  assert.deepEqual(wrong, []);
+});
+
+test("a strut on the dyno rubs more under side load, on the guide and on the piston", async () => {
+  const { page, wrong } = await opened("#v=1&view=strut&law=CoulombStiction");
+  const most = async (name) => Number(new RegExp(`${name} from .*? to ([\\d.]+) N`).exec(await text(page, "contacts-over-time"))[1]);
+  const [guide, piston] = [await most("rod guide"), await most("piston")];
+  const seen = await drawn(page);
+  await page.locator("[id='set-strut_side_force_m']").fill("400");
+  await page.keyboard.press("Tab");
+  await computed(page, seen + 1);
+  assert.ok((await most("rod guide")) > guide + 5 && (await most("piston")) > piston + 5);
+  const before = await pixels(page, ".stage canvas");
+  await page.locator(".stage input").focus();
+  await page.keyboard.press("PageUp");
+  assert.notEqual(await pixels(page, ".stage canvas"), before);
+  const ssv = (await saved(page, () => page.locator("#strut-save-ssv").click())).toString();
+  assert.match(ssv, /friction\.model/);
+  await page.locator("#system-strut").selectOption("dyno-ramps");
+  await computed(page);
+  // Ramps of 0.02 m at 2 Hz: 4 A f.
+  await page.waitForFunction(() => document.querySelector("[data-kind=force-over-velocity] .area canvas") && location.hash.includes("dyno-ramps"));
+  const table = (await saved(page, () => page.locator("#strut-save-csv").click())).toString().split("\n");
+  const at = table[0].split(",").indexOf("strut.velocity [m/s]");
+  assert.ok(table.slice(1, -1).every((row) => Math.abs(Math.abs(Number(row.split(",")[at])) - 0.16) < 1e-12));
+  assert.deepEqual(wrong, []);
+});
+
+test("a fit finds the law of the virtual rig again, tells how far it is, and can be cancelled", { timeout: 300_000 }, async () => {
+  const { page, wrong } = await opened("#v=1&view=fit&rig.budget=600&rig.repetitions=4&rig.duration=2");
+  assert.match(await page.locator("#drop").textContent(), /nothing is uploaded/);
+  await measure(page);
+  await page.locator("#start-fit").click();
+  await page.waitForFunction(() => /Fitting LuGre for \d+ s, [\d.e−]+ N not explained so far/.test(document.querySelector("#fit .progress").textContent));
+  await page.locator("#cancel-fit").click();
+  assert.equal(await page.locator(".outcome table").count(), 0);
+  await page.locator("#start-fit").click();
+  await page.locator(".outcome table").first().waitFor({ timeout: 240_000 });
+  const rows = await page.locator(".outcome tbody tr").evaluateAll((rows) => rows.map((row) => [...row.children].map((cell) => cell.textContent)));
+  const [, value, interval, , truth, verdict] = rows.find(([name]) => name === "mu_k");
+  assert.equal(verdict, "determined");
+  const [low, high] = interval.split(" to ").map(Number);
+  assert.ok(low <= Number(value) && Number(value) <= high && Math.abs(Number(value) - Number(truth)) < 0.02 * truth, `${value}, ${interval}, truth ${truth}`);
+  assert.deepEqual(await barriers(page), []);
+  const toml = (await saved(page, () => page.locator("#fit-save-toml").click())).toString();
+  assert.match(toml, /law = \["LuGre"\][^]*mu_k = 0\.\d+/);
+  await page.locator("#fit-to-law").click();
+  await page.waitForFunction(() => /^#v=1&view=law&held\.|^#v=1&view=law&.*friction\.mu_k=/.test(location.hash));
+  assert.deepEqual(wrong, []);
+});
+
+test("good files are read and spoilt ones are refused by what is wrong with them", async () => {
+  const { page, wrong } = await opened("#v=1&view=fit");
+  await measure(page);
+  const good = (await saved(page, () => page.locator("#fit-save-csv").click())).toString();
+  await page.locator("#reset").click();
+  const drop = async (files) => {
+    const seen = await drawn(page);
+    await page.evaluate((files) => {
+      const transfer = new DataTransfer();
+      for (const { name, text } of files) transfer.items.add(new File([text], name));
+      document.querySelector("#drop").dispatchEvent(new DragEvent("drop", { dataTransfer: transfer, bubbles: true, cancelable: true }));
+    }, files);
+    await page.waitForFunction((seen) => Number(document.querySelector(".view").dataset.drawn) > seen + 1 || !document.querySelector("#fault").hidden, seen);
+  };
+  const row = (number) => `${(0.001 * number).toFixed(3)},${Math.sin(number)},${0.001 * Math.cos(number)}\n`;
+  const rows = (count) => Array.from({ length: count }, (_, number) => row(number)).join("");
+  const spoilt = [
+    ["", /empty|heading|column/],
+    ["\u0000\u0001\u0002 PK\u0003\u0004", /time/],
+    ["time [s],force [N]\n0,1\n1,2\n", /at least 20|displacement/],
+    [`time [s],force [furlong],displacement [m]\n${rows(30)}`, /furlong/],
+    [`time [s],force [N],displacement [m]\n${rows(30)}0.001,1,1\n`, /times must ascend/],
+    [`time [s],force [N],displacement [m]\n${rows(30)}0.030,one,1\n`, /one/],
+    [`time [s],force [N],displacement [m]\n${rows(5)}`, /5 samples; at least 20/],
+  ];
+  for (const [content, expected] of spoilt) {
+    await drop([{ name: "spoilt.csv", text: content }]);
+    assert.match(await fault(page), /^spoilt\.csv: /, JSON.stringify(content.slice(0, 40)));
+    assert.match(await fault(page), expected);
+    assert.ok(await page.locator("#start-fit").isDisabled());
+  }
+  await drop([1, 2, 3].map((number) => ({ name: `${number}.csv`, text: good })));
+  assert.match(await fault(page), /3 files: must be 1, or 2/);
+  await drop([{ name: "good.csv", text: good }]);
+  assert.equal(await fault(page), "");
+  assert.match(await page.locator(".worth").textContent(), /Record: good\.csv.*4001 over 4 s/);
+  assert.ok(await page.locator("#start-fit").isEnabled());
+  // By the file chooser, as with a keyboard: decimal commas, other units.
+  const file = join(folder, "other.csv");
+  const commas = good.trim().split("\n").slice(1).map((row) => row.split(",").map((one, at) => String(Number(one) * [1e3, 1, 1e3][at]).replace(".", ",")).join(";"));
+  writeFileSync(file, `time [ms];force [N];displacement [mm]\n${commas.join("\n")}\n`);
+  await page.locator("#record").setInputFiles(file);
+  await page.waitForFunction(() => /Record: other\.csv/.test(document.querySelector(".worth").textContent));
+  assert.match(await page.locator(".worth").textContent(), /4001 over 4 s/);
+  assert.ok(readFileSync(file).length > 1000);
+  assert.deepEqual(wrong, []);
+});
+
+test("everything is reached by the keyboard, and the focus is never lost", async () => {
+  for (const view of Object.keys(VIEWS)) {
+    const { page, close } = await opened(view === "bench" ? "" : `#v=1&view=${view}`);
+    if (view === "fit") await measure(page);
+    await page.evaluate(() => document.activeElement?.blur());
+    const wanted = await page.evaluate(() => {
+      const all = document.querySelectorAll("button, select, input, summary, [tabindex='0']");
+      const seen = [...all].filter((one) => one.checkVisibility() && !one.disabled);
+      seen.forEach((one, number) => (one.dataset.stop = String(number)));
+      return seen.length;
+    });
+    const found = new Set();
+    for (let press = 0; press < wanted + 5; press++) {
+      await page.keyboard.press("Tab");
+      const stop = await page.evaluate(() => document.activeElement?.dataset.stop);
+      if (stop !== undefined) found.add(stop);
+    }
+    assert.equal(found.size, wanted, view);
+    await close();
+  }
+});
