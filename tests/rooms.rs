@@ -74,6 +74,7 @@ const HOUSES: &[House] = &[
             "rig",
             "system",
             "solution",
+            "program",
             "question",
         ],
     },
@@ -97,6 +98,7 @@ const FOLDERS: &[&str] = &[
     "tests",
     "tests/importers",
     "web",
+    "web/clock",
 ];
 
 /// Longest file, in lines.

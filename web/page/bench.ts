@@ -368,11 +368,19 @@ export class Bench {
       { text: "Copy link", id: "copy-link", does: () => take.copy("Link", location.href.split("#")[0] + toHash({ view, state })) },
       { text: "Copy as Python", id: "copy-python", does: () => take.copy("Python", asPython(run(state, this.record()))) },
       { text: "Copy as command line", id: "copy-command", does: () => take.copy("Command line", asCommand(run(state, this.record()))) },
+      { text: "Copy as C", id: "copy-c", does: async () => take.copy("C", await this.asC()) },
       { text: "Save CSV", id: "save-csv", does: () => this.saveCsv() },
       { text: "Save TOML", id: "save-toml", does: () => this.saveToml() },
       { text: "Save SSV", id: "save-ssv", does: () => this.saveSsv() },
     ];
     return new TakeAway(view, items, this.page.fault);
+  }
+
+  /** The run of the first law as a program. */
+  private async asC(): Promise<string> {
+    const [law = ""] = this.state.laws;
+    const { answer } = await this.questions.ask<{ text: string }>({ ask: "c", run: run(this.state), law });
+    return answer.text;
   }
 
   private async saveCsv(): Promise<void> {

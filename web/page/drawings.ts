@@ -92,6 +92,8 @@ function belt(pen: Pen, { width, colours }: Instant, ground: number, travel: num
   }
   for (const centre of [left + radius, right - radius]) {
     const turn = travel / radius;
+    pen.disc([centre, ground + radius], radius, colours.axis);
+    pen.disc([centre, ground + radius], radius - 2, colours.paper);
     pen.line(
       [centre - 9 * Math.cos(turn), ground + radius - 9 * Math.sin(turn)],
       [centre + 9 * Math.cos(turn), ground + radius + 9 * Math.sin(turn)],

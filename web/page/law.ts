@@ -244,7 +244,7 @@ export class LawView {
   private saveCsv(): void {
     if (!this.loop || !this.now) return;
     const { way, speed, force } = this.loop;
-    const rows = Array.from(force, (f, at) => [at * this.now!.every, way[at], speed[at], f].join());
+    const rows = Array.from(force, (f, at) => [at * this.now!.every, way[at]!, speed[at]!, f].map(written).join());
     const heading = "time [s],displacement [m],velocity [m/s],friction_force [N]";
     save(`${this.state.laws[0]}.csv`, `${heading}\n${rows.join("\n")}\n`, "text/csv");
   }
@@ -261,6 +261,9 @@ export class LawView {
     location.hash = `v=1&law=${this.state.laws[0]}${entries.join("")}`;
   }
 }
+
+/** A number with all its bits. */
+const written = (value: number) => (Object.is(value, -0) ? "-0" : String(value));
 
 /** Start values of the motion. */
 function usual({ velocity, stroke }: Text): { velocity: number; stroke: number; speed: number } {

@@ -251,7 +251,7 @@ export class TimePlot extends Plot {
 
   private build(): void {
     this.chart?.destroy();
-    const { paper, ink, grid, laws } = colours();
+    const { ink, grid, laws } = colours();
     const font = "12px system-ui, 'Noto Sans', Arial, sans-serif";
     const axis = (label: string, size: number): uPlot.Axis => ({
       stroke: ink,
@@ -280,7 +280,7 @@ export class TimePlot extends Plot {
       {
         ...this.size(),
         legend: { show: false },
-        cursor: { points: { size: 7, fill: paper }, drag: { x: true, y: false, dist: 5 }, bind: { dblclick: () => null } },
+        cursor: { y: false, points: { size: 8, fill: (_, at) => laws[curves[at - 1]!.law]! }, drag: { x: true, y: false, dist: 5 }, bind: { dblclick: () => null } },
         scales: { x: { time: false }, y: { range: (_, low, high) => range([[low ?? 0, high ?? 0]]) } },
         axes: [axis(labelText(x), 34), axis(labelText(y), 52)],
         series: [{}, ...series],

@@ -191,7 +191,7 @@ export interface Files {
 export type Question =
   | { ask: "catalogue" }
   | { ask: "system"; run: Run }
-  | { ask: "solve" | "csv"; run: Run; law: string | null }
+  | { ask: "solve" | "csv" | "c"; run: Run; law: string | null }
   | { ask: "toml"; run: Run }
   | ({ ask: "settle" } & Series)
   | { ask: "follow"; every: number; series: Series }

@@ -9,6 +9,7 @@
 mod answer;
 mod catalogue;
 mod parameters;
+mod program;
 mod progress;
 mod question;
 mod rig;

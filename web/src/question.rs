@@ -9,7 +9,7 @@ use crate::answer::Answer;
 use crate::progress::progress;
 use crate::rig::{Known, Virtual, Wanted};
 use crate::series::Series;
-use crate::{catalogue, parameters, rig, series, solution, system};
+use crate::{catalogue, parameters, program, rig, series, solution, system};
 
 /// A question of the page.
 #[derive(Debug, Deserialize)]
@@ -40,6 +40,13 @@ enum Question {
     Toml {
         /// The run.
         run: Configuration,
+    },
+    /// A program in C that runs the same by co-simulation.
+    C {
+        /// The run.
+        run: Configuration,
+        /// The law.
+        law: Option<String>,
     },
     /// Results of a model at held inputs.
     Settle(Series),
@@ -82,6 +89,7 @@ pub fn answer(text: &[u8]) -> Answer {
         Question::Solve { run, law } => solution::solve(&run, law.as_deref()),
         Question::Csv { run, law } => solution::csv(&run, law.as_deref()),
         Question::Toml { run } => solution::toml(&run),
+        Question::C { run, law } => program::c(&run, law.as_deref()),
         Question::Settle(series) => series::settled(&series),
         Question::Follow { every, series } => series::followed(&series, every),
         Question::Ssv { model, set } => parameters::ssv(&model, &set),

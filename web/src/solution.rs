@@ -1,13 +1,13 @@
 //! Runs of systems.
 
 use lab::run::{Configuration, Outcome, run};
-use lab::system::{Fault, System};
+use lab::system::{Fault, Source, System};
 use serde_json::json;
 
 use crate::answer::Answer;
 
-/// Runs a system with one law of those that are chosen.
-pub fn outcome(chosen: &Configuration, law: Option<&str>) -> Result<Outcome, Fault> {
+/// The system with one law of those that are chosen, and its description.
+pub fn assembled(chosen: &Configuration, law: Option<&str>) -> Result<(System, Source), Fault> {
     if chosen.vary.is_some() {
         return Err(Fault::value("vary: the page has no studies; use `stribeck run`"));
     }
@@ -24,6 +24,12 @@ pub fn outcome(chosen: &Configuration, law: Option<&str>) -> Result<Outcome, Fau
     let (system, _) = one.ok_or_else(|| {
         Fault::unknown("law of the run", law.unwrap_or_default(), chosen.law.iter().map(String::as_str))
     })?;
+    Ok((system, source))
+}
+
+/// Runs a system with one law of those that are chosen.
+fn outcome(chosen: &Configuration, law: Option<&str>) -> Result<Outcome, Fault> {
+    let (system, source) = assembled(chosen, law)?;
     run(&system, &chosen.settings(&system)?, &chosen.results(&source))
 }
 

@@ -64,7 +64,7 @@ pub fn co_simulation(
 }
 
 /// Tells laws that can hold a body its mass and the order of exchange, unless they were set.
-fn hold(system: &mut System, exchange: Exchange) -> Result<(), Fault> {
+pub fn hold(system: &mut System, exchange: Exchange) -> Result<(), Fault> {
     for (to, from) in system.description.hold.clone() {
         let (Ok(to), from) = (system.place(&to), system.place(&from)?) else { continue };
         let value = system.parts[from.part].row[from.column];

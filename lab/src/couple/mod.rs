@@ -5,8 +5,8 @@ mod co_simulation;
 mod train;
 
 pub use by_steps::by_steps;
-pub use co_simulation::{Exchange, Master, co_simulation};
-pub use train::{Recorded, Train};
+pub use co_simulation::{Exchange, Master, co_simulation, hold};
+pub use train::{Recorded, Train, is_host};
 
 #[cfg(test)]
 mod tests;

@@ -133,7 +133,7 @@ impl<'a> Train<'a> {
 }
 
 /// Whether a part is a body that forces move.
-pub(super) fn is_host(system: &System, part: usize) -> bool {
+pub fn is_host(system: &System, part: usize) -> bool {
     catalogue::documented(Family::Host).any(|(model, _)| model == system.parts[part].model)
 }
 
