@@ -46,11 +46,12 @@ fn time_step(random: &mut Random) -> f64 {
 fn agree<M: InLanes, const N: usize>(model: &ModelType, random: &mut Random) {
     let share = random.next();
     let mut rows: [Vec<f64>; N] = from_fn(|_| rows::row(model, share, random));
-    let mut lanes: Vec<Lanes<N>> = (0..model.table.len()).map(|column| Lanes(from_fn(|k| rows[k][column]))).collect();
+    let lane = |column| Lanes::<[f64; N]>(from_fn(|k| rows[k][column]));
+    let mut lanes: Vec<_> = (0..model.table.len()).map(lane).collect();
     // With and without the outputs, and a second time from the states that the first one left.
     for way in 0..4 {
         let dt = Lanes(from_fn(|_| time_step(random)));
-        let both = model_in::<M, Lanes<N>>(&mut lanes);
+        let both = model_in::<M, Lanes<[f64; N]>>(&mut lanes);
         if way % 2 == 0 {
             both.advance_and_output(dt);
         } else {

@@ -34,6 +34,7 @@ const HOUSES: &[House] = &[
             "instance",
             "serial",
             "series",
+            "batch",
         ],
     },
     House { folder: "ffi/src", rooms: &["guard", "models", "fmi2", "c"] },

@@ -2,7 +2,7 @@
 
 use crate::contact::motion::Motion;
 use crate::model::real;
-use crate::number::{Mask, Real};
+use crate::number::{Real, choose};
 
 crate::part! {
     /// Source of the acceleration of the contact.
@@ -17,7 +17,7 @@ crate::part! {
 impl<T: Real> Branching<T> {
     /// Slope of the velocity if there is one, otherwise the input.
     pub(crate) fn known_acceleration(&self) -> T {
-        self.velocity_slope.vanishes().choose(|| self.acceleration, || self.velocity_slope)
+        choose!(self.velocity_slope.vanishes(), self.acceleration, self.velocity_slope)
     }
 }
 

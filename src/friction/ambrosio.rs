@@ -1,7 +1,7 @@
 use crate::contact::quantities::*;
 use crate::contact::time_stepping::{Curve, TimeStepping, memoryless};
 use crate::model::{Fault, Model, Preset};
-use crate::number::{Mask, Real};
+use crate::number::{Real, choose};
 
 crate::model! {
     /// Ambrosio friction: Coulomb friction that is zero around rest and ramped up between two velocities, for contacts
@@ -85,24 +85,29 @@ crate::model! {
 
 impl<T: Real> Curve<T> for Ambrosio<T> {
     /// Eq. (6.6).
-    #[inline]
+    #[inline(always)]
     fn curve(&self, velocity: T) -> T {
         let [speed, from, to] = [velocity.abs(), self.transition_velocity, self.sliding_velocity];
         // Without dead zone the ramp passes through rest.
-        let slow = || from.is(0.0).choose(|| velocity / to, || T::zero());
-        let rising = || (speed - from) / (to - from) * velocity.sign();
-        let fast = || speed.below(to).choose(rising, || velocity.sign());
-        self.level() * speed.at_most(from).choose(slow, fast)
+        self.level()
+            * choose!(
+                speed.at_most(from),
+                choose!(from.is(0.0), velocity / to, T::zero()),
+                choose!(speed.below(to), (speed - from) / (to - from) * velocity.sign(), velocity.sign())
+            )
     }
 
+    #[inline(always)]
     fn level(&self) -> T {
         self.mu_k * self.normal_force
     }
 
+    #[inline(always)]
     fn band(&self) -> Option<T> {
         Some(self.sliding_velocity)
     }
 
+    #[inline(always)]
     fn kinks(&self) -> [T; 2] {
         [self.transition_velocity, self.sliding_velocity]
     }

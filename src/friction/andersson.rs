@@ -90,7 +90,7 @@ crate::model! {
 
 impl<T: Real> Curve<T> for Andersson<T> {
     /// The Stribeck level, regularised.
-    #[inline]
+    #[inline(always)]
     fn curve(&self, velocity: T) -> T {
         let [coulomb, breakaway] = [self.mu_k * self.normal_force, self.level()];
         let level = stribeck::level(velocity, coulomb, breakaway, self.stribeck_velocity, self.stribeck_exponent);
@@ -98,10 +98,12 @@ impl<T: Real> Curve<T> for Andersson<T> {
         level * (self.transition_slope * velocity).tanh() + viscous
     }
 
+    #[inline(always)]
     fn level(&self) -> T {
         self.mu_s * self.normal_force
     }
 
+    #[inline(always)]
     fn band(&self) -> Option<T> {
         Some(T::from(3.0) / self.transition_slope)
     }

@@ -1,7 +1,7 @@
 use crate::contact::quantities::*;
 use crate::contact::time_stepping::{Curve, TimeStepping, memoryless};
 use crate::model::{Fault, Model};
-use crate::number::{Mask, Real};
+use crate::number::{Real, choose};
 
 crate::model! {
     /// Awrejcewicz-Grzelczyk-Pyryev friction: a continuous law that knows the external force and so holds a body at
@@ -92,35 +92,39 @@ crate::model! {
 
 impl<T: Real> Curve<T> for Awrejcewicz<T> {
     /// Eqs. (6.22), (6.23).
-    #[inline]
+    #[inline(always)]
     fn curve(&self, velocity: T) -> T {
         let [one, two, three] = [1.0, 2.0, 3.0].map(T::from);
         let [coulomb, breakaway, load] = [self.mu_k * self.normal_force, self.level(), self.external_force];
         let [speed, direction] = [velocity.abs(), velocity.sign()];
-        let sliding = || {
-            let decay = (-(self.stiction_decay * (speed - self.transition_velocity))).exp();
-            (coulomb + (breakaway - coulomb) * decay) * direction
-        };
-        let slow = || {
-            let u = speed / self.transition_velocity;
-            let a = u * u * (three - two * u);
-            let pushed = || {
-                let is_against = (load * velocity).below(T::zero());
-                is_against.choose(|| (two * a - one) * breakaway * direction, || breakaway * load.sign())
-            };
-            load.abs().at_most(breakaway).choose(|| a * (breakaway * direction - load) + load, pushed)
-        };
-        speed.above(self.transition_velocity).choose(sliding, slow)
+        choose!(
+            speed.above(self.transition_velocity),
+            {
+                let decay = (-(self.stiction_decay * (speed - self.transition_velocity))).exp();
+                (coulomb + (breakaway - coulomb) * decay) * direction
+            },
+            {
+                let u = speed / self.transition_velocity;
+                let a = u * u * (three - two * u);
+                choose!(load.abs().at_most(breakaway), a * (breakaway * direction - load) + load, {
+                    let is_against = (load * velocity).below(T::zero());
+                    choose!(is_against, (two * a - one) * breakaway * direction, breakaway * load.sign())
+                })
+            }
+        )
     }
 
+    #[inline(always)]
     fn level(&self) -> T {
         self.mu_s * self.normal_force
     }
 
+    #[inline(always)]
     fn band(&self) -> Option<T> {
         Some(self.transition_velocity)
     }
 
+    #[inline(always)]
     fn kinks(&self) -> [T; 2] {
         [T::zero(), self.transition_velocity]
     }

@@ -2,7 +2,7 @@ use crate::contact::quantities::*;
 use crate::contact::time_stepping::{Curve, TimeStepping, memoryless};
 use crate::laws::regularised;
 use crate::model::{Fault, Model, Preset};
-use crate::number::{Mask, Real};
+use crate::number::{Real, choose};
 
 crate::choices! {
     /// Variants of the law.
@@ -106,11 +106,13 @@ crate::model! {
 }
 
 impl<T: Real> BengisuAkay<T> {
+    #[inline(always)]
     fn is_marques(&self) -> T::Mask {
         BengisuAkayVariant::Marques.is(self.variant)
     }
 
     /// Level at a speed above that of the peak.
+    #[inline(always)]
     fn falling_level(&self, speed: T) -> T {
         let coulomb = self.mu_k * self.normal_force;
         coulomb + (self.level() - coulomb) * (-(self.stiction_decay * speed)).exp()
@@ -119,29 +121,37 @@ impl<T: Real> BengisuAkay<T> {
 
 impl<T: Real> Curve<T> for BengisuAkay<T> {
     /// Eq. (6.8), or the form of Marques et al.
-    #[inline]
+    #[inline(always)]
     fn curve(&self, velocity: T) -> T {
         let [speed, peak] = [velocity.abs(), self.transition_velocity];
-        let thesis = || regularised::rise(velocity, self.transition_slope) * self.falling_level(speed);
-        let rising = || {
-            // 1 - (u - 1)^2 = u (2 - u)
-            let u = velocity / peak;
-            self.level() * u * (T::from(2.0) - u.abs())
-        };
-        let marques = || speed.below(peak).choose(rising, || self.falling_level(speed - peak) * velocity.sign());
-        self.is_marques().choose(marques, thesis)
+        choose!(
+            self.is_marques(),
+            choose!(
+                speed.below(peak),
+                {
+                    // 1 - (u - 1)^2 = u (2 - u)
+                    let u = velocity / peak;
+                    self.level() * u * (T::from(2.0) - u.abs())
+                },
+                self.falling_level(speed - peak) * velocity.sign()
+            ),
+            regularised::rise(velocity, self.transition_slope) * self.falling_level(speed)
+        )
     }
 
+    #[inline(always)]
     fn level(&self) -> T {
         self.mu_s * self.normal_force
     }
 
+    #[inline(always)]
     fn band(&self) -> Option<T> {
-        Some(self.is_marques().choose(|| self.transition_velocity, || T::from(3.0) / self.transition_slope))
+        Some(choose!(self.is_marques(), self.transition_velocity, T::from(3.0) / self.transition_slope))
     }
 
+    #[inline(always)]
     fn kinks(&self) -> [T; 2] {
-        [T::zero(), self.is_marques().choose(|| self.transition_velocity, || T::zero())]
+        [T::zero(), choose!(self.is_marques(), self.transition_velocity, T::zero())]
     }
 }
 

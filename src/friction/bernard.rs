@@ -78,19 +78,22 @@ crate::model! {
 
 impl<T: Real> Curve<T> for Bernard<T> {
     /// Eq. (6.1).
-    #[inline]
+    #[inline(always)]
     fn curve(&self, velocity: T) -> T {
         self.level() * (self.transition_slope * velocity).limited(T::from(1.0))
     }
 
+    #[inline(always)]
     fn level(&self) -> T {
         self.mu_k * self.normal_force
     }
 
+    #[inline(always)]
     fn band(&self) -> Option<T> {
         Some(T::from(1.0) / self.transition_slope)
     }
 
+    #[inline(always)]
     fn kinks(&self) -> [T; 2] {
         [T::zero(), T::from(1.0) / self.transition_slope]
     }

@@ -1,8 +1,8 @@
 use crate::contact::conditions::ELASTIC_SHARE;
 use crate::contact::quantities::*;
 use crate::contact::unloading::released_without_load;
-use crate::model::{Derivatives, Law, Model, ModelExchange, Preset, Steps, either, in_lanes, real};
-use crate::number::{Mask, Real};
+use crate::model::{Derivatives, Law, Model, ModelExchange, Preset, Steps, change, in_lanes, real};
+use crate::number::{Real, choose};
 use crate::numerics::relaxation;
 
 crate::choices! {
@@ -135,26 +135,31 @@ crate::model! {
 }
 
 impl<T: Real> BlimanSorine<T> {
+    #[inline(always)]
     fn is_second_order(&self) -> T::Mask {
         BlimanSorineOrder::Second.is(self.variant)
     }
 
     /// f_C = f_1 - f_2.
+    #[inline(always)]
     fn coulomb(&self) -> T {
         self.mu_k * self.normal_force
     }
 
     /// f_2.
+    #[inline(always)]
     fn slow_level(&self) -> T {
-        self.is_second_order().choose(|| self.mu_2 * self.normal_force, || T::zero())
+        choose!(self.is_second_order(), self.mu_2 * self.normal_force, T::zero())
     }
 
     /// eta eps_f.
+    #[inline(always)]
     fn fast_length(&self) -> T {
-        self.is_second_order().choose(|| self.eta * self.eps_f, || self.eps_f)
+        choose!(self.is_second_order(), self.eta * self.eps_f, self.eps_f)
     }
 
     /// C x_s, written so that steady sliding gives f_C without a rounding error of the larger f_1 and f_2.
+    #[inline(always)]
     fn force(&self) -> T {
         self.coulomb() * self.y_1 + self.slow_level() * (self.y_1 - self.y_2)
     }
@@ -163,6 +168,7 @@ impl<T: Real> BlimanSorine<T> {
 impl<T: Real> Law for BlimanSorine<T> {
     type Interface = ModelExchange;
 
+    #[inline(always)]
     fn output(&mut self) {
         self.friction_force = self.force();
         self.dissipated_power = self.friction_force * self.velocity;
@@ -177,22 +183,22 @@ impl<T: Real> Derivatives for BlimanSorine<T> {
     fn derivatives(&self, rate: &mut Self) {
         let is_loaded = self.normal_force.is_positive();
         let approach = |y, length| (self.velocity - self.velocity.abs() * y) / length;
-        rate.y_1 = is_loaded.choose(|| approach(self.y_1, self.fast_length()), || T::zero());
+        rate.y_1 = choose!(is_loaded, approach(self.y_1, self.fast_length()), T::zero());
         let moves = is_loaded & self.is_second_order();
-        rate.y_2 = moves.choose(|| approach(self.y_2, self.eps_f), || T::zero());
+        rate.y_2 = choose!(moves, approach(self.y_2, self.eps_f), T::zero());
         rate.dissipated_energy = self.force() * self.velocity;
     }
 }
 
 impl<T: Real> BlimanSorine<T> {
+    #[inline(always)]
     fn slide(&mut self, dt: T) {
         let direction = self.velocity.sign();
         let distance = self.velocity.abs() * dt;
         let (fast, slow) = (self.fast_length(), self.eps_f);
         let before = (self.y_1, self.y_2);
         self.y_1 = relaxation::after(self.y_1, direction, distance / fast);
-        let slowly = || relaxation::after(self.y_2, direction, distance / slow);
-        self.y_2 = self.is_second_order().choose(slowly, || T::zero());
+        self.y_2 = choose!(self.is_second_order(), relaxation::after(self.y_2, direction, distance / slow), T::zero());
         // The integral of each y over the distance: dy/ds = (1 - y) / length gives y ds = ds - length dy.
         let fast_path = distance - fast * direction * (self.y_1 - before.0);
         let slow_path = distance - slow * direction * (self.y_2 - before.1);
@@ -202,9 +208,10 @@ impl<T: Real> BlimanSorine<T> {
 }
 
 impl<T: Real> Steps for BlimanSorine<T> {
+    #[inline(always)]
     fn advance(&mut self, dt: T) {
         let is_loaded = self.normal_force.is_positive();
-        either(self, is_loaded, |law| law.slide(dt), |law| (law.y_1, law.y_2) = (T::zero(), T::zero()));
+        change!(self, is_loaded, |law| law.slide(dt), |law| (law.y_1, law.y_2) = (T::zero(), T::zero()));
     }
 }
 

@@ -1,7 +1,7 @@
 use crate::contact::quantities::*;
 use crate::contact::time_stepping::{Curve, TimeStepping, memoryless};
 use crate::model::{Fault, Model, real};
-use crate::number::{Mask, Real};
+use crate::number::{Real, choose};
 
 crate::model! {
     /// Brown-McPhee friction: a smooth law with a stiction peak near the transition velocity, without memory and
@@ -91,7 +91,7 @@ crate::model! {
 
 impl<T: Real> Curve<T> for BrownMcPhee<T> {
     /// Eq. (6.30).
-    #[inline]
+    #[inline(always)]
     fn curve(&self, velocity: T) -> T {
         let [quarter, three_quarters, four] = [0.25, 0.75, 4.0].map(T::from);
         let coulomb = self.mu_k * self.normal_force;
@@ -100,19 +100,18 @@ impl<T: Real> Curve<T> for BrownMcPhee<T> {
         let base = quarter * u * u + three_quarters;
         let sliding = coulomb * (four * u).tanh() + (breakaway - coulomb) * u / (base * base);
         // Usually absent, and a hyperbolic tangent costs more than everything else.
-        self.viscous_coefficient.is(0.0).choose(
-            || sliding,
-            || {
-                let active = (four * self.normal_force / self.transition_normal_force).tanh();
-                sliding + self.viscous_coefficient * velocity * active
-            },
-        )
+        choose!(self.viscous_coefficient.is(0.0), sliding, {
+            let active = (four * self.normal_force / self.transition_normal_force).tanh();
+            sliding + self.viscous_coefficient * velocity * active
+        })
     }
 
+    #[inline(always)]
     fn level(&self) -> T {
         self.mu_s * self.normal_force
     }
 
+    #[inline(always)]
     fn band(&self) -> Option<T> {
         Some(self.transition_velocity)
     }

@@ -82,15 +82,17 @@ crate::model! {
 }
 
 impl<T: Real> Curve<T> for Coulomb<T> {
-    #[inline]
+    #[inline(always)]
     fn curve(&self, velocity: T) -> T {
         self.level() * velocity.sign()
     }
 
+    #[inline(always)]
     fn level(&self) -> T {
         self.mu_k * self.normal_force
     }
 
+    #[inline(always)]
     fn band(&self) -> Option<T> {
         None
     }

@@ -2,7 +2,7 @@ use crate::contact::quantities::*;
 use crate::contact::time_stepping::{Curve, TimeStepping, memoryless};
 use crate::laws::viscous;
 use crate::model::{Model, real};
-use crate::number::{Mask, Real};
+use crate::number::{Real, choose};
 
 crate::choices! {
     /// Variants of the law.
@@ -105,18 +105,23 @@ crate::model! {
 
 impl<T: Real> Curve<T> for CoulombViscous<T> {
     /// Eqs. (5.2), (5.3).
-    #[inline]
+    #[inline(always)]
     fn curve(&self, velocity: T) -> T {
-        let power = || velocity.abs().powf(self.viscous_exponent);
-        let speed = CoulombViscousVariant::Power.is(self.variant).choose(power, || velocity.abs());
+        let speed = choose!(
+            CoulombViscousVariant::Power.is(self.variant),
+            velocity.abs().powf(self.viscous_exponent),
+            velocity.abs()
+        );
         let viscous = viscous::force(speed, self.viscous_coefficient, self.normal_force);
         (self.level() + viscous) * velocity.sign()
     }
 
+    #[inline(always)]
     fn level(&self) -> T {
         self.mu_k * self.normal_force
     }
 
+    #[inline(always)]
     fn band(&self) -> Option<T> {
         None
     }

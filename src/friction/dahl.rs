@@ -1,8 +1,8 @@
 use crate::contact::conditions::ELASTIC_SHARE;
 use crate::contact::quantities::*;
 use crate::contact::unloading::released_without_load;
-use crate::model::{Derivatives, Fault, Law, Model, ModelExchange, Preset, Steps, either, in_lanes, real};
-use crate::number::{Mask, Real};
+use crate::model::{Derivatives, Fault, Law, Model, ModelExchange, Preset, Steps, change, in_lanes, real};
+use crate::number::{Mask, Real, choose};
 
 crate::model! {
     /// Dahl friction: a contact yields like a spring before it slides, and the force follows the displacement with
@@ -92,29 +92,34 @@ crate::model! {
 }
 
 impl<T: Real> Dahl<T> {
+    #[inline(always)]
     fn coulomb(&self) -> T {
         self.mu_k * self.normal_force
     }
 
+    #[inline(always)]
     fn force(&self) -> T {
-        self.normal_force.is_positive().choose(|| self.sigma_0 * self.bristle_deflection, || T::zero())
+        choose!(self.normal_force.is_positive(), self.sigma_0 * self.bristle_deflection, T::zero())
     }
 
     /// y = 1 - (f_f / f_C) sgn v: 0 when sliding, 1 for an undeflected contact.
+    #[inline(always)]
     fn distance_to_sliding(&self) -> T {
         T::from(1.0) - self.force() / self.coulomb() * self.velocity.sign()
     }
 
     /// dz/dt / v.
+    #[inline(always)]
     fn elastic_share(&self) -> T {
         let distance = self.distance_to_sliding();
-        distance.sign() * distance.abs().powf(self.alpha)
+        distance.sign() * power(distance.abs(), self.alpha)
     }
 }
 
 impl<T: Real> Law for Dahl<T> {
     type Interface = ModelExchange;
 
+    #[inline(always)]
     fn output(&mut self) {
         self.friction_force = self.force();
         self.dissipated_power = self.friction_force * self.velocity;
@@ -125,14 +130,16 @@ impl<T: Real> Law for Dahl<T> {
 
 impl<T: Real> Derivatives for Dahl<T> {
     /// Eq. (7.1), divided by sigma_0.
+    #[inline(always)]
     fn derivatives(&self, rate: &mut Self) {
         let is_loaded = self.coulomb().is_positive();
-        rate.bristle_deflection = is_loaded.choose(|| self.velocity * self.elastic_share(), || T::zero());
+        rate.bristle_deflection = choose!(is_loaded, self.velocity * self.elastic_share(), T::zero());
         rate.dissipated_energy = self.force() * self.velocity;
     }
 }
 
 impl<T: Real> Dahl<T> {
+    #[inline(always)]
     fn slide(&mut self, dt: T) {
         let (coulomb, direction) = (self.coulomb(), self.velocity.sign());
         let distance = self.velocity.abs() * dt;
@@ -143,18 +150,19 @@ impl<T: Real> Dahl<T> {
         let change = direction * missing * shrinkage.exp_m1() / self.sigma_0;
         self.bristle_deflection = self.bristle_deflection - change;
         let before = self.dissipated_energy;
-        let moving = || {
-            let elastic = missing / self.sigma_0 * mean_path(y, shrinkage, self.alpha);
-            before + coulomb * (distance - elastic)
-        };
-        self.dissipated_energy = distance.is_positive().choose(moving, || before);
+        self.dissipated_energy = choose!(
+            distance.is_positive(),
+            before + coulomb * (distance - missing / self.sigma_0 * mean_path(y, shrinkage, self.alpha)),
+            before
+        );
     }
 }
 
 impl<T: Real> Steps for Dahl<T> {
+    #[inline(always)]
     fn advance(&mut self, dt: T) {
         let is_loaded = !self.coulomb().vanishes();
-        either(self, is_loaded, |law| law.slide(dt), |law| law.bristle_deflection = T::zero());
+        change!(self, is_loaded, |law| law.slide(dt), |law| law.bristle_deflection = T::zero());
     }
 }
 
@@ -186,40 +194,71 @@ impl Model for Dahl {
     in_lanes!();
 }
 
+/// `base` to a power, which usually is 0 or 1.
+#[inline(always)]
+fn power<T: Real>(base: T, exponent: T) -> T {
+    choose!(exponent.is(1.0), base, choose!(exponent.is(0.0), T::from(1.0), base.powf(exponent)))
+}
+
 /// ln(y(q) / y_0) of dy/dq = -y^alpha for y_0 >= 0; minus infinity where y has reached 0.
+#[inline(always)]
 fn log_shrinkage<T: Real>(y_0: T, q: T, alpha: T) -> T {
     let [one, most] = [1.0, f64::MAX].map(T::from);
-    let q = q.below(most).choose(|| q, || most);
-    let power = || {
-        let relative = (one - alpha) * q * y_0.powf(alpha - one);
+    let q = q.below(most).select(q, most);
+    choose!(
+        alpha.is(1.0),
+        -q,
+        choose!(
+            y_0.vanishes(),
+            T::zero(),
+            choose!(
+                alpha.equals(one),
+                // The first terms in 1 - alpha: for its derivative.
+                -q + (one - alpha) * q * (y_0.ln() - q / T::from(2.0)),
+                log_shrinkage_by_powers(y_0, q, alpha)
+            )
+        )
+    )
+}
+
+/// [`log_shrinkage`] for y_0 > 0 and an exponent other than 1. Not for registers, which have no powers.
+fn log_shrinkage_by_powers<T: Real>(y_0: T, q: T, alpha: T) -> T {
+    let one = T::from(1.0);
+    let relative = (one - alpha) * q * power(y_0, alpha - one);
+    let finite = choose!(
+        relative.is(f64::NEG_INFINITY),
         // A level far below the force, with a large exponent: ln(1 + w) is ln w, computed in parts so that w may
         // overflow.
-        let beyond = || -((alpha - one) * q).ln() / (alpha - one) - y_0.ln();
-        let usual = || relative.is(f64::NEG_INFINITY).choose(beyond, || (-relative).ln_1p() / (one - alpha));
-        relative.at_least(one).choose(|| T::from(f64::NEG_INFINITY), usual)
-    };
-    // The first terms in 1 - alpha: for its derivative.
-    let series = || -q + (one - alpha) * q * (y_0.ln() - q / T::from(2.0));
-    let curved = || alpha.equals(one).choose(series, power);
-    alpha.is(1.0).choose(|| -q, || y_0.vanishes().choose(T::zero, curved))
+        -((alpha - one) * q).ln() / (alpha - one) - y_0.ln(),
+        (-relative).ln_1p() / (one - alpha)
+    );
+    relative.at_least(one).select(T::from(f64::NEG_INFINITY), finite)
 }
 
 /// Integral of y over q, divided by y_0: (y_0^(2 - alpha) - y^(2 - alpha)) / ((2 - alpha) y_0).
+#[inline(always)]
 fn mean_path<T: Real>(y_0: T, log_shrinkage: T, alpha: T) -> T {
     let [one, two] = [1.0, 2.0].map(T::from);
     let exponent = two - alpha;
-    // The difference of two nearly equal powers.
-    let near = || -y_0.powf(one - alpha) * (exponent * log_shrinkage).exp_m1() / exponent;
-    let far = || {
-        let y = y_0 * log_shrinkage.exp();
-        (y_0.powf(exponent) - y.powf(exponent)) / (exponent * y_0)
-    };
-    let power = || (exponent * log_shrinkage).abs().below(one).choose(near, far);
-    // The first terms in the exponent: for its derivative.
-    let series = || -y_0.powf(one - alpha) * log_shrinkage * (one + exponent * log_shrinkage / two);
-    let curved = || exponent.vanishes().choose(series, power);
-    let moving = || exponent.is(0.0).choose(|| -log_shrinkage / y_0, curved);
-    y_0.vanishes().choose(T::zero, moving)
+    let moving = choose!(
+        exponent.is(0.0),
+        -log_shrinkage / y_0,
+        choose!(
+            exponent.vanishes(),
+            // The first terms in the exponent: for its derivative.
+            -power(y_0, one - alpha) * log_shrinkage * (one + exponent * log_shrinkage / two),
+            choose!(
+                (exponent * log_shrinkage).abs().below(one),
+                // The difference of two nearly equal powers.
+                -power(y_0, one - alpha) * (exponent * log_shrinkage).exp_m1() / exponent,
+                {
+                    let y = y_0 * log_shrinkage.exp();
+                    (power(y_0, exponent) - power(y, exponent)) / (exponent * y_0)
+                }
+            )
+        )
+    );
+    y_0.vanishes().select(T::zero(), moving)
 }
 
 #[cfg(test)]

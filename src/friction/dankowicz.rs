@@ -1,8 +1,8 @@
 use crate::contact::conditions::ELASTIC_SHARE;
 use crate::contact::quantities::*;
 use crate::contact::unloading::released_without_load;
-use crate::model::{Derivatives, Law, Model, ModelExchange, Preset, Steps, either, in_lanes, real};
-use crate::number::{Mask, Real};
+use crate::model::{Derivatives, Law, Model, ModelExchange, Preset, Steps, change, in_lanes, real};
+use crate::number::{Real, choose};
 use crate::numerics::relaxation;
 
 crate::model! {
@@ -84,15 +84,18 @@ crate::model! {
 
 impl<T: Real> Dankowicz<T> {
     /// f_C.
+    #[inline(always)]
     fn coulomb(&self) -> T {
         self.mu_k * self.normal_force
     }
 
+    #[inline(always)]
     fn force(&self) -> T {
         self.coulomb() * (self.bristle_deflection / self.delta_t)
     }
 
     /// dz/dt / v.
+    #[inline(always)]
     fn elastic_share(&self) -> T {
         T::from(1.0) - self.bristle_deflection / self.delta_t * self.velocity.sign()
     }
@@ -101,6 +104,7 @@ impl<T: Real> Dankowicz<T> {
 impl<T: Real> Law for Dankowicz<T> {
     type Interface = ModelExchange;
 
+    #[inline(always)]
     fn output(&mut self) {
         self.friction_force = self.force();
         self.dissipated_power = self.friction_force * self.velocity;
@@ -110,14 +114,16 @@ impl<T: Real> Law for Dankowicz<T> {
 }
 
 impl<T: Real> Derivatives for Dankowicz<T> {
+    #[inline(always)]
     fn derivatives(&self, rate: &mut Self) {
         let is_loaded = self.normal_force.is_positive();
-        rate.bristle_deflection = is_loaded.choose(|| self.velocity * self.elastic_share(), || T::zero());
+        rate.bristle_deflection = choose!(is_loaded, self.velocity * self.elastic_share(), T::zero());
         rate.dissipated_energy = self.force() * self.velocity;
     }
 }
 
 impl<T: Real> Dankowicz<T> {
+    #[inline(always)]
     fn slide(&mut self, dt: T) {
         let direction = self.velocity.sign();
         let distance = self.velocity.abs() * dt;
@@ -130,9 +136,10 @@ impl<T: Real> Dankowicz<T> {
 }
 
 impl<T: Real> Steps for Dankowicz<T> {
+    #[inline(always)]
     fn advance(&mut self, dt: T) {
         let is_loaded = self.normal_force.is_positive();
-        either(self, is_loaded, |law| law.slide(dt), |law| law.bristle_deflection = T::zero());
+        change!(self, is_loaded, |law| law.slide(dt), |law| law.bristle_deflection = T::zero());
     }
 }
 

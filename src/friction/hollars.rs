@@ -88,7 +88,7 @@ crate::model! {
 
 impl<T: Real> Curve<T> for Hollars<T> {
     /// The force with its sign: min(r, 1) and r^2 do not depend on it.
-    #[inline]
+    #[inline(always)]
     fn curve(&self, velocity: T) -> T {
         let u = velocity / self.transition_velocity;
         let [one, two] = [1.0, 2.0].map(T::from);
@@ -96,14 +96,17 @@ impl<T: Real> Curve<T> for Hollars<T> {
         self.normal_force * (dry + self.mu_v * velocity)
     }
 
+    #[inline(always)]
     fn level(&self) -> T {
         self.mu_s * self.normal_force
     }
 
+    #[inline(always)]
     fn band(&self) -> Option<T> {
         Some(self.transition_velocity)
     }
 
+    #[inline(always)]
     fn kinks(&self) -> [T; 2] {
         [T::zero(), self.transition_velocity]
     }

@@ -1,7 +1,7 @@
 use crate::contact::quantities::*;
 use crate::contact::time_stepping::{Curve, TimeStepping, memoryless};
 use crate::model::{Fault, Model};
-use crate::number::{Mask, Real};
+use crate::number::{Real, choose};
 
 crate::model! {
     /// Linear friction with stiction: three straight lines, up to the static level, down to the kinetic one and on at
@@ -88,23 +88,32 @@ crate::model! {
 
 impl<T: Real> Curve<T> for LinearStiction<T> {
     /// Eq. (6.29).
-    #[inline]
+    #[inline(always)]
     fn curve(&self, velocity: T) -> T {
         let [speed, from, to] = [velocity.abs(), self.transition_velocity, self.sliding_velocity];
         let [coulomb, breakaway] = [self.mu_k * self.normal_force, self.level()];
-        let falling = || (breakaway - (breakaway - coulomb) * (speed - from) / (to - from)) * velocity.sign();
-        let fast = || speed.below(to).choose(falling, || coulomb * velocity.sign());
-        speed.at_most(from).choose(|| breakaway * velocity / from, fast)
+        choose!(
+            speed.at_most(from),
+            breakaway * velocity / from,
+            choose!(
+                speed.below(to),
+                (breakaway - (breakaway - coulomb) * (speed - from) / (to - from)) * velocity.sign(),
+                coulomb * velocity.sign()
+            )
+        )
     }
 
+    #[inline(always)]
     fn level(&self) -> T {
         self.mu_s * self.normal_force
     }
 
+    #[inline(always)]
     fn band(&self) -> Option<T> {
         Some(self.transition_velocity)
     }
 
+    #[inline(always)]
     fn kinks(&self) -> [T; 2] {
         [self.transition_velocity, self.sliding_velocity]
     }

@@ -2,8 +2,8 @@ use crate::contact::conditions::is_elastic;
 use crate::contact::quantities::*;
 use crate::contact::unloading::released_without_load;
 use crate::laws::stribeck;
-use crate::model::{Derivatives, Fault, Law, Model, ModelExchange, Preset, Steps, either, in_lanes};
-use crate::number::{Mask, Real};
+use crate::model::{Derivatives, Fault, Law, Model, ModelExchange, Preset, Steps, change, in_lanes};
+use crate::number::{Real, choose};
 use crate::numerics::relaxation;
 
 crate::model! {
@@ -98,7 +98,7 @@ crate::model! {
 
 impl<T: Real> LuGre<T> {
     /// g(v).
-    #[inline]
+    #[inline(always)]
     fn level(&self) -> T {
         let coulomb = self.mu_k * self.normal_force;
         let breakaway = self.mu_s * self.normal_force;
@@ -106,29 +106,34 @@ impl<T: Real> LuGre<T> {
     }
 
     /// sigma_1(v).
-    #[inline]
+    #[inline(always)]
     fn damping(&self) -> T {
-        let falling = || {
+        choose!(self.damping_velocity.vanishes(), self.sigma_1, {
             let u = self.velocity / self.damping_velocity;
             self.sigma_1 * (-(u * u)).exp()
-        };
-        self.damping_velocity.vanishes().choose(|| self.sigma_1, falling)
+        })
     }
 
     /// dz/dt.
-    #[inline]
+    #[inline(always)]
     fn deflection_rate(&self, level: T) -> T {
         // Without load: a step then drops the deflection, and so does the event of Model Exchange at which the load
         // vanishes.
-        let loaded = || self.velocity - self.sigma_0 * self.velocity.abs() * self.bristle_deflection / level;
-        level.vanishes().choose(|| T::zero(), loaded)
+        choose!(
+            level.vanishes(),
+            T::zero(),
+            self.velocity - self.sigma_0 * self.velocity.abs() * self.bristle_deflection / level
+        )
     }
 
-    #[inline]
+    #[inline(always)]
     fn force(&self, deflection_rate: T, damping: T) -> T {
         let [stiffness, viscous] = [self.sigma_0, self.viscous_coefficient];
-        let loaded = || stiffness * self.bristle_deflection + damping * deflection_rate + viscous * self.velocity;
-        self.normal_force.vanishes().choose(|| T::zero(), loaded)
+        choose!(
+            self.normal_force.vanishes(),
+            T::zero(),
+            stiffness * self.bristle_deflection + damping * deflection_rate + viscous * self.velocity
+        )
     }
 }
 
@@ -147,6 +152,7 @@ impl<T: Real> LuGre<T> {
 impl<T: Real> Law for LuGre<T> {
     type Interface = ModelExchange;
 
+    #[inline(always)]
     fn output(&mut self) {
         self.respond(self.level(), self.damping());
     }
@@ -165,13 +171,14 @@ impl<T: Real> LuGre<T> {
     #[inline(always)]
     fn relax(&mut self, level: T, damping: T, dt: T) {
         let distance = self.velocity * dt;
-        either(self, level.vanishes(), |law| law.release(distance), |law| law.slide(level, damping, distance));
+        change!(self, level.vanishes(), |law| law.release(distance), |law| law.slide(level, damping, distance));
     }
 
+    #[inline(always)]
     fn release(&mut self, distance: T) {
         self.bristle_deflection = T::zero();
         let [before, viscous] = [self.dissipated_energy, self.viscous_coefficient * self.velocity * distance];
-        self.dissipated_energy = self.normal_force.is_positive().choose(|| before + viscous, || before);
+        self.dissipated_energy = choose!(self.normal_force.is_positive(), before + viscous, before);
     }
 
     #[inline(always)]

@@ -4,8 +4,8 @@ use crate::contact::conditions::ELASTIC_SHARE;
 use crate::contact::quantities::*;
 use crate::contact::unloading::released_without_load;
 use crate::laws::stribeck;
-use crate::model::{Derivatives, Fault, Law, Model, ModelExchange, Preset, Steps, either, in_lanes};
-use crate::number::Mask;
+use crate::model::{Derivatives, Fault, Law, Model, ModelExchange, Preset, Steps, change, in_lanes};
+use crate::number::choose;
 use crate::numerics::relaxation;
 use crate::numerics::vector::{Component, direction, length, only, remainder};
 
@@ -105,15 +105,18 @@ crate::model! {
 }
 
 impl<T: Component> LuGrePlanar<T> {
+    #[inline(always)]
     fn velocity(&self) -> Vector2<T> {
         Vector2::new(self.velocity_x, self.velocity_y)
     }
 
+    #[inline(always)]
     fn deflection(&self) -> Vector2<T> {
         Vector2::new(self.bristle_deflection_x, self.bristle_deflection_y)
     }
 
     /// g(|v|).
+    #[inline(always)]
     fn level(&self, speed: T) -> T {
         let coulomb = self.mu_k * self.normal_force;
         let breakaway = self.mu_s * self.normal_force;
@@ -121,15 +124,16 @@ impl<T: Component> LuGrePlanar<T> {
     }
 
     /// sigma_1(v).
+    #[inline(always)]
     fn damping(&self) -> T {
-        let falling = || {
+        choose!(self.damping_velocity.is(0.0), self.sigma_1, {
             let u = length(&self.velocity()) / self.damping_velocity;
             self.sigma_1 * (-(u * u)).exp()
-        };
-        self.damping_velocity.is(0.0).choose(|| self.sigma_1, falling)
+        })
     }
 
     /// dz/dt.
+    #[inline(always)]
     fn deflection_rate(&self) -> Vector2<T> {
         let speed = length(&self.velocity());
         let level = self.level(speed);
@@ -140,6 +144,7 @@ impl<T: Component> LuGrePlanar<T> {
         only(!level.vanishes(), rate)
     }
 
+    #[inline(always)]
     fn force(&self, deflection_rate: Vector2<T>) -> Vector2<T> {
         let force = self.deflection() * self.sigma_0
             + deflection_rate * self.damping()
@@ -151,6 +156,7 @@ impl<T: Component> LuGrePlanar<T> {
 impl<T: Component> Law for LuGrePlanar<T> {
     type Interface = ModelExchange;
 
+    #[inline(always)]
     fn output(&mut self) {
         let rate = self.deflection_rate();
         let force = self.force(rate);
@@ -173,12 +179,14 @@ impl<T: Component> Derivatives for LuGrePlanar<T> {
 }
 
 impl<T: Component> LuGrePlanar<T> {
+    #[inline(always)]
     fn release(&mut self, viscous: T) {
         (self.bristle_deflection_x, self.bristle_deflection_y) = (T::from(0.0), T::from(0.0));
         let before = self.dissipated_energy;
-        self.dissipated_energy = self.normal_force.is_positive().choose(|| before + viscous, || before);
+        self.dissipated_energy = choose!(self.normal_force.is_positive(), before + viscous, before);
     }
 
+    #[inline(always)]
     fn slide(&mut self, level: T, distance: T, viscous: T) {
         let velocity = self.velocity();
         let (forward, before) = (direction(&velocity), self.deflection());
@@ -194,11 +202,12 @@ impl<T: Component> LuGrePlanar<T> {
 }
 
 impl<T: Component> Steps for LuGrePlanar<T> {
+    #[inline(always)]
     fn advance(&mut self, dt: T) {
         let speed = length(&self.velocity());
         let (level, distance) = (self.level(speed), speed * dt);
         let viscous = self.viscous_coefficient * speed * distance;
-        either(self, level.vanishes(), |law| law.release(viscous), |law| law.slide(level, distance, viscous));
+        change!(self, level.vanishes(), |law| law.release(viscous), |law| law.slide(level, distance, viscous));
     }
 }
 
@@ -222,7 +231,7 @@ impl Model for LuGrePlanar {
         crate::contact::conditions::kinetic_friction_for_exchange(self.mu_k)
     }
 
-    in_lanes!();
+    in_lanes!(without registers);
 }
 
 #[cfg(test)]

@@ -97,15 +97,17 @@ crate::model! {
 }
 
 impl<T: Real> Curve<T> for RollingResistance<T> {
-    #[inline]
+    #[inline(always)]
     fn curve(&self, velocity: T) -> T {
         self.level() * velocity.sign()
     }
 
+    #[inline(always)]
     fn level(&self) -> T {
         self.normal_force * self.lever_arm / self.wheel_radius
     }
 
+    #[inline(always)]
     fn band(&self) -> Option<T> {
         None
     }

@@ -1,7 +1,7 @@
 use crate::contact::quantities::*;
 use crate::contact::time_stepping::{Curve, TimeStepping, memoryless};
 use crate::model::{Model, Preset};
-use crate::number::{Mask, Real};
+use crate::number::{Real, choose};
 
 crate::choices! {
     /// Variants of the law.
@@ -101,23 +101,30 @@ crate::model! {
 
 impl<T: Real> Curve<T> for RooneyDeravi<T> {
     /// Eq. (6.5).
-    #[inline]
+    #[inline(always)]
     fn curve(&self, velocity: T) -> T {
         let u = velocity / self.transition_velocity;
         let is_fast = velocity.abs().at_least(self.transition_velocity);
         let is_cut = RooneyDeraviVariant::Printed.is(self.variant) & is_fast;
-        let curved = || is_cut.choose(|| velocity.sign(), || u.tanh());
-        self.level() * RooneyDeraviVariant::Linear.is(self.variant).choose(|| u.limited(T::from(1.0)), curved)
+        self.level()
+            * choose!(
+                RooneyDeraviVariant::Linear.is(self.variant),
+                u.limited(T::from(1.0)),
+                choose!(is_cut, velocity.sign(), u.tanh())
+            )
     }
 
+    #[inline(always)]
     fn level(&self) -> T {
         self.mu_k * self.normal_force
     }
 
+    #[inline(always)]
     fn band(&self) -> Option<T> {
         Some(self.transition_velocity)
     }
 
+    #[inline(always)]
     fn kinks(&self) -> [T; 2] {
         [T::zero(), self.transition_velocity]
     }

@@ -2,7 +2,7 @@ use crate::contact::quantities::*;
 use crate::contact::time_stepping::{Curve, TimeStepping, memoryless};
 use crate::laws::specker::SpeckerCurve;
 use crate::model::{Fault, Model, Preset};
-use crate::number::{Mask, Real};
+use crate::number::{Real, choose};
 
 crate::model! {
     /// Specker friction: a smooth law whose force at a given peak velocity is the static level, with one exponential
@@ -94,7 +94,7 @@ crate::model! {
 
 impl<T: Real> Curve<T> for Specker<T> {
     /// Eq. (6.27).
-    #[inline]
+    #[inline(always)]
     fn curve(&self, velocity: T) -> T {
         let curve = SpeckerCurve {
             coulomb: self.mu_k * self.normal_force,
@@ -103,13 +103,15 @@ impl<T: Real> Curve<T> for Specker<T> {
             peak_velocity: self.peak_velocity,
             viscous_coefficient: self.viscous_coefficient,
         };
-        self.normal_force.at_most(T::zero()).choose(|| T::zero(), || curve.force(velocity))
+        choose!(self.normal_force.at_most(T::zero()), T::zero(), curve.force(velocity))
     }
 
+    #[inline(always)]
     fn level(&self) -> T {
         self.mu_s * self.normal_force
     }
 
+    #[inline(always)]
     fn band(&self) -> Option<T> {
         Some(self.peak_velocity)
     }

@@ -1,8 +1,8 @@
 use crate::contact::quantities::*;
 use crate::contact::unloading::released_without_load;
 use crate::laws::specker::SpeckerCurve;
-use crate::model::{Derivatives, Fault, Law, Model, ModelExchange, Preset, Steps, either, in_lanes, real};
-use crate::number::{Mask, Real};
+use crate::model::{Derivatives, Fault, Law, Model, ModelExchange, Preset, Steps, change, in_lanes, real};
+use crate::number::{Real, choose};
 use crate::numerics::relaxation;
 
 crate::model! {
@@ -106,6 +106,7 @@ crate::model! {
 }
 
 impl<T: Real> SpeckerDynamic<T> {
+    #[inline(always)]
     fn curve(&self) -> SpeckerCurve<T> {
         SpeckerCurve {
             coulomb: self.mu_k * self.normal_force,
@@ -117,20 +118,23 @@ impl<T: Real> SpeckerDynamic<T> {
     }
 
     /// T(v).
+    #[inline(always)]
     fn time_constant(&self, curve: &SpeckerCurve<T>) -> T {
         let u = self.velocity / self.peak_velocity;
         let share = (-u * u).exp();
         self.slip_time * (T::from(1.0) - share) + curve.slope_at_rest() / self.sigma_0 * share
     }
 
+    #[inline(always)]
     fn force(&self) -> T {
-        self.normal_force.is_positive().choose(|| self.lagging_force, || T::zero())
+        choose!(self.normal_force.is_positive(), self.lagging_force, T::zero())
     }
 }
 
 impl<T: Real> Law for SpeckerDynamic<T> {
     type Interface = ModelExchange;
 
+    #[inline(always)]
     fn output(&mut self) {
         self.friction_force = self.force();
         self.dissipated_power = self.friction_force * self.velocity;
@@ -143,17 +147,24 @@ impl<T: Real> Derivatives for SpeckerDynamic<T> {
     #[inline(always)]
     fn derivatives(&self, rate: &mut Self) {
         let curve = self.curve();
-        let lagging = || {
-            let time_constant = self.time_constant(&curve);
-            let approach = || (curve.force(self.velocity) - self.lagging_force) / time_constant;
-            time_constant.is_positive().choose(approach, || T::zero())
-        };
-        rate.lagging_force = self.normal_force.is_positive().choose(lagging, || T::zero());
+        rate.lagging_force = choose!(
+            self.normal_force.is_positive(),
+            {
+                let time_constant = self.time_constant(&curve);
+                choose!(
+                    time_constant.is_positive(),
+                    (curve.force(self.velocity) - self.lagging_force) / time_constant,
+                    T::zero()
+                )
+            },
+            T::zero()
+        );
         rate.dissipated_energy = self.force() * self.velocity;
     }
 }
 
 impl<T: Real> SpeckerDynamic<T> {
+    #[inline(always)]
     fn approach(&mut self, dt: T) {
         let curve = self.curve();
         let (steady, time_constant) = (curve.force(self.velocity), self.time_constant(&curve));
@@ -166,9 +177,10 @@ impl<T: Real> SpeckerDynamic<T> {
 }
 
 impl<T: Real> Steps for SpeckerDynamic<T> {
+    #[inline(always)]
     fn advance(&mut self, dt: T) {
         let is_loaded = self.normal_force.is_positive();
-        either(self, is_loaded, |law| law.approach(dt), |law| law.lagging_force = T::zero());
+        change!(self, is_loaded, |law| law.approach(dt), |law| law.lagging_force = T::zero());
     }
 }
 

@@ -2,7 +2,7 @@ use crate::contact::quantities::*;
 use crate::contact::time_stepping::{Curve, TimeStepping, memoryless};
 use crate::laws::{stribeck, viscous};
 use crate::model::{Fault, Model, real};
-use crate::number::{Mask, Real};
+use crate::number::{Real, choose};
 
 crate::choices! {
     /// Shape of the Stribeck curve.
@@ -129,7 +129,7 @@ crate::model! {
 
 impl<T: Real> Stribeck<T> {
     /// S(v), eqs. (5.5) to (5.8).
-    #[inline]
+    #[inline(always)]
     fn falling_level(&self, velocity: T) -> T {
         let coulomb = self.mu_k * self.normal_force;
         let [breakaway, v_s] = [self.level(), self.stribeck_velocity];
@@ -140,25 +140,31 @@ impl<T: Real> Stribeck<T> {
         };
         let lorentzian = || stribeck::lorentzian(velocity, coulomb, breakaway, v_s);
         let is = |curve: StribeckCurve| curve.is(self.curve);
-        let rational = || is(StribeckCurve::HessSoom).choose(lorentzian, hyperbolic);
         let is_rational = is(StribeckCurve::HessSoom) | is(StribeckCurve::PoppStelter);
-        let other = || is(StribeckCurve::Tustin).choose(|| T::from(1.0), || self.stribeck_exponent);
-        let exponent = || is(StribeckCurve::Gaussian).choose(|| T::from(2.0), other);
-        is_rational.choose(rational, || exponential(exponent()))
+        let exponent = || {
+            choose!(
+                is(StribeckCurve::Gaussian),
+                T::from(2.0),
+                choose!(is(StribeckCurve::Tustin), T::from(1.0), self.stribeck_exponent)
+            )
+        };
+        choose!(is_rational, choose!(is(StribeckCurve::HessSoom), lorentzian(), hyperbolic()), exponential(exponent()))
     }
 }
 
 impl<T: Real> Curve<T> for Stribeck<T> {
-    #[inline]
+    #[inline(always)]
     fn curve(&self, velocity: T) -> T {
         let viscous = viscous::force(velocity, self.viscous_coefficient, self.normal_force);
         self.falling_level(velocity) * velocity.sign() + viscous
     }
 
+    #[inline(always)]
     fn level(&self) -> T {
         self.mu_s * self.normal_force
     }
 
+    #[inline(always)]
     fn band(&self) -> Option<T> {
         None
     }

@@ -2,7 +2,7 @@ use crate::contact::quantities::*;
 use crate::contact::time_stepping::{Curve, TimeStepping, memoryless};
 use crate::laws::regularised;
 use crate::model::{Model, Preset};
-use crate::number::{Mask, Real};
+use crate::number::{Real, choose};
 
 crate::choices! {
     /// Variants of the law.
@@ -95,22 +95,29 @@ crate::model! {
 
 impl<T: Real> Curve<T> for Threlfall<T> {
     /// Eq. (6.2).
-    #[inline]
+    #[inline(always)]
     fn curve(&self, velocity: T) -> T {
-        let rising = || regularised::exponential(velocity, self.transition_velocity);
         let is_fast = velocity.abs().above(self.transition_velocity);
         let is_capped = ThrelfallVariant::Capped.is(self.variant) & is_fast;
-        self.level() * is_capped.choose(|| T::from(0.95) * velocity.sign(), rising)
+        self.level()
+            * choose!(
+                is_capped,
+                T::from(0.95) * velocity.sign(),
+                regularised::exponential(velocity, self.transition_velocity)
+            )
     }
 
+    #[inline(always)]
     fn level(&self) -> T {
         self.mu_k * self.normal_force
     }
 
+    #[inline(always)]
     fn band(&self) -> Option<T> {
         Some(self.transition_velocity)
     }
 
+    #[inline(always)]
     fn kinks(&self) -> [T; 2] {
         [T::zero(), self.transition_velocity]
     }

@@ -3,7 +3,7 @@ use crate::contact::time_stepping::{Curve, TimeStepping, memoryless};
 use crate::laws::regularised;
 use crate::model::{Model, Preset};
 use crate::number::elementary::exp_m1;
-use crate::number::{Mask, Real};
+use crate::number::{Real, choose};
 
 crate::model! {
     /// Modified Threlfall friction: the exponential transition of Threlfall, scaled so that it reaches the Coulomb
@@ -85,21 +85,27 @@ crate::model! {
 
 impl<T: Real> Curve<T> for ThrelfallModified<T> {
     /// Eq. (6.4).
-    #[inline]
+    #[inline(always)]
     fn curve(&self, velocity: T) -> T {
         let end = T::from(-exp_m1(-3.0));
-        let rising = || self.level() * regularised::exponential(velocity, self.transition_velocity) / end;
-        velocity.abs().above(self.transition_velocity).choose(|| self.level() * velocity.sign(), rising)
+        choose!(
+            velocity.abs().above(self.transition_velocity),
+            self.level() * velocity.sign(),
+            self.level() * regularised::exponential(velocity, self.transition_velocity) / end
+        )
     }
 
+    #[inline(always)]
     fn level(&self) -> T {
         self.mu_k * self.normal_force
     }
 
+    #[inline(always)]
     fn band(&self) -> Option<T> {
         Some(self.transition_velocity)
     }
 
+    #[inline(always)]
     fn kinks(&self) -> [T; 2] {
         [T::zero(), self.transition_velocity]
     }

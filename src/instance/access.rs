@@ -200,7 +200,7 @@ impl Instance {
 
     /// Writes a column that may be set to an admitted value.
     #[inline]
-    pub(super) fn write(&mut self, column: usize, value: f64) {
+    pub(crate) fn write(&mut self, column: usize, value: f64) {
         self.row[column] = value;
         self.computed = Computed::Nothing;
         self.unchecked |= self.model.table.role(column).is_parameter();

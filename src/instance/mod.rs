@@ -140,6 +140,12 @@ impl Instance {
         &self.row
     }
 
+    /// Whether row and model alone determine what comes: the parameters fit together, and no slope waits for a step.
+    pub(crate) fn is_plain(&self) -> bool {
+        let has_more = self.exchange.is_some() || self.consistency.is_some() || !self.memory.is_empty();
+        !(has_more || self.unchecked || self.slopes.are_for_next_step())
+    }
+
     /// Writes the values of the named preset; the other parameters get their start values. False if the preset does not
     /// exist.
     pub fn apply(&mut self, preset: &str) -> bool {

@@ -9,13 +9,13 @@ use crate::number::Real;
 /// ```
 ///
 /// With f_0 = f_s it is the upper curve and falls; with f_0 < f_C it is the lower curve and rises.
-#[inline]
+#[inline(always)]
 pub fn level<T: Real>(velocity: T, coulomb: T, at_rest: T, decay: T) -> T {
     coulomb + (at_rest - coulomb) * (-(decay * velocity.abs())).exp()
 }
 
 /// Whether the contact slows down. Only then the lower curve counts; at constant speed the upper one does.
-#[inline]
+#[inline(always)]
 pub fn slows_down<T: Real>(velocity: T, acceleration: T) -> T::Mask {
     (velocity.sign() * acceleration.sign()).below(T::zero())
 }

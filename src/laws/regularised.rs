@@ -1,6 +1,6 @@
 //! Smooth replacements of the sign function.
 
-use crate::number::{Mask, Real};
+use crate::number::{Real, choose};
 
 /// Exponential transition: 1 - exp(-3) = 95 % of the sign function at `transition_velocity`.
 ///
@@ -9,17 +9,16 @@ use crate::number::{Mask, Real};
 /// ```
 ///
 /// Threlfall (1978), Mechanism and Machine Theory 13, 475-483.
-#[inline]
+#[inline(always)]
 pub fn exponential<T: Real>(velocity: T, transition_velocity: T) -> T {
     rise(velocity, T::from(3.0) / transition_velocity)
 }
 
 /// (1 - exp(-slope |v|)) sgn(v).
-#[inline]
+#[inline(always)]
 pub fn rise<T: Real>(velocity: T, slope: T) -> T {
     // |v| has no derivative at rest, but the odd function has the same one on both sides.
-    let moving = || (T::from(1.0) - (-(slope * velocity.abs())).exp()) * velocity.sign();
-    velocity.vanishes().choose(|| slope * velocity, moving)
+    choose!(velocity.vanishes(), slope * velocity, (T::from(1.0) - (-(slope * velocity.abs())).exp()) * velocity.sign())
 }
 
 #[cfg(test)]

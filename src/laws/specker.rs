@@ -1,6 +1,6 @@
 //! The smooth curve of Specker, which passes through the static level at a given velocity.
 
-use crate::number::{Mask, Real};
+use crate::number::{Real, choose};
 
 /// Levels and velocities of the curve.
 #[derive(Clone, Copy)]
@@ -20,10 +20,11 @@ pub struct SpeckerCurve<T> {
 impl<T: Real> SpeckerCurve<T> {
     /// f_p: the part of the static level at v_Sp that the other terms leave; not negative, because it would drive the
     /// motion.
+    #[inline(always)]
     fn excess(&self) -> T {
         let sliding = self.coulomb * (self.peak_velocity / self.transition_velocity).tanh();
         let excess = self.breakaway - sliding - self.viscous_coefficient * self.peak_velocity;
-        excess.is_positive().choose(|| excess, || T::zero())
+        choose!(excess.is_positive(), excess, T::zero())
     }
 
     /// The friction force:
@@ -32,7 +33,7 @@ impl<T: Real> SpeckerCurve<T> {
     /// f = f_C tanh(v / v_0) + f_p (v / v_Sp) exp(1/2 (1 - (v / v_Sp)^2)) + c_v v
     /// f_p = f_s - f_C tanh(v_Sp / v_0) - c_v v_Sp
     /// ```
-    #[inline]
+    #[inline(always)]
     pub fn force(&self, velocity: T) -> T {
         let [half, one] = [0.5, 1.0].map(T::from);
         let u = velocity / self.peak_velocity;
@@ -42,7 +43,7 @@ impl<T: Real> SpeckerCurve<T> {
     }
 
     /// Its slope at v = 0: K_0 = f_C / v_0 + f_p exp(1/2) / v_Sp + c_v.
-    #[inline]
+    #[inline(always)]
     pub fn slope_at_rest(&self) -> T {
         self.coulomb / self.transition_velocity
             + self.excess() * T::from(0.5).exp() / self.peak_velocity

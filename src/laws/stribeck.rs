@@ -1,6 +1,6 @@
 //! Steady friction levels that depend on the sliding speed.
 
-use crate::number::{Mask, Real};
+use crate::number::{Real, choose};
 
 /// The Stribeck function: the friction level falls from `breakaway` at rest to `coulomb` at speeds well above the
 /// Stribeck velocity.
@@ -10,11 +10,11 @@ use crate::number::{Mask, Real};
 /// ```
 ///
 /// Bo and Pavelescu (1982), doi:10.1016/0043-1648(82)90274-8, in the normalised form of Armstrong-Helouvry (1991).
-#[inline]
+#[inline(always)]
 pub fn level<T: Real>(velocity: T, coulomb: T, breakaway: T, stribeck_velocity: T, exponent: T) -> T {
     let u = velocity.abs() / stribeck_velocity;
     // The exponent of nearly every published parameter set; a product is several times faster than a power.
-    let power = exponent.is(2.0).choose(|| u * u, || u.powf(exponent));
+    let power = choose!(exponent.is(2.0), u * u, u.powf(exponent));
     coulomb + (breakaway - coulomb) * (-power).exp()
 }
 
@@ -25,7 +25,7 @@ pub fn level<T: Real>(velocity: T, coulomb: T, breakaway: T, stribeck_velocity: 
 /// ```
 ///
 /// Hess and Soom (1990), Journal of Tribology 112, 147-152.
-#[inline]
+#[inline(always)]
 pub fn lorentzian<T: Real>(velocity: T, coulomb: T, breakaway: T, stribeck_velocity: T) -> T {
     let u = velocity / stribeck_velocity;
     coulomb + (breakaway - coulomb) / (T::from(1.0) + u * u)
@@ -38,7 +38,7 @@ pub fn lorentzian<T: Real>(velocity: T, coulomb: T, breakaway: T, stribeck_veloc
 /// ```
 ///
 /// Popp and Stelter (1990).
-#[inline]
+#[inline(always)]
 pub fn hyperbolic<T: Real>(velocity: T, coulomb: T, breakaway: T, stribeck_velocity: T) -> T {
     coulomb + (breakaway - coulomb) / (T::from(1.0) + velocity.abs() / stribeck_velocity)
 }

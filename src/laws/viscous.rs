@@ -1,11 +1,11 @@
 //! The viscous part of friction.
 
-use crate::number::{Mask, Real};
+use crate::number::{Real, choose};
 
 /// A force proportional to the velocity, as long as there is contact.
-#[inline]
+#[inline(always)]
 pub fn force<T: Real>(velocity: T, viscous_coefficient: T, normal_force: T) -> T {
-    normal_force.is_positive().choose(|| viscous_coefficient * velocity, || T::zero())
+    choose!(normal_force.is_positive(), viscous_coefficient * velocity, T::zero())
 }
 
 #[cfg(test)]

@@ -3,7 +3,7 @@
 use std::ffi::CStr;
 use std::ops::Range;
 
-use super::{Evaluate, Visitor};
+use super::{Evaluate, Kernels, Visitor};
 use crate::reference::References;
 use crate::table::{Fault, Ports, Table, Variable};
 
@@ -189,6 +189,9 @@ pub trait Model: Described + Law<Number = f64> {
     /// elements of a law that can have a thousand. They have no variables. They are 0 at the start, and saved and
     /// restored with the row.
     const MEMORY: usize = 0;
+
+    /// The functions of a law that runs on several rows at once.
+    const KERNELS: Option<Kernels> = None;
 
     /// Whether there are idle columns: hidden states that nothing uses with the present parameters, such as the memory
     /// of a law that was not chosen. Steps and outputs must not change them; in return, they cost nothing.

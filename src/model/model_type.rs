@@ -4,7 +4,7 @@ use std::ffi::CStr;
 use std::fmt;
 
 use super::row::{Room, commit, view, view_mut};
-use super::{Law, Model, Preset, is_for_exchange};
+use super::{Kernels, Law, Model, Preset, is_for_exchange};
 use crate::guid::{self, GuidText};
 use crate::number::Dual;
 use crate::reference::{self, Place, Reference, References};
@@ -37,6 +37,8 @@ pub struct ModelType {
     pub event_indicators: usize,
     /// Number of values that an instance keeps beside the row: [`Model::MEMORY`].
     pub memory: usize,
+    /// Its functions over several rows at once, if it runs in lanes.
+    pub(crate) kernels: Option<Kernels>,
     guid: GuidText,
     check: fn(&[f64]) -> Result<(), Fault>,
     check_motion: fn(&[f64]) -> Result<(), Fault>,
@@ -70,6 +72,7 @@ impl ModelType {
             model_exchange: is_for_exchange::<M>(),
             event_indicators: M::EVENT_INDICATORS,
             memory: M::MEMORY,
+            kernels: M::KERNELS,
             guid: guid::fingerprint(
                 M::NAME,
                 M::TABLE,
@@ -320,7 +323,7 @@ fn advise<M: Model>(row: &mut [f64], room: Room) -> bool {
 }
 
 /// The first column that a step or the outputs may change: those before it are inputs and parameters.
-const fn first_result(table: &[Variable]) -> usize {
+pub(super) const fn first_result(table: &[Variable]) -> usize {
     let mut first = 0;
     while first < table.len() && (table[first].role.is_parameter() || matches!(table[first].role, Role::Input)) {
         first += 1;

@@ -124,6 +124,7 @@ pub(super) fn view_mut<M, T>(row: &mut [T]) -> &mut M {
 }
 
 /// The numbers of a model or part, mutable.
+#[inline(always)]
 fn numbers_of<P: Numbers>(part: &mut P) -> &mut [P::Number] {
     const { assert!(align_of::<P>() == align_of::<P::Number>() && size_of::<P::Number>() > 0) };
     let count = size_of::<P>() / size_of::<P::Number>();
@@ -154,6 +155,42 @@ pub(crate) fn either<M: Numbers<Number: Real>>(
         }
     }
 }
+
+/// Takes the numbers of another model where the answer is no.
+#[inline(always)]
+pub(crate) fn mix<M: Numbers<Number: Real>>(model: &mut M, answer: <M::Number as Real>::Mask, other: &mut M) {
+    for (number, other) in numbers_of(model).iter_mut().zip(numbers_of(other)) {
+        *number = answer.select(*number, *other);
+    }
+}
+
+/// [`either`] with statements, which no compiler has to inline first.
+macro_rules! change {
+    ($model:expr, $answer:expr, |$yes:ident| $with:expr, |$no:ident| $without:expr) => {{
+        let (model, answer) = ($model, $answer);
+        if T::HAS_ONE_LANE {
+            if $crate::number::Mask::<T>::any(answer) {
+                let $yes = model;
+                $with;
+            } else {
+                let $no = model;
+                $without;
+            }
+        } else {
+            let mut other = *model;
+            if $crate::number::Mask::<T>::any(answer) {
+                let $yes = &mut *model;
+                $with;
+            }
+            if !$crate::number::Mask::<T>::all(answer) {
+                let $no = &mut other;
+                $without;
+                $crate::model::mix(model, answer, &mut other);
+            }
+        }
+    }};
+}
+pub(crate) use change;
 
 /// Numbers viewed as consecutive parts; a remainder is ignored.
 pub(crate) fn parts<P: Numbers>(numbers: &[P::Number]) -> &[P] {

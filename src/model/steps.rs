@@ -21,6 +21,22 @@ pub trait Steps: Law {
 pub trait InLanes: Model {
     /// The same model in another number.
     type Of<T: Component>: Steps<Number = T>;
+
+    /// How the row can be worked on beside others, with its present parameters and states.
+    fn fit(&self) -> Fit {
+        Fit::Steps
+    }
+}
+
+/// How a row can be worked on beside others.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Fit {
+    /// Not at all: its steps search for a velocity.
+    Alone,
+    /// With its steps.
+    Steps,
+    /// Even without steps: none of its outputs but the energy depends on those before.
+    Outputs,
 }
 
 /// A row of a model in any number, seen as the model.
@@ -30,15 +46,27 @@ pub fn model_in<M: InLanes, T: Component>(row: &mut [T]) -> &mut M::Of<T> {
 }
 
 /// Declares that a model runs in lanes: `in_lanes!(Law)`, and `in_lanes!();` inside `impl Model`, where it takes the
-/// steps from [`Steps`].
+/// steps from [`Steps`]. `in_lanes!(Law, |law| answer)` also says how its rows [fit](InLanes::fit).
+/// `in_lanes!(without registers);` is for a law whose vectors would be calls in every one of them.
 macro_rules! in_lanes {
-    ($Law:ident) => {
+    ($Law:ident $(, |$law:ident| $fit:expr)?) => {
         impl $crate::model::InLanes for $Law {
             type Of<T: $crate::numerics::vector::Component> = $Law<T>;
+
+            $(fn fit(&self) -> $crate::model::Fit {
+                let $law = self;
+                $fit
+            })?
         }
     };
 
     () => {
+        const KERNELS: Option<$crate::model::Kernels> = Some($crate::model::Kernels::of::<Self>());
+
+        $crate::model::in_lanes!(without registers);
+    };
+
+    (without registers) => {
         fn accept(visitor: &mut impl $crate::model::Visitor) {
             visitor.visit_in_lanes::<Self>();
         }

@@ -7,6 +7,7 @@
 //! square root, is the same everywhere as it is.
 
 use std::f64::consts::LOG2_E;
+use std::ops::{Add, Div, Mul, Sub};
 
 pub use libm::{atan, atan2, cos, cosh, hypot, log as ln, log1p as ln_1p, pow, sin, sinh};
 
@@ -32,33 +33,88 @@ const Q: [f64; 11] = [
     2.092_444_186_418_452e-9,
 ];
 
+/// A number, or several in lanes, in which [`exp`], [`exp_m1`] and [`tanh`] are written.
+pub(super) trait Kernel:
+    Copy + From<f64> + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self>
+{
+    /// `f64::clamp`, as two selects. NaN stays NaN.
+    fn within(self, least: f64, most: f64) -> Self;
+    /// The number without its sign.
+    fn magnitude(self) -> Self;
+    /// The number with the sign of another one.
+    fn with_sign(self, of: Self) -> Self;
+    /// 2^(k + 1023 - offset) for a number whose last 12 bits are k + 2046: its bits, less `offset`, as an exponent.
+    fn power(self, offset: u64) -> Self;
+    /// Two powers of 2 whose product is 2^k, for the same number.
+    fn halves(self) -> [Self; 2];
+}
+
+impl Kernel for f64 {
+    #[inline(always)]
+    fn within(self, least: f64, most: f64) -> f64 {
+        let x = if self < least { least } else { self };
+        if x > most { most } else { x }
+    }
+    #[inline(always)]
+    fn magnitude(self) -> f64 {
+        self.abs()
+    }
+    #[inline(always)]
+    fn with_sign(self, of: f64) -> f64 {
+        self.copysign(of)
+    }
+    #[inline(always)]
+    fn power(self, offset: u64) -> f64 {
+        f64::from_bits(self.to_bits().wrapping_sub(offset) << 52)
+    }
+    #[inline(always)]
+    fn halves(self) -> [f64; 2] {
+        let exponents = self.to_bits() & 0xfff;
+        let first = exponents >> 1;
+        [first, exponents - first].map(|exponent| f64::from_bits(exponent << 52))
+    }
+}
+
 /// e to the power of `x`; less than 1 unit in the last place (ulp) off.
 #[inline]
 pub fn exp(x: f64) -> f64 {
-    // Beyond these limits the result is 0 or infinite; within them two factors of 2^k are enough, one may not exist.
-    let (rise, bits) = reduced(within(x, -746.0, 710.0));
-    let exponents = bits & 0xfff;
-    let first = exponents >> 1;
-    let second = exponents - first;
-    (1.0 + rise) * f64::from_bits(first << 52) * f64::from_bits(second << 52)
+    exp_of(x)
 }
 
 /// e to the power of `x`, minus 1, also accurate near 0; less than 2 ulp off.
 #[inline]
 pub fn exp_m1(x: f64) -> f64 {
-    let (rise, bits) = reduced(within(x, -100.0, 710.0));
-    // 2^(k - 1), as 2^1024 does not exist.
-    let half_power = f64::from_bits(bits.wrapping_sub(1024) << 52);
-    (2.0 * (half_power * rise + (half_power - 0.5))).copysign(x)
+    exp_m1_of(x)
 }
 
 /// Hyperbolic tangent; less than 2 ulp off, exactly -1 or 1 where that is the nearest number.
 #[inline]
 pub fn tanh(x: f64) -> f64 {
-    let (rise, bits) = reduced(within(-2.0 * x.abs(), -80.0, 0.0));
-    let power = f64::from_bits(bits.wrapping_sub(1023) << 52);
+    tanh_of(x)
+}
+
+#[inline(always)]
+pub(super) fn exp_of<T: Kernel>(x: T) -> T {
+    // Beyond these limits the result is 0 or infinite; within them two factors of 2^k are enough, one may not exist.
+    let (rise, power) = reduced(x.within(-746.0, 710.0));
+    let [first, second] = power.halves();
+    (T::from(1.0) + rise) * first * second
+}
+
+#[inline(always)]
+pub(super) fn exp_m1_of<T: Kernel>(x: T) -> T {
+    let (rise, power) = reduced(x.within(-100.0, 710.0));
+    // 2^(k - 1), as 2^1024 does not exist.
+    let half_power = power.power(1024);
+    (T::from(2.0) * (half_power * rise + (half_power - T::from(0.5)))).with_sign(x)
+}
+
+#[inline(always)]
+pub(super) fn tanh_of<T: Kernel>(x: T) -> T {
+    let (rise, power) = reduced((T::from(-2.0) * x.magnitude()).within(-80.0, 0.0));
+    let (one, power) = (T::from(1.0), power.power(1023));
     let rise = power * rise;
-    ((rise + (power - 1.0)) / (rise + (power + 1.0))).copysign(x)
+    ((rise + (power - one)) / (rise + (power + one))).with_sign(x)
 }
 
 /// `x` to the power of 2.
@@ -69,27 +125,21 @@ pub fn square(x: f64) -> f64 {
 
 /// exp(r) - 1 with x = k ln 2 + r, |r| <= ln(2) / 2, and a number whose last 12 bits are k + 2046. |x| < 1000.
 #[inline(always)]
-fn reduced(x: f64) -> (f64, u64) {
-    let sum = x * LOG2_E + ROUNDING;
-    let k = sum - ROUNDING;
-    let high = x - k * LN_2_HIGH;
-    let low = k * LN_2_LOW;
+fn reduced<T: Kernel>(x: T) -> (T, T) {
+    let rounding = T::from(ROUNDING);
+    let sum = x * T::from(LOG2_E) + rounding;
+    let k = sum - rounding;
+    let high = x - k * T::from(LN_2_HIGH);
+    let low = k * T::from(LN_2_LOW);
     let r = high - low;
     let lost = (high - r) - low;
     let r_2 = r * r;
     let r_4 = r_2 * r_2;
-    let first = (Q[0] + Q[1] * r) + r_2 * (Q[2] + Q[3] * r);
-    let second = (Q[4] + Q[5] * r) + r_2 * (Q[6] + Q[7] * r);
-    let third = (Q[8] + Q[9] * r) + r_2 * Q[10];
+    let first = (T::from(Q[0]) + T::from(Q[1]) * r) + r_2 * (T::from(Q[2]) + T::from(Q[3]) * r);
+    let second = (T::from(Q[4]) + T::from(Q[5]) * r) + r_2 * (T::from(Q[6]) + T::from(Q[7]) * r);
+    let third = (T::from(Q[8]) + T::from(Q[9]) * r) + r_2 * T::from(Q[10]);
     let q = first + r_4 * (second + r_4 * third);
-    (r + (r_2 * q + lost), sum.to_bits())
-}
-
-/// `f64::clamp`, as two selects. NaN stays NaN.
-#[inline(always)]
-fn within(x: f64, least: f64, most: f64) -> f64 {
-    let x = if x < least { least } else { x };
-    if x > most { most } else { x }
+    (r + (r_2 * q + lost), sum)
 }
 
 #[cfg(test)]

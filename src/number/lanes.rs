@@ -1,232 +1,260 @@
 //! Several values that are computed with at once, each in a lane of its own.
 //!
-//! Every operation works on each lane as it works on an `f64`, so a lane has the same bits as a scalar would have. The
-//! loops are over a fixed number of lanes, which a compiler turns into instructions for as many lanes as a processor
-//! has.
+//! Every operation works on each lane as it works on an `f64`, so a lane has the same bits as a scalar would have.
 
-use std::array::from_fn;
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
+use super::elementary::{self, Kernel};
+use super::register::Register;
 use super::{Mask, Real};
 
-/// `N` values, each in a lane of its own.
+/// Values in the lanes of a register: `Lanes<[f64; 4]>` is four of them on any processor.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(transparent)]
-pub struct Lanes<const N: usize>(pub [f64; N]);
+pub struct Lanes<R>(pub R);
 
 /// An answer in each lane.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct LanesMask<const N: usize>(pub [bool; N]);
+#[repr(transparent)]
+pub struct LanesMask<R: Register>(R::Mask);
 
-impl<const N: usize> Lanes<N> {
+impl<R: Register> Lanes<R> {
+    /// Each lane as the function of an `f64`: for what no register has.
     #[inline(always)]
-    fn each(self, function: impl Fn(f64) -> f64) -> Self {
-        Lanes(from_fn(|lane| function(self.0[lane])))
-    }
-
-    #[inline(always)]
-    fn with(self, other: Self, function: impl Fn(f64, f64) -> f64) -> Self {
-        Lanes(from_fn(|lane| function(self.0[lane], other.0[lane])))
-    }
-
-    #[inline(always)]
-    fn compared(self, other: Self, question: impl Fn(f64, f64) -> bool) -> LanesMask<N> {
-        LanesMask(from_fn(|lane| question(self.0[lane], other.0[lane])))
+    fn map(self, function: impl Fn(f64) -> f64) -> Self {
+        Lanes(R::each(|lane| function(self.0.lane(lane))))
     }
 }
 
-impl<const N: usize> From<f64> for Lanes<N> {
+impl<R: Register> From<f64> for Lanes<R> {
     #[inline(always)]
     fn from(value: f64) -> Self {
-        Lanes([value; N])
+        Lanes(R::splat(value))
     }
 }
 
-impl<const N: usize> Add for Lanes<N> {
+impl<R: Register> Add for Lanes<R> {
     type Output = Self;
     #[inline(always)]
     fn add(self, other: Self) -> Self {
-        self.with(other, |a, b| a + b)
+        Lanes(self.0.plus(other.0))
     }
 }
 
-impl<const N: usize> Sub for Lanes<N> {
+impl<R: Register> Sub for Lanes<R> {
     type Output = Self;
     #[inline(always)]
     fn sub(self, other: Self) -> Self {
-        self.with(other, |a, b| a - b)
+        Lanes(self.0.minus(other.0))
     }
 }
 
-impl<const N: usize> Mul for Lanes<N> {
+impl<R: Register> Mul for Lanes<R> {
     type Output = Self;
     #[inline(always)]
     fn mul(self, other: Self) -> Self {
-        self.with(other, |a, b| a * b)
+        Lanes(self.0.times(other.0))
     }
 }
 
-impl<const N: usize> Div for Lanes<N> {
+impl<R: Register> Div for Lanes<R> {
     type Output = Self;
     #[inline(always)]
     fn div(self, other: Self) -> Self {
-        self.with(other, |a, b| a / b)
+        Lanes(self.0.over(other.0))
     }
 }
 
-impl<const N: usize> Neg for Lanes<N> {
+impl<R: Register> Neg for Lanes<R> {
     type Output = Self;
     #[inline(always)]
     fn neg(self) -> Self {
-        self.each(|a| -a)
+        Lanes(self.0.negated())
     }
 }
 
-impl<const N: usize> Real for Lanes<N> {
-    type Mask = LanesMask<N>;
+impl<R: Register> Kernel for Lanes<R> {
+    #[inline(always)]
+    fn within(self, least: f64, most: f64) -> Self {
+        Lanes(self.0.within(least, most))
+    }
+    #[inline(always)]
+    fn magnitude(self) -> Self {
+        Lanes(self.0.magnitude())
+    }
+    #[inline(always)]
+    fn with_sign(self, of: Self) -> Self {
+        Lanes(self.0.with_sign(of.0))
+    }
+    #[inline(always)]
+    fn power(self, offset: u64) -> Self {
+        Lanes(self.0.power(offset))
+    }
+    #[inline(always)]
+    fn halves(self) -> [Self; 2] {
+        self.0.halves().map(Lanes)
+    }
+}
+
+impl<R: Register> Real for Lanes<R> {
+    type Mask = LanesMask<R>;
+    const SEARCHES: bool = R::SEARCHES;
+    const HAS_ONE_LANE: bool = false;
 
     #[inline(always)]
     fn lane(self, lane: usize) -> f64 {
-        self.0[lane]
+        self.0.lane(lane)
     }
     #[inline(always)]
-    fn is(self, constant: f64) -> LanesMask<N> {
+    fn is(self, constant: f64) -> LanesMask<R> {
         self.equals(Self::from(constant))
     }
     #[inline(always)]
-    fn above(self, other: Self) -> LanesMask<N> {
-        self.compared(other, |a, b| a > b)
+    fn above(self, other: Self) -> LanesMask<R> {
+        LanesMask(self.0.above(other.0))
     }
     #[inline(always)]
-    fn at_least(self, other: Self) -> LanesMask<N> {
-        self.compared(other, |a, b| a >= b)
+    fn at_least(self, other: Self) -> LanesMask<R> {
+        LanesMask(self.0.at_least(other.0))
     }
     #[inline(always)]
-    fn equals(self, other: Self) -> LanesMask<N> {
-        self.compared(other, |a, b| a == b)
+    fn equals(self, other: Self) -> LanesMask<R> {
+        LanesMask(self.0.equals(other.0))
     }
     fn found<const K: usize>(_on: impl FnOnce() -> [Self; K], search: impl Fn(usize) -> [f64; 2]) -> [Self; 2] {
-        let found: [[f64; 2]; N] = from_fn(search);
-        [0, 1].map(|number| Lanes(from_fn(|lane| found[lane][number])))
+        let [mut first, mut second] = [Self::from(0.0).0; 2];
+        for lane in 0..R::LANES {
+            let found = search(lane);
+            let with = |numbers: R, one: f64| R::each(|other| if other == lane { one } else { numbers.lane(other) });
+            (first, second) = (with(first, found[0]), with(second, found[1]));
+        }
+        [Lanes(first), Lanes(second)]
     }
     #[inline(always)]
     fn sign(self) -> Self {
-        self.each(Real::sign)
+        let size = R::select(self.vanishes().0, R::splat(0.0), R::splat(1.0));
+        Lanes(size.with_sign(self.0))
     }
     #[inline(always)]
     fn abs(self) -> Self {
-        self.each(f64::abs)
+        Lanes(self.0.magnitude())
     }
     #[inline(always)]
     fn exp(self) -> Self {
-        self.each(Real::exp)
+        elementary::exp_of(self)
     }
     #[inline(always)]
     fn exp_m1(self) -> Self {
-        self.each(Real::exp_m1)
+        elementary::exp_m1_of(self)
     }
     fn ln(self) -> Self {
-        self.each(Real::ln)
+        self.map(Real::ln)
     }
     fn ln_1p(self) -> Self {
-        self.each(Real::ln_1p)
+        self.map(Real::ln_1p)
     }
     #[inline(always)]
     fn tanh(self) -> Self {
-        self.each(Real::tanh)
+        elementary::tanh_of(self)
     }
     fn sin(self) -> Self {
-        self.each(Real::sin)
+        self.map(Real::sin)
     }
     fn cos(self) -> Self {
-        self.each(Real::cos)
+        self.map(Real::cos)
     }
     fn atan(self) -> Self {
-        self.each(Real::atan)
+        self.map(Real::atan)
     }
     #[inline(always)]
     fn sqrt(self) -> Self {
-        self.each(f64::sqrt)
+        Lanes(self.0.root())
     }
     fn powf(self, exponent: Self) -> Self {
-        self.with(exponent, Real::powf)
+        Lanes(R::each(|lane| Real::powf(self.0.lane(lane), exponent.0.lane(lane))))
     }
 }
 
-impl<const N: usize> From<bool> for LanesMask<N> {
+impl<R: Register> From<bool> for LanesMask<R> {
     #[inline(always)]
     fn from(answer: bool) -> Self {
-        LanesMask([answer; N])
+        LanesMask(R::answer(answer))
     }
 }
 
-impl<const N: usize> BitAnd for LanesMask<N> {
+impl<R: Register> BitAnd for LanesMask<R> {
     type Output = Self;
     #[inline(always)]
     fn bitand(self, other: Self) -> Self {
-        LanesMask(from_fn(|lane| self.0[lane] & other.0[lane]))
+        LanesMask(R::both(self.0, other.0))
     }
 }
 
-impl<const N: usize> BitOr for LanesMask<N> {
+impl<R: Register> BitOr for LanesMask<R> {
     type Output = Self;
     #[inline(always)]
     fn bitor(self, other: Self) -> Self {
-        LanesMask(from_fn(|lane| self.0[lane] | other.0[lane]))
+        LanesMask(R::one_of(self.0, other.0))
     }
 }
 
-impl<const N: usize> Not for LanesMask<N> {
+impl<R: Register> Not for LanesMask<R> {
     type Output = Self;
     #[inline(always)]
     fn not(self) -> Self {
-        LanesMask(self.0.map(|answer| !answer))
+        LanesMask(R::inverse(self.0))
     }
 }
 
-impl<const N: usize> LanesMask<N> {
-    #[inline(always)]
-    fn select(self, yes: Lanes<N>, no: Lanes<N>) -> Lanes<N> {
-        Lanes(from_fn(|lane| if self.0[lane] { yes.0[lane] } else { no.0[lane] }))
-    }
-}
-
-impl<const N: usize> Mask<Lanes<N>> for LanesMask<N> {
+impl<R: Register> Mask<Lanes<R>> for LanesMask<R> {
     #[inline(always)]
     fn agreed(self) -> Option<bool> {
-        let count = self.0.iter().filter(|answer| **answer).count();
-        if count == N {
+        if R::all(self.0) {
             Some(true)
-        } else if count == 0 {
-            Some(false)
-        } else {
+        } else if R::any(self.0) {
             None
+        } else {
+            Some(false)
         }
     }
 
     #[inline(always)]
-    fn choose(self, yes: impl FnOnce() -> Lanes<N>, no: impl FnOnce() -> Lanes<N>) -> Lanes<N> {
-        match self.agreed() {
-            Some(true) => yes(),
-            Some(false) => no(),
-            None => self.select(yes(), no()),
-        }
+    fn any(self) -> bool {
+        R::any(self.0)
+    }
+
+    #[inline(always)]
+    fn all(self) -> bool {
+        R::all(self.0)
+    }
+
+    #[inline(always)]
+    fn select(self, yes: Lanes<R>, no: Lanes<R>) -> Lanes<R> {
+        Lanes(R::select(self.0, yes.0, no.0))
+    }
+
+    // Each way is compiled in one place: where choices lie within choices, two places would be four, and so on.
+    #[inline(always)]
+    fn choose(self, yes: impl FnOnce() -> Lanes<R>, no: impl FnOnce() -> Lanes<R>) -> Lanes<R> {
+        let yes = if R::any(self.0) { yes() } else { Lanes::from(0.0) };
+        if R::all(self.0) { yes } else { Lanes(R::select(self.0, yes.0, no().0)) }
     }
 
     #[inline(always)]
     fn choose_all<const K: usize>(
         self,
-        yes: impl FnOnce() -> [Lanes<N>; K],
-        no: impl FnOnce() -> [Lanes<N>; K],
-    ) -> [Lanes<N>; K] {
-        match self.agreed() {
-            Some(true) => yes(),
-            Some(false) => no(),
-            None => {
-                let (yes, no) = (yes(), no());
-                from_fn(|number| self.select(yes[number], no[number]))
-            }
+        yes: impl FnOnce() -> [Lanes<R>; K],
+        no: impl FnOnce() -> [Lanes<R>; K],
+    ) -> [Lanes<R>; K] {
+        let yes = if R::any(self.0) { yes() } else { [Lanes::from(0.0); K] };
+        if R::all(self.0) {
+            return yes;
         }
+        let mut chosen = no();
+        for (no, yes) in chosen.iter_mut().zip(yes) {
+            no.0 = R::select(self.0, yes.0, no.0);
+        }
+        chosen
     }
 }
 
@@ -234,7 +262,7 @@ impl<const N: usize> Mask<Lanes<N>> for LanesMask<N> {
 mod tests {
     use super::*;
 
-    type Four = Lanes<4>;
+    type Four = Lanes<[f64; 4]>;
 
     fn bits(lanes: Four) -> [u64; 4] {
         lanes.0.map(f64::to_bits)

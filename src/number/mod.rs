@@ -3,16 +3,27 @@
 
 pub mod elementary;
 mod lanes;
+pub(crate) mod register;
 
 use std::cmp::Ordering;
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
 pub use lanes::{Lanes, LanesMask};
+pub use register::Register;
 
 /// Answer of a comparison of numbers: yes or no, or as many answers as a number has lanes.
 pub trait Mask<T>: Copy + From<bool> + BitAnd<Output = Self> + BitOr<Output = Self> + Not<Output = Self> {
     /// The answer, if it is the same in all lanes.
     fn agreed(self) -> Option<bool>;
+
+    /// Whether the answer is yes in a lane.
+    fn any(self) -> bool;
+
+    /// Whether the answer is yes in all lanes.
+    fn all(self) -> bool;
+
+    /// `yes` where the answer is yes, `no` elsewhere.
+    fn select(self, yes: T, no: T) -> T;
 
     /// `yes()` where the answer is yes, `no()` elsewhere. Only the one that counts is evaluated, or both where lanes
     /// differ.
@@ -35,6 +46,21 @@ impl<T> Mask<T> for bool {
     }
 
     #[inline(always)]
+    fn any(self) -> bool {
+        self
+    }
+
+    #[inline(always)]
+    fn all(self) -> bool {
+        self
+    }
+
+    #[inline(always)]
+    fn select(self, yes: T, no: T) -> T {
+        if self { yes } else { no }
+    }
+
+    #[inline(always)]
     fn choose(self, yes: impl FnOnce() -> T, no: impl FnOnce() -> T) -> T {
         if self { yes() } else { no() }
     }
@@ -52,6 +78,17 @@ impl<T> Decision<T> for bool {
     }
 }
 
+/// `choose!(answer, yes, no)` is [`Mask::choose`] with expressions: of a number, only the one that counts is evaluated, or
+/// both where lanes differ. Functions for registers must be free of calls, which closures are until they are inlined.
+macro_rules! choose {
+    ($answer:expr, $yes:expr, $no:expr) => {{
+        let answer = $answer;
+        let yes = if $crate::number::Mask::any(answer) { $yes } else { $crate::number::Real::zero() };
+        if $crate::number::Mask::all(answer) { yes } else { $crate::number::Mask::select(answer, yes, $no) }
+    }};
+}
+pub(crate) use choose;
+
 /// A number as a law needs it. Written once for it, a law gives values (`f64`), exact derivatives ([`Dual`]) and the
 /// values of several contacts at once ([`Lanes`]).
 pub trait Real:
@@ -66,6 +103,13 @@ pub trait Real:
     /// Answer of a comparison.
     type Mask: Mask<Self>;
 
+    /// Whether laws may [search](Real::found). Registers are made for what needs no search: rows that do are not given to
+    /// them.
+    const SEARCHES: bool = true;
+
+    /// Whether it has one lane, so that each choice is for one way or the other.
+    const HAS_ONE_LANE: bool = true;
+
     /// The value in one of the lanes without its derivative; a [`Scalar`] has one lane. For a search on plain numbers.
     fn lane(self, lane: usize) -> f64;
     /// Whether this is the constant itself, not a value that only passes through it. Guards shortcuts, which would
@@ -78,6 +122,7 @@ pub trait Real:
     /// Whether it equals another number in value.
     fn equals(self, other: Self) -> Self::Mask;
     /// Whether its derivative is positive. Shows in which direction a value at a limit leaves it.
+    #[inline(always)]
     fn rises(self) -> Self::Mask {
         Self::Mask::from(false)
     }
@@ -114,11 +159,13 @@ pub trait Real:
     fn powf(self, exponent: Self) -> Self;
 
     /// Zero.
+    #[inline(always)]
     fn zero() -> Self {
         Self::from(0.0)
     }
 
     /// Magnitude. At 0 its derivative is taken as 0, the middle of its two one-sided derivatives.
+    #[inline(always)]
     fn abs(self) -> Self {
         self * self.sign()
     }
@@ -126,7 +173,7 @@ pub trait Real:
     /// 1 where the answer is yes, 0 elsewhere: the value of a Boolean column.
     #[inline(always)]
     fn truth(answer: Self::Mask) -> Self {
-        answer.choose(|| Self::from(1.0), || Self::from(0.0))
+        answer.select(Self::from(1.0), Self::from(0.0))
     }
 
     /// Whether it is smaller than another number.
@@ -156,21 +203,23 @@ pub trait Real:
     /// The larger one of two numbers; the other one if this is NaN.
     #[inline(always)]
     fn larger(self, other: Self) -> Self {
-        self.at_least(other).choose(|| self, || other)
+        self.at_least(other).select(self, other)
     }
 
     /// The value nearest to `self` in [-limit, limit]; `limit` must not be negative.
+    #[inline(always)]
     fn limited(self, limit: Self) -> Self {
-        self.above(limit).choose(|| limit, || self.below(-limit).choose(|| -limit, || self))
+        self.above(limit).select(limit, self.below(-limit).select(-limit, self))
     }
 
     /// As [`Real::limited`], for what is pushed back by a limit that moves: where it stands on it, the one that goes
     /// inwards faster decides how it goes on.
+    #[inline(always)]
     fn pushed_back(self, limit: Self) -> Self {
         let direction = self.sign();
         let excess = direction * self - limit;
         let leaves = excess.is_positive() | excess.vanishes() & excess.rises();
-        leaves.choose(|| direction * limit, || self)
+        leaves.select(direction * limit, self)
     }
 }
 

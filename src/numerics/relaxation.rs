@@ -1,17 +1,16 @@
 //! Exact solution of a linear relaxation.
 
-use crate::number::{Mask, Real};
+use crate::number::{Real, choose};
 
 /// x after a time h of `dx/dt = rate (steady - x)`, given `decay = rate h`:
 ///
 /// ```text
 /// x(h) = steady + (x(0) - steady) exp(-decay)
 /// ```
-#[inline]
+#[inline(always)]
 pub fn after<T: Real>(x: T, steady: T, decay: T) -> T {
     // The first form keeps its digits if little changes, the second if nothing of x(0) remains.
-    let little = || x - (steady - x) * (-decay).exp_m1();
-    decay.below(T::from(1.0)).choose(little, || steady + (x - steady) * (-decay).exp())
+    choose!(decay.below(T::from(1.0)), x - (steady - x) * (-decay).exp_m1(), steady + (x - steady) * (-decay).exp())
 }
 
 #[cfg(test)]

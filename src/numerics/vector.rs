@@ -5,46 +5,52 @@ use std::ops::{AddAssign, MulAssign, SubAssign};
 use nalgebra::{SVector, Scalar, Vector3};
 pub use num_traits::{One, Zero};
 
-use crate::number::{Dual, Lanes, Mask, Real};
+use crate::number::{Dual, Lanes, Mask, Real, Register};
 
 /// A number that can be a component of a vector.
 pub trait Component: Real + Scalar + Zero + One + AddAssign + SubAssign + MulAssign {}
 
 impl Component for f64 {}
 impl Component for Dual {}
-impl<const N: usize> Component for Lanes<N> {}
+impl<R: Register> Component for Lanes<R> {}
 
 /// What nalgebra asks of a component beside its operations.
 macro_rules! component {
-    ($Number:ty $(, $N:ident)?) => {
-        impl<$(const $N: usize)?> Zero for $Number {
+    ($Number:ty $(, $R:ident)?) => {
+        impl<$($R: Register)?> Zero for $Number {
+            #[inline(always)]
             fn zero() -> Self {
                 Self::from(0.0)
             }
+            #[inline(always)]
             fn is_zero(&self) -> bool {
                 Self::truth(self.is(0.0)) == Self::from(1.0)
             }
         }
 
-        impl<$(const $N: usize)?> One for $Number {
+        impl<$($R: Register)?> One for $Number {
+            #[inline(always)]
             fn one() -> Self {
                 Self::from(1.0)
             }
         }
 
-        impl<$(const $N: usize)?> AddAssign for $Number {
+        impl<$($R: Register)?> AddAssign for $Number {
+            #[inline(always)]
             fn add_assign(&mut self, other: Self) {
                 *self = *self + other;
             }
         }
 
-        impl<$(const $N: usize)?> SubAssign for $Number {
+        impl<$($R: Register)?> SubAssign for $Number {
+            #[inline(always)]
             fn sub_assign(&mut self, other: Self) {
                 *self = *self - other;
             }
         }
 
-        impl<$(const $N: usize)?> MulAssign for $Number {
+        impl<$($R: Register)?> MulAssign for $Number {
+            #[inline(always)]
             fn mul_assign(&mut self, other: Self) {
                 *self = *self * other;
             }
@@ -53,7 +59,7 @@ macro_rules! component {
 }
 
 component!(Dual);
-component!(Lanes<N>, N);
+component!(Lanes<R>, R);
 
 /// Length of a vector, for components of any size. At 0 its derivative is taken as 0, as that of a magnitude.
 pub fn length<T: Component, const N: usize>(vector: &SVector<T, N>) -> T {

@@ -9,7 +9,8 @@ use std::fmt;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use crate::instance::{Instance, Phase, Refused};
-use crate::model::{Fault, Kind};
+use crate::memory::OutOfMemory;
+use crate::model::Fault;
 
 pub use settled::settle;
 
@@ -50,7 +51,7 @@ pub enum Times<'a> {
 impl Times<'_> {
     /// Step from a sample to the next one.
     #[inline]
-    fn step(&self, sample: usize) -> f64 {
+    pub(crate) fn step(&self, sample: usize) -> f64 {
         match self {
             Times::Every(dt) => *dt,
             Times::At(times) => times[sample + 1] - times[sample],
@@ -97,6 +98,8 @@ pub enum Ended {
     Unsettled(Fault),
     /// It was ended from outside.
     Cancelled,
+    /// Memory has run out.
+    OutOfMemory,
 }
 
 impl fmt::Display for Ended {
@@ -106,6 +109,7 @@ impl fmt::Display for Ended {
             Ended::At { sample, time, reason } => write!(f, "sample {sample} (t = {time} s): {reason}"),
             Ended::Unsettled(reason) => reason.fmt(f),
             Ended::Cancelled => write!(f, "cancelled"),
+            Ended::OutOfMemory => OutOfMemory.fmt(f),
         }
     }
 }
@@ -125,7 +129,7 @@ pub fn set_up(instance: &mut Instance, parameters: &[(usize, f64)]) -> Result<()
 }
 
 /// Samples between two looks at the flag that ends a run.
-const PATIENCE: usize = 1024;
+pub(crate) const PATIENCE: usize = 1024;
 
 /// Follows a course from the present state. The results at a sample are those with its inputs; `rows` has an array of one
 /// value per sample for each of the columns `results`.
@@ -136,6 +140,18 @@ pub fn follow(
     rows: &mut [&mut [f64]],
     cancel: &AtomicBool,
 ) -> Result<(), Ended> {
+    follow_into(instance, course, results, rows, 0, cancel)
+}
+
+/// As [`follow`], with the value of the first sample at the place `first` of each array.
+pub(crate) fn follow_into(
+    instance: &mut Instance,
+    course: &Course,
+    results: &[usize],
+    rows: &mut [&mut [f64]],
+    first: usize,
+    cancel: &AtomicBool,
+) -> Result<(), Ended> {
     let Course { inputs, times, samples, between } = *course;
     check(instance, course)?;
     for sample in 0..samples {
@@ -143,10 +159,10 @@ pub fn follow(
             return Err(Ended::Cancelled);
         }
         let at = |reason: Refused| Ended::At { sample, time: times.at(sample), reason: Box::new(reason) };
-        let values = inputs.iter().map(|input| (input.column, input.at(sample)));
-        instance.set_all(Phase::Stepping, values).map_err(at)?;
+        // All have been checked.
+        inputs.iter().for_each(|input| instance.write(input.column, input.at(sample)));
         for (column, row) in results.iter().zip(rows.iter_mut()) {
-            row[sample] = instance.get_column(*column).map_err(at)?;
+            row[first + sample] = instance.get_column(*column).map_err(at)?;
         }
         if sample + 1 < samples {
             let step = times.step(sample);
@@ -160,8 +176,12 @@ pub fn follow(
 }
 
 /// Refuses values of inputs before anything is run.
-fn check(instance: &Instance, course: &Course) -> Result<(), Ended> {
+pub(crate) fn check(instance: &Instance, course: &Course) -> Result<(), Ended> {
     for input in course.inputs {
+        let ports = instance.model().ports;
+        if input.samples.iter().all(|value| ports.takes(input.column, *value)) {
+            continue;
+        }
         for (sample, value) in input.samples.iter().enumerate() {
             let checked = instance.check_value(Phase::Stepping, input.column, *value);
             let time = course.times.at(sample);
@@ -174,9 +194,8 @@ fn check(instance: &Instance, course: &Course) -> Result<(), Ended> {
 /// Gives the inputs that move the slopes that lead them to the next sample.
 fn incline(instance: &mut Instance, inputs: &[Input], sample: usize, step: f64) -> Result<(), Refused> {
     for input in inputs.iter().filter(|input| input.samples.len() > 1) {
-        let is_real = instance.variable(input.column).is_some_and(|variable| matches!(variable.kind, Kind::Real(_)));
         let change = input.at(sample + 1) - input.at(sample);
-        if is_real && change != 0.0 {
+        if change != 0.0 && instance.model().ports.is_real_input(input.column) {
             instance.set_slope(input.column, change / step)?;
         }
     }

@@ -64,6 +64,12 @@ impl Ports {
         range.is_some_and(|range| value >= range.low && value <= range.high)
     }
 
+    /// Whether a column is a Real input.
+    #[inline(always)]
+    pub fn is_real_input(&self, column: usize) -> bool {
+        self.columns.get(column).is_some_and(|port| port.input != NO_INPUT)
+    }
+
     /// Whether a column is Real and can be read in a row that holds so much.
     #[inline(always)]
     pub fn gives(&self, column: usize, computed: Computed) -> bool {

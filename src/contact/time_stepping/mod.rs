@@ -8,8 +8,8 @@ mod phase;
 mod two_levels;
 
 use crate::model::ramp;
-use crate::model::{Fault, Model, Numbers, either, real};
-use crate::number::{Mask, Real};
+use crate::model::{Fault, Fit, Model, Numbers, either, real};
+use crate::number::{Mask, Real, choose};
 
 pub(crate) use on_curve::{Curve, EVENTS_ON_CURVE, Lift, OnCurve, memoryless};
 pub(crate) use phase::{Phase, PhaseColumn};
@@ -113,7 +113,7 @@ pub(crate) trait Holding<T: Real>: Numbers<Number = T> {
         let are_old = is_at(inputs.velocity, steps.end_velocity, steps.velocity_change)
             & is_at(inputs.external_force, steps.end_external_force, steps.external_force_change)
             & is_at(inputs.normal_force, steps.end_normal_force, steps.normal_force_change);
-        let back = |now: T, change: T| are_old.choose(|| now - change, || now);
+        let back = |now: T, change: T| choose!(are_old, now - change, now);
         let half = T::from(0.5);
         let inputs = Inputs {
             velocity: back(inputs.velocity, steps.velocity_change),
@@ -125,42 +125,54 @@ pub(crate) trait Holding<T: Real>: Numbers<Number = T> {
 }
 
 /// The friction force at a communication point.
-#[inline]
+#[inline(always)]
 pub(crate) fn force<T: Real>(law: &impl Holding<T>) -> T {
     let steps = law.time_stepping();
-    let parallel = || steps.planned_force.limited(law.contact().largest());
-    let sequential = || law.over_last_step().contact().stepped(steps.mass, steps.step_size).force;
-    let over_a_step = || steps.is_parallel().choose(parallel, sequential);
-    steps.is_active().choose(over_a_step, || law.contact().printed())
+    if !T::SEARCHES {
+        return law.contact().printed();
+    }
+    choose!(steps.is_active(), over_a_step(law), law.contact().printed())
+}
+
+fn over_a_step<T: Real>(law: &impl Holding<T>) -> T {
+    let steps = law.time_stepping();
+    choose!(
+        steps.is_parallel(),
+        steps.planned_force.limited(law.contact().largest()),
+        law.over_last_step().contact().stepped(steps.mass, steps.step_size).force
+    )
 }
 
 /// 1 if the contact is stuck, else 0.
-#[inline]
+#[inline(always)]
 pub(crate) fn sticking<T: Real>(law: &impl Holding<T>) -> T {
     let steps = law.time_stepping();
-    let over_a_step = || law.over_last_step().contact().sticking(steps);
-    steps.is_active().choose(over_a_step, || law.contact().sticking(steps))
+    if !T::SEARCHES {
+        return law.contact().sticking(steps);
+    }
+    choose!(steps.is_active(), law.over_last_step().contact().sticking(steps), law.contact().sticking(steps))
 }
 
 impl<T: Real> TimeStepping<T> {
     /// A body can be held as soon as its mass and the step are known.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn is_active(&self) -> T::Mask {
         self.mass.is_positive() & self.step_size.is_positive()
     }
 
     /// Motion of the contact as found by an event.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn phase(&self) -> PhaseColumn<T> {
         PhaseColumn(self.phase)
     }
 
+    #[inline(always)]
     fn is_parallel(&self) -> T::Mask {
         ExchangeOrder::Parallel.is(self.exchange)
     }
 
     /// A copy without memory, so that a mass set later finds no old plan.
-    #[inline]
+    #[inline(always)]
     fn forgotten(self) -> TimeStepping<T> {
         let zero = T::zero();
         TimeStepping {
@@ -180,7 +192,7 @@ impl<T: Real> TimeStepping<T> {
     }
 
     /// Drops the memory, if there is one.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn forget(&mut self) {
         // Only a step makes a plan and changes of inputs.
         let has_nothing = self.step_size.vanishes() & Phase::Free.is(self.phase);
@@ -189,6 +201,15 @@ impl<T: Real> TimeStepping<T> {
 }
 
 impl TimeStepping {
+    /// How the row of a law fits beside others. `is_function`: as printed, it is a function of its inputs.
+    pub(crate) fn fit(&self, is_function: bool) -> Fit {
+        if self.mass > 0.0 {
+            return Fit::Alone;
+        }
+        let has_nothing = self.step_size == 0.0 && Phase::Free.is(self.phase);
+        if is_function && has_nothing { Fit::Outputs } else { Fit::Steps }
+    }
+
     /// With mass, the force belongs to a whole step, and an importer that integrates the body itself takes no such
     /// step.
     pub(crate) fn check_model_exchange(&self) -> Result<(), Fault> {
@@ -211,18 +232,22 @@ pub(crate) struct Done<T: Real> {
 }
 
 /// Advances a law by `dt` with held inputs.
-#[inline]
+#[inline(always)]
 pub(crate) fn step<T: Real>(law: &mut impl Holding<T>, dt: T) {
     step_from(law, law.inputs(), dt);
 }
 
 /// Advances a law by `dt`, over which its inputs have moved linearly from `begin` to their present values.
-#[inline]
+#[inline(always)]
 fn step_from<T: Real>(law: &mut impl Holding<T>, begin: Inputs<T>, dt: T) {
     // A step is determined by the velocity, regardless of what an event has found.
     law.time_stepping_mut().phase = T::from(Phase::Free.number());
     let is_printed = law.time_stepping().mass.vanishes();
-    either(law, is_printed, |law| step_as_printed(law, dt), |law| step_with_mass(law, begin, dt));
+    if T::SEARCHES {
+        either(law, is_printed, |law| step_as_printed(law, dt), |law| step_with_mass(law, begin, dt));
+    } else {
+        step_as_printed(law, dt);
+    }
 }
 
 #[inline(always)]
@@ -254,7 +279,7 @@ fn step_with_mass<T: Real>(law: &mut impl Holding<T>, begin: Inputs<T>, dt: T) {
     let parallel = || {
         // The host still applies the force of the last exchange; the next one is planned for the velocity that results
         // from it.
-        let applied = is_first.choose(|| over.contact().printed(), || steps.planned_force);
+        let applied = choose!(is_first, over.contact().printed(), steps.planned_force);
         let Outcome { force, is_held } = planned(law, &over, applied, dt);
         [force, work(&over, applied, dt), T::truth(is_held)]
     };
@@ -300,15 +325,17 @@ pub(crate) fn step_ramp<M: Model + Holding<f64>>(law: &mut M, slope: &M, dt: f64
 /// Methods of [`Holding`] that access the inputs of a law.
 macro_rules! holding {
     ($T:ident) => {
+        #[inline(always)]
         fn time_stepping(&self) -> &$crate::contact::time_stepping::TimeStepping<$T> {
             &self.time_stepping
         }
 
+        #[inline(always)]
         fn time_stepping_mut(&mut self) -> &mut $crate::contact::time_stepping::TimeStepping<$T> {
             &mut self.time_stepping
         }
 
-        #[inline]
+        #[inline(always)]
         fn inputs(&self) -> $crate::contact::time_stepping::Inputs<$T> {
             $crate::contact::time_stepping::Inputs {
                 velocity: self.velocity,
@@ -317,7 +344,7 @@ macro_rules! holding {
             }
         }
 
-        #[inline]
+        #[inline(always)]
         fn given(self, inputs: $crate::contact::time_stepping::Inputs<$T>) -> Self {
             let $crate::contact::time_stepping::Inputs { velocity, external_force, normal_force } = inputs;
             Self { velocity, external_force, normal_force, ..self }

@@ -4,7 +4,7 @@ use super::phase::{Band, NO_EVENT, Phase, PhaseColumn, Rest, resting};
 use super::{Contact, Outcome, TimeStepping};
 use crate::contact::end_velocity::{self, Landing};
 use crate::contact::unloading;
-use crate::number::{Dual, Mask, Real};
+use crate::number::{Dual, Mask, Real, choose};
 
 /// Methods supplied by a law whose force is an odd function of the velocity, without memory; everything else is shared.
 pub(crate) trait Curve<T: Real> {
@@ -42,6 +42,7 @@ pub(crate) struct OnCurve<'a, T, L> {
 }
 
 impl<T: Copy, L> Clone for OnCurve<'_, T, L> {
+    #[inline(always)]
     fn clone(&self) -> Self {
         *self
     }
@@ -51,12 +52,13 @@ impl<T: Copy, L> Copy for OnCurve<'_, T, L> {}
 
 impl<T: Real, L: Curve<T> + Lift> OnCurve<'_, T, L> {
     /// Whether the velocity is within the band of a regularised law.
+    #[inline(always)]
     fn is_within(&self, band: T) -> T::Mask {
         self.phase.is(Phase::Held) | self.phase.is_free() & self.velocity.abs().below(band)
     }
 
     /// Whether a set-valued law is at rest.
-    #[inline]
+    #[inline(always)]
     fn rests(&self) -> T::Mask {
         let is_free = self.phase.is_free();
         match self.law.band() {
@@ -65,7 +67,16 @@ impl<T: Real, L: Curve<T> + Lift> OnCurve<'_, T, L> {
         }
     }
 
+    /// The velocity of a contact that an event has found sliding: beyond rest the curve is extended at its last value.
+    #[inline(always)]
+    fn extended(&self) -> T {
+        let direction = self.phase.direction();
+        let is_beyond = (direction * self.velocity).at_most(T::zero());
+        is_beyond.select(direction * T::from(f64::MIN_POSITIVE), self.velocity)
+    }
+
     /// Whether a set-valued law is at rest and the external force is within its level.
+    #[inline(always)]
     fn is_held(&self) -> T::Mask {
         self.rests() & self.external_force.abs().at_most(self.law.level())
     }
@@ -94,7 +105,7 @@ impl<T: Real, L: Curve<T> + Lift> OnCurve<'_, T, L> {
         let residual = inertia * (velocity - self.velocity) + self.law.curve(velocity) - self.external_force;
         // Where two zeros meet there is no derivative.
         let has_slope = slope.above(T::from(f64::EPSILON) * inertia);
-        has_slope.choose(|| velocity - residual / slope, || velocity)
+        choose!(has_slope, velocity - residual / slope, velocity)
     }
 
     /// Force over the step of a body that reaches a jump or a point of the curve, and 1 if it is then at rest.
@@ -108,7 +119,7 @@ impl<T: Real, L: Curve<T> + Lift> OnCurve<'_, T, L> {
         });
         let at_jump = || {
             let is_at = |jump: usize| mark.equals(T::from(jump as f64));
-            let found = (0..marks.len()).fold(T::zero(), |found, jump| is_at(jump).choose(|| marks[jump], || found));
+            let found = (0..marks.len()).fold(T::zero(), |found, jump| choose!(is_at(jump), marks[jump], found));
             let velocity = side * found;
             [self.force_to_reach(velocity, inertia), T::truth(velocity.vanishes())]
         };
@@ -136,23 +147,19 @@ fn landing(law: &impl Curve<Dual>, marks: [f64; 5], inertia: f64, side: f64, vel
 }
 
 impl<T: Real, L: Curve<T> + Lift> Contact<T> for OnCurve<'_, T, L> {
-    #[inline]
+    #[inline(always)]
     fn printed(&self) -> T {
-        let sliding = || {
-            // Beyond rest the curve is extended at its last value.
-            let extended = || {
-                let direction = self.phase.direction();
-                let is_beyond = (direction * self.velocity).at_most(T::zero());
-                is_beyond.choose(|| direction * T::from(f64::MIN_POSITIVE), || self.velocity)
-            };
+        choose!(
+            self.rests(),
+            resting(self.phase, self.external_force, self.law.level()),
             self.law.curve(match self.law.band() {
-                None => self.phase.slides().choose(extended, || self.velocity),
+                None => choose!(self.phase.slides(), self.extended(), self.velocity),
                 Some(_) => self.velocity,
             })
-        };
-        self.rests().choose(|| resting(self.phase, self.external_force, self.law.level()), sliding)
+        )
     }
 
+    #[inline(always)]
     fn largest(&self) -> T {
         self.law.level() + self.law.curve(self.velocity).abs()
     }
@@ -169,14 +176,15 @@ impl<T: Real, L: Curve<T> + Lift> Contact<T> for OnCurve<'_, T, L> {
         Outcome { force, is_held: !is_held.vanishes() }
     }
 
-    #[inline]
+    #[inline(always)]
     fn sticking(&self, steps: &TimeStepping<T>) -> T {
         let is_held = match self.law.band() {
             Some(band) => return T::truth(self.is_within(band) & self.normal_force.is_positive()),
-            None => {
+            None if T::SEARCHES => {
                 let stepped = || T::truth(self.stepped(steps.mass, steps.step_size).is_held);
                 !steps.is_active().choose(stepped, || T::truth(self.is_held())).vanishes()
             }
+            None => self.is_held(),
         };
         T::truth(is_held & !self.law.level().vanishes())
     }
@@ -228,7 +236,7 @@ macro_rules! memoryless {
             where
                 T: 'a;
 
-            #[inline]
+            #[inline(always)]
             fn contact(&self) -> $crate::contact::time_stepping::OnCurve<'_, T, Self> {
                 $crate::contact::time_stepping::OnCurve {
                     law: self,
@@ -241,7 +249,7 @@ macro_rules! memoryless {
 
             $crate::contact::time_stepping::holding!(T);
 
-            #[inline]
+            #[inline(always)]
             fn remember(&mut self, done: $crate::contact::time_stepping::Done<T>) {
                 self.dissipated_energy = self.dissipated_energy + done.energy;
             }
@@ -258,7 +266,7 @@ macro_rules! memoryless {
         impl<T: Real> $crate::model::Law for $Law<T> {
             type Interface = $crate::model::ModelExchange;
 
-            #[inline]
+            #[inline(always)]
             fn output(&mut self) {
                 let force = $crate::contact::time_stepping::force(self);
                 let sticking = $crate::contact::time_stepping::sticking(self);
@@ -271,20 +279,21 @@ macro_rules! memoryless {
         }
 
         impl<T: Real> $crate::model::Derivatives for $Law<T> {
+            #[inline(always)]
             fn derivatives(&self, rate: &mut Self) {
                 rate.dissipated_energy = $crate::contact::time_stepping::force(self) * self.velocity;
             }
         }
 
         impl<T: Real> $crate::model::Steps for $Law<T> {
-            #[inline]
+            #[inline(always)]
             fn advance(&mut self, dt: T) {
                 $crate::contact::time_stepping::step(self, dt);
             }
 
             #[inline(always)]
             fn advance_and_output(&mut self, dt: T) {
-                let is_printed = self.time_stepping.mass.vanishes();
+                let is_printed = self.time_stepping.mass.vanishes() | (!T::SEARCHES).into();
                 let printed = |law: &mut Self| {
                     // The force over the step is the force after it.
                     law.time_stepping.forget();
@@ -298,7 +307,7 @@ macro_rules! memoryless {
             }
         }
 
-        $crate::model::in_lanes!($Law);
+        $crate::model::in_lanes!($Law, |law| law.time_stepping.fit(true));
     };
 
     () => {

@@ -1,6 +1,6 @@
 //! Motion of a contact between two events of Model Exchange, and its end.
 
-use crate::number::{Mask, Real};
+use crate::number::{Real, choose};
 
 crate::choices! {
     /// Motion of a contact between two events of Model Exchange.
@@ -56,7 +56,7 @@ impl<T: Real> PhaseColumn<T> {
     /// Direction of a contact that an event has found sliding.
     #[inline(always)]
     pub(super) fn direction(self) -> T {
-        self.is(Phase::Forward).choose(|| T::from(1.0), || T::from(-1.0))
+        choose!(self.is(Phase::Forward), T::from(1.0), T::from(-1.0))
     }
 }
 
@@ -71,9 +71,9 @@ pub(super) struct Rest {
 
 /// The force at rest. A contact found held by an event stays so until the next event, which the external force
 /// triggers.
-#[inline]
+#[inline(always)]
 pub(super) fn resting<T: Real>(phase: PhaseColumn<T>, external_force: T, level: T) -> T {
-    phase.is(Phase::Held).choose(|| external_force, || external_force.limited(level))
+    choose!(phase.is(Phase::Held), external_force, external_force.limited(level))
 }
 
 /// Speed above which something else moves a held body, such as a prescribed velocity (chosen).

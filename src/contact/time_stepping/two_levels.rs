@@ -4,7 +4,7 @@ use super::phase::{Band, NO_EVENT, Phase, PhaseColumn, REACHED, Rest};
 use super::{Contact, Outcome, TimeStepping};
 use crate::contact::stopping::{force_to_stop, is_held};
 use crate::contact::unloading;
-use crate::number::{Mask, Real};
+use crate::number::{Real, choose};
 
 /// A contact with two levels, f_C while sliding and f_s at rest, that remembers whether it is stuck.
 #[derive(Clone, Copy)]
@@ -24,19 +24,22 @@ pub(crate) struct TwoLevels<T: Real> {
 }
 
 impl<T: Real> TwoLevels<T> {
+    #[inline(always)]
     fn is_at_rest(&self) -> T::Mask {
         self.velocity.abs().at_most(self.band)
     }
 
     /// Whether it is at rest or within the band.
+    #[inline(always)]
     fn rests(&self) -> T::Mask {
         self.phase.is(Phase::Held) | self.phase.is_free() & (self.stuck | self.is_at_rest())
     }
 
     /// The force at rest; within a band no event holds it.
+    #[inline(always)]
     fn resting(&self) -> T {
         let is_kept = self.phase.is(Phase::Held) & !self.band.is_positive();
-        is_kept.choose(|| self.external_force, || self.external_force.limited(self.breakaway))
+        choose!(is_kept, self.external_force, self.external_force.limited(self.breakaway))
     }
 }
 
@@ -71,12 +74,16 @@ impl TwoLevels<f64> {
 
 impl<T: Real> Contact<T> for TwoLevels<T> {
     /// The law without memory: kinetic level outside the band; inside it the external force, up to the static level.
+    #[inline(always)]
     fn printed(&self) -> T {
-        let direction = || self.phase.slides().choose(|| self.phase.direction(), || self.velocity.sign());
-        let sliding = || self.kinetic * direction();
-        self.rests().choose(|| self.resting(), sliding)
+        choose!(
+            self.rests(),
+            self.resting(),
+            self.kinetic * choose!(self.phase.slides(), self.phase.direction(), self.velocity.sign())
+        )
     }
 
+    #[inline(always)]
     fn largest(&self) -> T {
         self.breakaway
     }
@@ -85,11 +92,15 @@ impl<T: Real> Contact<T> for TwoLevels<T> {
         let TwoLevels { velocity, kinetic, breakaway, .. } = *self;
         let stopping = force_to_stop(velocity, self.external_force, mass, step_size);
         let is_held = is_held(stopping, velocity, self.stuck | self.is_at_rest(), kinetic, breakaway);
-        let moving = || self.is_at_rest().choose(|| stopping.limited(breakaway), || stopping.limited(kinetic));
-        let force = is_held.choose(|| stopping, moving);
+        let force = choose!(
+            is_held,
+            stopping,
+            choose!(self.is_at_rest(), stopping.limited(breakaway), stopping.limited(kinetic))
+        );
         Outcome { force, is_held }
     }
 
+    #[inline(always)]
     fn sticking(&self, steps: &TimeStepping<T>) -> T {
         let is_active = steps.is_active();
         let is_held = self.rests() & self.external_force.abs().at_most(self.breakaway);
@@ -106,6 +117,7 @@ macro_rules! two_levels {
             where
                 T: 'a;
 
+            #[inline(always)]
             fn contact(&self) -> $crate::contact::time_stepping::TwoLevels<T> {
                 let $law = self;
                 $crate::contact::time_stepping::TwoLevels {
@@ -121,6 +133,7 @@ macro_rules! two_levels {
 
             $crate::contact::time_stepping::holding!(T);
 
+            #[inline(always)]
             fn remember(&mut self, done: $crate::contact::time_stepping::Done<T>) {
                 self.dissipated_energy = self.dissipated_energy + done.energy;
                 self.stuck = T::truth(done.is_held);
@@ -130,6 +143,7 @@ macro_rules! two_levels {
         impl<T: Real> $crate::model::Law for $Law<T> {
             type Interface = $crate::model::ModelExchange;
 
+            #[inline(always)]
             fn output(&mut self) {
                 self.friction_force = $crate::contact::time_stepping::force(self);
                 self.dissipated_power = self.friction_force * self.velocity;
@@ -138,18 +152,20 @@ macro_rules! two_levels {
         }
 
         impl<T: Real> $crate::model::Derivatives for $Law<T> {
+            #[inline(always)]
             fn derivatives(&self, rate: &mut Self) {
                 rate.dissipated_energy = $crate::contact::time_stepping::force(self) * self.velocity;
             }
         }
 
         impl<T: Real> $crate::model::Steps for $Law<T> {
+            #[inline(always)]
             fn advance(&mut self, dt: T) {
                 $crate::contact::time_stepping::step(self, dt);
             }
         }
 
-        $crate::model::in_lanes!($Law);
+        $crate::model::in_lanes!($Law, |law| law.time_stepping.fit(false));
     };
 
     () => {

@@ -1,0 +1,90 @@
+//! Rows in the lanes of one kind of register.
+
+#![cfg_attr(
+    not(any(target_arch = "x86_64", target_arch = "aarch64")),
+    allow(dead_code, reason = "other processors have no registers for it")
+)]
+
+use std::ops::Range;
+
+use crate::memory::{self, OutOfMemory};
+use crate::model::Kernel;
+use crate::number::{Lanes, Register};
+
+/// Rows in groups, one row in each lane: a group after the other, column after column.
+pub(super) struct Groups<R> {
+    kernel: Kernel<R>,
+    columns: usize,
+    rows: usize,
+    lanes: Box<[Lanes<R>]>,
+}
+
+impl<R: Register> Groups<R> {
+    /// Rows of zeros. The processor must have the register.
+    pub fn new(kernel: Kernel<R>, columns: usize, rows: usize) -> Result<Groups<R>, OutOfMemory> {
+        let lanes = columns.checked_mul(rows.div_ceil(R::LANES)).ok_or(OutOfMemory)?;
+        Ok(Groups { kernel, columns, rows, lanes: memory::filled(Lanes::from(0.0), lanes)? })
+    }
+
+    pub fn rows(&self) -> usize {
+        self.rows
+    }
+
+    fn numbers(&self) -> &[f64] {
+        // SAFETY: a register consists of so many numbers, and `Lanes` of a register.
+        unsafe { std::slice::from_raw_parts(self.lanes.as_ptr().cast::<f64>(), self.lanes.len() * R::LANES) }
+    }
+
+    fn numbers_mut(&mut self) -> &mut [f64] {
+        // SAFETY: as above; the borrow is exclusive and passes on to the result.
+        unsafe { std::slice::from_raw_parts_mut(self.lanes.as_mut_ptr().cast::<f64>(), self.lanes.len() * R::LANES) }
+    }
+
+    /// Writes a column. Lanes without a row follow the last one.
+    #[inline]
+    pub fn set(&mut self, column: usize, value: impl Fn(usize) -> f64) {
+        let (columns, last) = (self.columns, self.rows - 1);
+        for (group, numbers) in self.numbers_mut().chunks_exact_mut(columns * R::LANES).enumerate() {
+            let lanes = &mut numbers[column * R::LANES..(column + 1) * R::LANES];
+            for (lane, number) in lanes.iter_mut().enumerate() {
+                *number = value((group * R::LANES + lane).min(last));
+            }
+        }
+    }
+
+    /// Writes all columns of some rows; lanes without a row follow the last one.
+    pub fn load(&mut self, rows: Range<usize>, values: &[f64]) {
+        let columns = self.columns;
+        let end = if rows.end == self.rows { self.lanes.len() / columns * R::LANES } else { rows.end };
+        let numbers = self.numbers_mut();
+        for row in rows.start..end {
+            let group = row / R::LANES * columns * R::LANES;
+            for (column, value) in values.iter().enumerate() {
+                numbers[group + column * R::LANES + row % R::LANES] = *value;
+            }
+        }
+    }
+
+    #[inline]
+    pub fn get(&self, column: usize, mut show: impl FnMut(usize, f64)) {
+        for (group, numbers) in self.numbers().chunks_exact(self.columns * R::LANES).enumerate() {
+            let first = group * R::LANES;
+            let lanes = &numbers[column * R::LANES..(column + 1) * R::LANES];
+            for (lane, number) in lanes.iter().take(self.rows - first).enumerate() {
+                show(first + lane, *number);
+            }
+        }
+    }
+
+    #[inline]
+    pub fn output(&mut self) -> bool {
+        // SAFETY: the processor has the register: the promise to `new`.
+        unsafe { (self.kernel.output)(&mut self.lanes) }
+    }
+
+    #[inline]
+    pub fn advance(&mut self, dt: f64) -> bool {
+        // SAFETY: the processor has the register: the promise to `new`.
+        unsafe { (self.kernel.advance)(&mut self.lanes, dt) }
+    }
+}

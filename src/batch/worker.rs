@@ -1,0 +1,297 @@
+//! Runs of one model over given inputs: several side by side, or one after the other.
+
+use std::ops::Range;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use super::{Batch, Registers};
+use crate::instance::Instance;
+use crate::memory::{self, OutOfMemory};
+use crate::model::{Fit, ModelType, Role};
+use crate::series::{self, Between, Course, Ended, Input, PATIENCE, Times};
+
+/// Runs that are made together (chosen): a few groups in any registers, whose rows fit into the nearest cache.
+const TOGETHER: usize = 16;
+
+/// A variable with its values: a row of them for each run, or one for all runs.
+#[derive(Clone, Copy, Debug)]
+pub struct Rows<'a> {
+    /// Its column.
+    pub column: usize,
+    /// Number of rows: 1, or one for each run.
+    pub rows: usize,
+    /// Values in a row: 1, or one per sample.
+    pub width: usize,
+    /// The values, row after row.
+    pub values: &'a [f64],
+}
+
+impl<'a> Rows<'a> {
+    /// The row of a run.
+    #[inline]
+    pub fn row(&self, run: usize) -> &'a [f64] {
+        let first = if self.rows == 1 { 0 } else { run * self.width };
+        &self.values[first..first + self.width]
+    }
+
+    #[inline]
+    fn at(&self, run: usize, sample: usize) -> f64 {
+        self.row(run)[if self.width == 1 { 0 } else { sample }]
+    }
+}
+
+/// Runs over given inputs.
+#[derive(Clone, Copy, Debug)]
+pub struct Runs<'a> {
+    /// The inputs.
+    pub inputs: &'a [Rows<'a>],
+    /// When their samples are taken.
+    pub times: Times<'a>,
+    /// Samples of each run.
+    pub samples: usize,
+    /// How inputs move between them.
+    pub between: Between,
+    /// Columns of the results.
+    pub results: &'a [usize],
+}
+
+impl<'a> Runs<'a> {
+    fn course<'b>(&self, inputs: &'b [Input<'a>]) -> Course<'b>
+    where
+        'a: 'b,
+    {
+        let Runs { times, samples, between, .. } = *self;
+        Course { inputs, times, samples, between }
+    }
+}
+
+/// Brings an instance to the beginning of a run.
+pub type Begin<'a> = &'a dyn Fn(usize, &mut Instance) -> Result<(), Ended>;
+
+/// Why runs were not made side by side.
+enum Not {
+    /// They cannot be, or one of them does not come to its end.
+    Together,
+    Cancelled,
+}
+
+/// Workspace for runs of a model: nothing is allocated while they are made.
+pub struct Worker<'a> {
+    batch: Option<Batch>,
+    course: Vec<Input<'a>>,
+}
+
+impl<'a> Worker<'a> {
+    /// Workspace for runs of a model.
+    pub fn new(model: &'static ModelType, runs: &Runs<'a>, registers: Registers) -> Result<Worker<'a>, OutOfMemory> {
+        let batch = Batch::new(model, registers, TOGETHER)?;
+        let course = memory::each(runs.inputs.iter(), |rows| Ok(Input { column: rows.column, samples: &[] }))?;
+        Ok(Worker { batch, course })
+    }
+
+    /// The number of runs to be made in one call.
+    pub fn together(model: &ModelType) -> usize {
+        if model.kernels.is_some() { TOGETHER } else { 1 }
+    }
+
+    /// Makes some of the runs. `begin` brings the instance to the beginning of a run; `arrays` has a value per run and
+    /// sample for each result, run after run. The first run that does not come to its end ends them all.
+    pub fn make(
+        &mut self,
+        instance: &mut Instance,
+        runs: &Runs<'a>,
+        some: Range<usize>,
+        begin: Begin,
+        arrays: &mut [&mut [f64]],
+        cancel: &AtomicBool,
+    ) -> Result<(), (usize, Ended)> {
+        // What goes wrong side by side is made again, for the text.
+        match self.make_together(instance, runs, some.clone(), begin, arrays, cancel) {
+            Ok(()) => return Ok(()),
+            Err(Not::Together) => {}
+            Err(Not::Cancelled) => return Err((some.start, Ended::Cancelled)),
+        }
+        for (number, run) in some.enumerate() {
+            let done = begin(run, instance).and_then(|()| {
+                set_course(&mut self.course, runs, run);
+                let first = number * runs.samples;
+                let course = runs.course(&self.course);
+                series::follow_into(instance, &course, runs.results, arrays, first, cancel)
+            });
+            done.map_err(|ended| (run, ended))?;
+        }
+        Ok(())
+    }
+
+    /// Makes one run, all of whose results are outputs that do not depend on the steps before. False if they may.
+    pub fn make_outputs(
+        &mut self,
+        instance: &mut Instance,
+        runs: &Runs<'a>,
+        begin: Begin,
+        arrays: &mut [&mut [f64]],
+        cancel: &AtomicBool,
+    ) -> bool {
+        let Some(mut batch) = self.batch.take() else { return false };
+        let done = self.begin(instance, runs, 0, begin).is_ok_and(|is_memoryless| {
+            is_memoryless
+                && batch.load(0..TOGETHER, instance.row())
+                && along(&mut batch, runs, 0, arrays, 0, cancel).is_ok()
+        });
+        self.batch = Some(batch);
+        done
+    }
+
+    /// Makes runs side by side, or the samples of each if no result depends on the steps before.
+    fn make_together(
+        &mut self,
+        instance: &mut Instance,
+        runs: &Runs<'a>,
+        some: Range<usize>,
+        begin: Begin,
+        arrays: &mut [&mut [f64]],
+        cancel: &AtomicBool,
+    ) -> Result<(), Not> {
+        let Some(mut batch) = self.batch.take() else { return Err(Not::Together) };
+        let done = (|| {
+            let is_memoryless = self.begin(instance, runs, some.start, begin)?;
+            if is_memoryless && (runs.samples >= TOGETHER || some.len() == 1) {
+                return some.clone().enumerate().try_for_each(|(place, run)| {
+                    let is_memoryless = self.begin(instance, runs, run, begin)?;
+                    if !(is_memoryless && batch.load(0..TOGETHER, instance.row())) {
+                        return Err(Not::Together);
+                    }
+                    along(&mut batch, runs, run, arrays, place * runs.samples, cancel)
+                });
+            }
+            if some.len() == 1 {
+                return Err(Not::Together);
+            }
+            let mut steps = false;
+            for (place, run) in some.clone().enumerate() {
+                steps |= !self.begin(instance, runs, run, begin)?;
+                // Lanes without a run follow the last one.
+                if !batch.load(place..TOGETHER, instance.row()) {
+                    return Err(Not::Together);
+                }
+            }
+            across(&mut batch, runs, &some, steps, arrays, cancel)
+        })();
+        self.batch = Some(batch);
+        done
+    }
+
+    /// Brings the instance to the beginning of a run. Whether no result depends on the steps.
+    fn begin(&mut self, instance: &mut Instance, runs: &Runs<'a>, run: usize, begin: Begin) -> Result<bool, Not> {
+        begin(run, instance).map_err(|_| Not::Together)?;
+        let Some(kernels) = instance.model().kernels.as_ref() else { return Err(Not::Together) };
+        let table = &instance.model().table;
+        let role = |column: &usize| table.role(*column);
+        let is_input = runs.inputs.iter().all(|rows| role(&rows.column) == Role::Input);
+        if !is_input || !instance.is_plain() || runs.results.iter().any(|column| table.at(*column).is_advice) {
+            return Err(Not::Together);
+        }
+        set_course(&mut self.course, runs, run);
+        series::check(instance, &runs.course(&self.course)).map_err(|_| Not::Together)?;
+        let is_output = |column: &usize| !matches!(role(column), Role::State | Role::StateOutput);
+        let fit = (kernels.fit)(instance.row());
+        let is_memoryless = fit == Fit::Outputs && runs.results.iter().all(is_output);
+        let are_held = runs.between == Between::Held || runs.inputs.iter().all(|rows| rows.width == 1);
+        if is_memoryless || fit != Fit::Alone && are_held && times_fit(runs) {
+            Ok(is_memoryless)
+        } else {
+            Err(Not::Together)
+        }
+    }
+}
+
+fn set_course<'a>(course: &mut [Input<'a>], runs: &Runs<'a>, run: usize) {
+    for (input, rows) in course.iter_mut().zip(runs.inputs) {
+        input.samples = rows.row(run);
+    }
+}
+
+/// Whether all steps are times that a row by itself would be advanced by.
+fn times_fit(runs: &Runs) -> bool {
+    let last = runs.samples.saturating_sub(1);
+    let fits = |step: f64| step > 0.0 && step.is_finite();
+    let all_fit = match runs.times {
+        Times::Every(dt) => fits(dt),
+        Times::At(_) => (0..last).all(|sample| fits(runs.times.step(sample))),
+    };
+    all_fit && runs.times.at(last).is_finite()
+}
+
+/// Makes runs in lanes.
+fn across(
+    batch: &mut Batch,
+    runs: &Runs,
+    some: &Range<usize>,
+    steps: bool,
+    arrays: &mut [&mut [f64]],
+    cancel: &AtomicBool,
+) -> Result<(), Not> {
+    let last = some.end - 1;
+    for sample in 0..runs.samples {
+        if sample % PATIENCE == 0 && cancel.load(Ordering::Relaxed) {
+            return Err(Not::Cancelled);
+        }
+        for rows in runs.inputs.iter().filter(|rows| sample == 0 || rows.width > 1) {
+            if rows.rows == 1 {
+                batch.fill(rows.column, rows.at(0, sample));
+            } else {
+                batch.set(rows.column, |place| rows.at((some.start + place).min(last), sample));
+            }
+        }
+        let mut is_finite = batch.output();
+        for (column, array) in runs.results.iter().zip(arrays.iter_mut()) {
+            batch.get(*column, |place, value| {
+                if place < some.len() {
+                    array[place * runs.samples + sample] = value;
+                }
+            });
+        }
+        if steps && sample + 1 < runs.samples {
+            is_finite &= batch.advance(runs.times.step(sample));
+        }
+        if !is_finite {
+            return Err(Not::Together);
+        }
+    }
+    Ok(())
+}
+
+/// Makes a run with its samples in lanes: none of its results depends on the samples before.
+fn along(
+    batch: &mut Batch,
+    runs: &Runs,
+    run: usize,
+    arrays: &mut [&mut [f64]],
+    first: usize,
+    cancel: &AtomicBool,
+) -> Result<(), Not> {
+    for rows in runs.inputs.iter().filter(|rows| rows.width == 1) {
+        batch.fill(rows.column, rows.at(run, 0));
+    }
+    for from in (0..runs.samples).step_by(TOGETHER) {
+        if from % PATIENCE == 0 && cancel.load(Ordering::Relaxed) {
+            return Err(Not::Cancelled);
+        }
+        let count = TOGETHER.min(runs.samples - from);
+        for rows in runs.inputs.iter().filter(|rows| rows.width > 1) {
+            let values = &rows.row(run)[from..from + count];
+            batch.set(rows.column, |place| values[place.min(count - 1)]);
+        }
+        if !batch.output() {
+            return Err(Not::Together);
+        }
+        for (column, array) in runs.results.iter().zip(arrays.iter_mut()) {
+            let values = &mut array[first + from..first + from + count];
+            batch.get(*column, |place, value| {
+                if let Some(number) = values.get_mut(place) {
+                    *number = value;
+                }
+            });
+        }
+    }
+    Ok(())
+}
