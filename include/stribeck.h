@@ -390,7 +390,8 @@ stribeck_status stribeck_run(stribeck_model *model,
 /**
  * As stribeck_run, for several runs that all begin with the present state of the model, to which it returns at the end.
  * Each array of `parameters`, which may be any variables that can be set, has a value per run; each array of `inputs` and
- * `results` has `samples` values per run, run after run.
+ * `results` has `samples` values per run, run after run. Runs of laws without modes, over held inputs, are made side by
+ * side in the registers of the processor, with the bits of each by itself.
  */
 stribeck_status stribeck_run_many(stribeck_model *model,
                                   double dt,

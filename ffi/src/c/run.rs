@@ -1,5 +1,6 @@
 //! Many steps in one call.
 
+use std::cell::RefCell;
 use std::sync::atomic::AtomicBool;
 
 use libc::c_int;
@@ -7,9 +8,10 @@ use libc::c_int;
 use super::stribeck_status::*;
 use super::{Outcome, Refusal, enter, fault, refuse, stribeck_model, stribeck_status};
 use crate::guard::pointer::{Null, array, array_mut};
+use stribeck::batch::{Registers, Rows, Runs, Worker};
 use stribeck::instance::{Instance, Refused, Snapshot};
 use stribeck::memory::{self, OutOfMemory};
-use stribeck::series::{self, Between, Course, Ended, Input, Times};
+use stribeck::series::{self, Between, Ended, Times};
 
 /// Nobody ends a call from C early.
 static NEVER: AtomicBool = AtomicBool::new(false);
@@ -20,6 +22,7 @@ impl From<Ended> for Refusal {
         let Refusal(status, _) = match ended {
             Ended::Setup(reason) | Ended::At { reason, .. } => Refusal::from(*reason),
             Ended::Unsettled(fault) => Refusal::from(Refused::NotFinite(fault)),
+            Ended::OutOfMemory => Refusal::from(OutOfMemory),
             Ended::Cancelled => Refusal(STRIBECK_INTERNAL, String::new()),
         };
         Refusal(status, text)
@@ -147,27 +150,30 @@ impl Way {
         before: &Snapshot,
     ) -> Outcome {
         let Way { dt, samples, runs, between } = self;
-        let mut chosen = memory::each(parameters.columns.iter(), |column| Ok((*column, 0.0)))?;
-        let mut inputs = memory::each(given.columns.iter(), |column| Ok(Input { column: *column, samples: &[] }))?;
-        let mut rest = found.values;
-        let mut rows = memory::each(0..rest.len(), |_| Ok(&mut [][..]))?;
-        for run in 0..runs {
-            // The first one begins where the model is.
-            if run > 0 {
-                instance.restore(before);
-            }
+        let chosen = memory::each(parameters.columns.iter(), |column| Ok((*column, 0.0)))?;
+        let chosen = RefCell::new(chosen);
+        let inputs = memory::each(given.columns.iter().zip(&given.values), |(column, values)| {
+            Ok(Rows { column: *column, rows: runs, width: samples, values })
+        })?;
+        let all = Runs { inputs: &inputs, times: Times::Every(dt), samples, between, results: &found.columns };
+        let mut worker = Worker::new(instance.model(), &all, Registers::best())?;
+        let begin = |run: usize, instance: &mut Instance| {
+            instance.restore(before);
+            let mut chosen = chosen.borrow_mut();
             for (place, values) in chosen.iter_mut().zip(&parameters.values) {
                 place.1 = values[run];
             }
-            for (place, values) in inputs.iter_mut().zip(&given.values) {
-                place.samples = &values[run * samples..(run + 1) * samples];
+            series::set_up(instance, &chosen)
+        };
+        let mut rest = found.values;
+        let mut arrays = memory::each(0..rest.len(), |_| Ok(&mut [][..]))?;
+        let together = Worker::together(instance.model());
+        for first in (0..runs).step_by(together) {
+            let some = first..runs.min(first + together);
+            for (place, rest) in arrays.iter_mut().zip(&mut rest) {
+                (*place, *rest) = std::mem::take(rest).split_at_mut(some.len() * samples);
             }
-            for (place, rest) in rows.iter_mut().zip(&mut rest) {
-                (*place, *rest) = std::mem::take(rest).split_at_mut(samples);
-            }
-            series::set_up(instance, &chosen)?;
-            let course = Course { inputs: &inputs, times: Times::Every(dt), samples, between };
-            series::follow(instance, &course, &found.columns, &mut rows, &NEVER)?;
+            worker.make(instance, &all, some, &begin, &mut arrays, &NEVER).map_err(|(_, ended)| ended)?;
         }
         Ok(())
     }
@@ -213,7 +219,8 @@ pub unsafe extern "C" fn stribeck_run(
 
 /// As stribeck_run, for several runs that all begin with the present state of the model, to which it returns at the end.
 /// Each array of `parameters`, which may be any variables that can be set, has a value per run; each array of `inputs` and
-/// `results` has `samples` values per run, run after run.
+/// `results` has `samples` values per run, run after run. Runs of laws without modes, over held inputs, are made side by
+/// side in the registers of the processor, with the bits of each by itself.
 ///
 /// # Safety
 /// As the module says of handles and pointers.
