@@ -36,7 +36,9 @@ def draw_laws(axes: Axes, outcomes: Sequence[Outcome], across: str, up: str, ski
 def legend_below(figure: Figure, axes: Axes) -> None:
     """The names of the laws below all axes."""
     lines = axes.get_lines()
-    figure.legend(handles=lines, loc="outside lower center", ncols=min(8, len(lines)), frameon=False, fontsize="small")
+    # As many columns of long names as the figure is wide for.
+    columns = min(int(0.68 * figure.get_figwidth()), len(lines))
+    figure.legend(handles=lines, loc="outside lower center", ncols=columns, frameon=False, fontsize="small")
 
 
 def draw_spring_curves(car: Car, path: Path) -> None:

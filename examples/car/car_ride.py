@@ -248,9 +248,9 @@ class Ride:
         strut, model = self.struts[name], self.model
         wrench = side_load(name, now, Wrench.in_rod_eye(*model.reaction(name), seen.length))
         acceleration = (seen.velocity - before.velocity) / self.step
-        began = time.perf_counter()
+        began = time.process_time()
         force = strut.advance(seen.length, seen.velocity, self.step, wrench, acceleration, seen.spin)
-        self.strut_seconds += time.perf_counter() - began
+        self.strut_seconds += time.process_time() - began
         model.set_strut(name, force)
         model.twist_strut(name, strut.seen[READINGS.index("friction_torque")])
         carrier = seen.carrier.ahead(before.carrier, lead, self.step)

@@ -14,6 +14,7 @@ import numpy
 import pytest
 import stribeck
 from car_description import CAR, CORNERS, CarError, car_of, read_car
+from car_design import DESIGNS
 from car_kinematics import position
 from car_rest import settle
 from car_stand import SPRING, Stand
@@ -466,6 +467,8 @@ def test_nonsense_in_struts_and_manoeuvres_is_named():
         open_struts(parameters_of(DESCRIPTION, "LuGre", {"c1.mu_s": -0.1}), lengths, "c", FMUS),
     ):
         pass
+    for changes in DESIGNS.values():
+        opened("LuGre", changes)
     short = parameters_of(DESCRIPTION, "LuGre", {"geom.d_i": 0.09})
     with pytest.raises(CarError, match=r"overlap at full extension, .* = -0\.005 m: must be positive"):
         settle(ExudynCar(DESCRIPTION), read_tyre(DESCRIPTION), short)
@@ -485,6 +488,7 @@ def test_nonsense_in_struts_and_manoeuvres_is_named():
         (["rest"], "34 bodies, 190 independent constraints, 0 redundant; 14 free"),
         (["kinematics", "--points", "3", "--corner", "fr", "--rack", "-0.02", "0.02"], "motion ratio"),
         (["drive", "--law", "Dahl", "--with", "duration=0.1", "--step", "2e-3"], "largest roll"),
+        (["accuracy", "--test", "four-post", "--with", "duration=0.1", "--steps", "2e-3", "1e-3"], "codes differ"),
         (
             ["study", "--laws", "Dahl,Karnopp", "--test", "four-post", "--with", "duration=0.2", "--strut", "rr"],
             "Karnopp",
