@@ -48,6 +48,8 @@ enum Task {
     Rig(command::RigArguments),
     /// Measures all laws with all solvers, as the thesis does, and writes a page and a table.
     Bench(command::BenchArguments),
+    /// Writes the page for a browser, one file, with the same laws, systems and solvers.
+    Page(command::PageArguments),
     /// Makes a parameter set of the ShockAbsorber from a damper test: damper table, friction.
     Damper(damper::Arguments),
     /// Makes a parameter set of the tyres of DoubleTrackCar from a tyre property file (.tir).
@@ -76,6 +78,7 @@ fn main() -> ExitCode {
         Task::Identify(arguments) => return ended(command::identify(&arguments)),
         Task::Rig(arguments) => return ended(command::rig(&arguments)),
         Task::Bench(arguments) => return ended(command::bench(&arguments)),
+        Task::Page(arguments) => return ended(command::page(&arguments)),
         Task::Damper(arguments) => {
             if let Err(error) = damper::run(&arguments) {
                 eprintln!("stribeck: {}: {error}", arguments.file.display());

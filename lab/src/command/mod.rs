@@ -5,6 +5,7 @@ mod choice;
 mod compare;
 mod identify;
 mod one;
+mod page;
 mod rig;
 mod study;
 mod watch;
@@ -19,6 +20,7 @@ pub use choice::Arguments;
 pub use compare::compare;
 pub use identify::{Arguments as IdentifyArguments, identify};
 pub use one::run;
+pub use page::{Arguments as PageArguments, page};
 pub use rig::{Arguments as RigArguments, rig};
 pub use study::{Arguments as StudyArguments, study};
 
