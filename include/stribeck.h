@@ -6660,4 +6660,30 @@ typedef enum stribeck_pulled_mass_variable {
   STRIBECK_PULLED_MASS_NORMAL_FORCE = 5891938,
 } stribeck_pulled_mass_variable;
 
+/** Guid of Axis for fmi2Instantiate. */
+#define STRIBECK_AXIS_GUID "{373cf8b6-a02e-a57e-2bf2-71a6009ad998}"
+
+/** Axis: Axis of a machine, moved by the force of its drive. Variables of "Axis". */
+typedef enum stribeck_axis_variable {
+  /** in [N]: Friction force; has the sign of the velocity when sliding. Body 1 feels its negative. (default 0) */
+  STRIBECK_AXIS_FRICTION_FORCE = 1713976319,
+  /** in [N]: Force of the drive, as it is measured. (default 0) */
+  STRIBECK_AXIS_DRIVE_FORCE = 2046763563,
+  /** fixed [kg]: Mass that moves. (> 0, default 95.1089) */
+  STRIBECK_AXIS_MASS = 1601648849,
+  /** tunable [N]: Part of the measured force that moves nothing. (default 0) */
+  STRIBECK_AXIS_OFFSET = 348705738,
+  /** tunable [N]: Sum of the normal forces of the guides (default chosen: a coefficient of friction is then a force in N).
+   *  (>= 0, default 1) */
+  STRIBECK_AXIS_GUIDE_FORCE = 2018901519,
+  /** state, out [m]: Position of the slide. (default 0) */
+  STRIBECK_AXIS_POSITION = 323964426,
+  /** state, out [m/s]: Velocity of the slide. (default 0) */
+  STRIBECK_AXIS_VELOCITY = 846470194,
+  /** out [N]: Force that moves the slide. */
+  STRIBECK_AXIS_EXTERNAL_FORCE = 1336490458,
+  /** out [N]: Sum of the normal forces of the guides. */
+  STRIBECK_AXIS_NORMAL_FORCE = 5891938,
+} stribeck_axis_variable;
+
 #endif /* STRIBECK_H */

@@ -14,6 +14,7 @@ crate::model::family! {
     two_blocks::TwoBlocks,
     incline::Incline,
     pulled_mass::PulledMass,
+    axis::Axis,
 }
 
 mod magic_formula;

@@ -256,6 +256,20 @@ fn a_block_on_an_incline_slides_from_the_angle_of_friction_on() {
     }
 }
 
+/// A constant force on an axis: v = (F - b - f_C) / f_v (1 - exp(-f_v t / M)); a force within friction moves nothing.
+#[test]
+fn axis_approaches_its_speed_exponentially() {
+    let law = [("mu_k", "20.3935"), ("viscous_coefficient", "203.5034")];
+    let speed = |force: &str| {
+        let settings = [&[("axis.drive_force", force)], &law[..]].concat();
+        let outcome = solved("axis", "CoulombViscous", &settings, 1e-10, &["axis.velocity"]);
+        *outcome.values("axis.velocity").unwrap().last().unwrap()
+    };
+    let expected = (60.0 + 3.1648 - 20.3935) / 203.5034 * (1.0 - f64::exp(-203.5034 * 10.0 / 95.1089));
+    assert!((speed("60") - expected).abs() < 1e-8 * expected, "{} {expected}", speed("60"));
+    assert_eq!(speed("17"), 0.0);
+}
+
 /// Largest friction force while the spring pulls the mass off the ground, with LuGre's law.
 fn breakaway(pull: f64, rows: f64, tolerance: f64) -> f64 {
     let source = Source::open("pulled-mass").unwrap();
