@@ -1,9 +1,13 @@
 //! `stribeck damper`: turns a damper test into a parameter set.
 
 use std::path::PathBuf;
+use std::sync::atomic::AtomicBool;
 
 use clap::{Args, ValueEnum};
 use lab::dyno::{Damper, DynoError, ForceSign, Options, Test, find_damper};
+use lab::identify::{StrutFriction, Task, Watch, laws_named, strut_friction};
+use lab::system::Fault;
+use thiserror::Error;
 
 #[derive(Args)]
 pub struct Arguments {
@@ -27,6 +31,23 @@ pub struct Arguments {
     /// Gas force, in N, mean of both ends of the stroke; separates the friction of the two directions.
     #[arg(long)]
     gas_force: Option<f64>,
+    /// Friction law of the strut, fitted to the strokes below the low speed; the file needs a column time.
+    #[arg(long)]
+    law: Option<String>,
+    /// Seed of the search for its parameters.
+    #[arg(long, default_value_t = Task::default().seed)]
+    seed: u64,
+}
+
+/// Reason why no set was written.
+#[derive(Debug, Error)]
+pub enum DamperError {
+    /// No damper was found.
+    #[error(transparent)]
+    Dyno(#[from] DynoError),
+    /// No friction law was found.
+    #[error(transparent)]
+    Law(#[from] Fault),
 }
 
 #[derive(Clone, Copy, ValueEnum)]
@@ -46,23 +67,42 @@ impl From<Sign> for ForceSign {
     }
 }
 
-pub fn run(arguments: &Arguments) -> Result<(), DynoError> {
+pub fn run(arguments: &Arguments) -> Result<(), DamperError> {
     let options = Options {
         compression_positive: arguments.compression_positive,
         force_sign: arguments.force_sign.map(ForceSign::from),
         points: arguments.points,
         low_speed: arguments.low_speed,
+        falling: 0.0,
         gas_force: arguments.gas_force,
     };
-    let test = Test::load(&arguments.file)?;
-    let damper = find_damper(&test, &options)?;
+    let test = Test::load(&arguments.file).map_err(DynoError::from)?;
+    let mut damper = find_damper(&test, &options)?;
+    let friction = arguments.law.as_ref().map(|law| fitted(law, arguments.seed, &test, &options)).transpose()?;
+    if let Some(friction) = &friction {
+        damper.clone_from(&friction.damper);
+    }
     print!("{}", report(&test, &damper));
+    if let Some(friction) = &friction {
+        print!("\nslow strokes:\n{}", friction.fit.table(None));
+        if !friction.left.is_empty() {
+            println!("not determined, so that the strut keeps its defaults: {}", friction.left.join(", "));
+        }
+    }
     if let Some(out) = &arguments.out {
         let name = out.file_stem().unwrap_or_default().to_string_lossy();
-        damper.parameter_set(&name)?.save(out)?;
+        let instead = friction.map_or_else(Vec::new, |friction| friction.values);
+        damper.parameter_set_with(&name, &instead)?.save(out).map_err(DynoError::from)?;
         println!("\n{}", out.display());
     }
     Ok(())
+}
+
+fn fitted(law: &str, seed: u64, test: &Test, options: &Options) -> Result<StrutFriction, Fault> {
+    let law = laws_named(&[law.to_owned()])?[0];
+    let never = AtomicBool::new(false);
+    let watch = Watch { cancel: &never, progress: &|_, _| {} };
+    strut_friction(law, test, options, &Task { seed, ..Task::default() }, watch)
 }
 
 /// Report of the results.

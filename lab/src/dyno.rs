@@ -33,7 +33,8 @@
 //!   of a stroke are excluded from the fits at low speed; without it they make the friction look smaller.
 //! * g is that of middle speeds. Oil lags in proportion to the slope of F_d, so where the characteristic bends
 //!   strongly, part of the lag at low speed counts as friction: test slowly, with long strokes.
-//! * The static level (stiction) is not visible in such tests: see [`Damper::parameter_set`].
+//! * The static level (stiction) is not visible in such tests: see [`Damper::parameter_set`]. A file with times and slow
+//!   strokes ([`slow_strokes`]) shows more: identification fits a friction law to it.
 //!
 //! # Source
 //! The equation is a balance of forces. Weights: A. E. Beaton, J. W. Tukey, "The fitting of power series, meaning
@@ -41,6 +42,7 @@
 
 mod file;
 mod regression;
+mod strokes;
 
 use std::fmt;
 
@@ -54,6 +56,7 @@ use crate::sheet::SheetError;
 
 pub use file::Test;
 use regression::{isotonic, local, regress};
+pub use strokes::{Stroke, slow_strokes};
 
 /// The largest table of the shock absorber.
 pub const MOST_POINTS: usize = 16;
@@ -93,6 +96,8 @@ pub struct Options {
     pub points: usize,
     /// Speed below which samples distinguish friction from damping, m/s.
     pub low_speed: f64,
+    /// Speed below which friction still falls with speed, m/s, if known: slower samples do not count at rest.
+    pub falling: f64,
     /// Gas force, N, mean of both ends of the stroke, if known: only then can the asymmetry of friction be found.
     pub gas_force: Option<f64>,
 }
@@ -100,7 +105,14 @@ pub struct Options {
 impl Default for Options {
     /// 11 points, 0.05 m/s (chosen).
     fn default() -> Options {
-        Options { compression_positive: false, force_sign: None, points: 11, low_speed: 0.05, gas_force: None }
+        Options {
+            compression_positive: false,
+            force_sign: None,
+            points: 11,
+            low_speed: 0.05,
+            falling: 0.0,
+            gas_force: None,
+        }
     }
 }
 
@@ -191,6 +203,28 @@ pub enum DynoError {
         "the displacement decreases while the velocity is positive: the two columns have opposite sign conventions"
     )]
     Displacement,
+    /// There are no times.
+    #[error("no column 'time': a friction law needs it")]
+    NoTime,
+    /// Times do not ascend.
+    #[error("row {row}, time: {now} s after {before} s; times must ascend")]
+    Time {
+        /// Row of the table.
+        row: usize,
+        /// The time.
+        now: f64,
+        /// The time before it.
+        before: f64,
+    },
+    /// There are no slow strokes.
+    #[error(
+        "no strokes at up to {low_speed} m/s that turn at least twice: a friction law needs slow ones; at higher speeds \
+         damping hides friction"
+    )]
+    NoSlowStrokes {
+        /// The speed, m/s.
+        low_speed: f64,
+    },
     /// Squares of velocities or forces overflow, or table points coincide.
     #[error("speeds up to {speed:e} m/s and forces up to {force:e} N are too large or too small to compute with")]
     OutOfRange {
@@ -235,7 +269,7 @@ pub fn find_damper(test: &Test, options: &Options) -> Result<Damper, DynoError> 
     if test.displacement.is_some() && gradient.is_none() {
         warnings.push("the displacement does not separate the two branches of a stroke: not used".into());
     }
-    let rest = sides_at_rest(&samples, options.low_speed, gradient.is_some());
+    let rest = sides_at_rest(&samples, options, gradient.is_some());
     let (friction, gas_force) = match rest {
         Ok(sides) => friction_and_gas(sides, options.gas_force, &mut warnings),
         Err(direction) => {
@@ -323,8 +357,7 @@ fn climb(velocity: &[f64], displacement: &[f64]) -> f64 {
 
 /// The samples with this project's signs. Those at rest are not used.
 fn samples(test: &Test, options: &Options, force_sign: ForceSign) -> Vec<Sample> {
-    let motion = if options.compression_positive { -1.0 } else { 1.0 };
-    let force = if force_sign == ForceSign::Reaction { -motion } else { motion };
+    let [motion, force] = strokes::signs(options, force_sign);
     let displacement = |at: usize| test.displacement.as_ref().map_or(0.0, |displacement| motion * displacement[at]);
     let pairs = test.velocity.iter().zip(&test.force).enumerate();
     let all = pairs.map(|(at, (velocity, measured))| Sample {
@@ -401,10 +434,15 @@ fn mean(first: Estimate, second: Estimate) -> Estimate {
 }
 
 /// Resistance at rest, approached from extension and from compression; else the direction that has too few samples.
-fn sides_at_rest(samples: &[Sample], low_speed: f64, with_displacement: bool) -> Result<[Estimate; 2], &'static str> {
+fn sides_at_rest(
+    samples: &[Sample],
+    options: &Options,
+    with_displacement: bool,
+) -> Result<[Estimate; 2], &'static str> {
     // At most a fifth of the range: further up the characteristic bends. Close to rest the sign of the velocity is
     // noise.
-    let window = low_speed.min(0.2 * top_speed(samples));
+    let window = options.low_speed.min(0.2 * top_speed(samples));
+    let slowest = (0.05 * window).max(options.falling);
     let (centre, stroke) = centre_and_stroke(samples);
     let developed = |sample: &Sample| {
         let travel = stroke / 2.0 + sample.velocity.signum() * (sample.displacement - centre);
@@ -412,7 +450,7 @@ fn sides_at_rest(samples: &[Sample], low_speed: f64, with_displacement: bool) ->
     };
     let side = |is_extension: bool| {
         let near = samples.iter().filter(|sample| sample.is_extension() == is_extension && developed(sample));
-        let near = near.filter(|sample| (0.05..=1.0).contains(&(sample.velocity.abs() / window)));
+        let near = near.filter(|sample| (slowest..=window).contains(&sample.velocity.abs()));
         let near: Vec<(f64, f64)> = near.map(|sample| (sample.velocity, sample.resistance)).collect();
         local(&near, 0.0).ok_or(if is_extension { "extension" } else { "compression" })
     };
@@ -590,8 +628,19 @@ impl Damper {
     /// The parameter set of the shock absorber. The friction is that of both contacts together, without side load: the
     /// preloads of the contacts, static and kinetic, keep the proportions that they have in the defaults.
     pub fn parameter_set(&self, name: &str) -> Result<ParameterSet, DynoError> {
-        const SHOCK_ABSORBER: &str = "ShockAbsorber";
-        let model = catalogue::by_name(SHOCK_ABSORBER).ok_or(DynoError::NoModel(SHOCK_ABSORBER))?;
+        self.parameter_set_with(name, &[])
+    }
+
+    /// As [`Damper::parameter_set`], with these values instead of those of the same name.
+    pub fn parameter_set_with(&self, name: &str, instead: &[(String, f64)]) -> Result<ParameterSet, DynoError> {
+        let model = shock_absorber()?;
+        let mut values = self.values(model)?;
+        values.retain(|(name, _)| instead.iter().all(|(other, _)| other != name));
+        values.extend_from_slice(instead);
+        Ok(ParameterSet::new(model, name, values)?)
+    }
+
+    fn values(&self, model: &'static ModelType) -> Result<Vec<(String, f64)>, DynoError> {
         let mut values = vec![
             ("damper.mode".to_owned(), choice(model, "damper.mode", "Table")?),
             ("damper.tab_n".to_owned(), self.table.len() as f64),
@@ -604,8 +653,14 @@ impl Damper {
             values.extend(preloads(model, friction.level.value)?);
             values.extend(friction.asymmetry.map(|asymmetry| ("friction.asymmetry".to_owned(), asymmetry)));
         }
-        Ok(ParameterSet::new(model, name, values)?)
+        Ok(values)
     }
+}
+
+/// The model that the sets are for.
+pub fn shock_absorber() -> Result<&'static ModelType, DynoError> {
+    const NAME: &str = "ShockAbsorber";
+    catalogue::by_name(NAME).ok_or(DynoError::NoModel(NAME))
 }
 
 /// Preloads of the contacts for a kinetic friction force.

@@ -4,11 +4,15 @@
 //! instead. The separator (tab, semicolon or comma) is that of the heading; unless it is a comma, numbers may have a
 //! decimal comma. `#` begins a comment; columns that nobody asks for are ignored.
 
+mod binary;
+
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
 use thiserror::Error;
+
+pub use binary::tables;
 
 /// Largest file that is read, in bytes (chosen: some ten million rows).
 const LARGEST: u64 = 1 << 30;
@@ -44,6 +48,16 @@ pub const TEMPERATURE: Quantity = Quantity {
     units: &[("K", 1.0, 0.0), ("degC", 1.0, 273.15), ("C", 1.0, 273.15), ("degF", 5.0 / 9.0, 459.67)],
 };
 
+/// Angle.
+pub const ANGLE: Quantity = Quantity { name: "angle", units: &[("rad", 1.0, 0.0), ("deg", DEGREE, 0.0)] };
+/// Longitudinal slip.
+pub const SLIP: Quantity = Quantity { name: "slip", units: &[("1", 1.0, 0.0), ("%", 0.01, 0.0)] };
+/// Moment.
+pub const MOMENT: Quantity =
+    Quantity { name: "moment", units: &[("N.m", 1.0, 0.0), ("Nm", 1.0, 0.0), ("N*m", 1.0, 0.0)] };
+
+const DEGREE: f64 = std::f64::consts::PI / 180.0;
+
 /// Reason why a file is not such a table.
 #[derive(Debug, Error)]
 pub enum SheetError {
@@ -62,6 +76,14 @@ pub enum SheetError {
         path: PathBuf,
         /// Its size.
         bytes: u64,
+    },
+    /// The file has another format, or is damaged.
+    #[error("{}: {why}", path.display())]
+    Format {
+        /// The file.
+        path: PathBuf,
+        /// Why.
+        why: String,
     },
     /// The rows of the table do not fit its heading.
     #[error("no table: {0}")]
@@ -115,10 +137,7 @@ impl Sheet {
     /// Reads a file.
     pub fn load(path: &Path) -> Result<Sheet, SheetError> {
         let unreadable = |source| SheetError::Unreadable { path: path.into(), source };
-        let bytes = fs::metadata(path).map_err(unreadable)?.len();
-        if bytes > LARGEST {
-            return Err(SheetError::TooLarge { path: path.into(), bytes });
-        }
+        not_too_large(path)?;
         // Files of old programs are not UTF-8; the relevant parts are ASCII.
         Sheet::parse(&String::from_utf8_lossy(&fs::read(path).map_err(unreadable)?))
     }
@@ -151,6 +170,29 @@ impl Sheet {
         Sheet::parse(&text(&columns)?)
     }
 
+    /// A table of channels of a binary file: name, unit, values.
+    #[cfg_attr(not(any(feature = "mdf", feature = "mat")), allow(dead_code, reason = "for binary files"))]
+    fn of_channels(channels: Vec<(String, String, Vec<f64>)>) -> Sheet {
+        let count = channels.iter().map(|(_, _, values)| values.len()).max().unwrap_or(0);
+        let cell = |values: &Vec<f64>, row: usize| values.get(row).map_or(String::new(), f64::to_string);
+        let rows = (0..count).map(|row| channels.iter().map(|(_, _, values)| cell(values, row)).collect());
+        let rows = rows.collect();
+        let headings = channels.into_iter().map(|(name, unit, _)| (name, plain(&unit))).collect();
+        Sheet { separator: ',', headings, rows }
+    }
+
+    /// Whether it has a column.
+    pub fn has(&self, name: &str) -> bool {
+        self.headings.iter().any(|(heading, _)| heading.eq_ignore_ascii_case(name))
+    }
+
+    /// Gives a column another name, if it is there.
+    pub fn rename(&mut self, from: &str, to: &str) {
+        for (heading, _) in self.headings.iter_mut().filter(|(heading, _)| heading.eq_ignore_ascii_case(from)) {
+            to.clone_into(heading);
+        }
+    }
+
     /// Number of rows.
     pub fn len(&self) -> usize {
         self.rows.len()
@@ -161,9 +203,10 @@ impl Sheet {
         self.rows.is_empty()
     }
 
-    /// Line of the file on which a row is.
+    /// Line of the file on which a row is; of a binary file the number of the sample, from 1.
     pub fn line(&self, row: usize) -> u64 {
-        self.rows.get(row).and_then(csv::StringRecord::position).map_or(0, csv::Position::line)
+        let position = self.rows.get(row).and_then(csv::StringRecord::position);
+        position.map_or(row as u64 + 1, csv::Position::line)
     }
 
     /// Values of the column of a quantity in SI units, if there is one.
@@ -191,11 +234,13 @@ impl Sheet {
 
     /// As [`Sheet::column_named`], for a column that must be there.
     pub fn required(&self, name: &str, quantity: &Quantity) -> Result<Vec<f64>, SheetError> {
-        let missing = || {
-            let found: Vec<&str> = self.headings.iter().map(|(name, _)| name.as_str()).collect();
-            SheetError::Column { wanted: name.to_owned(), found: found.join(", ") }
-        };
-        self.column_named(name, quantity)?.ok_or_else(missing)
+        self.column_named(name, quantity)?.ok_or_else(|| self.missing(name))
+    }
+
+    /// The error for a column that is not there.
+    pub fn missing(&self, name: &str) -> SheetError {
+        let found: Vec<&str> = self.headings.iter().map(|(name, _)| name.as_str()).collect();
+        SheetError::Column { wanted: name.to_owned(), found: found.join(", ") }
     }
 
     fn number(&self, row: usize, at: usize) -> Result<f64, SheetError> {
@@ -207,6 +252,12 @@ impl Sheet {
             text: text.to_owned(),
         })
     }
+}
+
+fn not_too_large(path: &Path) -> Result<(), SheetError> {
+    let unreadable = |source| SheetError::Unreadable { path: path.into(), source };
+    let bytes = fs::metadata(path).map_err(unreadable)?.len();
+    if bytes > LARGEST { Err(SheetError::TooLarge { path: path.into(), bytes }) } else { Ok(()) }
 }
 
 /// Columns under their headings as a table of values separated by commas. A number in its shortest form is read back
@@ -235,10 +286,11 @@ fn plain(unit: &str) -> String {
 
 /// Whether a row has units: each of its cells is one, or empty, or a hyphen.
 fn is_of_units(row: &csv::StringRecord) -> bool {
-    let known = [TIME, VELOCITY, FORCE, DISPLACEMENT, TEMPERATURE];
+    let known = [TIME, VELOCITY, FORCE, DISPLACEMENT, TEMPERATURE, ANGLE, SLIP, MOMENT];
     let is_unit = |text: &str| {
         let text = plain(text.trim_matches(['[', ']', '(', ')']));
-        known.iter().any(|quantity| quantity.units.iter().any(|unit| unit.0 == text))
+        // The unit 1 looks like a number.
+        text.parse::<f64>().is_err() && known.iter().any(|quantity| quantity.units.iter().any(|unit| unit.0 == text))
     };
     let mut cells = row.iter().filter(|cell| !cell.is_empty() && *cell != "-").peekable();
     cells.peek().is_some() && cells.all(is_unit)

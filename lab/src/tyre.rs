@@ -1,22 +1,57 @@
-//! `stribeck tyre`: turns a tyre property file into a parameter set.
+//! `stribeck tyre`: turns a tyre property file into a parameter set, and a tyre test into a tyre property file.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
+use clap::ValueEnum;
+use lab::identify::tyre::{Axes, TyreTask, TyreTest, TyreTestError, fit_tyre, property_file, table};
+use lab::sheet::{Sheet, SheetError};
+use lab::system::{Fault, Setting};
 use lab::tir::{self, TirError, TyreFile};
 use ssp::parameter_set::SetError;
+use stribeck::host::Side;
 use thiserror::Error;
 
 /// Input and output files.
 #[derive(clap::Args)]
 pub struct Arguments {
-    /// The tyre property file (.tir), with coefficients of the Magic Formula 5.
+    /// The tyre property file (.tir), with coefficients of the Magic Formula 5; or a table of a tyre test, with the
+    /// columns FZ, SA (alpha), FY, and perhaps SR (kappa), IA (gamma), FX and MZ.
     file: PathBuf,
-    /// Parameter set to write, .csv or .ssv; without it, the set is printed.
+    /// Parameter set to write, .csv or .ssv; from a test, a tyre property file, .tir. Without it, it is printed.
     #[arg(long)]
     out: Option<PathBuf>,
+    /// Axes of the test.
+    #[arg(long)]
+    axes: Option<AxesChoice>,
+    /// Radius of the tested tyre without load, in m.
+    #[arg(long)]
+    radius: Option<f64>,
+    /// Nominal load of the coefficients, in N; the mean load of the test unless given.
+    #[arg(long)]
+    nominal_load: Option<f64>,
+    /// Side of the car on which the tyre was tested.
+    #[arg(long, value_enum, default_value_t = SideChoice::Left)]
+    side: SideChoice,
+    /// Coefficient that is held: PKY2=1.7
+    #[arg(long, value_name = "KEY=VALUE")]
+    fix: Vec<Setting>,
 }
 
-/// Reason why no set was written.
+#[derive(Clone, Copy, ValueEnum)]
+enum AxesChoice {
+    /// ISO 8855: y to the left, z up, positive loads.
+    Iso,
+    /// SAE J670: y to the right, z down, negative loads.
+    Sae,
+}
+
+#[derive(Clone, Copy, ValueEnum)]
+enum SideChoice {
+    Left,
+    Right,
+}
+
+/// Reason why no file was written.
 #[derive(Debug, Error)]
 pub enum TyreError {
     /// The file cannot be read.
@@ -25,10 +60,34 @@ pub enum TyreError {
     /// The set cannot be written.
     #[error(transparent)]
     Set(#[from] SetError),
+    /// The table cannot be read.
+    #[error("{}: {source}", path.display())]
+    Test {
+        /// The file.
+        path: PathBuf,
+        /// Why.
+        source: TyreTestError,
+    },
+    /// No tyre was found.
+    #[error(transparent)]
+    Fit(#[from] Fault),
 }
 
-/// Writes the set to the file or to standard output, and messages to standard error.
+/// Writes the result to the file or to standard output, and messages to standard error.
 pub fn run(arguments: &Arguments) -> Result<(), TyreError> {
+    if has_extension(&arguments.file, "tir") { convert(arguments) } else { fit(arguments) }
+}
+
+fn has_extension(path: &Path, wanted: &str) -> bool {
+    path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case(wanted))
+}
+
+fn convert(arguments: &Arguments) -> Result<(), TyreError> {
+    if arguments.axes.is_some() || arguments.radius.is_some() || arguments.nominal_load.is_some() {
+        return Err(
+            Fault::value("--axes, --radius and --nominal-load: are for a tyre test, not for a .tir file").into()
+        );
+    }
     let TyreFile { set, unused, notes } = tir::read(&arguments.file)?;
     for note in notes {
         eprintln!("{note}");
@@ -39,6 +98,37 @@ pub fn run(arguments: &Arguments) -> Result<(), TyreError> {
     match &arguments.out {
         Some(path) => set.save(path)?,
         None => print!("{}", set.to_csv()),
+    }
+    Ok(())
+}
+
+fn fit(arguments: &Arguments) -> Result<(), TyreError> {
+    let path = &arguments.file;
+    let axes = match arguments.axes {
+        Some(AxesChoice::Iso) => Axes::Iso,
+        Some(AxesChoice::Sae) => Axes::Sae,
+        None => return Err(Fault::value("--axes: a tyre test needs iso or sae").into()),
+    };
+    let radius = arguments.radius.ok_or_else(|| Fault::value("--radius: a tyre test needs the radius without load"))?;
+    if let Some(out) = arguments.out.as_ref().filter(|out| !has_extension(out, "tir")) {
+        return Err(Fault::value(format_args!("{}: a fitted tyre is written as .tir", out.display())).into());
+    }
+    let side = if let SideChoice::Left = arguments.side { Side::Left } else { Side::Right };
+    let test = |source: TyreTestError| TyreError::Test { path: path.clone(), source };
+    let sheet = Sheet::load(path).map_err(|error: SheetError| test(error.into()))?;
+    let tyre_test = TyreTest::of(&sheet, axes).map_err(test)?;
+    let fixed = arguments.fix.iter().map(Setting::number).collect::<Result<Vec<(String, f64)>, Fault>>()?;
+    let found = fit_tyre(&tyre_test, &TyreTask { radius, nominal_load: arguments.nominal_load, side, fixed })?;
+    let text = property_file(&found);
+    // The reader is the judge of what is written.
+    tir::parse("fitted.tir", &text)?;
+    match &arguments.out {
+        Some(out) => {
+            std::fs::write(out, text).map_err(|source| TirError::File { path: out.clone(), source })?;
+            print!("{}", table(&found));
+            println!("\n{}", out.display());
+        }
+        None => print!("{text}"),
     }
     Ok(())
 }

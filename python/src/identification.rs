@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use lab::identify::{Experiment, Task, Watch, Wishes, as_json, fit_all, laws_named};
+use lab::identify::{Experiment, Task, Watch, Wishes, as_json, axis, fit_all, held_out, laws_named};
 use lab::measured::{Delay, Record, Rig};
 use lab::sheet::Sheet;
 use lab::system::Fault;
@@ -29,19 +29,30 @@ pub struct Known {
     budget: Option<u64>,
     seed: Option<u64>,
     repetitions: Option<usize>,
+    is_robust: bool,
+    folds: usize,
+    rest: Option<f64>,
+    axis: bool,
 }
 
 impl Known {
     fn split(self) -> (Rig, Task) {
+        let mut wishes = Wishes { fixed: self.fix, fitted: self.fit, ranges: self.range };
+        if self.axis {
+            axis::fitted(&mut wishes);
+        }
         let delay = self.delay.map_or(Delay::Find(self.longest_delay.unwrap_or(Delay::LONGEST)), Delay::Known);
-        let Known { mass, normal_force, window, skip, .. } = self;
+        let Known { mass, window, skip, .. } = self;
+        let normal_force = self.normal_force.or(self.axis.then_some(axis::NORMAL_FORCE));
         let usual = Task::default();
         let task = Task {
-            wishes: Wishes { fixed: self.fix, fitted: self.fit, ranges: self.range },
+            wishes,
             budget: self.budget.unwrap_or(usual.budget),
             seed: self.seed.unwrap_or(usual.seed),
             repetitions: self.repetitions.unwrap_or(usual.repetitions),
             mass,
+            is_robust: self.is_robust,
+            folds: self.folds,
             ..usual
         };
         (Rig { mass, normal_force, window, delay, skip }, task)
@@ -58,43 +69,59 @@ fn sheet(table: &Bound<PyAny>) -> PyResult<Sheet> {
     Sheet::load(&table.extract::<PathBuf>()?).map_err(refused)
 }
 
-/// Fits laws to records. The outcome as JSON, and for each record a dictionary of arrays: time, velocity, normal_force,
+/// Fits laws to records, and holds them against records that are not fitted. The outcome as JSON, and for each record a dictionary of arrays: time, velocity, normal_force,
 /// force, and the force that the best law explains.
 #[pyfunction]
 pub fn identify<'py>(
     py: Python<'py>,
     records: Vec<(String, Bound<'py, PyAny>)>,
+    unseen: Vec<(String, Bound<'py, PyAny>)>,
     motion: Option<Bound<'py, PyAny>>,
     laws: Vec<String>,
     known: Known,
 ) -> PyResult<(String, Vec<Bound<'py, PyDict>>)> {
+    let laws = if laws.is_empty() && known.axis { vec![axis::LAW.to_owned()] } else { laws };
     let laws = laws_named(&laws).map_err(refused)?;
+    let (rest, is_axis) = (known.rest, known.axis);
     let (rig, task) = known.split();
     let motion = motion.as_ref().map(sheet).transpose()?;
-    let mut experiments = Vec::new();
-    for (name, table) in &records {
+    let read = |(name, table): &(String, Bound<'py, PyAny>)| {
         let record = Record::of(&sheet(table)?, motion.as_ref(), &rig);
         let record = record.map_err(|error| refused(format_args!("{name}: {error}")))?;
-        experiments.push(Experiment::new(name, &record));
-    }
+        let all = Experiment::new(name, &record);
+        match rest {
+            Some(rest) => all.without_rest(rest).map_err(refused),
+            None if is_axis => axis::in_motion(all).map_err(refused),
+            None => Ok(all),
+        }
+    };
+    let experiments = records.iter().map(read).collect::<PyResult<Vec<Experiment>>>()?;
+    let unseen = unseen.iter().map(read).collect::<PyResult<Vec<Experiment>>>()?;
     let outcome = interruptible(py, |cancel| {
-        let watch = Watch { cancel, progress: &|_| {} };
-        let ranking = fit_all(&laws, &experiments, &task, &mut |_| {}, watch)?;
+        let watch = Watch { cancel, progress: &|_, _| {} };
+        let mut ranking = fit_all(&laws, &experiments, &task, &mut |_| {}, watch)?;
+        for fit in &mut ranking.fits {
+            let found = held_out(fit, &unseen)?;
+            fit.saw(found);
+        }
         Ok::<_, Fault>((as_json(&ranking).to_string(), ranking.best().explained.clone()))
     })?;
     let (text, explained) = outcome.map_err(refused)?;
-    let tables = experiments.into_iter().zip(explained).map(|(experiment, explained)| {
-        let table = PyDict::new(py);
-        for (name, values) in [
-            ("time", experiment.time),
-            ("velocity", experiment.velocity),
-            ("normal_force", experiment.normal_force),
-            ("force", experiment.force),
-            ("explained", explained),
-        ] {
-            table.set_item(name, PyArray1::from_vec(py, values))?;
-        }
-        Ok(table)
-    });
+    let tables = experiments.into_iter().zip(explained).map(|(one, explained)| table(py, one, explained));
     Ok((text, tables.collect::<PyResult<_>>()?))
+}
+
+/// What the best law explains of an experiment.
+fn table(py: Python<'_>, experiment: Experiment, explained: Vec<f64>) -> PyResult<Bound<'_, PyDict>> {
+    let table = PyDict::new(py);
+    for (name, values) in [
+        ("time", experiment.time),
+        ("velocity", experiment.velocity),
+        ("normal_force", experiment.normal_force),
+        ("force", experiment.force),
+        ("explained", explained),
+    ] {
+        table.set_item(name, PyArray1::from_vec(py, values))?;
+    }
+    Ok(table)
 }

@@ -60,6 +60,7 @@ def make_study(
 def merge_study(study: str | dict[str, Any], folder: str) -> Path: ...
 def identify(
     records: list[tuple[str, str | dict[str, NDArray[np.float64]]]],
+    unseen: list[tuple[str, str | dict[str, NDArray[np.float64]]]],
     motion: str | dict[str, NDArray[np.float64]] | None,
     laws: list[str],
     known: dict[str, Any],

@@ -7,7 +7,7 @@ import os
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -42,6 +42,10 @@ class Fit:
     law: str
     rms: float
     """Root mean square of what is not explained, N."""
+    noise: float
+    """The same without outliers, if the loss is robust, N."""
+    unseen: dict[str, float]
+    """Root mean square of what is not explained in each record that was not fitted, N."""
     behind: float
     """Criterion (BIC) above that of the best law."""
     tied: bool
@@ -93,14 +97,15 @@ def _fit(one: dict[str, Any]) -> Fit:
         Estimate(**{name: each[name] for name in names}, **{name: each[name] and tuple(each[name]) for name in ends})
         for each in one["estimates"]
     ]
-    plain = ("law", "rms", "behind", "tied", "repeatable", "warnings", "values")
+    plain = ("law", "rms", "noise", "unseen", "behind", "tied", "repeatable", "warnings", "values")
     return Fit(**{name: one[name] for name in plain}, estimates={each.name: each for each in estimates})
 
 
 def identify(
     records: Record | Sequence[Record],
-    law: str | Sequence[str],
+    law: str | Sequence[str] = (),
     *,
+    axis: bool = False,
     mass: float = 0.0,
     normal_force: float | None = None,
     motion: Record | None = None,
@@ -108,19 +113,25 @@ def identify(
     delay: float | None = 0.0,
     longest_delay: float | None = None,
     skip: float = 0.0,
+    rest: float | None = None,
     fix: Mapping[str, float] | None = None,
     fit: Sequence[str] = (),
     ranges: Mapping[str, tuple[float, float]] | None = None,
     budget: int | None = None,
     seed: int | None = None,
     repetitions: int | None = None,
+    loss: Literal["squares", "robust"] = "squares",
+    hold_out: Record | Sequence[Record] = (),
+    folds: int = 0,
 ) -> Identification:
     """Finds the parameters of a law, or of several (`"all"`), as `stribeck identify` does, with the same numbers.
 
     `mass` (kg) is that between load cell and contact, `normal_force` (N) is for records without such a column, `motion`
     is the table of a camera with its own clock. `delay=None` looks for its delay, up to `longest_delay` (s). `fix`
-    holds parameters, `fit` adds some that are held otherwise, `ranges` narrows them. What is not given is as on the
-    command line.
+    holds parameters, `fit` adds some that are held otherwise, `ranges` narrows them. With `loss="robust"` outliers
+    count less than by their squares. `hold_out` has records that are not fitted, `folds` divides the fitted ones into
+    parts for cross-validation; `Fit.unseen` says what is left there. With `axis=True` the records are of an axis,
+    M a = F - f - offset; `rest` (m/s) leaves slow samples out. What is not given is as on the command line.
 
     >>> time = np.linspace(0.0, 2.0, 1001)
     >>> velocity = 0.02 * np.sin(2 * np.pi * time)
@@ -133,8 +144,9 @@ def identify(
     >>> 0.95 < found.best.values["sigma_0"] / 2e4 < 1.05
     True
     """
-    several = [records] if isinstance(records, str | os.PathLike | Mapping) else list(records)
-    named = [(_name(number, record), _plain(record)) for number, record in enumerate(several)]
+    if loss not in ("squares", "robust"):
+        raise _stribeck.Refused(f"loss = {loss!r}: must be 'squares' or 'robust'")
+    named = _named(records)
     known = {
         "mass": mass,
         "normal_force": normal_force,
@@ -148,11 +160,20 @@ def identify(
         "budget": budget,
         "seed": seed,
         "repetitions": repetitions,
+        "is_robust": loss == "robust",
+        "folds": folds,
+        "rest": rest,
+        "axis": axis,
     }
     laws = [law] if isinstance(law, str) else list(law)
     seen = None if motion is None else _plain(motion)
-    text, tables = _stribeck.identify(named, seen, laws, known)
+    text, tables = _stribeck.identify(named, _named(hold_out), seen, laws, known)
     return Identification(text, {name: table for (name, _), table in zip(named, tables, strict=True)})
+
+
+def _named(records: Record | Sequence[Record]) -> list[tuple[str, str | dict[str, NDArray[np.float64]]]]:
+    several = [records] if isinstance(records, str | os.PathLike | Mapping) else list(records)
+    return [(_name(number, record), _plain(record)) for number, record in enumerate(several)]
 
 
 def _name(number: int, record: Record) -> str:

@@ -6,13 +6,13 @@ use std::str::FromStr;
 
 use clap::{Args, ValueEnum};
 use lab::identify::{
-    Experiment, Fit, Method, Ranking, Reference, Task, Verdict, Watch, Wishes, as_json, fit, fit_all, laws_named,
-    preset,
+    Experiment, Fit, Method, Ranking, Reference, Task, Unseen, Verdict, Watch, Wishes, as_json, axis, fit, fit_all,
+    held_out, laws_named, preset,
 };
 use lab::measured::{Delay, Record, Rig, average};
 use lab::report::{Identification, identification};
 use lab::run::Configuration;
-use lab::sheet::Sheet;
+use lab::sheet::{DISPLACEMENT, FORCE, Sheet, VELOCITY, tables};
 use lab::system::{Fault, Setting, read};
 use ssp::parameter_set::ParameterSet;
 use stribeck::model::ModelType;
@@ -26,12 +26,19 @@ pub struct Arguments {
     /// Records: tables with time, force, and displacement or velocity, perhaps normal_force; units in brackets
     #[arg(required = true)]
     records: Vec<PathBuf>,
+    /// Name of a column in the files: force=Kraft_1; for binary files (.mf4, .mat) that of a channel or variable
+    #[arg(long, value_name = "NAME=COLUMN")]
+    column: Vec<Setting>,
     /// Table of the motion on its own clock (a camera), for a single record
     #[arg(long, value_name = "FILE")]
     motion: Option<PathBuf>,
     /// Friction laws; several, or `all`, are ranked
-    #[arg(long, alias = "laws", required = true, num_args = 1.., value_delimiter = ',')]
+    #[arg(long, alias = "laws", required_unless_present = "axis", num_args = 1.., value_delimiter = ',')]
     law: Vec<String>,
+    /// The records are of an axis, M a = F - f - offset: fit mass and offset too, with Coulomb and viscous friction
+    /// unless --law is given, at a normal force of 1 N unless one is known
+    #[arg(long)]
+    axis: bool,
     /// Mass between load cell and contact in kg
     #[arg(long, default_value_t = 0.0)]
     mass: f64,
@@ -47,6 +54,9 @@ pub struct Arguments {
     /// Start of the record that is left out, in s
     #[arg(long, default_value_t = 0.0)]
     skip: f64,
+    /// Speed in m/s below which samples are left out (default: 0; with --axis three times the error of the velocity)
+    #[arg(long)]
+    rest: Option<f64>,
     /// Parameter that is held: sigma_1=0; also mass and offset of the rig
     #[arg(long, value_name = "NAME=VALUE")]
     fix: Vec<Setting>,
@@ -59,6 +69,15 @@ pub struct Arguments {
     /// Search over the whole range
     #[arg(long, value_enum, default_value_t = MethodChoice::Evolution)]
     method: MethodChoice,
+    /// Cost of a residual: squares, or less for outliers
+    #[arg(long, value_enum, default_value_t = LossChoice::Squares)]
+    loss: LossChoice,
+    /// Records that are not fitted: the laws are held against them
+    #[arg(long, value_name = "FILE", num_args = 1..)]
+    hold_out: Vec<PathBuf>,
+    /// Cross-validation: fit all parts of the records but one, in turn, and hold the law against that part
+    #[arg(long, value_name = "PARTS", default_value_t = 0)]
+    folds: usize,
     /// Evaluations of the law in a search
     #[arg(long, default_value_t = Task::default().budget)]
     budget: u64,
@@ -94,6 +113,14 @@ enum MethodChoice {
     Evolution,
     /// A genetic algorithm alone, for comparison
     Genetic,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum LossChoice {
+    /// Half the squares
+    Squares,
+    /// Squares up to 1.3 times the noise, magnitudes from there on
+    Robust,
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -136,28 +163,72 @@ const CHECK: u64 = 400;
 impl Arguments {
     fn rig(&self) -> Rig {
         let DelayChoice(delay) = self.delay;
-        Rig { mass: self.mass, normal_force: self.normal_force, window: self.window, delay, skip: self.skip }
+        let normal_force = self.normal_force.or(self.axis.then_some(axis::NORMAL_FORCE));
+        Rig { mass: self.mass, normal_force, window: self.window, delay, skip: self.skip }
     }
 
-    fn records(&self) -> Result<Vec<(String, Record)>, Failure> {
-        if self.motion.is_some() && self.records.len() > 1 {
+    fn records(&self, files: &[PathBuf]) -> Result<Vec<(String, Record)>, Failure> {
+        if self.motion.is_some() && self.records.len() + self.hold_out.len() > 1 {
             return Err(Fault::value("--motion: is for a single record").into());
         }
         let rig = self.rig();
-        let motion = self.motion.as_deref().map(sheet).transpose()?;
+        let motion = match &self.motion {
+            Some(path) => with_motion(self.tables(path)?),
+            None => None,
+        };
         let read = |path: &PathBuf| {
             let name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
-            let record = Record::of(&sheet(path)?, motion.as_ref(), &rig);
+            let (own, others) = with_force(self.tables(path)?);
+            // The channels of a file may have several clocks.
+            let apart = if is_of_motion(&own) { None } else { with_motion(others) };
+            let record = Record::of(&own, motion.as_ref().or(apart.as_ref()), &rig);
             Ok((name, record.map_err(|error| Fault::File(format!("{}: {error}", path.display())))?))
         };
-        self.records.iter().map(read).collect()
+        files.iter().map(read).collect()
+    }
+
+    /// The tables of a file, with the names of columns as they are here.
+    fn tables(&self, path: &Path) -> Result<Vec<Sheet>, Fault> {
+        let mut tables = tables(path).map_err(|error| {
+            let text = error.to_string();
+            let name = path.display().to_string();
+            Fault::File(if text.starts_with(&name) { text } else { format!("{name}: {text}") })
+        })?;
+        for Setting { name, value } in &self.column {
+            if !tables.iter().any(|table| table.has(value)) {
+                let text = format!("{}: no column '{value}' for {name}", path.display());
+                return Err(Fault::File(text));
+            }
+            tables.iter_mut().for_each(|table| table.rename(value, name));
+        }
+        Ok(tables)
+    }
+
+    fn experiments(&self, records: &[(String, Record)]) -> Result<Vec<Experiment>, Fault> {
+        let experiment = |(name, record): &(String, Record)| {
+            let all = Experiment::new(name, record);
+            match self.rest {
+                Some(rest) => all.without_rest(rest),
+                None if self.axis => axis::in_motion(all),
+                None => Ok(all),
+            }
+        };
+        records.iter().map(experiment).collect()
+    }
+
+    fn laws(&self) -> Result<Vec<&'static ModelType>, Fault> {
+        if self.law.is_empty() { laws_named(&[axis::LAW.to_owned()]) } else { laws_named(&self.law) }
     }
 
     fn task(&self) -> Result<Task, Fault> {
         let fixed = self.fix.iter().map(Setting::number).collect::<Result<Vec<(String, f64)>, Fault>>()?;
         let ranges = self.range.iter().map(|RangeChoice(name, ends)| (name.clone(), *ends)).collect();
+        let mut wishes = Wishes { fixed, fitted: self.fit.clone(), ranges };
+        if self.axis {
+            axis::fitted(&mut wishes);
+        }
         Ok(Task {
-            wishes: Wishes { fixed, fitted: self.fit.clone(), ranges },
+            wishes,
             method: match self.method {
                 MethodChoice::Evolution => Method::Evolution,
                 MethodChoice::Genetic => Method::Genetic,
@@ -166,6 +237,8 @@ impl Arguments {
             budget: self.budget,
             repetitions: self.repetitions,
             mass: self.mass,
+            is_robust: self.loss == LossChoice::Robust,
+            folds: self.folds,
             ..Task::default()
         })
     }
@@ -188,20 +261,28 @@ impl Arguments {
     }
 }
 
-fn sheet(path: impl AsRef<Path>) -> Result<Sheet, Fault> {
-    let path = path.as_ref();
-    Sheet::load(path).map_err(|error| {
-        let text = error.to_string();
-        let name = path.display().to_string();
-        Fault::File(if text.starts_with(&name) { text } else { format!("{name}: {text}") })
-    })
+fn is_of_motion(table: &Sheet) -> bool {
+    [DISPLACEMENT, VELOCITY].iter().any(|quantity| table.has(quantity.name))
+}
+
+/// The table of the force, or the first one if none has a force; and the others.
+fn with_force(mut tables: Vec<Sheet>) -> (Sheet, Vec<Sheet>) {
+    let at = tables.iter().position(|table| table.has(FORCE.name)).unwrap_or(0);
+    (tables.remove(at), tables)
+}
+
+/// The table of the motion, or the first one if none has a motion.
+fn with_motion(mut tables: Vec<Sheet>) -> Option<Sheet> {
+    let at = tables.iter().position(is_of_motion).unwrap_or(0);
+    (!tables.is_empty()).then(|| tables.remove(at))
 }
 
 /// Finds the parameters of laws, ranks the laws if there are several, and tells how far to trust them.
 pub fn identify(arguments: &Arguments) -> Result<Ending, Failure> {
-    let (laws, task) = (laws_named(&arguments.law)?, arguments.task()?);
-    let records = arguments.records()?;
-    let experiments: Vec<Experiment> = records.iter().map(|(name, record)| Experiment::new(name, record)).collect();
+    let (laws, task) = (arguments.laws()?, arguments.task()?);
+    let records = arguments.records(&arguments.records)?;
+    let unseen = arguments.experiments(&arguments.records(&arguments.hold_out)?)?;
+    let experiments = arguments.experiments(&records)?;
     heed_interrupts();
     if !arguments.json {
         for ((name, record), experiment) in records.iter().zip(&experiments) {
@@ -214,9 +295,13 @@ pub fn identify(arguments: &Arguments) -> Result<Ending, Failure> {
         return check(&laws, &experiments, &task);
     }
     let bar = Best::new();
-    let watch = Watch { cancel: &CANCELLED, progress: &|rms| bar.reached(rms) };
-    let ranking = fit_all(&laws, &experiments, &task, &mut |law| bar.begin(law.name), watch)?;
+    let watch = Watch { cancel: &CANCELLED, progress: &|rms, _| bar.reached(rms) };
+    let mut ranking = fit_all(&laws, &experiments, &task, &mut |law| bar.begin(law.name), watch)?;
     bar.finish();
+    for fit in &mut ranking.fits {
+        let found = held_out(fit, &unseen)?;
+        fit.saw(found);
+    }
     let best = ranking.best();
     let reference = arguments.reference(best.law)?;
     if arguments.json {
@@ -266,7 +351,7 @@ fn check(laws: &[&'static ModelType], experiments: &[Experiment], task: &Task) -
     for law in laws {
         let bar = Best::new();
         bar.begin(law.name);
-        let found = fit(law, experiments, &task, Watch { cancel: &CANCELLED, progress: &|rms| bar.reached(rms) })?;
+        let found = fit(law, experiments, &task, Watch { cancel: &CANCELLED, progress: &|rms, _| bar.reached(rms) })?;
         bar.finish();
         println!("{}:", law.name);
         for one in &found.estimates {
@@ -287,21 +372,29 @@ fn table(ranking: &Ranking) -> String {
     if ranking.ranks.len() + ranking.refused.len() < 2 {
         return String::new();
     }
-    let mut text = "\n  law                  unexplained   unknowns   behind\n".to_owned();
+    let mut text = "\n  law                  unexplained   unknowns   behind".to_owned();
+    let is_held_out = ranking.fits.iter().any(|fit| !fit.unseen.is_empty());
+    text += if is_held_out { "   not fitted\n" } else { "\n" };
     for (number, place) in ranking.ranks.iter().enumerate() {
         let fit = &ranking.fits[place.fit];
         let note = if place.is_tied && number > 0 { "  cannot be told apart from the first" } else { "" };
         let note = if fit.is_repeatable { note } else { "  the searches did not agree" };
         text += &format!(
-            "  {:<20} {:>9.3e} N {:>9} {:>8.1}{note}\n",
+            "  {:<20} {:>9.3e} N {:>9} {:>8.1}{}{note}\n",
             fit.law.name,
             fit.residuals.rms,
             fit.unknowns(),
-            place.behind
+            place.behind,
+            worst(&fit.unseen).map_or(String::new(), |rms| format!("  {rms:>9.3e} N"))
         );
     }
     ranking.refused.iter().for_each(|(_, reason)| text += &format!("  {reason}\n"));
     text + "\n"
+}
+
+/// The largest root mean square in records that were not fitted.
+fn worst(unseen: &[Unseen]) -> Option<f64> {
+    unseen.iter().map(|one| one.rms).reduce(f64::max)
 }
 
 fn save(arguments: &Arguments, best: &Fit) -> Result<(), Failure> {

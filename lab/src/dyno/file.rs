@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use crate::sheet::{DISPLACEMENT, FORCE, Sheet, SheetError, TEMPERATURE, VELOCITY};
+use crate::sheet::{DISPLACEMENT, FORCE, Sheet, SheetError, TEMPERATURE, TIME, VELOCITY};
 
 /// A damper test in SI units, with the signs of the file.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -15,6 +15,8 @@ pub struct Test {
     pub displacement: Option<Vec<f64>>,
     /// Temperature, K.
     pub temperature: Option<Vec<f64>>,
+    /// Time, s.
+    pub time: Option<Vec<f64>>,
 }
 
 impl Test {
@@ -23,7 +25,8 @@ impl Test {
         Test::of(&Sheet::load(path)?)
     }
 
-    /// Reads a [table](crate::sheet) with the columns `velocity`, `force`, and perhaps `displacement` and `temperature`.
+    /// Reads a [table](crate::sheet) with the columns `velocity`, `force`, and perhaps `displacement`, `temperature`
+    /// and `time`.
     ///
     /// ```
     /// let test = lab::dyno::Test::parse("velocity [mm/s];force [N]\n100;1,5\n-100;-2\n").unwrap();
@@ -40,6 +43,7 @@ impl Test {
             force: force?,
             displacement: sheet.column(&DISPLACEMENT)?,
             temperature: sheet.column(&TEMPERATURE)?,
+            time: sheet.column(&TIME)?,
         };
         if sheet.is_empty() { Err(SheetError::Empty) } else { Ok(test) }
     }
@@ -63,6 +67,7 @@ mod tests {
             force: vec![150.5, -200.0],
             displacement: Some(vec![0.001, 0.002]),
             temperature: Some(vec![293.15, 313.15]),
+            time: None,
         };
         for text in [
             "velocity,force,displacement,temperature\n0.1,150.5,0.001,293.15\n-0.25,-200,0.002,313.15\n",

@@ -20,7 +20,19 @@ pub struct Experiment {
     pub force: Vec<f64>,
     /// Error of the velocity around rest, m/s; 0 if it is not known.
     pub velocity_error: f64,
+    /// Delay of the motion behind the force that velocity and acceleration are for, s.
+    pub delay: f64,
+    /// How far it may be off, s; 0 if it was not looked for.
+    pub delay_doubt: f64,
+    /// Samples that are left out; empty for none.
+    pub left_out: Vec<bool>,
+    /// Time to each side in which the filter of the motion mixes samples, s; 0 for a measured velocity.
+    pub reach: f64,
 }
+
+/// Samples of the motion by which a delay that was found without the law may be off (chosen): friction that turns
+/// within some way looks late, and its way is not known before the fit.
+const DOUBT: f64 = 3.0;
 
 impl Experiment {
     /// A record of a rig.
@@ -33,7 +45,50 @@ impl Experiment {
             normal_force: record.normal_force.clone(),
             force: record.force.clone(),
             velocity_error: record.velocity_error,
+            delay: record.clocks.delay,
+            delay_doubt: if record.clocks.deviation > 0.0 { DOUBT * record.motion_interval } else { 0.0 },
+            left_out: Vec::new(),
+            reach: if record.is_differentiated { 0.5 * record.window } else { 0.0 },
         }
+    }
+
+    /// The same without samples below a speed, and without those that the filter of the motion mixes with them.
+    pub fn without_rest(self, rest: f64) -> Result<Experiment, Fault> {
+        if !(rest >= 0.0 && rest.is_finite()) {
+            return Err(Fault::value(format_args!("rest = {rest}: must be >= 0 and finite, in m/s")));
+        }
+        let mut left_out = vec![false; self.time.len()];
+        let mut from = 0;
+        for at in (0..self.time.len()).filter(|at| self.velocity[*at].abs() < rest) {
+            // What was left out for the sample at rest before is not looked at again.
+            from = from.max(self.time.partition_point(|t| *t < self.time[at] - self.reach));
+            let to = self.time.partition_point(|t| *t <= self.time[at] + self.reach);
+            left_out[from..to].fill(true);
+            from = to;
+        }
+        Ok(Experiment { left_out, ..self })
+    }
+
+    /// Whether a sample counts.
+    pub(super) fn counts(&self, at: usize) -> bool {
+        self.left_out.get(at).is_none_or(|is_left_out| !is_left_out)
+    }
+
+    /// The same with the motion taken from this much later.
+    pub(super) fn shifted(&self, by: f64) -> Experiment {
+        let last = self.time.len() - 1;
+        let at = |values: &[f64], slopes: Option<&[f64]>, t: f64| {
+            let end = if t < self.time[0] { 0 } else { last };
+            if (self.time[0]..=self.time[last]).contains(&t) {
+                crate::measured::interpolate(&self.time, values, t)
+            } else {
+                values[end] + slopes.map_or(0.0, |slopes| slopes[end] * (t - self.time[end]))
+            }
+        };
+        let later = self.time.iter().map(|t| t + by);
+        let (velocity, acceleration) =
+            later.map(|t| (at(&self.velocity, Some(&self.acceleration), t), at(&self.acceleration, None, t))).unzip();
+        Experiment { velocity, acceleration, ..self.clone() }
     }
 
     /// The same with `parts` intervals joined to one; the force is the one at the samples that are left.
@@ -47,6 +102,10 @@ impl Experiment {
             normal_force: take(&self.normal_force),
             force: take(&self.force),
             velocity_error: self.velocity_error,
+            delay: self.delay,
+            delay_doubt: self.delay_doubt,
+            left_out: self.left_out.iter().copied().step_by(parts).collect(),
+            reach: self.reach,
         }
     }
 

@@ -22,7 +22,7 @@ const TRIALS: usize = 12;
 pub(super) fn profile(problem: &Problem, best: &Found, seen: &Residuals, trust: &Trust, number: usize) -> [f64; 2] {
     let [value, slope] = problem.unknowns[number].value(best.places[number]);
     let step = (trust.deviations[number] / slope.abs().max(f64::MIN_POSITIVE)).clamp(1e-9, 0.5);
-    let variance = seen.rms * seen.rms * seen.correlation;
+    let variance = seen.rise();
     let end = |direction: f64| {
         let rise = |distance: f64| {
             let place = best.places[number] + direction * distance;
@@ -73,7 +73,7 @@ const MOVED: [f64; 2] = [3.0, 0.1];
 /// pairs of the one that moves and the one it depends on.
 pub(super) fn dependent(problem: &Problem, best: &Found, seen: &Residuals, trust: &Trust) -> Vec<(usize, usize)> {
     let values = problem.values(&best.places);
-    let variance = seen.rms * seen.rms * seen.correlation;
+    let variance = seen.rise();
     let mut found = Vec::new();
     let free = (0..values.len()).filter(|number| matches!(trust.verdicts[*number], Verdict::Undetermined(_)));
     for number in free {

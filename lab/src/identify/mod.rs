@@ -13,17 +13,24 @@
 mod estimate;
 mod experiment;
 mod interval;
+mod loss;
 mod output;
 mod problem;
 mod rank;
 mod response;
 mod search;
+mod strut;
+#[cfg(test)]
+mod strut_tests;
 #[cfg(test)]
 mod tests;
 mod trust;
+pub mod tyre;
 mod unknown;
+mod unseen;
 
-use std::sync::atomic::Ordering;
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 use stribeck::catalogue::{self, Family};
 use stribeck::instance::Instance;
@@ -34,17 +41,21 @@ pub use experiment::Experiment;
 pub use output::{Difference, Reference, as_json, difference, preset, respond};
 pub use rank::{APART, Rank, rank};
 pub use search::{Method, Watch};
+pub use strut::{StrutFriction, strut_friction};
 pub use trust::{DETERMINED, Residuals, Verdict, digits};
 pub use unknown::{Scale, Target, Unknown, Wishes};
+pub use unseen::{Unseen, held_out};
 
 use crate::system::Fault;
 use estimate::Ended;
 use interval::{dependent, repetitions};
+use loss::Loss;
 use problem::Problem;
 use response::{Exact, Ports};
 use search::{Found, polish, search};
 use trust::{Trust, residuals, trust};
 use unknown::OF_RIG;
+use unseen::folds;
 
 /// How a law is fitted.
 #[derive(Clone, Debug, PartialEq)]
@@ -63,6 +74,10 @@ pub struct Task {
     pub repetitions: usize,
     /// Mass between load cell and contact, kg, unless it is fitted.
     pub mass: f64,
+    /// Whether outliers count less than by their squares.
+    pub is_robust: bool,
+    /// Parts into which the experiments are divided for cross-validation; 0 for none.
+    pub folds: usize,
 }
 
 impl Default for Task {
@@ -76,7 +91,38 @@ impl Default for Task {
             profiles: true,
             repetitions: 40,
             mass: 0.0,
+            is_robust: false,
+            folds: 0,
         }
+    }
+}
+
+/// What is fitted to the records of an axis, M a = F - f - offset (the model `Axis`).
+pub mod axis {
+    use super::{Experiment, Fault, Wishes};
+
+    /// Law of its guides, unless another one is given.
+    pub const LAW: &str = "CoulombViscous";
+    /// Normal force in N, if none is known: a coefficient of friction is then the friction force in N.
+    pub const NORMAL_FORCE: f64 = 1.0;
+
+    /// Errors of the velocity below which an axis is taken to be at rest (chosen).
+    const REST: f64 = 3.0;
+
+    /// Adds mass and offset to the unknowns, unless they are held.
+    pub fn fitted(wishes: &mut Wishes) {
+        for name in ["mass", "offset"] {
+            if wishes.fixed.iter().all(|(held, _)| held != name) && wishes.fitted.iter().all(|known| known != name) {
+                wishes.fitted.push(name.to_owned());
+            }
+        }
+    }
+
+    /// An experiment without its samples at rest: there the guides carry whatever force there is, and the sign of the
+    /// velocity is noise.
+    pub fn in_motion(experiment: Experiment) -> Result<Experiment, Fault> {
+        let rest = REST * experiment.velocity_error;
+        experiment.without_rest(rest)
     }
 }
 
@@ -111,6 +157,16 @@ pub struct Fit {
     pub columns: Vec<(usize, f64)>,
     /// The columns among them that were held.
     pub held: Vec<(usize, f64)>,
+    /// Mass of the rig, as given or fitted, kg.
+    pub mass: f64,
+    /// Offset of the load cell, N.
+    pub offset: f64,
+    /// Delay of the motion behind the force, if it was fitted or held, s.
+    pub delay: Option<f64>,
+    /// Parts into which the intervals between samples were divided.
+    pub parts: usize,
+    /// What is left in experiments that were not fitted.
+    pub unseen: Vec<Unseen>,
     /// Warnings for the user.
     pub warnings: Vec<String>,
 }
@@ -119,6 +175,12 @@ impl Fit {
     /// Number of unknowns.
     pub fn unknowns(&self) -> usize {
         self.correlation.len()
+    }
+
+    /// Adds what is left in experiments that were not fitted, with a warning where that is more.
+    pub fn saw(&mut self, unseen: Vec<Unseen>) {
+        self.warnings.extend(unseen.iter().filter_map(Unseen::warning));
+        self.unseen.extend(unseen);
     }
 }
 
@@ -156,27 +218,24 @@ impl Ranking {
 }
 
 /// Fits laws to the same experiments and ranks them; the best of several once more with all intervals. `begin` hears of
-/// each law.
+/// each law. As many laws are under way at once as the machine has cores; their number changes no result.
 pub fn fit_all(
     laws: &[&'static ModelType],
     experiments: &[Experiment],
     task: &Task,
-    begin: &mut dyn FnMut(&'static ModelType),
+    begin: &mut (dyn FnMut(&'static ModelType) + Send),
     watch: Watch,
 ) -> Result<Ranking, Fault> {
     let quick = if laws.len() > 1 { Task { profiles: false, repetitions: 0, ..task.clone() } } else { task.clone() };
     let (mut fits, mut refused, mut reason) = (Vec::new(), Vec::new(), Fault::value("no law was given"));
-    for law in laws {
-        begin(law);
-        match fit(law, experiments, &quick, watch) {
-            Ok(fit) => fits.push(fit),
-            Err(fault) => {
+    for (law, found) in laws.iter().zip(side_by_side(laws, experiments, &quick, begin, watch)) {
+        match found {
+            Some(Ok(fit)) => fits.push(fit),
+            Some(Err(fault)) => {
                 refused.push((law.name, fault.to_string()));
                 reason = fault;
             }
-        }
-        if watch.cancel.load(Ordering::Relaxed) {
-            break;
+            None => {}
         }
     }
     let ranks = rank(&fits);
@@ -188,6 +247,46 @@ pub fn fit_all(
     Ok(Ranking { fits, ranks, refused })
 }
 
+/// The fits of laws, in their order; None for those that were not begun before the end.
+fn side_by_side(
+    laws: &[&'static ModelType],
+    experiments: &[Experiment],
+    task: &Task,
+    begin: &mut (dyn FnMut(&'static ModelType) + Send),
+    watch: Watch,
+) -> Vec<Option<Result<Fit, Fault>>> {
+    let cores = std::thread::available_parallelism().map_or(1, usize::from);
+    let next = AtomicUsize::new(0);
+    let begin = Mutex::new(begin);
+    let found = Mutex::new(laws.iter().map(|_| None).collect::<Vec<Option<Result<Fit, Fault>>>>());
+    let work = || {
+        while let Some((number, law)) = pick(laws, &next) {
+            if let Ok(mut begin) = begin.lock() {
+                begin(law);
+            }
+            let fit = fit(law, experiments, task, watch);
+            if let Ok(mut found) = found.lock() {
+                found[number] = Some(fit);
+            }
+            if watch.cancel.load(Ordering::Relaxed) {
+                break;
+            }
+        }
+    };
+    std::thread::scope(|scope| {
+        for _ in 1..cores.min(laws.len()) {
+            scope.spawn(work);
+        }
+        work();
+    });
+    found.into_inner().unwrap_or_default()
+}
+
+fn pick(laws: &[&'static ModelType], next: &AtomicUsize) -> Option<(usize, &'static ModelType)> {
+    let number = next.fetch_add(1, Ordering::Relaxed);
+    laws.get(number).map(|law| (number, *law))
+}
+
 /// Fits a law to experiments.
 pub fn fit(law: &'static ModelType, experiments: &[Experiment], task: &Task, watch: Watch) -> Result<Fit, Fault> {
     let mut problem = problem(law, experiments, task)?;
@@ -196,7 +295,11 @@ pub fn fit(law: &'static ModelType, experiments: &[Experiment], task: &Task, wat
         return Err(Fault::value(format_args!("{}: the law is refused everywhere in the ranges", law.name)));
     }
     let (best, shift) = refine(&mut problem, best, task, watch);
-    finish(&problem, task, watch, &best, is_repeatable, shift)
+    let mut fit = finish(&problem, task, watch, &best, is_repeatable, shift)?;
+    if task.folds > 0 && !fit.is_cancelled {
+        fit.saw(folds(law, experiments, task.folds, task, watch)?);
+    }
+    Ok(fit)
 }
 
 /// Most parts of an interval, and the shift of the unknowns, in standard deviations, that may be left (chosen).
@@ -210,7 +313,7 @@ fn refine(problem: &mut Problem, mut best: Found, task: &Task, watch: Watch) -> 
         let Some(here) = problem.residuals(&best.places) else { return (best, f64::INFINITY) };
         let finer = Problem { parts: 2 * problem.parts, ..problem.clone() };
         let Some(there) = finer.residuals(&best.places) else { return (best, f64::INFINITY) };
-        let seen = residuals(&here, &problem.lengths(), problem.unknowns.len());
+        let seen = residuals(&here, &problem.lengths(), problem.unknowns.len(), problem.loss);
         let error: Vec<f64> = here.iter().zip(&there).map(|(here, there)| here - there).collect();
         let shift = trust(problem, &best.places, &seen).shift(&error);
         if shift <= SHIFT || finer.parts > MOST_PARTS || watch.cancel.load(Ordering::Relaxed) {
@@ -230,22 +333,34 @@ const ROUNDS: u32 = 3;
 /// Part of the sum of squares of the force below which costs do not differ (chosen).
 const ROUNDING: f64 = 1e-9;
 
-/// The best place, and whether two searches with different seeds have found it: it is then hardly one of several.
+/// The best place, and whether two searches with different seeds have found it: it is then hardly one of several. They
+/// go over fewer samples; only the best of their ends is followed on all of them.
 fn best(problem: &Problem, task: &Task, watch: Watch) -> (Found, bool) {
-    let rounding = ROUNDING * problem.measured().iter().map(|force| force * force).sum::<f64>();
+    let parts = problem.samples().div_ceil(SEARCHED);
+    let coarser: Vec<Experiment> = problem.experiments.iter().map(|one| one.coarser(parts)).collect();
+    let is_thinned = parts > 1 && task.method == Method::Evolution && coarser.iter().all(|one| one.time.len() > 2);
+    let coarse = if is_thinned { Problem { experiments: &coarser, ..problem.clone() } } else { problem.clone() };
+    let rounding = ROUNDING * coarse.measured().iter().map(|force| force * force).sum::<f64>();
     let mut ends: Vec<Found> = Vec::new();
     let mut agree = false;
     for round in 0..ROUNDS {
-        ends.extend(searches(problem, task, task.budget << round, u64::from(round), watch));
+        ends.extend(searches(&coarse, task, task.budget << round, u64::from(round), watch));
         ends.sort_by(|a, b| a.cost.total_cmp(&b.cost));
-        let variance = 2.0 * ends[0].cost / problem.samples() as f64;
+        let variance = 2.0 * ends[0].cost / coarse.samples() as f64;
         agree = 2.0 * (ends[1].cost - ends[0].cost) <= variance.max(rounding);
         if agree || watch.cancel.load(Ordering::Relaxed) || task.method == Method::Genetic {
             break;
         }
     }
     let evaluations = ends.iter().map(|found| found.evaluations).sum();
-    (Found { evaluations, ..ends[0].clone() }, agree)
+    let mut found = Found { evaluations, ..ends.swap_remove(0) };
+    if is_thinned {
+        found = problem.judge(found);
+        if !watch.cancel.load(Ordering::Relaxed) {
+            found = polish(problem, &found);
+        }
+    }
+    (found, agree)
 }
 
 /// Problem of a fit, with everything checked.
@@ -264,7 +379,8 @@ fn problem<'a>(law: &'static ModelType, experiments: &'a [Experiment], task: &Ta
     }
     experiments.iter().try_for_each(Experiment::check)?;
     let unknowns = unknown::unknowns(law, experiments, &task.wishes)?;
-    let samples: usize = experiments.iter().map(|one| one.time.len()).sum();
+    let count = |one: &Experiment| (0..one.time.len()).filter(|at| one.counts(*at)).count();
+    let samples: usize = experiments.iter().map(count).sum();
     if samples <= 2 * unknowns.len() {
         let text = format_args!("{samples} samples for {} unknowns of {}; more are needed", unknowns.len(), law.name);
         return Err(Fault::value(text));
@@ -281,6 +397,8 @@ fn problem<'a>(law: &'static ModelType, experiments: &'a [Experiment], task: &Ta
         held,
         mass: named("mass").unwrap_or(task.mass),
         offset: named("offset").unwrap_or(0.0),
+        delay: named("delay"),
+        loss: if task.is_robust { Loss::robust(experiments) } else { Loss::SQUARES },
         parts: 1,
         pinned: vec![None; count],
         instead: None,
@@ -295,22 +413,14 @@ const SEARCHED: usize = 2000;
 
 /// Two searches with different seeds, side by side.
 fn searches(problem: &Problem, task: &Task, budget: u64, round: u64, watch: Watch) -> Vec<Found> {
-    let parts = problem.samples().div_ceil(SEARCHED);
-    let coarser: Vec<Experiment> = problem.experiments.iter().map(|one| one.coarser(parts)).collect();
-    let coarse = match task.method {
-        Method::Evolution if coarser.iter().all(|one| one.time.len() > 2) => {
-            Problem { experiments: &coarser, ..problem.clone() }
-        }
-        _ => problem.clone(),
-    };
     let run = |number: u64| {
         let seed =
             fastrand::Rng::with_seed(task.seed ^ (number + 2 * round).wrapping_mul(0x9E37_79B9_7F4A_7C15)).u64(..);
-        let found = search(&coarse, task.method, seed, budget, watch);
+        let found = search(problem, task.method, seed, budget, watch);
         if task.method == Method::Genetic || watch.cancel.load(Ordering::Relaxed) {
-            problem.judge(found)
+            found
         } else {
-            polish(problem, &problem.judge(found))
+            polish(problem, &found)
         }
     };
     // In a browser this library has no threads.
@@ -335,7 +445,7 @@ fn finish(
 ) -> Result<Fit, Fault> {
     let refused = |reason: String| Fault::value(format_args!("{}: {reason}", problem.law.name));
     let left = problem.residuals(&best.places).ok_or_else(|| refused("the law is refused at the best place".into()))?;
-    let seen = residuals(&left, &problem.lengths(), problem.unknowns.len());
+    let seen = residuals(&left, &problem.lengths(), problem.unknowns.len(), problem.loss);
     let is_cancelled = watch.cancel.load(Ordering::Relaxed);
     let profiles = task.profiles && !is_cancelled;
     let trust = doubted(problem, best, &seen, profiles, is_repeatable || task.method == Method::Genetic);
@@ -357,9 +467,14 @@ fn finish(
         is_repeatable,
         is_cancelled,
         is_exact: problem.exact.is_some(),
+        mass: point.mass,
+        offset: point.offset,
+        delay: point.delay,
+        parts: problem.parts,
+        unseen: Vec::new(),
         columns: point.columns,
         held: problem.held.clone(),
-        explained: split(&explained, &problem.lengths()),
+        explained: split(&explained, &problem.experiments.iter().map(|one| one.time.len()).collect::<Vec<usize>>()),
         warnings: warnings(problem, &seen, &estimates, is_repeatable, shift),
         estimates,
     })

@@ -110,6 +110,12 @@ impl Fit {
             self.samples,
             seen.correlation
         );
+        if seen.loss < seen.rms {
+            let _ = writeln!(text, "robust loss: the noise without outliers is {} N", digits(seen.noise));
+        }
+        for one in &self.unseen {
+            let _ = writeln!(text, "{}, not fitted: {} N is not explained", one.name, digits(one.rms));
+        }
         let how = if self.is_exact { "exact" } else { "by differences" };
         let _ =
             writeln!(text, "{} evaluations, sensitivities {how}, condition {:.1e}", self.evaluations, self.condition);
@@ -136,6 +142,8 @@ pub fn as_json(ranking: &Ranking) -> serde_json::Value {
             "behind": place.behind,
             "tied": place.is_tied,
             "rms": fit.residuals.rms,
+            "noise": fit.residuals.noise,
+            "unseen": fit.unseen.iter().map(|one| (one.name.clone(), one.rms)).collect::<BTreeMap<String, f64>>(),
             "samples": fit.samples,
             "correlation": fit.residuals.correlation,
             "repeatable": fit.is_repeatable,

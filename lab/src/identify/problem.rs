@@ -1,5 +1,7 @@
 //! The sum of squares of a fit, and its derivatives.
 
+use std::borrow::Cow;
+
 use basin::{
     BoxBounds, ConstraintDescription, ConstraintSet, Constraints, CostFunction, DenseMatrix, Jacobian, Residual,
 };
@@ -7,6 +9,7 @@ use stribeck::instance::{Instance, Phase, Refused};
 use stribeck::model::ModelType;
 
 use super::Experiment;
+use super::loss::Loss;
 use super::response::{Exact, Ports, forces};
 use super::search::Found;
 use super::unknown::{Target, Unknown};
@@ -24,6 +27,10 @@ pub(super) struct Problem<'a> {
     /// Mass and offset of the rig where they are not unknown.
     pub mass: f64,
     pub offset: f64,
+    /// Delay of the motion, if it is held.
+    pub delay: Option<f64>,
+    /// Cost of a residual.
+    pub loss: Loss,
     /// Parts into which the intervals between samples are divided.
     pub parts: usize,
     /// Unknowns that are held at a place, for profiles.
@@ -46,17 +53,29 @@ pub(super) struct Point {
     pub columns: Vec<(usize, f64)>,
     pub mass: f64,
     pub offset: f64,
+    /// Delay of the motion, where it is doubtful and known better.
+    pub delay: Option<f64>,
 }
 
 impl Problem<'_> {
-    /// Number of samples.
+    /// Number of samples that count.
     pub fn samples(&self) -> usize {
-        self.experiments.iter().map(|one| one.time.len()).sum()
+        self.lengths().iter().sum()
     }
 
-    /// Number of samples of each experiment.
+    /// Number of samples that count in each experiment.
     pub fn lengths(&self) -> Vec<usize> {
-        self.experiments.iter().map(|one| one.time.len()).collect()
+        let count = |one: &Experiment| (0..one.time.len()).filter(|at| one.counts(*at)).count();
+        self.experiments.iter().map(count).collect()
+    }
+
+    /// The values at samples that count, of those at all samples.
+    fn counting(&self, all: Vec<f64>) -> Vec<f64> {
+        if self.experiments.iter().all(|one| one.left_out.is_empty()) {
+            return all;
+        }
+        let counts = self.experiments.iter().flat_map(|one| (0..one.time.len()).map(|at| one.counts(at)));
+        all.into_iter().zip(counts).filter(|(_, counts)| *counts).map(|(value, _)| value).collect()
     }
 
     /// The places of all unknowns, from those that are free.
@@ -79,7 +98,7 @@ impl Problem<'_> {
     }
 
     pub fn point(&self, places: &[f64]) -> Point {
-        let mut point = Point { columns: self.held.clone(), mass: self.mass, offset: self.offset };
+        let mut point = Point { columns: self.held.clone(), mass: self.mass, offset: self.offset, delay: self.delay };
         let mut excess = None;
         for (unknown, value) in self.unknowns.iter().zip(self.values(places)) {
             match unknown.target {
@@ -87,6 +106,7 @@ impl Problem<'_> {
                 Target::Excess { of, over } => excess = Some((of, over, value)),
                 Target::Mass => point.mass = value,
                 Target::Offset => point.offset = value,
+                Target::Delay => point.delay = Some(value),
             }
         }
         if let Some((of, over, value)) = excess {
@@ -105,7 +125,8 @@ impl Problem<'_> {
     /// Forces of the load cell that the law explains.
     pub fn explained(&self, instance: &mut Instance, point: &Point, parts: usize) -> Result<Vec<f64>, Refused> {
         let mut all = Vec::with_capacity(self.samples());
-        for experiment in self.experiments {
+        for experiment in self.seen(point) {
+            let experiment = &*experiment;
             let friction = forces(instance, self.ports, &point.columns, experiment, parts)?;
             let inertia = experiment.acceleration.iter().map(|a| point.mass * a + point.offset);
             all.extend(friction.iter().zip(inertia).map(|(friction, rest)| friction + rest));
@@ -113,23 +134,32 @@ impl Problem<'_> {
         Ok(all)
     }
 
+    /// The experiments with the motion at its delay.
+    fn seen(&self, point: &Point) -> impl Iterator<Item = Cow<'_, Experiment>> {
+        let delay = point.delay;
+        self.experiments.iter().map(move |one| match delay {
+            Some(delay) if one.delay_doubt > 0.0 && delay != one.delay => Cow::Owned(one.shifted(delay - one.delay)),
+            _ => Cow::Borrowed(one),
+        })
+    }
+
     /// Gives a place that was found on fewer samples its cost on all of them.
     pub fn judge(&self, found: Found) -> Found {
-        let cost = self.residuals(&found.places).map_or(f64::INFINITY, |all| cost(&all));
+        let cost = self.residuals(&found.places).map_or(f64::INFINITY, |all| self.loss.cost(&all));
         Found { cost, ..found }
     }
 
     /// The forces that are fitted.
     pub fn measured(&self) -> Vec<f64> {
-        self.instead
-            .clone()
-            .unwrap_or_else(|| self.experiments.iter().flat_map(|one| one.force.iter().copied()).collect())
+        let all = || self.experiments.iter().flat_map(|one| one.force.iter().copied()).collect();
+        self.instead.clone().unwrap_or_else(|| self.counting(all()))
     }
 
     /// Explained minus measured forces at the places of all unknowns; None where the law is refused.
     pub fn residuals(&self, places: &[f64]) -> Option<Vec<f64>> {
         let mut instance = Instance::new(self.law);
         let explained = self.explained(&mut instance, &self.point(places), self.parts).ok()?;
+        let explained = self.counting(explained);
         Some(explained.iter().zip(self.measured()).map(|(explained, measured)| explained - measured).collect())
     }
 
@@ -141,7 +171,7 @@ impl Problem<'_> {
     fn sensitivity(&self, places: &[f64], number: usize) -> Vec<f64> {
         let point = self.point(places);
         match (self.unknowns[number].target, self.exact) {
-            (Target::Mass, _) => self.experiments.iter().flat_map(|one| one.acceleration.iter().copied()).collect(),
+            (Target::Mass, _) => self.counting(self.seen(&point).flat_map(|one| one.acceleration.clone()).collect()),
             (Target::Offset, _) => vec![1.0; self.samples()],
             (Target::Column(column), Some(exact)) => {
                 // The static level moves with the kinetic one.
@@ -153,7 +183,7 @@ impl Problem<'_> {
                 self.exactly(exact, &point, &seeds)
             }
             (Target::Excess { of, .. }, Some(exact)) => self.exactly(exact, &point, &[(of, 1.0)]),
-            (_, None) => self.differences(places, number, STEP),
+            (Target::Delay, _) | (_, None) => self.differences(places, number, STEP),
         }
     }
 
@@ -162,9 +192,10 @@ impl Problem<'_> {
         // Refused values have led to no residuals before.
         let _ = instance.set_all(Phase::Setup, point.columns.iter().copied());
         let start = instance.row().to_vec();
-        let forces =
-            |one| exact.forces(&start, self.ports, seeds, one, self.parts).into_iter().map(|force| force.slope);
-        self.experiments.iter().flat_map(forces).collect()
+        let forces = |one: Cow<Experiment>| {
+            exact.forces(&start, self.ports, seeds, &one, self.parts).into_iter().map(|force| force.slope)
+        };
+        self.counting(self.seen(point).flat_map(forces).collect())
     }
 
     /// Central differences; one-sided at an end of the range.
@@ -195,10 +226,6 @@ impl Problem<'_> {
     }
 }
 
-fn cost(residuals: &[f64]) -> f64 {
-    0.5 * residuals.iter().map(|one| one * one).sum::<f64>()
-}
-
 impl Constraints for Problem<'_> {
     type Set = ConstraintSet<BoxBounds<Vec<f64>>>;
 
@@ -213,7 +240,7 @@ impl CostFunction for Problem<'_> {
     type Error = std::convert::Infallible;
 
     fn cost(&self, free: &Vec<f64>) -> Result<f64, Self::Error> {
-        Ok(self.residuals(&self.whole(free)).map_or(f64::INFINITY, |found| cost(&found)))
+        Ok(self.residuals(&self.whole(free)).map_or(f64::INFINITY, |found| self.loss.cost(&found)))
     }
 }
 
@@ -223,7 +250,8 @@ impl Residual for Problem<'_> {
     type Error = std::convert::Infallible;
 
     fn residual(&self, free: &Vec<f64>) -> Result<Vec<f64>, Self::Error> {
-        Ok(self.residuals(&self.whole(free)).unwrap_or_else(|| vec![REFUSED; self.samples()]))
+        let residuals = self.residuals(&self.whole(free)).unwrap_or_else(|| vec![REFUSED; self.samples()]);
+        Ok(residuals.into_iter().map(|one| self.loss.root_of_loss(one)).collect())
     }
 }
 
@@ -232,7 +260,10 @@ impl Jacobian for Problem<'_> {
 
     fn jacobian(&self, free: &Vec<f64>) -> Result<DenseMatrix, Self::Error> {
         let columns = self.slopes(free);
-        let rows = (0..self.samples()).flat_map(|row| columns.iter().map(move |column| column[row]));
+        // A refused place has no residuals and is never a place to go on from.
+        let residuals = self.residuals(&self.whole(free)).unwrap_or_else(|| vec![0.0; self.samples()]);
+        let weight = |row: usize| self.loss.slope_of_root(residuals[row]);
+        let rows = (0..self.samples()).flat_map(|row| columns.iter().map(move |column| weight(row) * column[row]));
         Ok(DenseMatrix::from_row_slice(self.samples(), columns.len(), &rows.collect::<Vec<f64>>()))
     }
 }

@@ -4,7 +4,7 @@
 //! ```text
 //! BIC = (n / tau) ln(r'r / n) + k ln(n / tau)
 //! ```
-//! with the correlation time tau of the residuals of the law that explains most: samples of a rig are not independent,
+//! with r'r twice the loss if that is robust, and the correlation time tau of the residuals of the law that explains most: samples of a rig are not independent,
 //! and who counts them as if they were prefers the law with more parameters. Laws within [`APART`] of the best one
 //! cannot be told apart.
 //!
@@ -31,7 +31,7 @@ pub struct Rank {
 
 /// Ranks fits to the same experiments, the best first.
 pub fn rank(fits: &[Fit]) -> Vec<Rank> {
-    let least = fits.iter().min_by(|a, b| a.residuals.rms.total_cmp(&b.residuals.rms));
+    let least = fits.iter().min_by(|a, b| a.residuals.loss.total_cmp(&b.residuals.loss));
     let Some(least) = least else { return Vec::new() };
     let count = least.samples as f64 / least.residuals.correlation;
     // A law that explains everything leaves rounding.
@@ -39,7 +39,7 @@ pub fn rank(fits: &[Fit]) -> Vec<Rank> {
     let criterion = |fit: &Fit| {
         let n = fit.samples as f64;
         let freedom = (n - fit.unknowns() as f64).max(1.0);
-        let mean = fit.residuals.rms.max(floor).powi(2) * freedom / n;
+        let mean = fit.residuals.loss.max(floor).powi(2) * freedom / n;
         count * mean.ln() + fit.unknowns() as f64 * count.ln()
     };
     let mut list: Vec<(usize, f64)> = fits.iter().map(criterion).enumerate().collect();

@@ -32,8 +32,8 @@ pub(super) struct Found {
 pub struct Watch<'a> {
     /// Ends the search early; the best so far is kept.
     pub cancel: &'a AtomicBool,
-    /// Root mean square of the residuals at the best place so far, N.
-    pub progress: &'a (dyn Fn(f64) + Sync),
+    /// Root mean square of the residuals at the best place so far, N, and the evaluations that led there.
+    pub progress: &'a (dyn Fn(f64, u64) + Sync),
 }
 
 /// Members of a population for each unknown, the least of them all, and generations (chosen: twice what LuGre needs).
@@ -75,7 +75,7 @@ where
     let (mut last, mut idle) = (f64::INFINITY, 0);
     while let Ok(StepOutcome::Continue) = stepper.step() {
         let cost = stepper.state().cost();
-        (watch.progress)((2.0 * cost / problem.samples() as f64).sqrt());
+        (watch.progress)((2.0 * cost / problem.samples() as f64).sqrt(), stepper.counts().cost_evals);
         idle = if cost < 0.999 * last { 0 } else { idle + 1 };
         last = last.min(cost);
         if idle >= PATIENCE * patience(generations) || watch.cancel.load(Ordering::Relaxed) {

@@ -11,7 +11,7 @@ use super::*;
 static NEVER: AtomicBool = AtomicBool::new(false);
 
 fn quiet() -> Watch<'static> {
-    Watch { cancel: &NEVER, progress: &|_| {} }
+    Watch { cancel: &NEVER, progress: &|_, _| {} }
 }
 
 /// Strokes with slow and fast reversals under a load that changes, over 4 s at 1 kHz.
@@ -27,6 +27,10 @@ fn standard(samples: u32) -> Experiment {
         normal_force: time.iter().map(|t| 20.0 + wave(5.0, 0.3, *t)).collect(),
         force: vec![0.0; time.len()],
         velocity_error: 0.0,
+        delay: 0.0,
+        delay_doubt: 0.0,
+        left_out: Vec::new(),
+        reach: 0.0,
         time,
     }
 }
@@ -48,6 +52,10 @@ fn measured(law: &str, values: &[(&str, f64)], experiment: &Experiment, part: f6
     let noise = noise(seed, forces.len());
     let force = forces.iter().zip(noise).map(|(force, noise)| force + part * level * noise).collect();
     Experiment { force, ..experiment.clone() }
+}
+
+fn white_noise(rms: f64) -> Residuals {
+    Residuals { rms, loss: rms, noise: rms, softness: 1.0, neighbours: 0.0, correlation: 1.0 }
 }
 
 fn quick() -> Task {
@@ -230,7 +238,7 @@ fn correlated_residuals_count_as_fewer_samples() {
             last
         })
         .collect();
-    let seen = |values: &[f64]| residuals(values, &[20_000, 20_000], 2);
+    let seen = |values: &[f64]| residuals(values, &[20_000, 20_000], 2, Loss::SQUARES);
     assert!((seen(&white).correlation - 1.0).abs() < 0.1 && seen(&white).neighbours.abs() < 0.02);
     assert!((seen(&red).correlation / 9.0 - 1.0).abs() < 0.15, "{:?}", seen(&red));
     assert!((seen(&red).neighbours - 0.8).abs() < 0.01 && (seen(&white).rms - 1.0).abs() < 0.02);
@@ -238,7 +246,7 @@ fn correlated_residuals_count_as_fewer_samples() {
     let data = [measured("Dahl", &[], &standard(500), 0.01, 6)];
     let problem = whole_problem("Dahl", &data);
     let (best, _) = best(&problem, &quick(), quiet());
-    let plain = Residuals { rms: 0.02, neighbours: 0.0, correlation: 1.0 };
+    let plain = white_noise(0.02);
     let [narrow, wide] =
         [plain, Residuals { correlation: 9.0, ..plain }].map(|seen| trust(&problem, &best.places, &seen));
     for (narrow, wide) in narrow.deviations.iter().zip(&wide.deviations) {
@@ -252,7 +260,7 @@ fn a_force_that_changes_in_jumps_has_no_interval() {
     let data = [measured("Bristle", &[], &standard(500), 0.0, 1)];
     let problem = whole_problem("Bristle", &data);
     let places = vec![0.5; problem.unknowns.len()];
-    let seen = Residuals { rms: 1e-4, neighbours: 0.0, correlation: 1.0 };
+    let seen = white_noise(1e-4);
     let jumps = trust(&problem, &places, &seen).verdicts.iter().any(|verdict| verdict.to_string().contains("in jumps"));
     assert!(jumps, "{:?}", trust(&problem, &places, &seen).verdicts);
     let smooth = [measured("Dahl", &[], &standard(500), 0.0, 1)];
@@ -266,7 +274,7 @@ fn searches_that_disagree_leave_no_number() {
     let data = [measured("Dahl", &[], &standard(200), 0.01, 1)];
     let problem = whole_problem("Dahl", &data);
     let found = best(&problem, &quick(), quiet()).0;
-    let seen = Residuals { rms: 0.02, neighbours: 0.0, correlation: 1.0 };
+    let seen = white_noise(0.02);
     let verdicts = |is_repeatable| doubted(&problem, &found, &seen, false, is_repeatable).verdicts;
     assert!(verdicts(true).iter().all(|verdict| *verdict == Verdict::Determined));
     assert!(verdicts(false).iter().all(|verdict| matches!(verdict, Verdict::Undetermined(_))));
@@ -327,6 +335,34 @@ fn mass_friction_and_offset_of_an_axis_are_found_within_half_a_percent() {
     assert_eq!(names, ["mu_k", "viscous_coefficient"]);
 }
 
+/// The system `axis`, solved, as its controller would record it: force of the drive with noise, position of an encoder.
+#[test]
+fn a_record_of_the_axis_gives_back_its_parameters() {
+    let source = crate::system::Source::open("axis").unwrap();
+    let system = crate::system::System::assemble(&source, None, &[]).unwrap();
+    let shown = ["axis.drive_force", "axis.position"].map(str::to_owned);
+    let outcome = crate::run::run(&system, &crate::run::Settings::of(&system), &shown).unwrap();
+    let [force, position] = shown.each_ref().map(|name| outcome.values(name).unwrap());
+    let random = noise(3, force.len());
+    let force = force.iter().zip(&random).map(|(force, noise)| force + 0.5 * noise).collect();
+    let position = position.iter().map(|x| (x / 1e-6).round() * 1e-6).collect();
+    let columns = [("time", outcome.time.clone()), ("force", force), ("displacement", position)];
+    let sheet = crate::sheet::Sheet::of_columns(&columns.map(|(name, values)| (name.to_owned(), values))).unwrap();
+    let rig = crate::measured::Rig { normal_force: Some(axis::NORMAL_FORCE), ..Default::default() };
+    let record = crate::measured::Record::of(&sheet, None, &rig).unwrap();
+    let mut wishes = Wishes::default();
+    axis::fitted(&mut wishes);
+    let experiment = axis::in_motion(Experiment::new("axis", &record)).unwrap();
+    let fit = fitted(axis::LAW, &[experiment], &Task { wishes, ..quick() });
+    for (name, truth) in [("mass", 95.1089), ("mu_k", 20.3935), ("viscous_coefficient", 203.5034), ("offset", -3.1648)]
+    {
+        let one = estimate(&fit, name);
+        let [low, high] = one.interval();
+        assert!((one.value / truth - 1.0).abs() < 5e-3, "{one:?}");
+        assert!((low..=high).contains(&truth), "{one:?}");
+    }
+}
+
 #[test]
 fn the_law_that_made_the_data_ranks_first_or_is_tied() {
     let candidates = ["Coulomb", "Stribeck", "Dahl", "LuGre"];
@@ -355,8 +391,8 @@ fn a_ranking_counts_effective_samples() {
     let data = [measured("Coulomb", &[], &standard(600), 0.01, 9)];
     let fit = fitted("Coulomb", &data, &Task { budget: 50, ..quick() });
     let behind = |ratio: f64, correlation: f64| {
-        let best = Fit { residuals: Residuals { rms: 0.02, neighbours: 0.0, correlation }, ..fit.clone() };
-        let other = Fit { residuals: Residuals { rms: 0.02 * ratio, ..best.residuals }, ..fit.clone() };
+        let best = Fit { residuals: Residuals { correlation, ..white_noise(0.02) }, ..fit.clone() };
+        let other = Fit { residuals: Residuals { loss: 0.02 * ratio, ..best.residuals }, ..fit.clone() };
         let ranks = rank(&[other, best]);
         assert_eq!((ranks[0].fit, ranks[0].behind), (1, 0.0));
         (ranks[1].behind, ranks[1].is_tied)
@@ -492,7 +528,7 @@ fn data_without_noise_give_the_truth() {
 fn a_search_that_is_ended_keeps_its_best() {
     let data = [measured("LuGre", &SLIDER, &standard(500), 0.01, 2)];
     let (stop, best) = (AtomicBool::new(false), std::sync::Mutex::new(f64::INFINITY));
-    let progress = |rms: f64| {
+    let progress = |rms: f64, _| {
         let mut best = best.lock().unwrap();
         *best = best.min(rms);
         stop.store(true, Ordering::Relaxed);
@@ -501,4 +537,61 @@ fn a_search_that_is_ended_keeps_its_best() {
     let fit = fit(by_name("LuGre").unwrap(), &data, &Task::default(), watch).unwrap();
     assert!(fit.is_cancelled && fit.residuals.rms.is_finite() && best.lock().unwrap().is_finite());
     assert!(fit.estimates.iter().all(|one| one.profile.is_none() && one.repeated.is_none()));
+}
+
+/// One force in 25 is spoilt by 20 to 60 standard deviations to one side. With squares they pull the values away by far
+/// more than the noise of the others allows; a robust loss finds the truth within its intervals, which are hardly wider
+/// than without outliers.
+#[test]
+fn outliers_hardly_count_with_a_robust_loss() {
+    let clean = measured("Dahl", &[], &standard(1000), 0.01, 5);
+    let level = clean.force.iter().fold(0.0, |most: f64, force| most.max(force.abs()));
+    let mut spoilt = clean.clone();
+    for at in (7..1000).step_by(25) {
+        spoilt.force[at] += 0.01 * level * (20.0 + (at % 41) as f64);
+    }
+    let task = Task { budget: 400, profiles: true, ..quick() };
+    let robust = Task { is_robust: true, ..task.clone() };
+    let [without, squares, robust] = [(&clean, &task), (&spoilt, &task), (&spoilt, &robust)]
+        .map(|(data, task)| fitted("Dahl", std::slice::from_ref(data), task));
+    for (name, truth) in [("mu_k", 0.1), ("sigma_0", 1e5)] {
+        let one = estimate(&robust, name);
+        let [low, high] = one.interval();
+        assert!((low..=high).contains(&truth), "{one:?}");
+        assert!(one.deviation < 1.5 * estimate(&without, name).deviation, "{one:?}");
+        assert!(one.deviation < 0.4 * estimate(&squares, name).deviation, "{one:?}");
+        let profile = one.profile.unwrap();
+        let ratio = (profile[1] - profile[0]) / (one.linear[1] - one.linear[0]);
+        assert!((0.8..1.25).contains(&ratio), "{one:?}");
+    }
+    // The mean of the outliers, 1.6 standard deviations of the noise, is far more than the noise of a mean.
+    assert!(
+        robust.residuals.noise < 1.5 * without.residuals.noise && robust.residuals.rms > 5.0 * robust.residuals.noise
+    );
+}
+
+/// Three loads: in a run that was not fitted the law leaves the noise, and where mu is another one, its difference.
+#[test]
+fn experiments_that_were_not_fitted_judge_a_law() {
+    let loads = [10.0, 20.0, 30.0].map(|load| Experiment { normal_force: vec![load; 600], ..standard(600) });
+    let data = loads.clone().map(|load| measured("Coulomb", &[("mu_k", 0.2)], &load, 0.0, 7));
+    let spread = noise(12, 1800);
+    let noisy = |number: usize| {
+        let own = &spread[600 * number..];
+        let force = data[number].force.iter().zip(own).map(|(force, noise)| force + 0.05 * noise).collect();
+        Experiment { name: format!("run {number}"), force, ..data[number].clone() }
+    };
+    let data = [0, 1, 2].map(noisy);
+    let task = Task { folds: 3, budget: 100, ..quick() };
+    let fit = fitted("Coulomb", &data, &task);
+    assert_eq!(fit.unseen.iter().map(|one| one.name.as_str()).collect::<Vec<_>>(), ["run 0", "run 1", "run 2"]);
+    assert!(fit.unseen.iter().all(|one| (one.rms / 0.05 - 1.0).abs() < 0.1 && !one.is_worse()), "{:?}", fit.unseen);
+    assert!(fit.warnings.is_empty(), "{:?}", fit.warnings);
+    let other = measured("Coulomb", &[("mu_k", 0.3)], &loads[1], 0.0, 7);
+    let unseen = held_out(&fit, &[other]).unwrap();
+    // Off by 0.1 of 20 N.
+    assert!((unseen[0].rms - 2.0).abs() < 0.02 && unseen[0].is_worse(), "{unseen:?}");
+    let refused = super::fit(by_name("Coulomb").unwrap(), &data, &Task { folds: 4, ..task }, quiet());
+    let text = refused.map(|_| ()).unwrap_err().to_string();
+    assert_eq!(text, "folds = 4: must be from 2 to the number of records, 3");
 }

@@ -24,6 +24,7 @@ use std::fmt;
 
 use nalgebra::{DMatrix, DVector};
 
+use super::loss::Loss;
 use super::problem::Problem;
 use super::unknown::{Scale, Unknown};
 
@@ -76,10 +77,28 @@ pub fn digits(value: f64) -> String {
 pub struct Residuals {
     /// Root mean square, N.
     pub rms: f64,
+    /// Root of twice the mean loss, N: the same unless the loss is robust.
+    pub loss: f64,
+    /// Standard deviation of the noise that counts, N: the same unless the loss is robust.
+    pub noise: f64,
+    /// Mean second derivative of the loss: 1 unless the loss is robust.
+    pub softness: f64,
     /// Correlation of neighbours.
     pub neighbours: f64,
     /// Samples that count as one.
     pub correlation: f64,
+}
+
+impl Residuals {
+    /// Variance of the noise, as of independent samples.
+    pub(super) fn variance(&self) -> f64 {
+        self.noise * self.noise * self.correlation
+    }
+
+    /// Rise of twice the cost that counts as much as the sum of squares rising by the variance.
+    pub(super) fn rise(&self) -> f64 {
+        self.variance() * self.softness
+    }
 }
 
 /// Knowledge of the unknowns, in the order of the problem.
@@ -98,10 +117,15 @@ pub(super) struct Trust {
     pub condition: f64,
 }
 
+fn squares(values: &[f64]) -> f64 {
+    values.iter().map(|one| one * one).sum()
+}
+
 /// Residuals of several experiments, one after the other.
-pub(super) fn residuals(found: &[f64], lengths: &[usize], unknowns: usize) -> Residuals {
-    let freedom = (found.len().saturating_sub(unknowns)).max(1) as f64;
-    let square = found.iter().map(|one| one * one).sum::<f64>();
+pub(super) fn residuals(all: &[f64], lengths: &[usize], unknowns: usize, loss: Loss) -> Residuals {
+    let freedom = (all.len().saturating_sub(unknowns)).max(1) as f64;
+    let (found, softness) = loss.influence(all);
+    let square = squares(&found);
     let lag = |lag: usize| {
         let mut from = 0;
         let mut sum = 0.0;
@@ -120,7 +144,14 @@ pub(super) fn residuals(found: &[f64], lengths: &[usize], unknowns: usize) -> Re
             break;
         }
     }
-    Residuals { rms: (square / freedom).sqrt(), neighbours: lag(1), correlation: correlation.max(1.0) }
+    Residuals {
+        rms: (squares(all) / freedom).sqrt(),
+        loss: (2.0 * loss.cost(all) / freedom).sqrt(),
+        noise: (square / freedom).sqrt(),
+        softness,
+        neighbours: lag(1),
+        correlation: correlation.max(1.0),
+    }
 }
 
 /// Knowledge before the data about an unknown that the data do not determine, in large changes (chosen): what depends
@@ -133,7 +164,7 @@ pub(super) fn trust(problem: &Problem, places: &[f64], seen: &Residuals) -> Trus
     let large: Vec<f64> = problem.unknowns.iter().zip(&values).map(|(unknown, value)| unknown.large(*value)).collect();
     let columns = problem.sensitivities(places);
     let count = columns.len();
-    let variance = (seen.rms * seen.rms * seen.correlation).max(f64::MIN_POSITIVE);
+    let variance = seen.variance().max(f64::MIN_POSITIVE);
     let information = DMatrix::from_fn(count, count, |a, b| {
         let sum: f64 = columns[a].iter().zip(&columns[b]).map(|(a, b)| a * b).sum();
         sum * large[a] * large[b] / variance
@@ -213,7 +244,7 @@ fn is_smooth(
         problem.residuals(&moved).is_some_and(|there| {
             let found = size(&mut there.iter().zip(&here).map(|(there, here)| there - here));
             // Less than the noise does not matter.
-            found.max(foreseen) < 0.1 * seen.rms || (1.0 / STRAIGHT..=STRAIGHT).contains(&(found / foreseen))
+            found.max(foreseen) < 0.1 * seen.noise || (1.0 / STRAIGHT..=STRAIGHT).contains(&(found / foreseen))
         })
     };
     // At an end of the range one side is enough.

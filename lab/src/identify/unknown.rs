@@ -22,6 +22,8 @@ pub enum Target {
     Mass,
     /// Constant part of the force of the load cell.
     Offset,
+    /// Delay of the motion behind the force.
+    Delay,
 }
 
 /// Scale on which an unknown is searched.
@@ -172,7 +174,7 @@ pub struct Wishes {
 }
 
 /// Names of the unknowns that are of the rig and not of the law.
-pub(super) const OF_RIG: [&str; 2] = ["mass", "offset"];
+pub(super) const OF_RIG: [&str; 3] = ["mass", "offset", "delay"];
 
 /// The parameters of a law that can be fitted.
 fn known(law: &ModelType) -> Vec<(usize, Variable)> {
@@ -208,6 +210,22 @@ pub(super) fn unknowns(law: &ModelType, experiments: &[Experiment], wishes: &Wis
         };
         list.push(Unknown { name, unit: unit.name, target, range, scale });
     }
+    list.extend(of_rig(experiments, wishes, &magnitudes)?);
+    narrow(&mut list, law, wishes)?;
+    if let Some(Unknown { name, range: [low, high], .. }) =
+        list.iter().find(|one| !(one.range[0] < one.range[1] && one.range[1].is_finite()))
+    {
+        let text = format_args!("{}: the data give no range for {name} ({low:e} to {high:e}); give one", law.name);
+        return Err(Fault::value(text));
+    }
+    if list.is_empty() { Err(Fault::value(format_args!("{}: nothing is left to fit", law.name))) } else { Ok(list) }
+}
+
+/// The unknowns of the rig.
+fn of_rig(experiments: &[Experiment], wishes: &Wishes, magnitudes: &Magnitudes) -> Result<Vec<Unknown>, Fault> {
+    let is_fixed = |name: &str| wishes.fixed.iter().any(|(fixed, _)| fixed == name);
+    let is_fitted = |name: &str| wishes.fitted.iter().any(|fitted| fitted == name);
+    let mut list = Vec::new();
     if is_fitted("mass") {
         list.push(Unknown {
             name: "mass".into(),
@@ -221,14 +239,19 @@ pub(super) fn unknowns(law: &ModelType, experiments: &[Experiment], wishes: &Wis
         let range = [-magnitudes.force, magnitudes.force];
         list.push(Unknown { name: "offset".into(), unit: "N", target: Target::Offset, range, scale: Scale::Linear });
     }
-    narrow(&mut list, law, wishes)?;
-    if let Some(Unknown { name, range: [low, high], .. }) =
-        list.iter().find(|one| !(one.range[0] < one.range[1] && one.range[1].is_finite()))
-    {
-        let text = format_args!("{}: the data give no range for {name} ({low:e} to {high:e}); give one", law.name);
-        return Err(Fault::value(text));
+    let doubted = experiments.iter().find(|one| one.delay_doubt > 0.0);
+    if let Some(Experiment { delay, delay_doubt, .. }) = doubted.filter(|_| !is_fixed("delay")) {
+        list.push(Unknown {
+            name: "delay".into(),
+            unit: "s",
+            target: Target::Delay,
+            range: [delay - delay_doubt, delay + delay_doubt],
+            scale: Scale::Linear,
+        });
+    } else if is_fitted("delay") {
+        return Err(Fault::value("delay: can be fitted only if it is looked for in the motion of a single record"));
     }
-    if list.is_empty() { Err(Fault::value(format_args!("{}: nothing is left to fit", law.name))) } else { Ok(list) }
+    Ok(list)
 }
 
 fn check_names(law: &ModelType, known: &[(usize, Variable)], wishes: &Wishes) -> Result<(), Fault> {
@@ -263,7 +286,7 @@ fn narrow(list: &mut [Unknown], law: &ModelType, wishes: &Wishes) -> Result<(), 
         let is_admitted = match unknown.target {
             Target::Column(column) => [low, high].into_iter().all(|end| law.table.at(column).admits(*end)),
             Target::Excess { .. } | Target::Mass => *low >= 0.0,
-            Target::Offset => true,
+            Target::Offset | Target::Delay => true,
         };
         if !is_ordered || !is_admitted {
             return Err(Fault::value(format_args!(

@@ -91,7 +91,7 @@ pub(super) fn starts(record: &Record) -> Vec<f64> {
 }
 
 /// Value at a time, on a straight line between two samples.
-pub(super) fn interpolate(time: &[f64], values: &[f64], at: f64) -> f64 {
+pub fn interpolate(time: &[f64], values: &[f64], at: f64) -> f64 {
     let right = time.partition_point(|t| *t < at).clamp(1, time.len() - 1);
     let share = ((at - time[right - 1]) / (time[right] - time[right - 1])).clamp(0.0, 1.0);
     (1.0 - share) * values[right - 1] + share * values[right]

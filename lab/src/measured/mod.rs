@@ -31,6 +31,6 @@ mod record;
 mod tests;
 
 pub use clock::Clocks;
-pub use cycle::{Cycle, average};
-pub use quality::{Gap, Quality};
+pub use cycle::{Cycle, average, interpolate};
+pub use quality::{Gap, Quality, noise};
 pub use record::{Delay, MeasuredError, Record, Rig};

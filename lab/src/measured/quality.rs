@@ -132,9 +132,9 @@ fn saturated(force: &[f64], [low, high]: [f64; 2]) -> f64 {
     if low < high { count as f64 / force.len() as f64 } else { 0.0 }
 }
 
-/// Noise from differences of the third order, whose variance is 20 times that of white noise; the median of their
+/// Noise of a force, from differences of the third order, whose variance is 20 times that of white noise; the median of their
 /// magnitudes, 0.6745 standard deviations, is blind to the reversals.
-fn noise(force: &[f64]) -> f64 {
+pub fn noise(force: &[f64]) -> f64 {
     let mut third: Vec<f64> = force.windows(4).map(|f| (f[3] - 3.0 * f[2] + 3.0 * f[1] - f[0]).abs()).collect();
     median(&mut third) / (0.6745 * f64::sqrt(20.0))
 }

@@ -147,6 +147,8 @@ pub struct Record {
     /// Error of the velocity around rest, m/s: how much it changes (root mean square) with a window of half the length;
     /// 0 if it was measured.
     pub velocity_error: f64,
+    /// Median interval between samples of the motion, s.
+    pub motion_interval: f64,
     /// Clocks of force and motion.
     pub clocks: Clocks,
     /// Quality.
@@ -263,10 +265,14 @@ impl Motion {
         Ok(Motion { time, displacement, velocity })
     }
 
+    fn interval(&self) -> f64 {
+        let mut steps: Vec<f64> = self.time.windows(2).map(|pair| pair[1] - pair[0]).collect();
+        median(&mut steps)
+    }
+
     /// Window and clocks, as they are known or as they let the motion explain most of the force.
     fn tuned(&self, own: &Own, rig: &Rig) -> (f64, Clocks) {
-        let mut steps: Vec<f64> = self.time.windows(2).map(|pair| pair[1] - pair[0]).collect();
-        let interval = median(&mut steps);
+        let interval = self.interval();
         let windows =
             rig.window.map_or_else(|| WINDOWS.map(|samples| (samples - 0.5) * interval).to_vec(), |one| vec![one]);
         if let ([window], Delay::Known(delay)) = (windows.as_slice(), rig.delay) {
@@ -306,6 +312,7 @@ impl Motion {
             normal_force: take(own.load),
             is_differentiated: self.velocity.is_none(),
             window,
+            motion_interval: self.interval(),
             velocity_error: 0.0,
             quality: Quality::default(),
             time,

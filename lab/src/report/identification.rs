@@ -64,6 +64,10 @@ fn estimates(page: &mut Page, best: &Fit, reference: Option<&Reference>) {
         page.row(if is_told { "" } else { "failed" }, &head, &cells);
     }
     page.end_table();
+    for one in &best.unseen {
+        let text = format!("{}, which was not fitted: {} N is not explained.", one.name, digits(one.rms));
+        page.paragraph("note", &text);
+    }
     let seen = &best.residuals;
     page.paragraph(
         "note",

@@ -1,0 +1,123 @@
+//! Columns of a tyre test, turned into the axes of the library.
+
+use crate::sheet::{ANGLE, FORCE, MOMENT, Quantity, SLIP, Sheet, SheetError};
+
+/// Axes of a tyre test.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Axes {
+    /// ISO 8855: x forward, y left, z up; the load is positive.
+    Iso,
+    /// SAE J670: x forward, y right, z down; the load is negative.
+    Sae,
+}
+
+/// A tyre test in the axes of the library, ISO 8855, with a side slip that is positive to the left.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TyreTest {
+    /// Load F_z, N.
+    pub load: Vec<f64>,
+    /// Side slip, rad.
+    pub side_slip: Vec<f64>,
+    /// Longitudinal slip.
+    pub longitudinal_slip: Vec<f64>,
+    /// Camber, rad.
+    pub camber: Vec<f64>,
+    /// Force along x, N, if it was measured.
+    pub force_x: Option<Vec<f64>>,
+    /// Force along y, N.
+    pub force_y: Vec<f64>,
+    /// Moment about z, N.m, if it was measured.
+    pub moment_z: Option<Vec<f64>>,
+}
+
+/// Reason why a table is not a tyre test.
+#[derive(Debug, thiserror::Error)]
+pub enum TyreTestError {
+    /// The table cannot be read.
+    #[error(transparent)]
+    Sheet(#[from] SheetError),
+    /// A load has the wrong sign.
+    #[error("line {line}, {name}: {value} N: must be {wanted} with these axes")]
+    Load {
+        /// Line of the file.
+        line: u64,
+        /// Name of the column.
+        name: String,
+        /// The value.
+        value: f64,
+        /// The condition.
+        wanted: &'static str,
+    },
+    /// There are too few samples.
+    #[error("{count} samples; at least {LEAST} are needed")]
+    Short {
+        /// Their number.
+        count: usize,
+    },
+    /// The side force has the wrong sign.
+    #[error(
+        "the side force rises with the side slip: in both ISO and SAE axes a tyre that slips to one side is pushed to \
+         the other; reverse the side slip, or the force"
+    )]
+    SideForce,
+}
+
+/// Least number of samples (chosen: twice the coefficients of the side force).
+pub(super) const LEAST: usize = 40;
+
+/// Names of a column: those of rigs and that of the library. Headings are compared without regard to case.
+fn named<'a>(sheet: &Sheet, names: &[&'a str], quantity: &Quantity) -> Result<Option<(&'a str, Vec<f64>)>, SheetError> {
+    for name in names {
+        if let Some(values) = sheet.column_named(name, quantity)? {
+            return Ok(Some((name, values)));
+        }
+    }
+    Ok(None)
+}
+
+fn required<'a>(sheet: &Sheet, names: &[&'a str], quantity: &Quantity) -> Result<(&'a str, Vec<f64>), SheetError> {
+    match named(sheet, names, quantity)? {
+        Some(found) => Ok(found),
+        None => Err(sheet.missing(&names.join("', '"))),
+    }
+}
+
+impl TyreTest {
+    /// Reads a table with the columns F_z, alpha and F_y, and perhaps kappa, gamma, F_x and M_z.
+    pub fn of(sheet: &Sheet, axes: Axes) -> Result<TyreTest, TyreTestError> {
+        let (name, mut load) = required(sheet, &["F_z", "FZ", "normal_force"], &FORCE)?;
+        let (_, mut side_slip) = required(sheet, &["alpha", "SA", "side_slip"], &ANGLE)?;
+        let (_, mut force_y) = required(sheet, &["F_y", "FY", "force_y"], &FORCE)?;
+        let slip = named(sheet, &["kappa", "SR", "SL", "longitudinal_slip"], &SLIP)?;
+        let camber = named(sheet, &["gamma", "IA", "camber"], &ANGLE)?;
+        let force_x = named(sheet, &["F_x", "FX", "force_x"], &FORCE)?.map(|(_, values)| values);
+        let mut moment_z = named(sheet, &["M_z", "MZ", "moment_z"], &MOMENT)?.map(|(_, values)| values);
+        let count = load.len();
+        if count < LEAST {
+            return Err(TyreTestError::Short { count });
+        }
+        let sign = if axes == Axes::Sae { -1.0 } else { 1.0 };
+        if let Some(row) = load.iter().position(|load| sign * load < 0.0) {
+            let wanted = if axes == Axes::Sae { "<= 0" } else { ">= 0" };
+            let (line, name) = (sheet.line(row), name.to_owned());
+            return Err(TyreTestError::Load { line, name, value: load[row], wanted });
+        }
+        // A half turn about x: y and z change their signs, and with them what is measured along them. A camber is a
+        // turn about x.
+        let moment = moment_z.iter_mut().flatten();
+        load.iter_mut().chain(&mut side_slip).chain(&mut force_y).chain(moment).for_each(|value| *value *= sign);
+        let zeros = || vec![0.0; count];
+        let test = TyreTest {
+            longitudinal_slip: slip.map_or_else(zeros, |(_, values)| values),
+            camber: camber.map_or_else(zeros, |(_, values)| values),
+            load,
+            side_slip,
+            force_x,
+            force_y,
+            moment_z,
+        };
+        // Each sample by itself may be on the wrong side, by a shift or at large camber.
+        let work: f64 = test.side_slip.iter().zip(&test.force_y).map(|(slip, force)| slip * force).sum();
+        if work > 0.0 { Err(TyreTestError::SideForce) } else { Ok(test) }
+    }
+}

@@ -1,0 +1,252 @@
+//! The sum of squares of a tyre test, and its derivatives.
+
+use std::cell::Cell;
+
+use basin::{
+    BoundedLevenbergMarquardt, BoxBounds, ConstraintDescription, ConstraintSet, Constraints, DenseMatrix, Executor,
+    Jacobian, PointState, Residual,
+};
+use stribeck::host::{Contact, MagicFormula, Wrench};
+use stribeck::model::{Columns, row_of, row_of_mut};
+use stribeck::number::{Dual, Scalar};
+
+use super::TyreTest;
+use super::coefficient::Coefficient;
+
+/// A measured quantity.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Channel {
+    ForceX,
+    ForceY,
+    MomentZ,
+}
+
+impl Channel {
+    pub const ALL: [Channel; 3] = [Channel::ForceX, Channel::ForceY, Channel::MomentZ];
+
+    pub fn name(self) -> &'static str {
+        match self {
+            Channel::ForceX => "F_x",
+            Channel::ForceY => "F_y",
+            Channel::MomentZ => "M_z",
+        }
+    }
+
+    pub fn unit(self) -> &'static str {
+        if self == Channel::MomentZ { "N.m" } else { "N" }
+    }
+
+    pub fn measured(self, test: &TyreTest) -> Option<&[f64]> {
+        match self {
+            Channel::ForceX => test.force_x.as_deref(),
+            Channel::ForceY => Some(&test.force_y),
+            Channel::MomentZ => test.moment_z.as_deref(),
+        }
+    }
+
+    fn of<T: Copy>(self, wrench: &Wrench<T>) -> T {
+        match self {
+            Channel::ForceX => wrench.force_x,
+            Channel::ForceY => wrench.force_y,
+            Channel::MomentZ => wrench.moment_z,
+        }
+    }
+}
+
+/// Samples that are fitted, and the channels, each with the weight of its residuals.
+#[derive(Clone, Debug)]
+pub(super) struct Rows {
+    pub samples: Vec<usize>,
+    pub channels: Vec<(Channel, f64)>,
+}
+
+/// A formula of which some coefficients are unknown.
+#[derive(Clone)]
+pub(super) struct TyreProblem<'a> {
+    pub test: &'a TyreTest,
+    /// All coefficients; those of the unknowns are where the search begins.
+    pub formula: MagicFormula,
+    pub unknowns: Vec<&'static Coefficient>,
+    pub rows: Rows,
+    low: Vec<f64>,
+    high: Vec<f64>,
+    /// Where the search begins, and the residual of a large change from there: coefficients that only act together stay
+    /// near it, so that least squares have one end.
+    anchor: Vec<f64>,
+    pull: f64,
+}
+
+/// Column of a coefficient.
+pub(super) fn column(name: &str) -> usize {
+    let position = MagicFormula::TABLE.iter().position(|variable| variable.path.to_string() == name);
+    position.expect("a coefficient of the formula")
+}
+
+/// Steps of least squares (chosen).
+const MOST_STEPS: u64 = 30;
+
+/// Residual of a large change from where a search begins, as a part of the root mean square of what was measured
+/// (chosen: far below any noise).
+const PULL: f64 = 1e-4;
+
+impl<'a> TyreProblem<'a> {
+    pub fn new(
+        test: &'a TyreTest,
+        formula: MagicFormula,
+        unknowns: Vec<&'static Coefficient>,
+        rows: Rows,
+    ) -> TyreProblem<'a> {
+        let count = unknowns.len();
+        let [low, high] = [0.0, 1.0].map(|end| vec![end; count]);
+        TyreProblem { test, formula, unknowns, rows, low, high, anchor: vec![0.0; count], pull: 0.0 }
+    }
+
+    /// The places of the unknowns, from 0 to 1 in their ranges.
+    pub fn places(&self) -> Vec<f64> {
+        let row = row_of(&self.formula);
+        let place = |one: &&Coefficient| {
+            ((row[column(one.name)] - one.range[0]) / (one.range[1] - one.range[0])).clamp(0.0, 1.0)
+        };
+        self.unknowns.iter().map(place).collect()
+    }
+
+    /// The formula with the unknowns at places.
+    pub fn at(&self, places: &[f64]) -> MagicFormula {
+        let mut formula = self.formula.clone();
+        let row = row_of_mut(&mut formula);
+        for (one, place) in self.unknowns.iter().zip(places) {
+            row[column(one.name)] =
+                (one.range[0] + (one.range[1] - one.range[0]) * place).clamp(one.range[0], one.range[1]);
+        }
+        formula
+    }
+
+    /// Values of the channels at each sample, one sample after the other.
+    fn explained<T: Scalar>(&self, formula: &MagicFormula<T>) -> Vec<T> {
+        let test = self.test;
+        let mut all = Vec::with_capacity(self.rows.samples.len() * self.rows.channels.len());
+        for at in &self.rows.samples {
+            let contact = Contact {
+                load: T::from(test.load[*at]),
+                longitudinal_slip: T::from(test.longitudinal_slip[*at]),
+                side_slip: T::from(test.side_slip[*at]),
+                camber: T::from(test.camber[*at]),
+                speed: T::from(1.0),
+            };
+            let wrench = formula.wrench(&contact);
+            all.extend(self.rows.channels.iter().map(|(channel, _)| channel.of(&wrench)));
+        }
+        all
+    }
+
+    /// Explained minus measured values of each channel.
+    pub fn left(&self, formula: &MagicFormula) -> Vec<Vec<f64>> {
+        let explained = self.explained(formula);
+        let count = self.rows.channels.len();
+        let of_channel = |(number, (channel, _)): (usize, &(Channel, f64))| {
+            let measured = channel.measured(self.test).unwrap_or_default();
+            let samples = self.rows.samples.iter().enumerate();
+            samples.map(|(row, at)| explained[count * row + number] - measured[*at]).collect()
+        };
+        self.rows.channels.iter().enumerate().map(of_channel).collect()
+    }
+
+    /// The residuals with their weights, one sample after the other.
+    fn weighted(&self, formula: &MagicFormula) -> Vec<f64> {
+        let left = self.left(formula);
+        let at = |row: usize| self.rows.channels.iter().zip(&left).map(move |((_, weight), left)| weight * left[row]);
+        (0..self.rows.samples.len()).flat_map(at).collect()
+    }
+
+    /// Derivatives of the weighted residuals with respect to an unknown.
+    pub fn sensitivity(&self, formula: &MagicFormula, number: usize) -> Vec<f64> {
+        let (seeded, at) = (column(self.unknowns[number].name), Cell::new(0));
+        let dual = formula.map(&|value: f64| {
+            let here = at.replace(at.get() + 1);
+            Dual { slope: f64::from(u8::from(here == seeded)), ..Dual::from(value) }
+        });
+        let weights = self.rows.channels.iter().map(|(_, weight)| weight).cycle();
+        self.explained(&dual).into_iter().zip(weights).map(|(one, weight)| weight * one.slope).collect()
+    }
+
+    /// Half the weighted sum of squares.
+    pub fn cost(&self, formula: &MagicFormula) -> f64 {
+        0.5 * self.weighted(formula).iter().map(|one| one * one).sum::<f64>()
+    }
+
+    /// Follows the slopes from where the formula is; half the sum of squares at the end.
+    pub fn solve(&mut self) -> f64 {
+        let before = self.cost(&self.formula);
+        if self.unknowns.is_empty() {
+            return before;
+        }
+        self.anchor = self.places();
+        self.pull = PULL * self.size();
+        let solver = BoundedLevenbergMarquardt::new().with_relative_cost_change_tolerance(1e-7);
+        let executor = Executor::new(self.clone(), solver, PointState::new(self.places())).max_iter(MOST_STEPS);
+        let Ok(result) = executor.run() else { return before };
+        let found = self.at(result.param());
+        let cost = self.cost(&found);
+        if cost < before {
+            self.formula = found;
+        }
+        cost.min(before)
+    }
+
+    /// Root mean square of what was measured, with its weights.
+    fn size(&self) -> f64 {
+        let of_channel = |(channel, weight): &(Channel, f64)| {
+            let measured = channel.measured(self.test).unwrap_or_default();
+            self.rows.samples.iter().map(|at| (weight * measured[*at]).powi(2)).sum::<f64>()
+        };
+        let count = self.rows.samples.len() * self.rows.channels.len();
+        (self.rows.channels.iter().map(of_channel).sum::<f64>() / count.max(1) as f64).sqrt()
+    }
+
+    /// Residual of a move of an unknown by its whole range.
+    fn pulled(&self, number: usize) -> f64 {
+        let one = self.unknowns[number];
+        self.pull * (one.range[1] - one.range[0]) / one.large
+    }
+}
+
+impl Constraints for TyreProblem<'_> {
+    type Set = ConstraintSet<BoxBounds<Vec<f64>>>;
+
+    fn constraints(&self) -> <Self::Set as ConstraintDescription>::Borrowed<'_> {
+        ConstraintSet::new().with_bounds(BoxBounds::new(Some(&self.low), Some(&self.high)))
+    }
+}
+
+impl Residual for TyreProblem<'_> {
+    type Param = Vec<f64>;
+    type Output = Vec<f64>;
+    type Error = std::convert::Infallible;
+
+    fn residual(&self, places: &Vec<f64>) -> Result<Vec<f64>, Self::Error> {
+        let mut all = self.weighted(&self.at(places));
+        let moved = places.iter().zip(&self.anchor).enumerate();
+        all.extend(moved.map(|(number, (place, anchor))| self.pulled(number) * (place - anchor)));
+        Ok(all)
+    }
+}
+
+impl Jacobian for TyreProblem<'_> {
+    type Jacobian = DenseMatrix;
+
+    fn jacobian(&self, places: &Vec<f64>) -> Result<DenseMatrix, Self::Error> {
+        let formula = self.at(places);
+        let scaled = |(number, one): (usize, &&'static Coefficient)| {
+            let range = one.range[1] - one.range[0];
+            self.sensitivity(&formula, number).into_iter().map(|slope| slope * range).collect::<Vec<f64>>()
+        };
+        let columns: Vec<Vec<f64>> = self.unknowns.iter().enumerate().map(scaled).collect();
+        let unknowns = columns.len();
+        let count = self.rows.samples.len() * self.rows.channels.len();
+        let rows = (0..count).flat_map(|row| columns.iter().map(move |column| column[row]));
+        let pulls = (0..unknowns * unknowns).map(|at| (at / unknowns, at % unknowns));
+        let pulls = pulls.map(|(row, column)| if row == column { self.pulled(row) } else { 0.0 });
+        let all: Vec<f64> = rows.chain(pulls).collect();
+        Ok(DenseMatrix::from_row_slice(count + unknowns, unknowns, &all))
+    }
+}

@@ -1,0 +1,207 @@
+//! Tests of tyres whose coefficients are known.
+
+use std::f64::consts::TAU;
+use std::fmt::Write;
+
+use approx::assert_relative_eq;
+use stribeck::host::Contact;
+
+use super::*;
+use crate::sheet::Sheet;
+
+/// The set of the library, which has no moments, with the moments of a passenger car tyre (Pacejka 2006, Table A3.1).
+const MOMENTS: [(&str, f64); 13] = [
+    ("qbz1", 10.9),
+    ("qbz2", -1.9),
+    ("qbz9", 16.0),
+    ("qcz1", 1.18),
+    ("qdz1", 0.1),
+    ("qdz2", -0.006),
+    ("qdz6", -0.006),
+    ("qdz8", -0.18),
+    ("qez1", -1.6),
+    ("qez4", 0.17),
+    ("qhz1", 0.002),
+    ("ssz1", 0.03),
+    ("lhy", 1.0),
+];
+
+fn truth() -> MagicFormula {
+    let mut formula: MagicFormula = start();
+    let row = row_of_mut(&mut formula);
+    for (name, value) in MOMENTS {
+        row[column(name)] = value;
+    }
+    formula.lvy = 1.0;
+    // Within the loads of a test the cornering stiffness of the set is a straight line.
+    formula.pky1 = -35.0;
+    formula.pky2 = 1.7;
+    // Without these the side force that slip induces is 0 whatever its other coefficients are.
+    formula.rvy5 = 1.9;
+    formula.rvy6 = 12.0;
+    formula
+}
+
+/// A program of sweeps: side slip at loads and cambers, longitudinal slip at side slips; then samples as they come.
+fn contacts(cambers: &[f64], loads: &[f64], is_combined: bool) -> Vec<Contact> {
+    let mut list = Vec::new();
+    let speed = 10.0;
+    for load in loads {
+        for camber in cambers {
+            list.extend((0..28).map(|k| {
+                let side_slip = 0.25 * (TAU * f64::from(k) / 28.0).sin();
+                Contact { load: *load, longitudinal_slip: 0.0, side_slip, camber: *camber, speed }
+            }));
+        }
+        let slips: &[f64] = if is_combined { &[-0.1, 0.0, 0.05] } else { &[] };
+        for side_slip in slips {
+            let camber = if *side_slip == 0.0 { 0.0 } else { cambers[0] };
+            list.extend((0..28).map(|k| {
+                let longitudinal_slip = 0.25 * (TAU * f64::from(k) / 28.0).sin();
+                Contact { load: *load, longitudinal_slip, side_slip: *side_slip, camber, speed }
+            }));
+        }
+    }
+    list
+}
+
+/// The test as a rig would write it, with noise of a part of the largest value of each channel.
+fn written(truth: &MagicFormula, contacts: &[Contact], noise: f64, axes: Axes) -> String {
+    let mut random = fastrand::Rng::with_seed(8);
+    let mut gauss = || (0..12).map(|_| random.f64()).sum::<f64>() - 6.0;
+    let wrenches: Vec<[f64; 3]> =
+        contacts.iter().map(|one| truth.wrench(one)).map(|one| [one.force_x, one.force_y, one.moment_z]).collect();
+    let most = [0, 1, 2].map(|at| wrenches.iter().fold(0.0, |most: f64, one| most.max(one[at].abs())));
+    let sign = if axes == Axes::Sae { -1.0 } else { 1.0 };
+    let mut text = "FZ [N],SA [deg],SR,IA [deg],FX [N],FY [N],MZ [Nm]\n".to_owned();
+    for (contact, [x, y, z]) in contacts.iter().zip(&wrenches) {
+        let [x, y, z] = [(x, 0), (y, 1), (z, 2)].map(|(value, at)| value + noise * most[at] * gauss());
+        let Contact { load, longitudinal_slip, side_slip, camber, .. } = contact;
+        let [alpha, gamma] = [sign * side_slip, *camber].map(f64::to_degrees);
+        let _ = writeln!(text, "{},{alpha},{longitudinal_slip},{gamma},{x},{},{}", sign * load, sign * y, sign * z);
+    }
+    text
+}
+
+fn test_of(text: &str, axes: Axes) -> Result<TyreTest, TyreTestError> {
+    TyreTest::of(&Sheet::parse(text)?, axes)
+}
+
+fn task(fixed: &[(&str, f64)]) -> TyreTask {
+    let fixed = fixed.iter().map(|(key, value)| ((*key).to_owned(), *value)).collect();
+    TyreTask { radius: 0.2, nominal_load: Some(700.0), side: Side::Left, fixed }
+}
+
+const LOADS: [f64; 3] = [400.0, 700.0, 1100.0];
+
+fn told<'a>(fit: &'a TyreFit, key: &str) -> &'a TyreEstimate {
+    fit.estimates.iter().find(|one| one.key == key).unwrap_or_else(|| panic!("{key}"))
+}
+
+/// Read back from the file, the tyre has the forces of the truth within the noise of a test of so many samples, and the
+/// intervals of the coefficients hold the truth.
+#[test]
+fn coefficients_come_back_from_a_test_in_either_axes() {
+    let truth = truth();
+    let contacts = contacts(&[0.0, -0.05, 0.05], &LOADS, true);
+    let iso = test_of(&written(&truth, &contacts, 0.005, Axes::Iso), Axes::Iso).unwrap();
+    let sae = test_of(&written(&truth, &contacts, 0.005, Axes::Sae), Axes::Sae).unwrap();
+    for (a, b) in iso.force_y.iter().zip(&sae.force_y).chain(iso.side_slip.iter().zip(&sae.side_slip)) {
+        assert_relative_eq!(a, b, max_relative = 1e-12);
+    }
+    let fit = fit_tyre(&iso, &task(&[])).unwrap();
+    let (mut held, mut determined) = (0, 0);
+    for one in &fit.estimates {
+        if let Told::Within(half) = one.told {
+            let known = row_of(&truth)[column(&one.key.to_lowercase())];
+            // The formula is even in these.
+            let known = if ["RBX2", "RBY2", "RVY4"].contains(&one.key.as_str()) { known.abs() } else { known };
+            determined += 1;
+            held += usize::from((one.value - known).abs() <= half);
+        }
+    }
+    println!("{}", table(&fit));
+    assert!(determined > 40 && 100 * held >= 88 * determined, "{held} of {determined}");
+    let file = crate::tir::parse("fitted.tir", &property_file(&fit)).unwrap();
+    let mut read: MagicFormula = start();
+    for (column, variable) in MagicFormula::TABLE.iter().enumerate() {
+        row_of_mut(&mut read)[column] = file.set.get(&format!("tyre.{}", variable.path)).unwrap();
+    }
+    let mut worst = [0.0f64; 3];
+    for contact in &contacts {
+        let [a, b] = [truth.wrench(contact), read.wrench(contact)];
+        let apart = [a.force_x - b.force_x, a.force_y - b.force_y, a.moment_z - b.moment_z];
+        worst = std::array::from_fn(|at| worst[at].max(apart[at].abs()));
+    }
+    // What was dropped leaves less than the noise.
+    for ((name, _, rms, most), worst) in fit.left.iter().zip(worst) {
+        assert!((0.9..1.3).contains(&(rms / most / 0.005)), "{name}: {rms} of {most}");
+        assert!(worst < 0.02 * most, "{name}: {worst} of {most}");
+    }
+}
+
+/// One load and no camber: what they would show has no number, neither in the table nor in the file.
+#[test]
+fn what_a_test_does_not_have_gets_no_number() {
+    let truth = truth();
+    let contacts = contacts(&[0.0, 0.0], &[700.0], false);
+    let text = written(&truth, &contacts, 0.005, Axes::Iso);
+    // Of one load the two coefficients of the cornering stiffness cannot be told apart, and no file can do without them.
+    let refused = fit_tyre(&test_of(&text, Axes::Iso).unwrap(), &task(&[])).unwrap_err().to_string();
+    assert!(refused.contains("PKY") && refused.contains("test at more loads"), "{refused}");
+    let held = fit_tyre(&test_of(&text, Axes::Iso).unwrap(), &task(&[("PKY2", 1.7)])).unwrap();
+    assert_eq!(told(&held, "PKY2").told, Told::Held);
+    let stiffness = told(&held, "PKY1");
+    assert!(
+        matches!(stiffness.told, Told::Within(half) if (stiffness.value + 35.0).abs() < 1.5 * half),
+        "{stiffness:?}"
+    );
+    assert!(property_file(&held).contains("\nPKY2   = 1.7 "), "{}", property_file(&held));
+    let wrong = |fixed| fit_tyre(&test_of(&text, Axes::Iso).unwrap(), &task(fixed)).unwrap_err().to_string();
+    assert_eq!(wrong(&[("PKYZ", 1.0)]), "coefficient 'PKYZ' does not exist (did you mean 'PKY3'?)");
+    assert_eq!(wrong(&[("PKY2", f64::NAN)]), "PKY2 = NaN: must be a finite number");
+    let contacts = super::tests::contacts(&[0.0], &LOADS, false);
+    let test = test_of(&written(&truth, &contacts, 0.005, Axes::Iso), Axes::Iso).unwrap();
+    let fit = fit_tyre(&test, &task(&[])).unwrap();
+    let text = property_file(&fit);
+    for key in ["PDY3", "PEY4", "PKY3", "PHY3", "PVY3", "QDZ8"] {
+        assert!(matches!(&told(&fit, key).told, Told::Not(reason) if reason.contains("cambers")), "{key}");
+        assert!(!text.contains(&format!("\n{key}")) && text.contains(&format!("$ {key}: not determined")), "{key}");
+    }
+    assert!(matches!(told(&fit, "PDY1").told, Told::Within(_)));
+    // Nothing was asked about combined slip.
+    assert!(fit.estimates.iter().all(|one| !one.key.starts_with('R') && !one.key.starts_with("PCX")));
+    assert_eq!(crate::tir::parse("x.tir", &text).unwrap().set.get("tyre.pdy3"), Some(0.0));
+}
+
+#[test]
+fn spoilt_tests_are_refused() {
+    let text = written(&truth(), &contacts(&[0.0], &LOADS, false), 0.0, Axes::Iso);
+    let refusal = |text: &str, axes: Axes| test_of(text, axes).map(|_| ()).unwrap_err().to_string();
+    assert_eq!(refusal(&text, Axes::Sae), "line 2, FZ: 400 N: must be <= 0 with these axes");
+    let reversed = text.replace("SA [deg]", "x").replace("IA [deg]", "SA [deg]");
+    assert!(refusal(&text.replace("FY [N]", "y"), Axes::Iso).contains("no column 'F_y', 'FY', 'force_y'"));
+    assert!(refusal(&text.replace("SA [deg]", "SA [furlong]"), Axes::Iso).contains("unit 'furlong'"));
+    let few: Vec<&str> = text.lines().take(20).collect();
+    assert_eq!(refusal(&few.join("\n"), Axes::Iso), "19 samples; at least 40 are needed");
+    assert!(refusal(&text.replacen("400,", "abc,", 1), Axes::Iso).starts_with("line 2, FZ: 'abc'"));
+    // No side slip at all, since the camber is 0 throughout.
+    let none = fit_tyre(&test_of(&reversed, Axes::Iso).unwrap(), &task(&[])).unwrap_err().to_string();
+    assert!(none.starts_with("the side slip is 0 throughout"), "{none}");
+    let mirrored: String = text
+        .lines()
+        .map(|line| {
+            let mut cells: Vec<String> = line.split(',').map(str::to_owned).collect();
+            if let Ok(slip) = cells[1].parse::<f64>() {
+                cells[1] = (-slip).to_string();
+            }
+            cells.join(",") + "\n"
+        })
+        .collect();
+    assert!(refusal(&mirrored, Axes::Iso).starts_with("the side force rises with the side slip"));
+    let test = test_of(&text, Axes::Iso).unwrap();
+    let task = |radius, nominal_load| TyreTask { radius, nominal_load, ..task(&[]) };
+    let refused = |task: TyreTask| fit_tyre(&test, &task).map(|_| ()).unwrap_err().to_string();
+    assert_eq!(refused(task(0.0, None)), "radius = 0: must be > 0 and finite, in m");
+    assert_eq!(refused(task(0.2, Some(f64::NAN))), "nominal load = NaN: must be > 0 and finite, in N");
+}

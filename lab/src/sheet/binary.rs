@@ -1,0 +1,104 @@
+//! Tables of binary files of measurements: MDF 4 (feature `mdf`) and MAT 5 (feature `mat`).
+
+use std::path::Path;
+
+use super::{Sheet, SheetError};
+
+/// The tables of a file, one for each group of channels with a clock of its own; of a text file there is one. The format
+/// is that of the extension: `.mf4` and `.mdf` are MDF 4, `.mat` is MAT 5, everything else is text.
+pub fn tables(path: &Path) -> Result<Vec<Sheet>, SheetError> {
+    let extension = path.extension().unwrap_or_default().to_string_lossy().to_lowercase();
+    match extension.as_str() {
+        "mf4" | "mdf" => mdf(path),
+        "mat" => mat(path),
+        _ => Ok(vec![Sheet::load(path)?]),
+    }
+}
+
+fn refused(path: &Path, why: impl std::fmt::Display) -> SheetError {
+    SheetError::Format { path: path.into(), why: why.to_string() }
+}
+
+#[cfg(not(feature = "mdf"))]
+fn mdf(path: &Path) -> Result<Vec<Sheet>, SheetError> {
+    Err(refused(path, "this program was built without MDF: build it with --features mdf"))
+}
+
+#[cfg(not(feature = "mat"))]
+fn mat(path: &Path) -> Result<Vec<Sheet>, SheetError> {
+    Err(refused(path, "this program was built without MAT: build it with --features mat"))
+}
+
+/// The channel groups of an MDF file. Their master channels are called `time`; samples that the file declares invalid
+/// are not numbers, so that they are refused if they are asked for; channels of text are left out.
+#[cfg(feature = "mdf")]
+fn mdf(path: &Path) -> Result<Vec<Sheet>, SheetError> {
+    use std::collections::BTreeMap;
+
+    use falcon_mdf::{Mf4File, SignalValues};
+
+    let wrong = |error: falcon_mdf::Mf4Error| refused(path, error);
+    super::not_too_large(path)?;
+    let file = Mf4File::open(path).map_err(wrong)?;
+    let mut groups: BTreeMap<(usize, usize), Vec<(String, String, Vec<f64>)>> = BTreeMap::new();
+    for channel in file.channels() {
+        let place = (channel.data_group_index, channel.channel_group_index);
+        let master = file.master_channel(place.0, place.1);
+        let signal = file.signal(channel).map_err(wrong)?;
+        if matches!(signal.values().map_err(wrong)?, SignalValues::Str(_)) {
+            continue;
+        }
+        let mut values = signal.values_f64().map_err(wrong)?;
+        for (value, is_valid) in values.iter_mut().zip(signal.validity().unwrap_or_default()) {
+            if !is_valid {
+                *value = f64::NAN;
+            }
+        }
+        let is_master = master.is_some_and(|master| master.index == channel.index);
+        let (name, unit) =
+            if is_master { ("time".to_owned(), "s".to_owned()) } else { (channel.name.clone(), channel.unit.clone()) };
+        groups.entry(place).or_default().push((name, unit, values));
+    }
+    if groups.is_empty() {
+        return Err(refused(path, "the file has no channels"));
+    }
+    Ok(groups.into_values().map(Sheet::of_channels).collect())
+}
+
+/// The vectors of a MAT file, as one table; vectors of other lengths end with empty cells. Scalars, matrices, complex
+/// numbers, texts and structures are left out.
+#[cfg(feature = "mat")]
+fn mat(path: &Path) -> Result<Vec<Sheet>, SheetError> {
+    use matrw::{MatVariable, MatlabType, load_matfile};
+
+    super::not_too_large(path)?;
+    let text = path.to_str().ok_or_else(|| refused(path, "the name of the file is not UTF-8"))?;
+    // The reader counts on some lengths being what they should be.
+    let file = std::panic::catch_unwind(|| load_matfile(text)).map_err(|_| refused(path, "the file is damaged"))?;
+    let file = file.map_err(|error| refused(path, error))?;
+    let vector = |(name, variable): (String, MatVariable)| {
+        let MatVariable::NumericArray(array) = variable else { return None };
+        let longest = array.dim.iter().copied().max().unwrap_or(0);
+        if array.value_cmp.is_some() || longest < 2 || array.dim.iter().product::<usize>() != longest {
+            return None;
+        }
+        macro_rules! numbers {
+            ($($kind:ident),+) => {
+                match array.value {
+                    MatlabType::F64(values) => values,
+                    $(MatlabType::$kind(values) => values.into_iter().map(f64::from).collect(),)+
+                    MatlabType::U64(values) => values.into_iter().map(|value| value as f64).collect(),
+                    MatlabType::I64(values) => values.into_iter().map(|value| value as f64).collect(),
+                    MatlabType::BOOL(values) => values.into_iter().map(|value| f64::from(u8::from(value))).collect(),
+                    MatlabType::UTF8(_) | MatlabType::UTF16(_) => return None,
+                }
+            };
+        }
+        Some((name, String::new(), numbers!(U8, I8, U16, I16, U32, I32, F32)))
+    };
+    let channels: Vec<(String, String, Vec<f64>)> = file.into_iter().filter_map(vector).collect();
+    if channels.is_empty() {
+        return Err(refused(path, "the file has no vectors"));
+    }
+    Ok(vec![Sheet::of_channels(channels)])
+}
