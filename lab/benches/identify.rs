@@ -141,8 +141,8 @@ fn logged(law: &'static ModelType, experiment: &Experiment, task: &Task) -> (Fit
 fn camera() {
     let faults = Faults { camera: true, ..Faults::NOISE };
     println!(
-        "{:<8} {:>4} {:<22} {:>10} {:>10} {:>10} {:>10}  {}",
-        "motion", "seed", "unknown", "truth", "found", "low", "high", ""
+        "{:<8} {:>4} {:<22} {:>10} {:>10} {:>10} {:>10}",
+        "motion", "seed", "unknown", "truth", "found", "low", "high"
     );
     let (mut held, mut told, mut warned, mut runs) = (0, 0, 0, 0);
     for seed in 1..=3 {

@@ -222,7 +222,7 @@ impl Known {
 impl Fitter<'_> {
     /// The formula with a group where its search begins.
     fn begin_with(&self, group: &[Coefficient]) -> MagicFormula {
-        let mut formula = self.formula.clone();
+        let mut formula = self.formula;
         let row = row_of_mut(&mut formula);
         group.iter().for_each(|one| row[column(one.name)] = one.start);
         hold(&mut formula, self.task);
@@ -276,7 +276,7 @@ impl Fitter<'_> {
                  sides, beyond the peak of the force",
             ));
         }
-        self.formula = ends[0].1.clone();
+        self.formula = ends[0].1;
         self.prune(unknowns, rows)
     }
 
@@ -292,9 +292,9 @@ impl Fitter<'_> {
     /// Fits a group, drops the coefficient of which least is known, and begins again until all are determined.
     fn prune(&mut self, mut unknowns: Vec<&'static Coefficient>, mut rows: Rows) -> Result<(), Fault> {
         loop {
-            let mut problem = TyreProblem::new(self.test, self.formula.clone(), unknowns.clone(), rows.clone());
+            let mut problem = TyreProblem::new(self.test, self.formula, unknowns.clone(), rows.clone());
             problem.solve();
-            self.formula = problem.formula.clone();
+            self.formula = problem.formula;
             rows = weighed(&problem);
             problem.rows = rows.clone();
             let known = known(&problem);
@@ -338,11 +338,11 @@ impl Fitter<'_> {
         let channels = Channel::ALL.into_iter().filter(|channel| channel.measured(self.test).is_some());
         let rows = Rows { samples: all.to_vec(), channels: channels.map(|channel| (channel, 1.0)).collect() };
         loop {
-            let mut problem = TyreProblem::new(self.test, self.formula.clone(), self.kept.clone(), rows.clone());
+            let mut problem = TyreProblem::new(self.test, self.formula, self.kept.clone(), rows.clone());
             problem.rows = weighed(&problem);
             problem.solve();
             problem.rows = weighed(&problem);
-            self.formula = problem.formula.clone();
+            self.formula = problem.formula;
             let known = known(&problem);
             let Some(worst) = known.worst(&self.kept) else { return Ok(self.finish(&problem, &known)) };
             let gone = self.without(self.kept[worst], known.alone[worst])?;
@@ -374,7 +374,7 @@ impl Fitter<'_> {
             let rms = (left.iter().map(|one| one * one).sum::<f64>() / left.len().max(1) as f64).sqrt();
             (channel.name(), channel.unit(), rms, most)
         });
-        TyreFit { estimates, left: left.collect(), formula: self.formula.clone() }
+        TyreFit { estimates, left: left.collect(), formula: self.formula }
     }
 }
 

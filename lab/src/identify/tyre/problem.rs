@@ -112,7 +112,7 @@ impl<'a> TyreProblem<'a> {
 
     /// The formula with the unknowns at places.
     pub fn at(&self, places: &[f64]) -> MagicFormula {
-        let mut formula = self.formula.clone();
+        let mut formula = self.formula;
         let row = row_of_mut(&mut formula);
         for (one, place) in self.unknowns.iter().zip(places) {
             row[column(one.name)] =
