@@ -1,5 +1,6 @@
 //! Models over arrays of samples, and settled results over arrays of inputs.
 
+use std::ops::Range;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::thread;
@@ -7,9 +8,10 @@ use std::thread;
 use numpy::{PyArray1, PyReadonlyArray1, PyReadonlyArray2, PyUntypedArrayMethods};
 use pyo3::exceptions::PyMemoryError;
 use pyo3::prelude::*;
+use stribeck::batch::{self, Registers, Runs, Worker};
 use stribeck::instance::Instance;
 use stribeck::model::ModelType;
-use stribeck::series::{Between, Course, Ended, Input, Times, set_up};
+use stribeck::series::{Between, Ended, Times, set_up};
 
 use crate::catalogue::{column, find, preset as known_preset};
 use crate::refused;
@@ -63,7 +65,7 @@ fn columns(model: &'static ModelType, names: &[String]) -> PyResult<Vec<usize>> 
 }
 
 /// Settings shared by all runs.
-struct Runs<'a> {
+struct Common<'a> {
     model: &'static ModelType,
     preset: Option<&'a str>,
     parameters: Vec<Rows>,
@@ -73,34 +75,41 @@ struct Runs<'a> {
     count: usize,
     /// Samples of each.
     samples: usize,
+    /// Runs that are made in one call.
+    together: usize,
     threads: usize,
 }
 
-impl Runs<'_> {
+/// Makes some of the runs with the instance of a thread.
+type Make<'a> =
+    dyn FnMut(Range<usize>, &mut Instance, &mut [&mut [f64]], &AtomicBool) -> Result<(), (usize, Ended)> + 'a;
+
+impl Common<'_> {
     /// Makes every run once, with an instance per thread; the first error ends them all. The slots hold what belongs to
-    /// each run.
-    fn make<S: Send>(
+    /// the runs that are made in one call.
+    fn make<'a>(
         &self,
-        slots: Vec<S>,
+        slots: Vec<Vec<&mut [f64]>>,
         cancel: &AtomicBool,
-        run: impl Fn(usize, &mut Instance, S) -> Result<(), Ended> + Sync,
+        worker: impl Fn() -> Box<Make<'a>> + Sync,
     ) -> Result<(), (usize, Ended)> {
-        let slots: Vec<Mutex<Option<S>>> = slots.into_iter().map(|slot| Mutex::new(Some(slot))).collect();
+        let slots: Vec<_> = slots.into_iter().map(|slot| Mutex::new(Some(slot))).collect();
         let (next, failed) = (AtomicUsize::new(0), Mutex::new(None::<(usize, Ended)>));
         let work = || {
-            let mut instance = Instance::new(self.model);
+            let (mut instance, mut make) = (Instance::new(self.model), worker());
             loop {
                 let number = next.fetch_add(1, Ordering::Relaxed);
                 let Some(slot) = slots.get(number) else { return };
                 let slot = slot.lock().ok().and_then(|mut slot| slot.take());
-                let Some(slot) = slot else { return };
-                let done = self.begin(number, &mut instance).and_then(|()| run(number, &mut instance, slot));
-                if let Err(ended) = done {
+                let Some(mut slot) = slot else { return };
+                let first = number * self.together;
+                let some = first..self.count.min(first + self.together);
+                if let Err((run, ended)) = make(some, &mut instance, &mut slot, cancel) {
                     // The lowest run is the one that is reported, whichever thread is first.
                     if let Ok(mut failed) = failed.lock()
-                        && failed.as_ref().is_none_or(|(other, _)| number < *other)
+                        && failed.as_ref().is_none_or(|(other, _)| run < *other)
                     {
-                        *failed = Some((number, ended));
+                        *failed = Some((run, ended));
                     }
                     next.store(usize::MAX / 2, Ordering::Relaxed);
                     return;
@@ -129,16 +138,16 @@ impl Runs<'_> {
     }
 
     /// Makes every run, without the interpreter's lock; one array per result, run after run.
-    fn arrays<'py>(
+    fn arrays<'py, 'a>(
         &self,
         py: Python<'py>,
-        run: impl Fn(usize, &mut Instance, Vec<&mut [f64]>, &AtomicBool) -> Result<(), Ended> + Send + Sync,
+        worker: impl Fn() -> Box<Make<'a>> + Send + Sync,
     ) -> PyResult<Vec<Bound<'py, PyArray1<f64>>>> {
         let length = self.count * self.samples;
         let mut arrays = self.results.iter().map(|_| filled(length)).collect::<PyResult<Vec<_>>>()?;
         let done = interruptible(py, |cancel| {
-            let slots = cut(&mut arrays, self.count, self.samples);
-            self.make(slots, cancel, |number, instance, slot| run(number, instance, slot, cancel))
+            let slots = cut(&mut arrays, self.count.div_ceil(self.together), self.together * self.samples);
+            self.make(slots, cancel, worker)
         })?;
         done.map_err(|failure| self.text(failure))?;
         Ok(arrays.into_iter().map(|array| PyArray1::from_vec(py, array)).collect())
@@ -150,15 +159,22 @@ impl Runs<'_> {
     }
 }
 
-/// Arrays of one value per result, run and sample, cut into what each run writes.
-fn cut(arrays: &mut [Vec<f64>], runs: usize, samples: usize) -> Vec<Vec<&mut [f64]>> {
-    let mut slots: Vec<Vec<&mut [f64]>> = (0..runs).map(|_| Vec::with_capacity(arrays.len())).collect();
+/// Arrays of one value per result, run and sample, cut into what each call writes.
+fn cut(arrays: &mut [Vec<f64>], calls: usize, length: usize) -> Vec<Vec<&mut [f64]>> {
+    let mut slots: Vec<Vec<&mut [f64]>> = (0..calls).map(|_| Vec::with_capacity(arrays.len())).collect();
     for array in arrays {
-        for (slot, part) in slots.iter_mut().zip(array.chunks_mut(samples.max(1))) {
+        for (slot, part) in slots.iter_mut().zip(array.chunks_mut(length.max(1))) {
             slot.push(part);
         }
     }
     slots
+}
+
+/// The rows of variables, for the core.
+fn of_core(rows: &[Rows]) -> Vec<batch::Rows<'_>> {
+    rows.iter()
+        .map(|Rows { column, rows, width, values }| batch::Rows { column: *column, rows: *rows, width: *width, values })
+        .collect()
 }
 
 /// A model over samples: one flat array per result, run after run.
@@ -183,7 +199,10 @@ pub fn follow<'py>(
     let inputs = rows(model, inputs)?;
     let times: Option<Vec<f64>> = times.map(|times| times.as_array().iter().copied().collect());
     let between = if held { Between::Held } else { Between::Linear };
-    let common = Runs {
+    let threads = threads(threads_asked)?.get();
+    // All threads have something to do.
+    let together = Worker::together(model).min(runs.div_ceil(threads)).max(1);
+    let common = Common {
         model,
         preset: known_preset(model, preset.as_deref())?,
         parameters: rows(model, parameters)?,
@@ -191,14 +210,19 @@ pub fn follow<'py>(
         each: "run",
         count: runs,
         samples,
-        threads: threads(threads_asked)?.get().min(runs),
+        together,
+        threads: threads.min(runs.div_ceil(together)),
     };
-    common.arrays(py, |run, instance, mut slot, cancel| {
-        let given = inputs.iter().map(|rows| Input { column: rows.column, samples: rows.row(run) });
-        let inputs: Vec<Input> = given.collect();
-        let times = times.as_deref().map_or(Times::Every(dt), Times::At);
-        let course = Course { inputs: &inputs, times, samples, between };
-        stribeck::series::follow(instance, &course, &common.results, &mut slot, cancel)
+    let inputs = of_core(&inputs);
+    let times = times.as_deref().map_or(Times::Every(dt), Times::At);
+    let all = Runs { inputs: &inputs, times, samples, between, results: &common.results };
+    common.arrays(py, || {
+        let mut worker = Worker::new(model, &all, Registers::best());
+        let (common, all) = (&common, &all);
+        Box::new(move |some, instance, arrays, cancel| {
+            let Ok(worker) = &mut worker else { return Err((some.start, Ended::OutOfMemory)) };
+            worker.make(instance, all, some, &|run, instance| common.begin(run, instance), arrays, cancel)
+        })
     })
 }
 
@@ -218,7 +242,7 @@ pub fn settle<'py>(
 ) -> PyResult<Vec<Bound<'py, PyArray1<f64>>>> {
     let model = find(model)?;
     let inputs = rows(model, inputs)?;
-    let common = Runs {
+    let common = Common {
         model,
         preset: known_preset(model, preset.as_deref())?,
         parameters: rows(model, parameters)?,
@@ -226,13 +250,47 @@ pub fn settle<'py>(
         each: "point",
         count: points,
         samples: 1,
+        together: 1,
         threads: threads(threads_asked)?.get().min(points),
     };
-    common.arrays(py, |point, instance, mut slot, cancel| {
-        let held: Vec<(usize, f64)> = inputs.iter().map(|rows| (rows.column, rows.row(point)[0])).collect();
-        let mut values = vec![0.0; slot.len()];
-        stribeck::series::settle(instance, &held, &common.results, &mut values, cancel)?;
-        slot.iter_mut().zip(values).for_each(|(place, value)| place[0] = value);
-        Ok(())
+    if let Some(arrays) = outputs(py, &common, &inputs)? {
+        return Ok(arrays);
+    }
+    common.arrays(py, || {
+        let (common, inputs) = (&common, &inputs);
+        Box::new(move |some, instance, arrays, cancel| {
+            for (place, point) in some.enumerate() {
+                let settled = common.begin(point, instance).and_then(|()| {
+                    let held: Vec<(usize, f64)> = inputs.iter().map(|rows| (rows.column, rows.row(point)[0])).collect();
+                    let mut values = vec![0.0; arrays.len()];
+                    stribeck::series::settle(instance, &held, &common.results, &mut values, cancel)?;
+                    arrays.iter_mut().zip(values).for_each(|(array, value)| array[place] = value);
+                    Ok(())
+                });
+                settled.map_err(|ended| (point, ended))?;
+            }
+            Ok(())
+        })
     })
+}
+
+/// Settled results of a law without memory, whose parameters are the same at all points: its outputs, side by side. None
+/// for any other law.
+fn outputs<'py>(py: Python<'py>, common: &Common, inputs: &[Rows]) -> PyResult<Option<Vec<Bound<'py, PyArray1<f64>>>>> {
+    if common.count == 0 || common.parameters.iter().any(|rows| rows.rows > 1) {
+        return Ok(None);
+    }
+    // The points are the samples of one run.
+    let mut inputs = of_core(inputs);
+    inputs.iter_mut().for_each(|rows| (rows.rows, rows.width) = (1, rows.rows));
+    let (times, between, samples) = (Times::Every(1.0), Between::Held, common.count);
+    let all = Runs { inputs: &inputs, times, samples, between, results: &common.results };
+    let mut arrays = common.results.iter().map(|_| filled(samples)).collect::<PyResult<Vec<_>>>()?;
+    let is_done = interruptible(py, |cancel| {
+        let Ok(mut worker) = Worker::new(common.model, &all, Registers::best()) else { return false };
+        let mut rest: Vec<&mut [f64]> = arrays.iter_mut().map(Vec::as_mut_slice).collect();
+        let begin = |run, instance: &mut Instance| common.begin(run, instance);
+        worker.make_outputs(&mut Instance::new(common.model), &all, &begin, &mut rest, cancel)
+    })?;
+    Ok(is_done.then(|| arrays.into_iter().map(|array| PyArray1::from_vec(py, array)).collect()))
 }

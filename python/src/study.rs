@@ -24,19 +24,27 @@ fn read(study: &Bound<PyAny>) -> PyResult<Study> {
 
 /// Makes a study, or a part of it; rows run, rows found, rows that failed.
 #[pyfunction]
-#[pyo3(signature = (study, folder, *, shard, threads_asked))]
+#[pyo3(signature = (study, folder, *, shard, threads_asked, max_failures))]
 pub fn make_study(
     py: Python,
     study: &Bound<PyAny>,
     folder: PathBuf,
     shard: &str,
     threads_asked: Option<usize>,
+    max_failures: Option<usize>,
 ) -> PyResult<(usize, usize, usize)> {
     let study = read(study)?;
     let shard: Shard = shard.parse().map_err(refused)?;
     let threads = threads(threads_asked)?;
-    let done = interruptible(py, |cancel| study.make(&folder, shard, threads, cancel, &|_| {}))?.map_err(refused)?;
+    let make = |cancel: &_| study.make(&folder, shard, threads, max_failures, cancel, &|_| {});
+    let done = interruptible(py, make)?.map_err(refused)?;
     Ok((done.rows, done.found, done.failed))
+}
+
+/// Number of chunks of a study, and the numbers of those that are not in the folder yet.
+#[pyfunction]
+pub fn missing_chunks(study: &Bound<PyAny>, folder: PathBuf) -> PyResult<(usize, Vec<usize>)> {
+    read(study)?.missing(&folder).map_err(refused)
 }
 
 /// Joins the chunks of a study in a folder; the path of the table.

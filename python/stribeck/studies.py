@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import os
+import tempfile
 from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -12,8 +13,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from stribeck import _stribeck
+from stribeck._stribeck import Refused
 
 if TYPE_CHECKING:
+    import distributed
     import pandas
 
 
@@ -48,6 +51,13 @@ class Table(Mapping[str, NDArray[Any]]):
 
         return pandas.DataFrame(self.columns).set_index("row")
 
+    def to_parquet(self, path: str | os.PathLike[str]) -> None:
+        """Writes the table as a Parquet file; needs pyarrow (`pip install stribeck[parquet]`)."""
+        import pyarrow
+        import pyarrow.parquet
+
+        pyarrow.parquet.write_table(pyarrow.table(self.columns), os.fspath(path))
+
 
 def _column(name: str, values: tuple[str, ...]) -> NDArray[Any]:
     if name in ("law", "end"):
@@ -63,12 +73,20 @@ def study(
     *,
     shard: str | None = None,
     threads: int | None = None,
+    client: distributed.Client | None = None,
+    max_failures: int | None = None,
 ) -> Table | None:
     """Makes a study, as `stribeck study` does, and returns its table.
 
     `study` is the path of a file, or a dictionary with the same entries: `samples`, `seed`, `keep`, `vary`, `table`,
     `run`. Finished chunks are kept in `folder`: the same call goes on where it was interrupted. With `shard`, such as
     "2/8", only that part is made and nothing is returned; a call without it then makes what is missing, and joins all.
+    The shard "array" is that of a job array of SLURM, PBS, Grid Engine or AWS Batch.
+
+    With `client`, a client of Dask (`pip install stribeck[dask]`), the workers of its cluster make the chunks and send
+    them here: they need this package, and the files that the study names under the same paths, but not `folder`. The
+    bytes of the table are the same. Once more than `max_failures` runs have not come to their end, the study is
+    refused.
 
     >>> import tempfile
     >>> with tempfile.TemporaryDirectory() as folder:
@@ -84,6 +102,43 @@ def study(
     >>> table
     <study of 3 rows, 0 failed: row, law, mu_s, max rig.position, end>
     """
-    spec = dict(study) if isinstance(study, Mapping) else os.fspath(study)
-    _stribeck.make_study(spec, os.fspath(folder), shard=shard or "1/1", threads_asked=threads)
+    spec = dict(study) if isinstance(study, Mapping) else os.fspath(Path(study).resolve())
+    if client is not None:
+        if shard is not None or threads is not None:
+            raise TypeError("client: a cluster divides the study itself, without shard and threads")
+        _send_out(spec, Path(folder), client, max_failures)
+    # What is there is not made again.
+    _stribeck.make_study(
+        spec, os.fspath(folder), shard=shard or "1/1", threads_asked=threads, max_failures=max_failures
+    )
     return None if shard else Table(Path(_stribeck.merge_study(spec, os.fspath(folder))))
+
+
+def _send_out(spec: str | dict[str, Any], folder: Path, client: distributed.Client, max_failures: int | None) -> None:
+    """Has the missing chunks made by the workers of a cluster, and writes them to the folder as they come."""
+    import distributed
+
+    count, missing = _stribeck.missing_chunks(spec, os.fspath(folder))
+    folder.mkdir(parents=True, exist_ok=True)
+    # A function of results is not looked up among earlier ones: the files of a study may have changed.
+    chunks = [client.submit(_chunk, spec, f"{number + 1}/{count}", pure=False) for number in missing]
+    failures = 0
+    try:
+        for _, (name, content, failed) in distributed.as_completed(chunks, with_results=True):
+            # Under another name first, so that it is never there by half.
+            temporary = folder / f".{name}-{os.getpid()}"
+            temporary.write_bytes(content)
+            temporary.replace(folder / name)
+            failures += failed
+            if max_failures is not None and failures > max_failures:
+                raise Refused(f"{failures} rows did not come to their end, more than {max_failures} (max_failures)")
+    finally:
+        client.cancel(chunks)
+
+
+def _chunk(spec: str | dict[str, Any], shard: str) -> tuple[str, bytes, int]:
+    """Makes one chunk of a study: its file's name, the contents, and how many rows did not come to their end."""
+    with tempfile.TemporaryDirectory() as folder:
+        _, _, failed = _stribeck.make_study(spec, folder, shard=shard, threads_asked=1, max_failures=None)
+        (file,) = Path(folder).iterdir()
+        return file.name, file.read_bytes(), failed

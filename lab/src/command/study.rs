@@ -19,9 +19,13 @@ pub struct Arguments {
     /// Folder for the chunks and, once all are there, for study.csv; what is there is not run again
     #[arg(long, short)]
     out: PathBuf,
-    /// Part i of n, for a machine of several that share the folder
+    /// Part i of n, for a machine of several that share the folder; `array` or `array/n` takes i from the job array of
+    /// SLURM, PBS, Grid Engine or AWS Batch
     #[arg(long, value_name = "I/N", default_value = "1/1")]
     shard: Shard,
+    /// End once more rows than this have not come to their end; what is done is kept
+    #[arg(long, value_name = "N")]
+    max_failures: Option<usize>,
     /// Threads; all processors if it is not given
     #[arg(long)]
     threads: Option<NonZeroUsize>,
@@ -45,7 +49,7 @@ pub fn study(arguments: &Arguments) -> Result<Verdict, Failure> {
     let threads = arguments.threads.or(processors).unwrap_or(NonZeroUsize::MIN);
     let (bar, count) = (Rows::new(study.rows() / arguments.shard.count), AtomicUsize::new(0));
     let progress = |rows: usize| bar.reached(count.fetch_add(rows, Ordering::Relaxed) + rows);
-    let done = study.make(&arguments.out, arguments.shard, threads, &CANCELLED, &progress)?;
+    let done = study.make(&arguments.out, arguments.shard, threads, arguments.max_failures, &CANCELLED, &progress)?;
     bar.finish();
     println!("{} rows run, {} found, {} did not come to their end", done.rows, done.found, done.failed);
     if done.cancelled {

@@ -45,14 +45,63 @@ pub struct Shard {
     pub count: usize,
 }
 
+/// Variables by which a cluster tells each job of an array its number: the number, the first one, the step from one to the
+/// next, and how many there are. SLURM, AWS Batch, Grid Engine, PBS.
+const ARRAYS: [[&str; 4]; 4] = [
+    ["SLURM_ARRAY_TASK_ID", "SLURM_ARRAY_TASK_MIN", "SLURM_ARRAY_TASK_STEP", "SLURM_ARRAY_TASK_COUNT"],
+    ["AWS_BATCH_JOB_ARRAY_INDEX", "", "", "AWS_BATCH_JOB_ARRAY_SIZE"],
+    ["SGE_TASK_ID", "SGE_TASK_FIRST", "SGE_TASK_STEPSIZE", ""],
+    ["PBS_ARRAY_INDEX", "", "", ""],
+];
+
 impl std::str::FromStr for Shard {
     type Err = Fault;
 
     fn from_str(text: &str) -> Result<Shard, Fault> {
+        if text == "array" || text.starts_with("array/") {
+            return Shard::of_array(text, &|name| std::env::var(name).ok());
+        }
         let wrong = || Fault::value(format_args!("shard '{text}': must be i/n with i from 1 to n"));
         let (number, count) = text.split_once('/').ok_or_else(wrong)?;
         let (Ok(number), Ok(count)) = (number.trim().parse(), count.trim().parse()) else { return Err(wrong()) };
         if (1..=count).contains(&number) { Ok(Shard { number, count }) } else { Err(wrong()) }
+    }
+}
+
+impl Shard {
+    /// The part of a job in an array of jobs: `array`, or `array/n` where the cluster does not say how many there are.
+    /// Numbers of a cluster that does not say where they begin begin at 1, those of AWS at 0.
+    fn of_array(text: &str, variable: &dyn Fn(&str) -> Option<String>) -> Result<Shard, Fault> {
+        let set = |name: &str| variable(name).filter(|value| !value.is_empty() && value != "undefined");
+        let Some(names) = ARRAYS.iter().find(|names| set(names[0]).is_some()) else {
+            let known = ARRAYS.map(|names| names[0]).join(", ");
+            return Err(Fault::value(format_args!(
+                "shard '{text}': this is not a job of an array: none of {known} is set"
+            )));
+        };
+        let number = |name: &str, otherwise: Option<usize>| match set(name) {
+            None => otherwise.ok_or_else(|| {
+                Fault::value(format_args!(
+                    "shard '{text}': {} does not say how many jobs there are: give array/n",
+                    names[0]
+                ))
+            }),
+            Some(value) => value
+                .parse()
+                .map_err(|_| Fault::value(format_args!("shard '{text}': {name} = '{value}' is not a number"))),
+        };
+        let begins = if names[0].starts_with("AWS") { 0 } else { 1 };
+        let [index, first, step] =
+            [number(names[0], None)?, number(names[1], Some(begins))?, number(names[2], Some(1))?];
+        let count = match text.split_once('/') {
+            Some((_, count)) => count.trim().parse().ok(),
+            None => Some(number(names[3], None)?),
+        };
+        let place = index.checked_sub(first).map(|distance| distance / step.max(1) + 1);
+        match (place, count) {
+            (Some(number), Some(count)) if (1..=count).contains(&number) => Ok(Shard { number, count }),
+            _ => Err(Fault::value(format_args!("shard '{text}': {} = {index} is not one of the jobs", names[0]))),
+        }
     }
 }
 
@@ -153,12 +202,27 @@ impl Study {
         Ok(self.quantities.iter().map(|quantity| quantity.of(&outcome)).collect())
     }
 
-    /// Makes the chunks of a shard that are not in the folder yet, with some threads. `progress` hears of each row.
+    /// Number of chunks, and the numbers of those that are not in the folder yet. Each is a shard by itself: the chunk
+    /// `n` of `count` is that of the shard `n + 1` of `count`.
+    pub fn missing(&self, folder: &Path) -> Result<(usize, Vec<usize>), Fault> {
+        let all: Vec<Chunk> = chunks(self.rows(), Shard { number: 1, count: 1 }).collect();
+        let mut missing = Vec::new();
+        for (number, chunk) in all.iter().enumerate() {
+            if !chunk.is_made(folder, &self.hash)? {
+                missing.push(number);
+            }
+        }
+        Ok((all.len(), missing))
+    }
+
+    /// Makes the chunks of a shard that are not in the folder yet, with some threads. `progress` hears of each row. Refused
+    /// once more rows than `most_failures` have not come to their end; the chunks up to there are kept.
     pub fn make(
         &self,
         folder: &Path,
         shard: Shard,
         threads: NonZeroUsize,
+        most_failures: Option<usize>,
         cancel: &AtomicBool,
         progress: &(dyn Fn(usize) + Sync),
     ) -> Result<Done, Fault> {
@@ -177,6 +241,9 @@ impl Study {
             done.rows += rows.len();
             done.failed += rows.iter().filter(|(_, is_reached)| !is_reached).count();
             chunk.write(folder, &self.hash, &self.heading(), rows.iter().map(|(cells, _)| cells))?;
+            if let Some(most) = most_failures.filter(|most| done.failed > *most) {
+                return Err(too_many(done.failed, most, &rows));
+            }
         }
         Ok(done)
     }
@@ -216,4 +283,14 @@ impl Study {
     pub fn merge(&self, folder: &Path, to: &Path) -> Result<usize, Fault> {
         merge(folder, to, self.rows(), &self.hash)
     }
+}
+
+/// Refusal to go on, with the last reason.
+fn too_many(failed: usize, most: usize, rows: &[(Vec<String>, bool)]) -> Fault {
+    let last = rows.iter().rev().find(|(_, is_reached)| !is_reached);
+    let reason = last.and_then(|(cells, _)| Some((cells.first()?, cells.last()?)));
+    let (row, reason) = reason.map_or(("?", "?"), |(row, reason)| (row.as_str(), reason.as_str()));
+    Fault::value(format_args!(
+        "{failed} rows did not come to their end, more than {most} (max-failures); the last one is row {row}: {reason}"
+    ))
 }

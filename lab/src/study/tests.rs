@@ -29,7 +29,7 @@ fn study(text: &str) -> Result<Study, Fault> {
 fn quiet(_rows: usize) {}
 
 fn make(study: &Study, folder: &Path, shard: Shard, threads: usize) -> Done {
-    study.make(folder, shard, NonZeroUsize::new(threads).unwrap(), &AtomicBool::new(false), &quiet).unwrap()
+    study.make(folder, shard, NonZeroUsize::new(threads).unwrap(), None, &AtomicBool::new(false), &quiet).unwrap()
 }
 
 fn table(study: &Study, folder: &Path) -> String {
@@ -94,7 +94,7 @@ fn shards_threads_and_interruptions_give_the_same_bytes() {
             cancel.store(true, Ordering::Relaxed);
         }
     };
-    let done = study.make(resumed.path(), ALL, NonZeroUsize::MIN, &cancel, &interrupt).unwrap();
+    let done = study.make(resumed.path(), ALL, NonZeroUsize::MIN, None, &cancel, &interrupt).unwrap();
     assert_eq!((done.rows, done.cancelled), (1000, true));
     let refusal = study.merge(resumed.path(), &resumed.path().join("study.csv")).unwrap_err().to_string();
     assert!(refusal.ends_with("2 of 3 chunks are missing, the first one is 1"), "{refusal}");
@@ -149,8 +149,10 @@ fn mistakes_are_refused_before_anything_runs() {
     let small = STUDY.replace("2500", "3");
     make(&study(&small).unwrap(), folder.path(), ALL, 1);
     let other = study(&small.replace("seed = 7", "seed = 8")).unwrap();
-    let refusal =
-        other.make(folder.path(), ALL, NonZeroUsize::MIN, &AtomicBool::new(false), &quiet).unwrap_err().to_string();
+    let refusal = other
+        .make(folder.path(), ALL, NonZeroUsize::MIN, None, &AtomicBool::new(false), &quiet)
+        .unwrap_err()
+        .to_string();
     assert!(refusal.ends_with("belongs to another study: choose another folder, or remove it"), "{refusal}");
 }
 
@@ -174,4 +176,26 @@ fn a_file_that_changed_makes_another_study() {
     assert_eq!(hash(&drive, signal), before);
     assert_ne!(hash(&drive, other), before);
     assert_ne!(hash(&drive.replace("until = 40.0", "until = 30.0"), signal), before);
+}
+
+/// As clusters number the jobs of an array.
+#[test]
+fn a_job_of_an_array_knows_its_part() {
+    let of = |text: &str, set: &[(&str, &str)]| {
+        let variable = |name: &str| set.iter().find(|(known, _)| *known == name).map(|(_, value)| (*value).to_owned());
+        Shard::of_array(text, &variable).map_err(|fault| fault.to_string())
+    };
+    let slurm = |id| {
+        let [step, count] = [("SLURM_ARRAY_TASK_STEP", "10"), ("SLURM_ARRAY_TASK_COUNT", "4")];
+        [("SLURM_ARRAY_TASK_ID", id), ("SLURM_ARRAY_TASK_MIN", "5"), step, count]
+    };
+    assert_eq!(of("array", &slurm("5")), Ok(Shard { number: 1, count: 4 }));
+    assert_eq!(of("array", &slurm("35")), Ok(Shard { number: 4, count: 4 }));
+    assert!(of("array", &slurm("45")).unwrap_err().contains("SLURM_ARRAY_TASK_ID = 45 is not one of the jobs"));
+    assert!(of("array", &slurm("x")).unwrap_err().contains("'x' is not a number"));
+    let aws = [("AWS_BATCH_JOB_ARRAY_INDEX", "0"), ("AWS_BATCH_JOB_ARRAY_SIZE", "3")];
+    assert_eq!(of("array", &aws), Ok(Shard { number: 1, count: 3 }));
+    assert_eq!(of("array/8", &[("PBS_ARRAY_INDEX", "8")]), Ok(Shard { number: 8, count: 8 }));
+    assert!(of("array", &[("PBS_ARRAY_INDEX", "8")]).unwrap_err().contains("give array/n"));
+    assert!(of("array/8", &[("SGE_TASK_ID", "undefined")]).unwrap_err().contains("is not a job of an array"));
 }
