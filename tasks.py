@@ -451,7 +451,7 @@ def faults() -> None:
     need_c_compiler()
     setup_faults()
     pack()
-    names = ("model_description", "fmus", "exchange", "importers", "ssp", "supply")
+    names = ("model_description", "fmus", "exchange", "importers", "ssp", "supply", "studies")
     python_tests = [f"tests/python/test_{name}.py" for name in names]
     commands = [
         ["cargo", "test", "--test", "fmi", "--test", "allocation", "--", "--nocapture"],
@@ -464,7 +464,12 @@ def faults() -> None:
     ]
     # Miri cannot start the second process in which the test of panics otherwise runs. By default it varies the last
     # digits of functions such as exp from call to call.
-    summarise(commands, MIRIFLAGS="-Zmiri-env-set=STRIBECK_TEST_PANICS=1 -Zmiri-deterministic-floats")
+    summarise(
+        commands,
+        MIRIFLAGS="-Zmiri-env-set=STRIBECK_TEST_PANICS=1 -Zmiri-deterministic-floats",
+        STRIBECK_KILLS="50",
+        STRIBECK_PROCESSES="64",
+    )
 
 
 def identified() -> None:

@@ -17,10 +17,11 @@ def wheel():
 
 
 def tour():
-    """The code of docs/python.md, without what needs matplotlib or fmpy."""
+    """The code of docs/python.md, without what needs other packages."""
     page = (PROJECT / "docs" / "python.md").read_text(encoding="utf-8")
-    blocks = [block for block in page.split("```python\n")[1:] if "fmpy" not in block.split("```")[0]]
-    lines = [line for block in blocks for line in block.split("```")[0].splitlines()]
+    blocks = [block.split("```")[0] for block in page.split("```python\n")[1:]]
+    alone = [block for block in blocks if not any(other in block for other in ("fmpy", "joblib", "SALib"))]
+    lines = [line for block in alone for line in block.splitlines()]
     return "\n".join(line for line in lines if ".plot(" not in line)
 
 
