@@ -106,6 +106,18 @@ pub enum MeasuredError {
         /// First and last time of the motion.
         motion: [f64; 2],
     },
+    /// Numbers are too large or too small, or times too close.
+    #[error(
+        "{name} at {time} s is {value}: values or intervals of the file are too large or too small to compute with"
+    )]
+    OutOfRange {
+        /// The quantity.
+        name: &'static str,
+        /// Where, s.
+        time: f64,
+        /// What came of it.
+        value: f64,
+    },
     /// Friction would drive the slider.
     #[error(
         "friction gives {energy:.3e} J to the slider: force and displacement are positive in opposite directions, or \
@@ -168,6 +180,7 @@ impl Record {
         let moved = Motion::of(motion.unwrap_or(sheet))?;
         let (window, clocks) = moved.tuned(&own, rig);
         let record = moved.joined(&own, rig, window, clocks)?;
+        record.finite()?;
         let energy: f64 = (1..record.time.len())
             .map(|at| record.friction_force[at] * (record.displacement[at] - record.displacement[at - 1]))
             .sum();
@@ -175,6 +188,22 @@ impl Record {
             return Err(MeasuredError::Drives { energy: -energy });
         }
         Ok(record)
+    }
+
+    /// Refuses what sums and quotients of extreme numbers give.
+    fn finite(&self) -> Result<(), MeasuredError> {
+        let computed: [(&'static str, &[f64]); 4] = [
+            ("displacement", &self.displacement),
+            ("velocity", &self.velocity),
+            ("acceleration", &self.acceleration),
+            ("friction_force", &self.friction_force),
+        ];
+        for (name, values) in computed {
+            if let Some(at) = values.iter().position(|value| !value.is_finite()) {
+                return Err(MeasuredError::OutOfRange { name, time: self.time[at], value: values[at] });
+            }
+        }
+        Ok(())
     }
 
     /// The record as a table, with units in the heading.
