@@ -82,6 +82,10 @@ impl fmt::Debug for Batch {
 
 impl Batch {
     /// Rows at their start values, if the law runs in lanes, and the processor has the registers.
+    #[cfg_attr(
+        not(any(target_arch = "x86_64", target_arch = "aarch64")),
+        allow(unreachable_code, unused_variables, reason = "other processors have no registers for it")
+    )]
     pub fn new(model: &'static ModelType, registers: Registers, rows: usize) -> Result<Option<Batch>, OutOfMemory> {
         let Some(kernels) = model.kernels.as_ref().filter(|_| registers.are_here()) else { return Ok(None) };
         let groups = match registers {
