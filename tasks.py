@@ -17,6 +17,8 @@
     python3 tasks.py coverage the branches covered by the tests
     python3 tasks.py broken   deliberately broken copies, and the tests that fail
     python3 tasks.py mutants  many small changes to the laws, and how many of them the tests catch
+    python3 tasks.py identified  how often intervals of identified parameters hold the truth
+    python3 tasks.py formats  binary measurements against the Python programs for them
     python3 tasks.py supply   licences, sources and known vulnerabilities of the crates, with cargo-deny
 
 On Windows: py tasks.py demo
@@ -473,13 +475,27 @@ def faults() -> None:
 
 
 def identified() -> None:
-    """How often the intervals of an identification hold the truth: 200 seeds of every law; takes hours."""
+    """How often the intervals of an identification hold the truth: 200 seeds of every law; how fast its search is, and
+    what a camera does to it; takes hours."""
     run("cargo", "bench", "--package", "lab", "--bench", "identify")
+
+
+def formats() -> None:
+    """MDF 4 and MAT 5 files against asammdf and scipy, channel by channel, and damaged files."""
+    need_rust()
+    folder = ROOT / "target" / "formats"
+    if not (folder / "venv").exists():
+        run(sys.executable, "-m", "venv", folder / "venv")
+    python = folder / "venv" / PYTHON.relative_to(VENV)
+    run(python, "-m", "pip", "install", "--quiet", "--requirement", "tests/formats/requirements.txt")
+    run(python, "tests/formats/write.py", folder / "files")
+    run("cargo", "test", "--package", "lab", "--features", "mdf,mat", "--test", "binary", FORMATS=str(folder / "files"))
+    print("figure: MDF 4 and MAT 5: 30 channels equal to those of asammdf and scipy, to the last bit", flush=True)
 
 
 def trust() -> None:
     """Everything in docs/trust.md, one task after another, with the figures at the end."""
-    parts = [wheel, page, faults, platforms, fuzz, coverage, broken, mutants, identified, supply]
+    parts = [wheel, page, faults, platforms, fuzz, coverage, broken, mutants, identified, formats, supply]
     summarise([[sys.executable, "tasks.py", part.__name__] for part in parts])
 
 
@@ -592,6 +608,7 @@ TASKS = {
     mutants: "install cargo-mutants, change the friction laws in more than 200 small ways, one at a time, and count "
     "how many the tests catch: 10 to 20 minutes",
     identified: "identify the laws in records of a virtual rig and count how often the intervals hold the truth: hours",
+    formats: "compare the readers of MDF 4 and MAT 5 with asammdf and scipy: 3 to 6 minutes",
     supply: "check licences, bans and sources of the crates, and known vulnerabilities if github.com is reachable: "
     "5 to 10 minutes, then seconds",
 }
