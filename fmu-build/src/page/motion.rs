@@ -152,7 +152,7 @@ struct Swung {
 
 impl Swung {
     /// Those inputs without which a host would rest, and amplitudes at which its contact slips for a part of the time.
-    const INPUTS: [(&str, f64); 2] = [("angle", 0.2), ("force_1", 3.0)];
+    const INPUTS: [(&str, f64); 3] = [("angle", 0.2), ("force_1", 3.0), ("drive_force", 0.2)];
     /// Period in s.
     const PERIOD: f64 = 10.0;
 
@@ -230,7 +230,7 @@ mod tests {
     /// turns round: 2.98 s in all, by explicit steps that stop it where its velocity changes sign.
     #[test]
     fn hosts_that_rest_by_themselves_are_swung() {
-        for name in ["Incline", "TwoBlocks"] {
+        for name in ["Incline", "TwoBlocks", "Axis"] {
             let motion = motion(by_name(name).unwrap()).unwrap();
             assert!(motion.with.contains(" in 10 s"), "{name}: {}", motion.with);
         }

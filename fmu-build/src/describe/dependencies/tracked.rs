@@ -298,6 +298,22 @@ impl Mask<Tracked> for TrackedMask {
         on_course(|course| course.settled(self.0))
     }
 
+    fn any(self) -> bool {
+        self.agreed() != Some(false)
+    }
+
+    fn all(self) -> bool {
+        self.agreed() == Some(true)
+    }
+
+    fn select(self, yes: Tracked, no: Tracked) -> Tracked {
+        match self.agreed() {
+            Some(true) => yes,
+            Some(false) => no,
+            None => on_course(|course| Tracked(course.expressions.chosen(self.0, yes.0, no.0))),
+        }
+    }
+
     fn choose(self, yes: impl FnOnce() -> Tracked, no: impl FnOnce() -> Tracked) -> Tracked {
         let [chosen] = self.choose_all(|| [yes()], || [no()]);
         chosen
@@ -415,6 +431,8 @@ impl Scalar for Tracked {}
 
 impl Real for Tracked {
     type Mask = TrackedMask;
+    /// Both ways of a choice count until one is ruled out.
+    const HAS_ONE_LANE: bool = false;
 
     fn lane(self, _lane: usize) -> f64 {
         on_course(|course| course.value(self.0))
