@@ -10,7 +10,7 @@ crate::model! {
     /// ```text
     /// M a = F - f_f - b
     /// f_e = F - b
-    /// f_n = guide_force
+    /// f_n = f_g
     /// ```
     ///
     /// | symbol | variable         | unit | meaning                                                |
@@ -20,6 +20,7 @@ crate::model! {
     /// | M      | `mass`           | kg   | mass that moves, that of the drive included            |
     /// | b      | `offset`         | N    | offset: part of the measured force that moves nothing  |
     /// | f_n    | `normal_force`   | N    | sum of the normal forces of the guides                 |
+    /// | f_g    | `guide_force`    | N    | normal forces of the guides, preload and weight        |
     /// | x      | `position`       | m    | position                                               |
     /// | dx/dt  | `velocity`       | m/s  | velocity                                               |
     /// | f_e    | `external_force` | N    | force that moves the slide                             |
