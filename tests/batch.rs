@@ -50,9 +50,9 @@ fn agree(law: &'static ModelType, registers: Registers, random: &mut Random) -> 
         let dt = 10f64.powf(-3.0 + 3.0 * random.signed());
         // A row that is not finite stays as it was, alone; side by side it is reported.
         let mut are_finite = batch.output();
-        are_finite &= drawn.iter_mut().fold(true, |all, row| law.output(row) && all);
+        drawn.iter_mut().for_each(|row| are_finite &= law.output(row));
         are_finite &= batch.advance(dt);
-        are_finite &= drawn.iter_mut().fold(true, |all, row| law.advance(row, dt) && all);
+        drawn.iter_mut().for_each(|row| are_finite &= law.advance(row, dt));
         if !are_finite {
             return true;
         }

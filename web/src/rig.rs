@@ -135,7 +135,7 @@ pub fn fit(known: &Known, wanted: &Wanted, progress: &(dyn Fn(f64) + Sync)) -> R
         ..usual
     };
     let experiments = [Experiment::new("record", &record)];
-    let watch = Watch { cancel: &AtomicBool::new(false), progress };
+    let watch = Watch { cancel: &AtomicBool::new(false), progress: &|level, _| progress(level) };
     let ranking = fit_all(&laws_named(&wanted.laws)?, &experiments, &task, &mut |_| {}, watch)?;
     let best = ranking.best();
     let values = best.columns.iter().map(|(column, value)| (best.name_of(*column), *value));
