@@ -3,7 +3,8 @@
 //! First at 1e-8: the solver alone (4,001 results) and with the 400,001 results of the thesis. Then at equal error: both
 //! solvers at tolerances from 1e-3 to 1e-12, and the time, between the tolerances along a line in logarithms, at which the
 //! position is off by 1e-6 m. Processor time of the thread; both solvers in turn in each round, ratios within the round,
-//! medians over the rounds. Without SUNDIALS (Debian: libsundials-dev) there is no column of CVODE.
+//! medians over the rounds. Without SUNDIALS (Debian: libsundials-dev) the columns of CVODE
+//! are NaN.
 
 mod support;
 

@@ -203,7 +203,7 @@ pub enum DynoError {
         "the displacement decreases while the velocity is positive: the two columns have opposite sign conventions"
     )]
     Displacement,
-    /// There are no times.
+    /// The file has no times.
     #[error("no column 'time': a friction law needs it")]
     NoTime,
     /// Times do not ascend.
@@ -216,7 +216,7 @@ pub enum DynoError {
         /// The time before it.
         before: f64,
     },
-    /// There are no slow strokes.
+    /// The file has no slow strokes.
     #[error(
         "no strokes at up to {low_speed} m/s that turn at least twice: a friction law needs slow ones; at higher speeds \
          damping hides friction"

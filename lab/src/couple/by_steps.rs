@@ -42,7 +42,7 @@ struct Coupling<'a> {
     along: Vec<Wire>,
     /// Connections against the order: their values at the end of a step are what the iteration finds.
     back: Vec<Wire>,
-    /// What must agree.
+    /// Values that must agree.
     compared: Vec<WireSource>,
     tolerance: f64,
     statistics: Statistics,
@@ -62,7 +62,7 @@ struct Half {
     begin: Vec<Snapshot>,
     time: f64,
     length: f64,
-    /// What the iteration found for the end.
+    /// Values that the iteration found for the end.
     found: Found,
 }
 
@@ -274,7 +274,7 @@ impl<'a> Coupling<'a> {
         if error > worst || error.is_nan() { error } else { worst }
     }
 
-    /// What the sources of the inputs that the iteration finds have at present.
+    /// Present values of the sources whose inputs the iteration finds.
     fn forces(&mut self) -> Result<Vec<f64>, String> {
         (0..self.back.len()).map(|index| self.train.value(self.back[index].from)).collect()
     }

@@ -97,7 +97,7 @@ impl Default for Task {
     }
 }
 
-/// What is fitted to the records of an axis, M a = F - f - offset (the model `Axis`).
+/// Quantities fitted to the records of an axis, M a = F - f - offset (the model `Axis`).
 pub mod axis {
     use super::{Experiment, Fault, Wishes};
 
@@ -165,7 +165,7 @@ pub struct Fit {
     pub delay: Option<f64>,
     /// Parts into which the intervals between samples were divided.
     pub parts: usize,
-    /// What is left in experiments that were not fitted.
+    /// Residuals in experiments that were not fitted.
     pub unseen: Vec<Unseen>,
     /// Warnings for the user.
     pub warnings: Vec<String>,

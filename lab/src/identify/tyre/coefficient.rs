@@ -1,6 +1,6 @@
 //! Coefficients of the Magic Formula 5.2 as unknowns: where they are searched, and what a test needs to show them.
 
-/// What a test must have so that a coefficient can be seen.
+/// Excitation that a test must have so that a coefficient can be seen.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Needs {
     /// Slip to both sides, beyond the peak of the force.
@@ -36,7 +36,7 @@ pub(super) struct Coefficient {
     pub range: [f64; 2],
     /// Change that is large.
     pub large: f64,
-    /// What shows it.
+    /// Measurement that shows it.
     pub needs: Needs,
 }
 

@@ -58,7 +58,7 @@ pub fn property_file(fit: &TyreFit) -> String {
     text
 }
 
-/// What a coefficient is, from the table of the library.
+/// Meaning of a coefficient, from the table of the library.
 fn help(key: &str) -> String {
     let name = key.to_lowercase();
     let variable = MagicFormula::TABLE.iter().find(|variable| variable.path.to_string() == name);

@@ -26,7 +26,7 @@ use crate::system::Fault;
 use coefficient::{ALIGNING, ARM, COMBINED_X, COMBINED_Y, Coefficient, LATERAL, LONGITUDINAL};
 use problem::{Channel, Rows, TyreProblem, column};
 
-/// What is known of a tyre besides the test.
+/// Known properties of a tyre besides the test.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TyreTask {
     /// Radius without load, m.
