@@ -111,7 +111,7 @@ pub fn identify<'py>(
     Ok((text, tables.collect::<PyResult<_>>()?))
 }
 
-/// What the best law explains of an experiment.
+/// Part of an experiment that the best law explains.
 fn table(py: Python<'_>, experiment: Experiment, explained: Vec<f64>) -> PyResult<Bound<'_, PyDict>> {
     let table = PyDict::new(py);
     for (name, values) in [

@@ -30,7 +30,7 @@ impl Unseen {
         self.rms > WORSE * self.fitted
     }
 
-    /// What to tell the user if it is.
+    /// Text for the user if it is.
     pub(super) fn warning(&self) -> Option<String> {
         self.is_worse().then(|| {
             format!(

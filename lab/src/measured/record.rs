@@ -115,7 +115,7 @@ pub enum MeasuredError {
         name: &'static str,
         /// Where, s.
         time: f64,
-        /// What came of it.
+        /// Outcome.
         value: f64,
     },
     /// Friction would drive the slider.

@@ -30,7 +30,7 @@ macro_rules! instructions {
     };
 }
 
-/// What both registers have under names that differ in the width only.
+/// Operations that both registers have under names that differ in the width only.
 macro_rules! register {
     ($Register:ident, $Answers:ty, $lanes:literal, $set:ident, $add:ident, $sub:ident, $mul:ident, $div:ident,
      $sqrt:ident, $min:ident, $max:ident, $logic:ident) => {
