@@ -11,7 +11,7 @@ use stribeck::batch::{Batch, Registers, Rows, Runs, Worker};
 use stribeck::catalogue::{by_name, models};
 use stribeck::instance::Instance;
 use stribeck::model::ModelType;
-use stribeck::series::{Between, Course, Input, Times, follow, set_up};
+use stribeck::series::{Between, Course, Ended, Input, Times, follow, set_up};
 
 static NEVER: AtomicBool = AtomicBool::new(false);
 
@@ -111,7 +111,7 @@ impl Case {
         }
     }
 
-    fn begin(&self, run: usize, instance: &mut Instance) -> Result<(), stribeck::series::Ended> {
+    fn begin(&self, run: usize, instance: &mut Instance) -> Result<(), Ended> {
         instance.reset();
         let values: Vec<(usize, f64)> = self.parameters.iter().map(|(column, values)| (*column, values[run])).collect();
         set_up(instance, &values)
@@ -200,6 +200,181 @@ fn the_first_run_that_fails_is_the_one_that_is_named() {
                 worker.make(&mut instance, &all, 4..20, &begin, &mut places, &NEVER).expect_err("a refusal");
             assert_eq!(run, 13, "{registers:?}");
             assert!(ended.to_string().contains("sample 4") && ended.to_string().contains(text), "{ended}");
+        }
+    }
+}
+
+/// Number of runs and samples of those below.
+const MANY: usize = 18;
+const LONG: usize = 20;
+
+/// The results of all runs of a law: of a worker, and of instances that follow their inputs alone.
+fn both_ways(
+    law: &'static ModelType,
+    runs: &Runs,
+    registers: Registers,
+    parameters: &[(usize, f64)],
+) -> [Result<Vec<Vec<f64>>, String>; 2] {
+    let begin = |_: usize, instance: &mut Instance| {
+        instance.reset();
+        set_up(instance, parameters)
+    };
+    let mut arrays = vec![vec![f64::NAN; MANY * runs.samples]; runs.results.len()];
+    let mut alone = arrays.clone();
+    let mut instance = Instance::new(law);
+    let mut worker = Worker::new(law, runs, registers).expect("memory");
+    let together = Worker::together(law);
+    let made = (0..MANY).step_by(together).try_for_each(|first| {
+        let part = |array: &mut Vec<f64>| array.split_off(first * runs.samples);
+        let mut rests: Vec<Vec<f64>> = arrays.iter_mut().map(part).collect();
+        let mut places: Vec<&mut [f64]> = rests.iter_mut().map(Vec::as_mut_slice).collect();
+        let some = first..MANY.min(first + together);
+        let done = worker.make(&mut instance, runs, some, &begin, &mut places, &NEVER);
+        arrays.iter_mut().zip(rests).for_each(|(array, rest)| array.extend(rest));
+        done
+    });
+    let followed = (0..MANY).try_for_each(|run| {
+        begin(run, &mut instance).map_err(|ended| (run, ended))?;
+        let of = |rows: &Rows| {
+            let first = if rows.rows == 1 { 0 } else { run * rows.width };
+            (rows.column, rows.values[first..first + rows.width].to_vec())
+        };
+        let inputs: Vec<(usize, Vec<f64>)> = runs.inputs.iter().map(of).collect();
+        let inputs: Vec<Input> = inputs.iter().map(|(column, samples)| Input { column: *column, samples }).collect();
+        let course = Course { inputs: &inputs, times: runs.times, samples: runs.samples, between: runs.between };
+        let samples = run * runs.samples..(run + 1) * runs.samples;
+        let mut places: Vec<&mut [f64]> = alone.iter_mut().map(|array| &mut array[samples.clone()]).collect();
+        follow(&mut instance, &course, runs.results, &mut places, &NEVER).map_err(|ended| (run, ended))
+    });
+    let text = |(run, ended): (usize, Ended)| format!("run {run}: {ended}");
+    [made.map(|()| arrays).map_err(text), followed.map(|()| alone).map_err(text)]
+}
+
+fn assert_same(law: &'static ModelType, runs: &Runs, parameters: &[(usize, f64)]) {
+    for registers in Registers::here() {
+        let [made, followed] = both_ways(law, runs, registers, parameters);
+        match (made, followed) {
+            (Ok(made), Ok(followed)) => {
+                for (found, alone) in made.iter().flatten().zip(followed.iter().flatten()) {
+                    assert!(bits_agree(*found, *alone), "{} {registers:?}: {found} {alone}", law.name);
+                }
+            }
+            (made, followed) => assert_eq!(made.err(), followed.err(), "{} {registers:?}", law.name),
+        }
+    }
+}
+
+/// Inputs that differ from run to run, from sample to sample, both or neither; samples at equal and unequal intervals;
+/// results that are advice, and a contact that knows the mass of its body, which has modes.
+#[test]
+fn shared_and_constant_inputs_have_the_bits_of_each_alone() {
+    let mut random = Random(8);
+    let mut values = |count: usize, middle: f64, half: f64| -> Vec<f64> {
+        (0..count).map(|_| middle + half * random.signed()).collect()
+    };
+    let (velocities, loads) = (values(MANY * LONG, 0.0, 3e-3), values(MANY * LONG, 10.0, 5.0));
+    let mut at = vec![0.0];
+    values(LONG - 1, 2e-3, 1e-3).iter().for_each(|step| at.push(at[at.len() - 1] + step));
+    for name in ["LuGre", "Threlfall", "CoulombViscous"] {
+        let law = by_name(name).expect("a law");
+        let column = |name: &str| law.find(name).expect("a variable");
+        let results = ["friction_force", "dissipated_energy", "sticking"].map(column);
+        let mass: Vec<(usize, f64)> = law.find("mass").into_iter().map(|column| (column, 1.0)).collect();
+        for [rows, width] in [[1, 1], [1, LONG], [MANY, 1], [MANY, LONG]] {
+            let velocity = Rows { column: column("velocity"), rows: MANY, width: LONG, values: &velocities };
+            let values = &loads[..rows * width];
+            let load = Rows { column: column("normal_force"), rows, width, values };
+            let inputs = [Rows { values: &velocities[..rows * width], rows, width, ..velocity }, load];
+            for times in [Times::Every(1e-3), Times::At(&at)] {
+                for (between, results) in [(Between::Held, &results[..]), (Between::Linear, &results[..1])] {
+                    let runs = Runs { inputs: &inputs, times, samples: LONG, between, results };
+                    assert_same(law, &runs, &[]);
+                    assert_same(law, &runs, &mass);
+                }
+            }
+        }
+    }
+}
+
+/// Times that do not rise or are not finite, parameters and inputs that are not admitted, and a parameter that moves like
+/// an input are refused as they are alone.
+#[test]
+fn what_is_refused_alone_is_refused_side_by_side() {
+    let falling: Vec<f64> = (0..LONG).map(|sample| if sample == 7 { 0.0 } else { sample as f64 }).collect();
+    let endless: Vec<f64> =
+        (0..LONG).map(|sample| if sample == LONG - 1 { f64::INFINITY } else { sample as f64 }).collect();
+    let law = by_name("LuGre").expect("a law");
+    let column = |name: &str| law.find(name).expect("a variable");
+    let (force, mu) = (column("friction_force"), column("mu_k"));
+    let values = [1e-3; LONG];
+    let input = |column| [Rows { column, rows: 1, width: LONG, values: &values }];
+    for times in
+        [Times::At(&falling), Times::At(&endless), Times::Every(0.0), Times::Every(f64::NAN), Times::Every(1e-3)]
+    {
+        for inputs in [input(column("velocity")), input(mu), input(force)] {
+            for parameters in [&[][..], &[(mu, -1.0)][..]] {
+                for results in [&[force][..], &[column("bristle_deflection")][..]] {
+                    let between = Between::Held;
+                    let runs = Runs { inputs: &inputs, times, samples: LONG, between, results };
+                    assert_same(law, &runs, parameters);
+                }
+            }
+        }
+    }
+}
+
+/// One long run is made along its samples if no result depends on the steps; otherwise nothing is made.
+#[test]
+fn outputs_of_one_run_have_the_bits_of_the_run() {
+    let values: Vec<f64> = (0..37).map(|sample| 1e-3 * (sample as f64 - 18.0)).collect();
+    let begin = |_: usize, instance: &mut Instance| set_up(instance, &[]);
+    for registers in Registers::here() {
+        for (name, result, may) in [
+            ("BrownMcPhee", "friction_force", true),
+            ("BrownMcPhee", "dissipated_energy", false),
+            ("LuGre", "friction_force", false),
+            ("Karnopp", "friction_force", false),
+        ] {
+            let law = by_name(name).expect("a law");
+            let column = |name: &str| law.find(name).expect("a variable");
+            let inputs = [Rows { column: column("velocity"), rows: 1, width: values.len(), values: &values }];
+            let (times, between, results) = (Times::Every(1e-3), Between::Linear, [column(result)]);
+            let runs = Runs { inputs: &inputs, times, samples: values.len(), between, results: &results };
+            let mut worker = Worker::new(law, &runs, registers).expect("memory");
+            let mut found = vec![f64::NAN; values.len()];
+            let mut instance = Instance::new(law);
+            let done = worker.make_outputs(&mut instance, &runs, &begin, &mut [&mut found], &NEVER);
+            assert_eq!(done, may && registers != Registers::Scalar, "{name} {result} {registers:?}");
+            if done {
+                for (velocity, force) in values.iter().zip(found) {
+                    instance.set_column(inputs[0].column, *velocity).expect("a velocity");
+                    let alone = instance.get_column(results[0]).expect("a force");
+                    assert_eq!(force.to_bits(), alone.to_bits(), "{velocity}");
+                }
+            }
+        }
+    }
+}
+
+/// Cancelled runs say so, whichever way they would have been made.
+#[test]
+fn cancelled_runs_say_so() {
+    let cancelled = AtomicBool::new(true);
+    let begin = |_: usize, instance: &mut Instance| set_up(instance, &[]);
+    for registers in Registers::here() {
+        for (name, result) in [("LuGre", "friction_force"), ("Threlfall", "friction_force"), ("Karnopp", "sticking")] {
+            let law = by_name(name).expect("a law");
+            let column = |name: &str| law.find(name).expect("a variable");
+            let values = [1e-3; LONG];
+            let inputs = [Rows { column: column("velocity"), rows: 1, width: LONG, values: &values }];
+            let (times, between, results) = (Times::Every(1e-3), Between::Held, [column(result)]);
+            let runs = Runs { inputs: &inputs, times, samples: LONG, between, results: &results };
+            let mut worker = Worker::new(law, &runs, registers).expect("memory");
+            let some = 2..2 + Worker::together(law);
+            let mut found = vec![f64::NAN; some.len() * LONG];
+            let mut instance = Instance::new(law);
+            let ended = worker.make(&mut instance, &runs, some, &begin, &mut [&mut found], &cancelled);
+            assert!(matches!(ended, Err((2, Ended::Cancelled))), "{name} {registers:?}: {ended:?}");
         }
     }
 }
