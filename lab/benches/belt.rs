@@ -41,7 +41,12 @@ fn main() {
         "factor"
     );
     let source = Source::open("belt").expect("a built-in system");
+    // Arguments name the laws; cargo adds its own, which begin with a dash.
+    let wanted: Vec<String> = std::env::args().skip(1).filter(|name| !name.starts_with('-')).collect();
     for (law, _) in documented(Family::Friction) {
+        if !wanted.is_empty() && !wanted.iter().any(|name| name == law.name) {
+            continue;
+        }
         let system = System::assemble(&source, Some(law.name), &[]).expect("a law");
         let Ok(motion) = Motion::new(&system, &[]) else { continue };
         let place = system.place("rig.position").expect("a variable of the rig");
