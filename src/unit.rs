@@ -134,3 +134,23 @@ pub(crate) const fn same(a: &str, b: &str) -> bool {
     }
     true
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_unit_is_found_by_its_name() {
+        for (at, unit) in UNITS.iter().enumerate() {
+            assert_eq!(place(unit.name), at, "{} is listed once", unit.name);
+            assert!(same(named(unit.name).name, unit.name));
+        }
+        assert!(!same("N.m", "N/m") && !same("N", "N.m"));
+    }
+
+    #[test]
+    #[should_panic(expected = "unknown unit")]
+    fn a_unit_that_is_not_listed_is_refused() {
+        named("furlong");
+    }
+}

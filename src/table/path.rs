@@ -88,3 +88,35 @@ impl fmt::Display for Path {
         Ok(())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn element(index: u16) -> Path {
+        Path::root("stiffness").within(Segment { name: "element", index })
+    }
+
+    #[test]
+    fn names_are_equal_step_by_step() {
+        assert!(element(3).is(&element(3)));
+        assert!(!element(3).is(&element(2)));
+        assert!(!element(3).is(&Path::root("element")), "another length");
+        assert!(!Path::root("stiffness").is(&Path::root("stiffness").within(Segment { name: "stiffness", index: 0 })));
+    }
+
+    #[test]
+    fn a_name_is_spelled_in_full() {
+        assert!(element(3).is_spelled("element[3].stiffness"));
+        for other in ["", "element", "element[3]", "element[3].stiffness ", "element[2].stiffness", "stiffness"] {
+            assert!(!element(3).is_spelled(other), "{other}");
+        }
+    }
+
+    #[test]
+    #[should_panic(expected = "nested too deeply")]
+    fn parts_are_nested_to_a_limit() {
+        let part = Segment { name: "part", index: 0 };
+        let _ = element(1).within(part).within(part).within(part);
+    }
+}
