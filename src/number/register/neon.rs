@@ -1,5 +1,7 @@
 //! Registers of 64-bit ARM, each of which has them.
 
+#![allow(unused_unsafe, reason = "some instructions are safe where the target is known to have NEON")]
+
 use std::arch::aarch64::*;
 use std::array::from_fn;
 use std::fmt;
@@ -20,10 +22,7 @@ pub(crate) struct TwoAnswers(uint64x2_t);
 macro_rules! instructions {
     ($work:expr) => {
         // SAFETY: NEON is a part of every 64-bit ARM processor that Rust has a target for.
-        #[allow(unused_unsafe, reason = "safe where the target is known to have NEON")]
-        unsafe {
-            $work
-        }
+        unsafe { $work }
     };
 }
 
