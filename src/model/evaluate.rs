@@ -76,6 +76,17 @@ pub fn output_in<M: Model, T: Evaluate>(row: &mut [T], memory: &[T]) {
     model.advise();
 }
 
+/// Computes the outputs of a row without memory, advice apart, and the time derivatives of its continuous states, in the
+/// columns of the states; `rate` is 0 elsewhere. What both need is computed once.
+pub fn output_and_rate_in<M: Model, T: Evaluate>(row: &mut [T], rate: &mut [T]) {
+    let model = view_mut::<M::In<T>, T>(row);
+    model.output_with(&[]);
+    // As long as the table, which the compiler knows.
+    let rate = &mut rate[..M::TABLE.len()];
+    rate.fill(T::from(0.0));
+    <M::In<T> as Law>::Interface::rates(model, view_mut(rate));
+}
+
 /// Computes the time derivatives of the continuous states, in the columns of the states; `rate` is 0 elsewhere.
 pub fn rate_in<M: Model, T: Evaluate>(row: &[T], rate: &mut [T]) {
     rate.fill(T::from(0.0));

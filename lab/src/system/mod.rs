@@ -6,6 +6,7 @@
 mod error;
 mod file;
 mod motion;
+mod mover;
 mod order;
 mod part;
 mod signal;

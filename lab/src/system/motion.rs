@@ -1,76 +1,83 @@
 //! Equations of motion of a system whose parts all support Model Exchange.
 
-use stribeck::model::ModelType;
-use stribeck::number::Dual;
-
-use super::order::{Task, tasks};
+use super::mover::Mover;
+use super::order::{Task, moving, tasks};
 use super::part::{System, WireSource};
 use super::{Fault, Place, Signal};
 use crate::solve::Equations;
-
-/// A part under way.
-struct Mover {
-    model: &'static ModelType,
-    row: Vec<f64>,
-    rate: Vec<f64>,
-    dual: Vec<Dual>,
-    dual_rate: Vec<Dual>,
-    name: String,
-    /// Whether one of its states is integrated.
-    moves: bool,
-    /// Columns that change from one evaluation to the next: integrated states and inputs with a source.
-    changing: Vec<usize>,
-    /// Computed outputs that are passed on.
-    passed: Vec<usize>,
-    /// Whether a column that changes has a slope.
-    has_slope: bool,
-}
-
-impl Mover {
-    /// Takes the values of all columns over.
-    fn spread(&mut self) {
-        for (dual, value) in self.dual.iter_mut().zip(&self.row) {
-            *dual = Dual::from(*value);
-        }
-    }
-
-    /// Takes the values of those columns over that have changed since [`Mover::spread`], outputs apart.
-    fn spread_changing(&mut self) {
-        for column in &self.changing {
-            self.dual[*column] = Dual::from(self.row[*column]);
-        }
-        self.has_slope = false;
-    }
-
-    /// Computes the slopes of the outputs.
-    fn output_slopes(&mut self) {
-        if self.has_slope {
-            self.model.output_dual(&mut self.dual);
-        } else {
-            self.passed.iter().for_each(|column| self.dual[*column].slope = 0.0);
-        }
-    }
-
-    /// Gives a column a slope.
-    fn incline(&mut self, column: usize, slope: f64) {
-        self.dual[column].slope = slope;
-        self.has_slope |= slope != 0.0;
-    }
-}
 
 /// The equations of motion of a system.
 pub struct Motion {
     movers: Vec<Mover>,
     states: Vec<Place>,
+    runs: Vec<Run>,
     scales: Vec<f64>,
     tasks: Vec<Task>,
-    /// Those of them that event indicators need, which depend on inputs and states.
+    /// What finds all rates.
+    acts: Vec<Act>,
+    /// Those of the tasks that event indicators need, which depend on inputs and states.
     tasks_of_indicators: Vec<Task>,
     signals: Vec<(Place, Signal)>,
     moving_signals: bool,
     recorded: Vec<WireSource>,
     /// Whether columns that are not [`Mover::changing`] may have changed since they were taken over as dual numbers.
     stale: bool,
+    /// Time at which the rows have all values with the states that they hold.
+    known: Option<f64>,
+}
+
+/// A step of finding all rates.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Act {
+    /// Computes the outputs of a part.
+    Output(usize),
+    /// Computes the rates of a part, and its outputs with them.
+    Respond(usize),
+    /// Passes a value on.
+    Pass { from: Place, to: Place },
+}
+
+/// The tasks, and then the rates of all parts that move. Those of a part whose outputs are computed when all its inputs
+/// are known are found with them.
+fn acts(tasks: &[Task], movers: &[Mover]) -> Vec<Act> {
+    let is_ready = |part: usize, rest: &[Task]| {
+        rest.iter().all(|task| match task {
+            Task::Output(other) => *other != part,
+            Task::Pass { to, .. } => to.part != part,
+        })
+    };
+    let act = |(number, task): (usize, &Task)| match *task {
+        Task::Output(part) if movers[part].moves && is_ready(part, &tasks[number + 1..]) => Act::Respond(part),
+        Task::Output(part) => Act::Output(part),
+        Task::Pass { from, to } => Act::Pass { from, to },
+    };
+    let mut acts: Vec<Act> = tasks.iter().enumerate().map(act).collect();
+    for (part, mover) in movers.iter().enumerate() {
+        if mover.moves && !acts.contains(&Act::Respond(part)) {
+            acts.push(Act::Respond(part));
+        }
+    }
+    acts
+}
+
+/// States that are neighbours in the row of a part as well.
+#[derive(Clone, Copy, Debug)]
+struct Run {
+    part: usize,
+    column: usize,
+    first: usize,
+    count: usize,
+}
+
+fn runs(states: &[Place]) -> Vec<Run> {
+    let mut runs: Vec<Run> = Vec::new();
+    for (first, Place { part, column }) in states.iter().copied().enumerate() {
+        match runs.last_mut() {
+            Some(run) if run.part == part && run.column + run.count == column => run.count += 1,
+            _ => runs.push(Run { part, column, first, count: 1 }),
+        }
+    }
+    runs
 }
 
 /// Largest number of times that events are passed from part to part at one instant (chosen).
@@ -91,32 +98,23 @@ impl Motion {
         let tasks = tasks(system)?;
         let states = states(system, recorded);
         let scales = states.iter().map(|place| system.variable(*place).nominal).collect();
-        let movers = system.parts.iter().enumerate().map(|(number, part)| {
-            let zero = vec![Dual::default(); part.row.len()];
-            Mover {
-                model: part.model,
-                rate: vec![0.0; part.row.len()],
-                row: part.row.clone(),
-                dual: zero.clone(),
-                dual_rate: zero,
-                name: part.name.clone(),
-                moves: states.iter().any(|place| place.part == number),
-                changing: changing(system, &states, number),
-                passed: passed(system, number),
-                has_slope: false,
-            }
-        });
+        let moving = moving(system, &states);
+        let mover = |(number, moving): (usize, &Vec<usize>)| Mover::new(system, number, &states, moving);
+        let movers: Vec<Mover> = moving.iter().enumerate().map(mover).collect();
         let moving_signals = system.signals.iter().any(|(_, signal)| !matches!(signal, Signal::Constant(_)));
         Ok(Motion {
-            movers: movers.collect(),
+            acts: acts(&tasks, &movers),
+            tasks_of_indicators: needed(&tasks, |part| movers[part].indicators > 0),
+            movers,
+            runs: runs(&states),
             states,
             scales,
-            tasks_of_indicators: needed(&tasks, |part| system.parts[part].model.event_indicators > 0),
             tasks,
             signals: system.signals.clone(),
             moving_signals,
             recorded: recorded.to_vec(),
             stale: true,
+            known: None,
         })
     }
 
@@ -137,8 +135,15 @@ impl Motion {
 
     /// States and signals at a time.
     fn put_states(&mut self, time: f64, states: &[f64]) {
-        for (place, value) in self.states.iter().zip(states) {
-            self.movers[place.part].row[place.column] = *value;
+        self.known = None;
+        for Run { part, column, first, count } in &self.runs {
+            let row = &mut self.movers[*part].row;
+            // Two at once where the model is likely to read two at once: processors stall if they were written singly.
+            if *count == 2 {
+                row[*column..*column + 2].copy_from_slice(&states[*first..*first + 2]);
+            } else {
+                row[*column..*column + *count].copy_from_slice(&states[*first..*first + *count]);
+            }
         }
         if self.moving_signals {
             for (place, signal) in &self.signals {
@@ -156,17 +161,15 @@ impl Motion {
     /// Derivatives of the rates, with the slopes that states and signals have. A part without a slope has outputs and
     /// rates without slopes.
     fn derive(&mut self, mut put: impl FnMut(usize, f64)) {
-        for task in &self.tasks {
-            match task {
-                Task::Output(part) => self.movers[*part].output_slopes(),
-                Task::Pass { from, to } => {
+        for act in &self.acts {
+            match act {
+                Act::Output(part) => self.movers[*part].output_slopes(),
+                Act::Respond(part) => self.movers[*part].respond_slopes(),
+                Act::Pass { from, to } => {
                     let slope = self.movers[from.part].dual[from.column].slope;
                     self.movers[to.part].incline(to.column, slope);
                 }
             }
-        }
-        for mover in self.movers.iter_mut().filter(|mover| mover.moves && mover.has_slope) {
-            mover.model.rate_dual(&mover.dual, &mut mover.dual_rate);
         }
         for (number, place) in self.states.iter().enumerate() {
             let mover = &self.movers[place.part];
@@ -178,6 +181,12 @@ impl Motion {
         for mover in self.movers.iter_mut().filter(|mover| mover.moves) {
             mover.model.rate(&mover.row, &mut mover.rate);
         }
+    }
+
+    /// Whether the rows have these states.
+    fn hold(&self, states: &[f64]) -> bool {
+        let held = self.states.iter().map(|place| self.movers[place.part].row[place.column]);
+        held.zip(states).all(|(held, state)| held.to_bits() == state.to_bits())
     }
 
     fn outputs(&mut self) -> Result<(), String> {
@@ -194,10 +203,7 @@ impl Motion {
 fn perform(tasks: &[Task], movers: &mut [Mover]) {
     for task in tasks {
         match task {
-            Task::Output(part) => {
-                let mover = &mut movers[*part];
-                mover.model.output(&mut mover.row);
-            }
+            Task::Output(part) => movers[*part].output(),
             Task::Pass { from, to } => movers[to.part].row[to.column] = movers[from.part].row[from.column],
         }
     }
@@ -220,22 +226,6 @@ fn needed(tasks: &[Task], wanted: impl Fn(usize) -> bool) -> Vec<Task> {
     }
     found.reverse();
     found
-}
-
-/// The columns of a part that change from one evaluation to the next.
-fn changing(system: &System, states: &[Place], part: usize) -> Vec<usize> {
-    let inputs = system.wires.iter().map(|wire| wire.to).chain(system.signals.iter().map(|(to, _)| *to));
-    states.iter().copied().chain(inputs).filter(|place| place.part == part).map(|place| place.column).collect()
-}
-
-/// The computed outputs of a part that are passed on.
-fn passed(system: &System, part: usize) -> Vec<usize> {
-    let sources = system.wires.iter().filter_map(|wire| match wire.from {
-        WireSource::Variable(from) => Some(from),
-        WireSource::Derivative(_) => None,
-    });
-    let computed = sources.filter(|from| from.part == part && system.variable(*from).role.is_computed());
-    computed.map(|from| from.column).collect()
 }
 
 /// The continuous states that matter: energies that nobody reads need not be integrated.
@@ -276,15 +266,25 @@ impl Equations for Motion {
     }
 
     fn rates(&mut self, time: f64, states: &[f64], rates: &mut [f64]) {
-        self.put(time, states);
-        self.find_rates();
+        self.put_states(time, states);
+        for act in &self.acts {
+            match act {
+                Act::Output(part) => self.movers[*part].output(),
+                Act::Respond(part) => self.movers[*part].respond(),
+                Act::Pass { from, to } => self.movers[to.part].row[to.column] = self.movers[from.part].row[from.column],
+            }
+        }
         for (rate, place) in rates.iter_mut().zip(&self.states) {
             *rate = self.movers[place.part].rate[place.column];
         }
+        self.known = Some(time);
     }
 
     fn jacobian(&mut self, time: f64, states: &[f64], jacobian: &mut [f64], by_time: &mut [f64]) {
-        self.put(time, states);
+        // A solver asks for it where it has just asked for the rates.
+        if !(self.known == Some(time) && self.hold(states)) {
+            self.put(time, states);
+        }
         if std::mem::take(&mut self.stale) {
             self.movers.iter_mut().for_each(Mover::spread);
         }
@@ -306,16 +306,16 @@ impl Equations for Motion {
     }
 
     fn indicators(&self) -> usize {
-        self.movers.iter().map(|mover| mover.model.event_indicators).sum()
+        self.movers.iter().map(|mover| mover.indicators).sum()
     }
 
     fn indicator_name(&self, indicator: usize) -> String {
         let mut before = 0;
         for mover in &self.movers {
-            if indicator < before + mover.model.event_indicators {
+            if indicator < before + mover.indicators {
                 return mover.name.clone();
             }
-            before += mover.model.event_indicators;
+            before += mover.indicators;
         }
         String::new()
     }
@@ -325,8 +325,10 @@ impl Equations for Motion {
         perform(&self.tasks_of_indicators, &mut self.movers);
         let mut rest = indicators;
         for mover in &self.movers {
-            let (own, others) = rest.split_at_mut(mover.model.event_indicators);
-            mover.model.indicate(&mover.row, own);
+            let (own, others) = rest.split_at_mut(mover.indicators);
+            if !own.is_empty() {
+                mover.model.indicate(&mover.row, own);
+            }
             rest = others;
         }
     }

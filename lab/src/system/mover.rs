@@ -1,0 +1,142 @@
+//! Parts of equations of motion: rows of their numbers, and the functions of their models in two kinds of them.
+
+use stribeck::catalogue;
+use stribeck::model::{Evaluate, Model, ModelType, Visitor, output_and_rate_in};
+use stribeck::number::Dual;
+
+use super::Place;
+use super::order::indicators_move;
+use super::part::{System, WireSource};
+
+/// A part under way.
+pub(super) struct Mover {
+    pub model: &'static ModelType,
+    respond: Respond<f64>,
+    respond_dual: Respond<Dual>,
+    pub row: Vec<f64>,
+    pub rate: Vec<f64>,
+    pub dual: Vec<Dual>,
+    pub dual_rate: Vec<Dual>,
+    pub name: String,
+    /// Whether one of its states is integrated.
+    pub moves: bool,
+    /// Number of its event indicators, if they change.
+    pub indicators: usize,
+    /// Columns that change in time, outputs apart.
+    changing: Vec<usize>,
+    /// Computed outputs that are passed on.
+    passed: Vec<usize>,
+    /// Whether a column that changes has a slope.
+    pub has_slope: bool,
+}
+
+/// Outputs and rates of a row.
+type Respond<T> = fn(&mut [T], &mut [T]);
+
+/// Search for the functions of a model.
+struct Search {
+    name: &'static str,
+    found: Option<(Respond<f64>, Respond<Dual>)>,
+}
+
+impl Visitor for Search {
+    fn visit<M: Model>(&mut self) {
+        // Models without rates need no code.
+        if const { ModelType::of::<M>().model_exchange } && M::NAME == self.name {
+            self.found = Some((respond::<M, f64>, respond::<M, Dual>));
+        }
+    }
+}
+
+fn respond<M: Model, T: Evaluate>(row: &mut [T], rate: &mut [T]) {
+    output_and_rate_in::<M, T>(row, rate);
+}
+
+impl Mover {
+    /// A part of a system that integrates these states, with its columns that change. The model must have rates.
+    pub fn new(system: &System, number: usize, states: &[Place], moving: &[usize]) -> Mover {
+        let part = &system.parts[number];
+        let mut search = Search { name: part.model.name, found: None };
+        catalogue::visit(&mut search);
+        let (respond, respond_dual) = search.found.expect("models with rates are in the catalogue");
+        let zero = vec![Dual::default(); part.row.len()];
+        Mover {
+            model: part.model,
+            respond,
+            respond_dual,
+            rate: vec![0.0; part.row.len()],
+            row: part.row.clone(),
+            dual: zero.clone(),
+            dual_rate: zero,
+            name: part.name.clone(),
+            moves: states.iter().any(|place| place.part == number),
+            indicators: if indicators_move(part, moving) { part.model.event_indicators } else { 0 },
+            changing: moving.to_vec(),
+            passed: passed(system, number),
+            has_slope: false,
+        }
+    }
+
+    /// Computes the outputs.
+    pub fn output(&mut self) {
+        self.model.output(&mut self.row);
+    }
+
+    /// Computes outputs and rates.
+    pub fn respond(&mut self) {
+        (self.respond)(&mut self.row, &mut self.rate);
+    }
+
+    /// Takes the values of all columns over.
+    pub fn spread(&mut self) {
+        for (dual, value) in self.dual.iter_mut().zip(&self.row) {
+            *dual = Dual::from(*value);
+        }
+    }
+
+    /// Takes the values of those columns over that have changed since [`Mover::spread`], outputs apart.
+    pub fn spread_changing(&mut self) {
+        for column in &self.changing {
+            self.dual[*column] = Dual::from(self.row[*column]);
+        }
+        self.has_slope = false;
+    }
+
+    /// Computes the slopes of the outputs.
+    pub fn output_slopes(&mut self) {
+        if self.has_slope {
+            self.model.output_dual(&mut self.dual);
+        } else {
+            self.flatten();
+        }
+    }
+
+    /// Computes the slopes of outputs and rates.
+    pub fn respond_slopes(&mut self) {
+        if self.has_slope {
+            (self.respond_dual)(&mut self.dual, &mut self.dual_rate);
+        } else {
+            self.flatten();
+        }
+    }
+
+    fn flatten(&mut self) {
+        self.passed.iter().for_each(|column| self.dual[*column].slope = 0.0);
+    }
+
+    /// Gives a column a slope.
+    pub fn incline(&mut self, column: usize, slope: f64) {
+        self.dual[column].slope = slope;
+        self.has_slope |= slope != 0.0;
+    }
+}
+
+/// The computed outputs of a part that are passed on.
+fn passed(system: &System, part: usize) -> Vec<usize> {
+    let sources = system.wires.iter().filter_map(|wire| match wire.from {
+        WireSource::Variable(from) => Some(from),
+        WireSource::Derivative(_) => None,
+    });
+    let computed = sources.filter(|from| from.part == part && system.variable(*from).role.is_computed());
+    computed.map(|from| from.column).collect()
+}
