@@ -13,6 +13,9 @@ const EARLY: f64 = 1e-6;
 /// Parts of a step to which the polynomial's crossing is found (chosen): the steps made after it find the rest.
 const PRECISION: f64 = 1e-9;
 
+/// Part of a distance to an event by which it is passed, so that it lies between the last two steps (chosen).
+const BEYOND: f64 = 1.01;
+
 /// The indicators at the beginning of a step, and workspace.
 pub(super) struct Watch {
     pub at_beginning: Vec<f64>,
@@ -66,9 +69,8 @@ impl Watch {
         changed
     }
 
-    /// The fraction of a step after which the first indicator changes its sign, by the polynomials of the step, and the
-    /// number of the indicator.
-    pub fn first_change(&mut self, equations: &mut dyn Equations, piece: &Piece) -> Option<(f64, usize)> {
+    /// Where the first indicator changes its sign, by the polynomials of the step.
+    pub fn first_change(&mut self, equations: &mut dyn Equations, piece: &Piece) -> Option<Crossing> {
         let mut before = 0.0;
         // An indicator that begins at zero shows its sign at once.
         let early = self.at_beginning.contains(&0.0).then_some(EARLY);
@@ -86,31 +88,51 @@ impl Watch {
         None
     }
 
-    /// Halves an interval at whose end an indicator has changed its sign.
+    /// Narrows an interval at whose end an indicator has changed its sign.
     fn narrow(
         &mut self,
         equations: &mut dyn Equations,
         piece: &Piece,
-        [mut low, mut high]: [f64; 2],
+        [low, high]: [f64; 2],
         mut indicator: usize,
-    ) -> (f64, usize) {
-        while high - low > PRECISION {
-            let middle = 0.5 * (low + high);
+    ) -> Crossing {
+        let after = self.remaining(indicator);
+        self.changed_within(equations, piece, low);
+        let mut bracket = Bracket::new((low, self.remaining(indicator)), high, PRECISION);
+        bracket.after(high, after);
+        while bracket.closed().is_none() {
+            let middle = bracket.next();
             match self.changed_within(equations, piece, middle) {
-                Some(changed) => (high, indicator) = (middle, changed),
-                None => low = middle,
+                Some(changed) => {
+                    indicator = changed;
+                    bracket.after(middle, self.remaining(changed));
+                }
+                None => bracket.before(middle, self.remaining(indicator)),
             }
         }
-        (high, indicator)
+        Crossing { fraction: bracket.closed().unwrap_or(high), indicator, slope: bracket.secant() / piece.length }
     }
+}
+
+/// A change of sign of an indicator, by the polynomials of a step.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Crossing {
+    /// Fraction of the step at which it has just happened.
+    pub fraction: f64,
+    /// Number of the indicator.
+    pub indicator: usize,
+    /// Rate of the indicator there, in the direction in which it began positive.
+    pub slope: f64,
 }
 
 /// Lengths of steps that end before and after an event, with the indicator there.
 pub(super) struct Bracket {
     low: (f64, f64),
     high: Option<(f64, f64)>,
-    /// Slope of the indicator as last seen, while no step has ended after the event.
-    slope: f64,
+    /// Rate of the indicator near the event, until two steps have ended there.
+    slope: Option<f64>,
+    /// Distance to look ahead without a slope: the polynomial is not exact, and the event may be anywhere or nowhere.
+    ahead: f64,
     longest: f64,
     precision: f64,
     /// Side that was moved last, for the Illinois rule.
@@ -118,14 +140,21 @@ pub(super) struct Bracket {
 }
 
 impl Bracket {
-    /// The indicator begins a step of the longest length with this value.
-    pub fn new(at_beginning: f64, longest: f64, precision: f64) -> Bracket {
-        Bracket { low: (0.0, at_beginning), high: None, slope: 0.0, longest, precision, moved_low: None }
+    /// A step of a length that ends before the event has this value; the longest has none yet.
+    pub fn new(low: (f64, f64), longest: f64, precision: f64) -> Bracket {
+        Bracket { low, high: None, slope: None, ahead: 1e-3 * longest, longest, precision, moved_low: None }
+    }
+
+    /// The indicator is known to change at this rate near the event.
+    pub fn with_slope(self, slope: f64) -> Bracket {
+        Bracket { slope: Some(slope).filter(|slope| *slope < 0.0), ..self }
     }
 
     /// A step of length `h` ends before the event.
     pub fn before(&mut self, h: f64, remaining: f64) {
-        self.slope = (remaining - self.low.1) / (h - self.low.0);
+        if self.high.is_none() && self.slope.is_none() {
+            self.slope = Some((remaining - self.low.1) / (h - self.low.0)).filter(|slope| *slope < 0.0);
+        }
         self.low = (h, remaining);
         if let (Some(true), Some((_, value))) = (self.moved_low, &mut self.high) {
             *value *= 0.5;
@@ -147,17 +176,35 @@ impl Bracket {
         self.high.map(|(high, _)| high).filter(|high| high - self.low.0 <= self.precision)
     }
 
+    /// Whether not even the longest step ends after the event.
+    pub fn is_missed(&self) -> bool {
+        self.high.is_none() && self.low.0 >= self.longest
+    }
+
+    /// Rate of the indicator between both.
+    pub fn secant(&self) -> f64 {
+        let (low, at_low) = self.low;
+        self.high.map_or(f64::NAN, |(high, at_high)| (at_high - at_low) / (high - low))
+    }
+
     /// The length to try next.
-    pub fn next(&self) -> f64 {
+    pub fn next(&mut self) -> f64 {
         let (low, at_low) = self.low;
         let near = 0.5 * self.precision;
         let Some((high, at_high)) = self.high else {
-            // Not there yet: as far as the slope says and a little further.
-            let ahead = 1.01 * at_low / -self.slope;
-            let ahead = if ahead > 0.0 { ahead } else { 1e-3 * self.longest };
-            return (low + ahead.max(self.precision)).min(self.longest);
+            // Not there yet: as far as the slope says and a little further, then further and further.
+            let ahead = match self.slope.take() {
+                Some(slope) => (BEYOND * at_low / -slope).max(self.precision),
+                None => self.ahead,
+            };
+            self.ahead = 2.0 * self.ahead.max(ahead);
+            return (low + ahead).min(self.longest);
         };
-        let falsi = low + (high - low) * at_low / (at_low - at_high);
+        let falsi = match self.slope.take() {
+            // No step has ended near the event on the other side.
+            Some(slope) => high - BEYOND * at_high / slope,
+            None => low + (high - low) * at_low / (at_low - at_high),
+        };
         // Close to one end, as far from it as the bracket is to be wide in the end.
         let h = if falsi < low + near {
             low + self.precision

@@ -89,7 +89,7 @@ impl<const N: usize> Exponential<N> {
 }
 
 impl<const N: usize> Step<N> for Exponential<N> {
-    const ERROR_ORDER: f64 = 5.0;
+    const ERROR_ORDER: i32 = 5;
     const EVALUATIONS: u64 = 2;
 
     fn attempt(&mut self, equations: &mut dyn Equations, begin: &Beginning<N>, h: f64) -> bool {

@@ -1,8 +1,6 @@
 //! Steps with error control from event to event.
 
-use stribeck::number::elementary::pow;
-
-use super::event::{Bracket, Watch};
+use super::event::{Bracket, Crossing, Watch};
 use super::method::{Beginning, Step};
 use super::recorder::{Piece, Recorder};
 use super::statistics::{End, Event, Statistics};
@@ -31,6 +29,8 @@ struct March<'a, S, const N: usize> {
     begin: Beginning<N>,
     step: S,
     watch: Watch,
+    /// The motion within the step made last, once it was asked for.
+    dense: Option<[[f64; 5]; N]>,
     statistics: Statistics,
 }
 
@@ -41,6 +41,31 @@ struct Made {
     event: Option<usize>,
     /// Length that the error control proposes for the next step.
     next: f64,
+}
+
+/// Factor by which the error control changes a step whose error grows with this power of the step size:
+/// SAFETY error^(-1 / order), between SHRINK and GROW.
+fn change(error: f64, order: i32) -> f64 {
+    let [most, least] = [SHRINK, GROW].map(|factor| power(SAFETY / factor, order));
+    if error.is_nan() || error >= most {
+        return SHRINK;
+    }
+    if error <= least {
+        return GROW;
+    }
+    // The bits of a number are nearly its logarithm: those of 1 less an order-th of what lies between. Newton's method
+    // needs no division then, and each pass squares the deviation, at most 0.06 at the beginning (times 3 for order 5).
+    let one = 1f64.to_bits() as i64;
+    let mut root = f64::from_bits((one - (error.to_bits() as i64 - one) / i64::from(order)) as u64);
+    for _ in 0..5 {
+        root *= 1.0 + (1.0 - error * power(root, order)) / f64::from(order);
+    }
+    SAFETY * root
+}
+
+/// x^n.
+fn power(x: f64, n: i32) -> f64 {
+    (0..n).fold(1.0, |product, _| product * x)
 }
 
 /// Runs a method. The states are those at the end afterwards.
@@ -58,7 +83,8 @@ pub(super) fn run<S: Step<N>, const N: usize>(
     let count = states.len();
     begin.states[..count].copy_from_slice(states);
     let statistics = Statistics::default();
-    let mut march = March { equations, options, recorder, scales, begin, step: S::default(), watch, statistics };
+    let (step, dense) = (S::default(), None);
+    let mut march = March { equations, options, recorder, scales, begin, step, watch, dense, statistics };
     let end = match march.go() {
         Ok(end) => end,
         Err(reason) => End::Failed { time: march.begin.time, reason },
@@ -142,11 +168,12 @@ impl<S: Step<N>, const N: usize> March<'_, S, N> {
 
     fn attempt(&mut self, h: f64) -> bool {
         self.statistics.evaluations += S::EVALUATIONS;
+        self.dense = None;
         self.step.attempt(self.equations, &self.begin, h)
     }
 
-    fn dense(&self) -> [[f64; 5]; N] {
-        self.step.dense(&self.begin)
+    fn dense(&mut self) -> [[f64; 5]; N] {
+        *self.dense.get_or_insert_with(|| self.step.dense(&self.begin))
     }
 
     /// Makes the next step, of length h or shorter.
@@ -162,8 +189,7 @@ impl<S: Step<N>, const N: usize> March<'_, S, N> {
             let is_last = h >= room / 1.01;
             let length = if is_last { room } else { h };
             let error = if self.attempt(length) { self.norm(self.step.error(), self.step.end()) } else { f64::NAN };
-            let factor = SAFETY * pow(error, -1.0 / S::ERROR_ORDER);
-            let factor = if factor.is_nan() { SHRINK } else { factor.clamp(SHRINK, GROW) };
+            let factor = change(error, S::ERROR_ORDER);
             let crossing = if error.is_nan() { None } else { self.first_change(length) };
             if error <= 1.0 {
                 let next = length * factor;
@@ -176,7 +202,7 @@ impl<S: Step<N>, const N: usize> March<'_, S, N> {
                 }
                 h = 0.5 * length;
             } else {
-                h = length * crossing.map_or(factor, |(fraction, _)| factor.max(fraction * BEYOND).min(0.9));
+                h = length * crossing.map_or(factor, |crossing| factor.max(crossing.fraction * BEYOND).min(0.9));
             }
             self.statistics.rejected += 1;
             if h < self.shortest() {
@@ -191,7 +217,7 @@ impl<S: Step<N>, const N: usize> March<'_, S, N> {
         format!("a step of {h:e} s is still too long for {}", self.equations.state_name(worst))
     }
 
-    fn first_change(&mut self, length: f64) -> Option<(f64, usize)> {
+    fn first_change(&mut self, length: f64) -> Option<Crossing> {
         if !(self.options.events && self.watch.is_needed()) {
             return None;
         }
@@ -202,9 +228,10 @@ impl<S: Step<N>, const N: usize> March<'_, S, N> {
 
     /// Shortens the step that was just made until it ends right behind an event, by regula falsi on the ends of the steps
     /// themselves: those that end before it lie on one branch of the equations. None if no such step can be made.
-    fn locate(&mut self, length: f64, (fraction, mut event): (f64, usize)) -> Option<(f64, usize)> {
+    fn locate(&mut self, length: f64, crossing: Crossing) -> Option<(f64, usize)> {
+        let Crossing { fraction, indicator: mut event, slope } = crossing;
         let precision = 4.0 * f64::EPSILON * (self.begin.time + length).abs();
-        let mut bracket = Bracket::new(self.watch.size(event), length, precision);
+        let mut bracket = Bracket::new((0.0, self.watch.size(event)), length, precision).with_slope(slope);
         let mut h = fraction * length;
         for _ in 0..MOST_TRIALS {
             self.statistics.rejected += 1;
@@ -221,6 +248,9 @@ impl<S: Step<N>, const N: usize> March<'_, S, N> {
             }
             if let Some(shortest) = bracket.closed() {
                 return self.attempt(shortest).then_some((shortest, event));
+            }
+            if bracket.is_missed() {
+                return None;
             }
             h = bracket.next();
         }
@@ -253,5 +283,25 @@ impl<S: Step<N>, const N: usize> March<'_, S, N> {
         let duration = self.options.end - self.options.begin;
         self.statistics.pass(Event { time: self.begin.time, indicator }, &name, duration)?;
         self.settle()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use approx::assert_relative_eq;
+
+    use super::*;
+
+    /// Beside the power function.
+    #[test]
+    fn steps_change_by_a_root_of_the_error() {
+        for order in [2, 3, 5] {
+            for exponent in -4000..=4000 {
+                let error = 10f64.powf(f64::from(exponent) * 2e-3);
+                let expected = (SAFETY * error.powf(-1.0 / f64::from(order))).clamp(SHRINK, GROW);
+                assert_relative_eq!(change(error, order), expected, max_relative = 1e-14);
+            }
+        }
+        assert_eq!([f64::NAN, f64::INFINITY, 0.0].map(|error| change(error, 5)), [SHRINK, SHRINK, GROW]);
     }
 }

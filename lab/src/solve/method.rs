@@ -16,7 +16,7 @@ pub enum Method {
 /// A step of a method: from the states at its beginning to those at its end, with an estimate of the error.
 pub(super) trait Step<const N: usize>: Default {
     /// Power of the step size with which the estimate of the error grows.
-    const ERROR_ORDER: f64;
+    const ERROR_ORDER: i32;
 
     /// Evaluations of the rates in an attempt whose beginning is known.
     const EVALUATIONS: u64;

@@ -103,72 +103,79 @@ const H: [[f64; STAGES]; 3] = [
 
 /// A step of the method.
 pub(super) struct Rodas5P<const N: usize> {
-    k: [[f64; N]; STAGES],
+    /// State by state, so that no processor is asked to read two neighbours at once that were written singly.
+    k: [[f64; STAGES]; N],
     end: [f64; N],
+    error: [f64; N],
 }
 
 impl<const N: usize> Default for Rodas5P<N> {
     fn default() -> Self {
-        Rodas5P { k: [[0.0; N]; STAGES], end: [0.0; N] }
+        Rodas5P { k: [[0.0; STAGES]; N], end: [0.0; N], error: [0.0; N] }
     }
 }
 
 impl<const N: usize> Rodas5P<N> {
-    /// x + sum a_ij k_j.
+    /// x + sum a_ij k_j. The number of the stage is known when this is compiled, as in the next: no loop is left.
     #[inline(always)]
-    fn stage(&self, begin: &[f64; N], stage: usize) -> [f64; N] {
-        let mut at = *begin;
-        for (a, k) in A[stage.min(5)].iter().zip(&self.k).take(stage) {
-            for (x, k) in at.iter_mut().zip(k) {
-                *x += a * k;
-            }
-        }
-        for k in self.k.iter().take(stage).skip(5) {
-            for (x, k) in at.iter_mut().zip(k) {
-                *x += k;
-            }
-        }
-        at
+    fn argument<const STAGE: usize>(&self, begin: &[f64; N]) -> [f64; N] {
+        std::array::from_fn(|i| {
+            let k = &self.k[i];
+            let at = A[STAGE.min(5)].iter().zip(k).take(STAGE).fold(begin[i], |sum, (a, k)| sum + a * k);
+            k.iter().take(STAGE).skip(5).fold(at, |sum, k| sum + k)
+        })
     }
 
     /// sum C_ij k_j / h + h d_i df/dt.
     #[inline(always)]
-    fn memory(&self, stage: usize, by_time: &[f64; N], h: f64, reciprocal: f64) -> [f64; N] {
-        let mut sum = [0.0; N];
-        for (c, k) in C[stage].iter().zip(&self.k).take(stage) {
-            for (sum, k) in sum.iter_mut().zip(k) {
-                *sum += c * k;
-            }
+    fn memory<const STAGE: usize>(&self, by_time: &[f64; N], h: f64, reciprocal: f64) -> [f64; N] {
+        let slope = h * D[STAGE];
+        std::array::from_fn(|i| {
+            let sum = C[STAGE].iter().zip(&self.k[i]).take(STAGE).fold(0.0, |sum, (c, k)| sum + c * k);
+            sum * reciprocal + slope * by_time[i]
+        })
+    }
+
+    /// Finds k of a stage.
+    #[inline(always)]
+    fn make<const STAGE: usize>(
+        &mut self,
+        equations: &mut dyn Equations,
+        begin: &Beginning<N>,
+        factors: &Factors<N>,
+        h: f64,
+    ) {
+        let mut rates = begin.rates;
+        let at = self.argument::<STAGE>(&begin.states);
+        if STAGE > 0 {
+            equations.rates(begin.time + TIMES[STAGE] * h, &at, &mut rates);
         }
-        let slope = h * D[stage];
-        std::array::from_fn(|i| sum[i] * reciprocal + slope * by_time[i])
+        let memory = self.memory::<STAGE>(&begin.by_time, h, 1.0 / h);
+        let found = factors.solve(std::array::from_fn(|i| rates[i] + memory[i]));
+        for (k, found) in self.k.iter_mut().zip(found) {
+            k[STAGE] = found;
+        }
+        if STAGE == STAGES - 1 {
+            self.end = std::array::from_fn(|i| at[i] + found[i]);
+            self.error = found;
+        }
     }
 }
 
 impl<const N: usize> Step<N> for Rodas5P<N> {
-    const ERROR_ORDER: f64 = 5.0;
+    const ERROR_ORDER: i32 = 5;
     const EVALUATIONS: u64 = STAGES as u64 - 1;
 
     fn attempt(&mut self, equations: &mut dyn Equations, begin: &Beginning<N>, h: f64) -> bool {
-        let reciprocal = 1.0 / h;
-        let diagonal = reciprocal / GAMMA;
+        let diagonal = 1.0 / h / GAMMA;
         let matrix = std::array::from_fn(|i| {
             std::array::from_fn(|j| if i == j { diagonal - begin.jacobian[i][j] } else { -begin.jacobian[i][j] })
         });
         let Some(factors) = Factors::of(matrix) else { return false };
-        let mut rates = begin.rates;
-        for (stage, time) in TIMES.iter().enumerate() {
-            let at = self.stage(&begin.states, stage);
-            if stage > 0 {
-                equations.rates(begin.time + time * h, &at, &mut rates);
-            }
-            let memory = self.memory(stage, &begin.by_time, h, reciprocal);
-            self.k[stage] = factors.solve(std::array::from_fn(|i| rates[i] + memory[i]));
-            self.end = at;
+        macro_rules! make {
+            ($($stage:literal)+) => { $(self.make::<$stage>(equations, begin, &factors, h);)+ };
         }
-        for (x, k) in self.end.iter_mut().zip(&self.k[STAGES - 1]) {
-            *x += k;
-        }
+        make!(0 1 2 3 4 5 6 7);
         self.end.iter().all(|x| x.is_finite())
     }
 
@@ -177,13 +184,13 @@ impl<const N: usize> Step<N> for Rodas5P<N> {
     }
 
     fn error(&self) -> &[f64; N] {
-        &self.k[STAGES - 1]
+        &self.error
     }
 
     /// x(s) = (1 - s) x_0 + s (x_1 + (1 - s) (b_1 + s (b_2 + s b_3))), b = H k.
     fn dense(&self, begin: &Beginning<N>) -> [[f64; 5]; N] {
         std::array::from_fn(|i| {
-            let b = H.map(|row| row.iter().zip(&self.k).map(|(h, k)| h * k[i]).sum::<f64>());
+            let b = H.map(|row| row.iter().zip(&self.k[i]).map(|(h, k)| h * k).sum::<f64>());
             let (from, to) = (begin.states[i], self.end[i]);
             [from, to - from + b[0], b[1] - b[0], b[2] - b[1], -b[2]]
         })

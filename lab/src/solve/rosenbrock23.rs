@@ -31,7 +31,7 @@ impl<const N: usize> Default for Rosenbrock23<N> {
 }
 
 impl<const N: usize> Step<N> for Rosenbrock23<N> {
-    const ERROR_ORDER: f64 = 3.0;
+    const ERROR_ORDER: i32 = 3;
     const EVALUATIONS: u64 = 2;
 
     fn attempt(&mut self, equations: &mut dyn Equations, begin: &Beginning<N>, h: f64) -> bool {
