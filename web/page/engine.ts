@@ -10,9 +10,7 @@ let script: string | undefined;
 
 /** The library that lies in this page, compiled once. */
 function module(): Promise<WebAssembly.Module> {
-  compiled ??= unpacked("library")
-    .arrayBuffer()
-    .then((bytes) => WebAssembly.compile(bytes));
+  compiled ??= WebAssembly.compile(unpacked("library"));
   return compiled;
 }
 
