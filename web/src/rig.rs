@@ -1,9 +1,11 @@
 //! Records of rigs, and laws fitted to them.
 
 use std::collections::BTreeMap;
-use std::sync::atomic::AtomicBool;
+use std::sync::atomic::{AtomicBool, Ordering};
 
-use lab::identify::{self, Experiment, Fit, Ranking, Task, Watch, Wishes, as_json, fit_all, laws_named, respond};
+use lab::identify::{
+    self, EARLY, Experiment, Fit, Ranking, Task, Watch, Wishes, as_json, fit_all, laws_named, respond,
+};
 use lab::measured::{self, Delay, Record, average};
 use lab::rig::{Faults, VirtualRig};
 use lab::sheet::Sheet;
@@ -123,8 +125,8 @@ pub fn quality(known: &Known) -> Result<Answer, Fault> {
     Ok(Answer::with(told, arrays))
 }
 
-/// Fits laws; `progress` hears of the number of the law and of what it does not explain so far, in N.
-pub fn fit(known: &Known, wanted: &Wanted, progress: &(dyn Fn(f64) + Sync)) -> Result<Answer, Fault> {
+/// Fits laws; `progress` hears of what is not explained so far, in N, and returns whether the search is to end with it.
+pub fn fit(known: &Known, wanted: &Wanted, progress: &(dyn Fn(f64) -> bool + Sync)) -> Result<Answer, Fault> {
     let record = known.record()?;
     let usual = Task::default();
     let task = Task {
@@ -135,7 +137,11 @@ pub fn fit(known: &Known, wanted: &Wanted, progress: &(dyn Fn(f64) + Sync)) -> R
         ..usual
     };
     let experiments = [Experiment::new("record", &record)];
-    let watch = Watch { cancel: &AtomicBool::new(false), progress: &|level, _| progress(level) };
+    let cancel = AtomicBool::new(false);
+    let heard = |level, _| {
+        cancel.fetch_or(progress(level), Ordering::Relaxed);
+    };
+    let watch = Watch { cancel: &cancel, progress: &heard };
     let ranking = fit_all(&laws_named(&wanted.laws)?, &experiments, &task, &mut |_| {}, watch)?;
     let best = ranking.best();
     let values = best.columns.iter().map(|(column, value)| (best.name_of(*column), *value));
@@ -152,6 +158,7 @@ fn told(ranking: &Ranking, best: &Fit) -> Result<Value, Fault> {
         "ranking": as_json(ranking),
         "best": best.law.name,
         "level": best.level,
+        "early": best.is_cancelled.then_some(EARLY),
         "condition": best.condition,
         "toml": best.configuration().text(),
         "ssv": set.to_ssv(),

@@ -68,7 +68,11 @@ test("runs of systems have the same bits in a browser and on this machine", { ti
 
 test("curves, strokes, records and fits have the same bits", { timeout: 600_000 }, async () => {
   const heard = [];
-  const ask = await open(LIBRARY, (rms) => heard.push(rms));
+  let end;
+  const ask = await open(LIBRARY, (rms) => {
+    heard.push(rms);
+    return Number(heard.length === end);
+  });
   const { laws, fitted } = ask({ ask: "catalogue" }).answer;
   const velocity = Array.from({ length: 41 }, (_, at) => 1e-3 * (at - 20));
   const questions = [];
@@ -97,7 +101,10 @@ test("curves, strokes, records and fits have the same bits", { timeout: 600_000 
   for (const { answer } of found) assert.ok(answer.ranking.laws[0].estimates.some(({ repeated }) => repeated), JSON.stringify(answer).slice(0, 400));
   console.log("figure: fits of 5 laws with intervals and repetitions: the same bits");
   assert.ok(heard.length > 10 && heard.at(-1) < heard[0], "the search tells how far it is");
-});
+  // What a search that is ended has told last is what it answers with.
+  heard.length = 0;
+  end = 3;
+  const { answer } = ask({ ask: "fit", known: short, wanted: { laws: ["LuGre"], budget: 3000 } });
   assert.match(answer.early, /^ended early: the best values so far/);
   assert.ok(heard.length < 10, `${heard.length} reports`);
   assert.ok(answer.ranking.laws[0].rms <= Math.max(...heard), `${answer.ranking.laws[0].rms} N after ${heard}`);

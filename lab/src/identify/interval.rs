@@ -137,6 +137,7 @@ pub(super) fn repetitions(
         let again = Problem { instead: Some(forces.collect()), ..problem.clone() };
         let from = Found { cost: f64::INFINITY, ..best.clone() };
         found.push(polish(&again, &from).places);
+        (watch.progress)(seen.rms, best.evaluations);
     }
     found
 }
